@@ -1,0 +1,454 @@
+//! What stands on the paper when the construction is finished, and in which order it came there.
+//!
+//! A [`Construction`] is all that `sheet/` needs: images, vectors, construction lines and the acts of
+//! the draughtsman in their order. Coordinates are paper millimetres in each diagram's own frame: the
+//! pole of a polygon, the first fixed point of the skeleton, is (0, 0).
+
+use crate::mechanism::quantity::{Answer, Order, Quantity};
+use crate::mechanism::{LinkId, PointId};
+
+/// A place on the paper, millimetres in the diagram's own frame.
+pub type Mm2 = [f64; 2];
+
+/// The whole graphical solution.
+#[derive(Debug, Clone)]
+pub struct Construction {
+    /// The kinematic skeleton.
+    pub space: Space,
+    /// The velocity polygon, if any asked quantity needs it.
+    pub velocity: Option<Polygon>,
+    /// The acceleration polygon, if any asked quantity needs it.
+    pub acceleration: Option<Polygon>,
+    /// The numbered steps, in the order in which they were drawn.
+    pub steps: Vec<Step>,
+    /// One answer per asked quantity, in order.
+    pub answers: Vec<Reading>,
+}
+
+/// An asked quantity as read off the paper.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// The value in SI units with its bound.
+    pub answer: Answer,
+    /// The length of its vector on the paper, for quantities that are a vector of a polygon.
+    pub drawn_mm: Option<f64>,
+}
+
+/// The skeleton as drawn.
+#[derive(Debug, Clone)]
+pub struct Space {
+    /// Metres per millimetre of paper.
+    pub metres_per_mm: f64,
+    /// Place of each point by [`PointId`]; `None` where no asked quantity needed it.
+    pub places: Vec<Option<Mm2>>,
+    /// Arcs, rays and guide lines by which places were found.
+    pub lines: Vec<ConstructionLine>,
+}
+
+/// A polygon with its pole at (0, 0).
+#[derive(Debug, Clone)]
+pub struct Polygon {
+    /// [`Order::Velocity`] or [`Order::Acceleration`].
+    pub order: Order,
+    /// SI units (m/s or m/s²) per millimetre of paper.
+    pub si_per_mm: f64,
+    /// Image points and feet. The pole itself is not listed.
+    pub images: Vec<Image>,
+    /// Vectors, in the order of drawing.
+    pub vectors: Vec<Vector>,
+    /// Construction lines, in the order of drawing.
+    pub lines: Vec<ConstructionLine>,
+    /// Images of links with three or more points: corners in the order of the link's points.
+    pub link_images: Vec<LinkImage>,
+}
+
+/// Name of a point of a polygon.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Label {
+    /// o or o′.
+    Pole,
+    /// a, b′ … image of a point; `link` where coincident points must be told apart (a₂, a₄).
+    Image {
+        /// The point.
+        point: PointId,
+        /// The link whose point it is, where that matters.
+        link: Option<LinkId>,
+    },
+    /// a′₁, b′₂ …: the end of a component. 1 is the normal part laid off first, 2 the one laid off
+    /// from the other point, and so on.
+    Foot {
+        /// The point whose image the component leads to.
+        point: PointId,
+        /// The link whose point it is, where that matters.
+        link: Option<LinkId>,
+        /// 1, 2, …
+        index: u8,
+    },
+}
+
+/// A labelled point of a polygon.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Image {
+    /// Its name.
+    pub label: Label,
+    /// Its place.
+    pub at: Mm2,
+}
+
+/// The image of a rigid link, to be lightly filled; it has the link's own reading sense.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkImage {
+    /// The link.
+    pub link: LinkId,
+    /// The corners, in the order of the link's points.
+    pub corners: Vec<(PointId, Mm2)>,
+}
+
+/// What a vector of a polygon is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum VectorKind {
+    /// From the pole to an image point. Thick.
+    Absolute,
+    /// From one image point to another. Thick.
+    Relative,
+    /// A normal part. Thin.
+    Normal,
+    /// A tangential part. Thin.
+    Tangential,
+    /// Velocity or apparent acceleration along a guide. Thin.
+    Sliding,
+    /// Coriolis acceleration; its head is at the known point. Thin.
+    Coriolis,
+}
+
+/// A vector of a polygon.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vector {
+    /// What it is.
+    pub kind: VectorKind,
+    /// Which quantity it represents.
+    pub quantity: Quantity,
+    /// Name of its tail.
+    pub tail: Label,
+    /// Name of its head.
+    pub head: Label,
+    /// Place of its tail.
+    pub from: Mm2,
+    /// Place of its head.
+    pub to: Mm2,
+    /// The direction it claims to have.
+    pub claim: Option<Claim>,
+    /// Shorter than 1 mm: drawn as a point.
+    pub as_point: bool,
+    /// Index into [`Construction::steps`].
+    pub step: usize,
+}
+
+/// A line of the skeleton that a direction refers to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reference {
+    /// The line through two points.
+    Points(PointId, PointId),
+    /// The guide of a sliding pair (its direction under the rider), by index of the pair.
+    Guide(usize),
+}
+
+/// The direction that a drawn line claims to have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Claim {
+    /// ∥ to a line of the skeleton.
+    Parallel(Reference),
+    /// ⊥ to a line of the skeleton.
+    Perpendicular(Reference),
+}
+
+/// A thin line of the construction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ConstructionLine {
+    /// A straight line of unknown length, from its start through the intersection it helped to find.
+    Ray {
+        /// Where it starts.
+        from: Mm2,
+        /// The intersection that ends its use; it is drawn a little past it.
+        to: Mm2,
+        /// The direction it claims to have.
+        claim: Option<Claim>,
+        /// Index into [`Construction::steps`].
+        step: usize,
+    },
+    /// An arc struck with the compass near an intersection.
+    Arc {
+        /// Where the compass stands.
+        centre: Mm2,
+        /// Its opening.
+        radius: f64,
+        /// The intersection it helped to find.
+        at: Mm2,
+        /// Index into [`Construction::steps`].
+        step: usize,
+    },
+}
+
+/// One numbered step of the solution.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// Skeleton, velocity or acceleration.
+    pub order: Order,
+    /// The links that this step solves; empty where it solves none (pole, frame).
+    pub links: Vec<LinkId>,
+    /// The vector equations of the step.
+    pub equations: Vec<Equation>,
+    /// What the draughtsman does, in order.
+    pub acts: Vec<Act>,
+}
+
+/// A vector equation: one vector by two routes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equation {
+    /// Left-hand side: parts of the vector by the first route.
+    pub left: Vec<Term>,
+    /// Right-hand side: the same vector by the second route.
+    pub right: Vec<Term>,
+}
+
+/// One term of a vector equation, as the table of terms shows it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Term {
+    /// The vector.
+    pub quantity: Quantity,
+    /// Its magnitude in SI units if it was known before the step was drawn.
+    pub magnitude: Option<f64>,
+    /// Its direction if it was known before the step was drawn.
+    pub direction: Option<TermDirection>,
+}
+
+/// A direction known before drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TermDirection {
+    /// Fully found already (a vector of the diagram).
+    Found,
+    /// By a line of the skeleton.
+    Claim(Claim),
+}
+
+/// An act of the draughtsman, or a calculation between two of them. Values are SI, lengths of paper mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Act {
+    /// Mark the given places of the frame, or of placed points.
+    MarkPlaces,
+    /// From a known joint lay off a link at its given angle.
+    LayOffLink {
+        /// The link.
+        link: LinkId,
+        /// Known joint.
+        from: PointId,
+        /// New joint.
+        to: PointId,
+        /// Angle from +x in radians, as measured with the protractor.
+        angle: f64,
+        /// Length in metres.
+        length: f64,
+    },
+    /// Strike an arc about a known point.
+    StrikeArc {
+        /// Where the compass stands.
+        centre: PointId,
+        /// The point that lies on the arc.
+        to: PointId,
+        /// Radius in metres.
+        radius: f64,
+    },
+    /// Draw the line of a fixed guide.
+    DrawGuide {
+        /// Index of the sliding pair.
+        slide: usize,
+    },
+    /// Mark an intersection of the skeleton.
+    MarkIntersection {
+        /// The point found.
+        point: PointId,
+        /// Angle at which the two lines cross, radians, 0 to π/2; flatter than 3° is badly readable.
+        crossing: f64,
+    },
+    /// Transfer a further point of a link whose pose is now known.
+    TransferPoint {
+        /// The link.
+        link: LinkId,
+        /// The point.
+        point: PointId,
+    },
+    /// Measure a length that was not given off the skeleton.
+    MeasureLength {
+        /// One end.
+        from: PointId,
+        /// Other end.
+        to: PointId,
+        /// Length on paper in mm.
+        mm: f64,
+        /// Length in metres.
+        value: f64,
+    },
+    /// Choose the pole.
+    MarkPole,
+    /// Calculate a magnitude that the next acts lay off.
+    Calculate(Calculation),
+    /// Lay off a vector of known magnitude and direction.
+    LayOffVector {
+        /// Index into [`Polygon::vectors`].
+        vector: usize,
+        /// Its magnitude in SI units.
+        value: f64,
+        /// Its length on paper in mm.
+        mm: f64,
+    },
+    /// Through a point draw a line of known direction and unknown length.
+    DrawRay {
+        /// The point.
+        from: Label,
+        /// The direction.
+        claim: Claim,
+    },
+    /// Mark where two rays meet.
+    MarkMeet {
+        /// The image found.
+        label: Label,
+        /// Angle at which the two rays cross, radians, 0 to π/2.
+        crossing: f64,
+    },
+    /// Divide an image line as the link is divided.
+    DivideImage {
+        /// The image found.
+        label: Label,
+        /// Start of the image line.
+        from: Label,
+        /// End of the image line.
+        to: Label,
+        /// from→found : from→to, signed.
+        ratio: f64,
+    },
+    /// Complete the image of a link similar to the link and in the same reading sense.
+    CompleteImage {
+        /// The image found.
+        label: Label,
+        /// The link.
+        link: LinkId,
+        /// Base of the similar figure.
+        base: [Label; 2],
+    },
+    /// The whole link shares one image point (ω = 0, translation).
+    SameImage {
+        /// The image.
+        label: Label,
+        /// The image it coincides with.
+        with: Label,
+    },
+    /// Read a vector off the diagram.
+    ReadVector {
+        /// Index into [`Polygon::vectors`].
+        vector: usize,
+        /// Its length on paper in mm.
+        mm: f64,
+        /// Its magnitude in SI units.
+        value: f64,
+    },
+}
+
+/// A calculation of the textbook, between reading and laying off. Values are SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Calculation {
+    /// V = ω l, for a driven link.
+    Speed {
+        /// The vector.
+        quantity: Quantity,
+        /// The link.
+        link: LinkId,
+        /// The length, by its ends.
+        ends: [PointId; 2],
+        /// ω, signed.
+        omega: f64,
+        /// l.
+        length: f64,
+        /// V, not negative.
+        value: f64,
+    },
+    /// ω = V / l.
+    Omega {
+        /// The link.
+        link: LinkId,
+        /// The vector that was read.
+        quantity: Quantity,
+        /// The length, by its ends.
+        ends: [PointId; 2],
+        /// V, not negative.
+        speed: f64,
+        /// l.
+        length: f64,
+        /// ω, signed, ccw positive.
+        value: f64,
+    },
+    /// Aⁿ = V² / l.
+    Normal {
+        /// The vector.
+        quantity: Quantity,
+        /// The velocity that was read.
+        velocity: Quantity,
+        /// The length, by its ends.
+        ends: [PointId; 2],
+        /// V, not negative.
+        speed: f64,
+        /// l.
+        length: f64,
+        /// Aⁿ, not negative.
+        value: f64,
+    },
+    /// Aᵗ = ε l, for a link whose ε is known.
+    Tangential {
+        /// The vector.
+        quantity: Quantity,
+        /// The link.
+        link: LinkId,
+        /// The length, by its ends.
+        ends: [PointId; 2],
+        /// ε, signed.
+        alpha: f64,
+        /// l.
+        length: f64,
+        /// Aᵗ, not negative.
+        value: f64,
+    },
+    /// ε = Aᵗ / l.
+    Alpha {
+        /// The link.
+        link: LinkId,
+        /// The vector that was read.
+        quantity: Quantity,
+        /// The length, by its ends.
+        ends: [PointId; 2],
+        /// Aᵗ, not negative.
+        tangential: f64,
+        /// l.
+        length: f64,
+        /// ε, signed, ccw positive.
+        value: f64,
+    },
+    /// A link that only translates: ω = 0, ε = 0.
+    Translation {
+        /// The link.
+        link: LinkId,
+    },
+    /// V_r = r |ω_i − ω_j|.
+    Rub {
+        /// The pin.
+        pin: PointId,
+        /// The two links.
+        links: [LinkId; 2],
+        /// Journal radius.
+        radius: f64,
+        /// ω of the first.
+        first: f64,
+        /// ω of the second.
+        second: f64,
+        /// The rubbing speed.
+        value: f64,
+    },
+}

@@ -1,0 +1,7 @@
+//! **linkgram** draws the graphical solution of a planar mechanism: the kinematic skeleton, the velocity
+//! and the acceleration polygon, built link by link with scale factors, and checks every number with an
+//! independent solver.
+
+pub mod graphical;
+pub mod mechanism;
+pub mod scene;

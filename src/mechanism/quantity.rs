@@ -1,0 +1,180 @@
+//! What a scene may ask for, and what a solver may answer.
+
+use std::fmt;
+
+use super::{LinkId, PointId};
+
+/// A quantity by its meaning. "Relative to" reads from the second operand to the first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// `v(B)`: velocity of a point. Vector.
+    Velocity(PointId),
+    /// `v(B/A)`: velocity of B relative to A. Vector.
+    RelativeVelocity(PointId, PointId),
+    /// `a(B)`: acceleration of a point. Vector.
+    Acceleration(PointId),
+    /// `a(B/A)`: acceleration of B relative to A. Vector.
+    RelativeAcceleration(PointId, PointId),
+    /// `an(B/A)`: normal part, B and A of one link. Vector.
+    RelativeNormal(PointId, PointId),
+    /// `at(B/A)`: tangential part, B and A of one link. Vector.
+    RelativeTangential(PointId, PointId),
+    /// `an(B)`: normal part for a point of a link pivoted to the frame. Vector.
+    Normal(PointId),
+    /// `at(B)`: tangential part for a point of a link pivoted to the frame. Vector.
+    Tangential(PointId),
+    /// `omega(3)`: angular velocity. Signed scalar, ccw positive.
+    Omega(LinkId),
+    /// `omega(3/2)`: ω₃ − ω₂. Signed scalar.
+    RelativeOmega(LinkId, LinkId),
+    /// `alpha(3)`: angular acceleration. Signed scalar, ccw positive.
+    Alpha(LinkId),
+    /// `alpha(3/2)`: α₃ − α₂. Signed scalar.
+    RelativeAlpha(LinkId, LinkId),
+    /// `slip(A/4)`: velocity of pin A relative to the point of link 4 under it. Vector.
+    Slip(PointId, LinkId),
+    /// `aslip(A/4)`: apparent acceleration of pin A in link 4, without Coriolis. Vector.
+    SlipAcceleration(PointId, LinkId),
+    /// `aslipn(A/4)`: its part normal to an arc guide. Vector.
+    SlipNormal(PointId, LinkId),
+    /// `aslipt(A/4)`: its part along an arc guide. Vector.
+    SlipTangential(PointId, LinkId),
+    /// `coriolis(A/4)`: 2 ω₄ × slip. Vector.
+    Coriolis(PointId, LinkId),
+    /// `I(1,3)`: instant centre. A place, or a direction where it is at infinity.
+    Centre(LinkId, LinkId),
+    /// `rub(B)`, `rub(B,3/4)`: rubbing speed at a pin, journal radius × |relative ω|. Scalar, not negative.
+    Rub(PointId, LinkId, LinkId),
+    /// `x(B)`: place of a point. Vector.
+    Position(PointId),
+    /// `angle(3)`: angle of a link's own x-axis from +x, in (−π, π]. Scalar.
+    Angle(LinkId),
+    /// `transmission(3/4)`: angle between coupler 3 and output 4 at their pin, 0 to π. Scalar.
+    Transmission(LinkId, LinkId),
+}
+
+/// Whether a quantity needs positions only, velocities, or accelerations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Order {
+    /// Positions suffice.
+    Position,
+    /// Velocities are needed.
+    Velocity,
+    /// Accelerations are needed.
+    Acceleration,
+}
+
+impl Quantity {
+    /// What has to be solved for this quantity.
+    #[must_use]
+    pub fn order(&self) -> Order {
+        match self {
+            Self::Position(_) | Self::Angle(_) | Self::Transmission(..) => Order::Position,
+            Self::Velocity(_)
+            | Self::RelativeVelocity(..)
+            | Self::Omega(_)
+            | Self::RelativeOmega(..)
+            | Self::Slip(..)
+            | Self::Coriolis(..)
+            | Self::Centre(..)
+            | Self::Rub(..)
+            | Self::RelativeNormal(..)
+            | Self::Normal(_)
+            | Self::SlipNormal(..) => Order::Velocity,
+            Self::Acceleration(_)
+            | Self::RelativeAcceleration(..)
+            | Self::RelativeTangential(..)
+            | Self::Tangential(_)
+            | Self::Alpha(_)
+            | Self::RelativeAlpha(..)
+            | Self::SlipAcceleration(..)
+            | Self::SlipTangential(..) => Order::Acceleration,
+        }
+    }
+}
+
+/// An output unit: its symbol and how many SI units it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unit {
+    /// As written after a number (`cm/s`, `rad/s^2`, `deg`).
+    pub symbol: String,
+    /// SI units per unit.
+    pub si: f64,
+}
+
+/// One asked quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Asked {
+    /// As the scene wrote it; echoed in every output.
+    pub name: String,
+    /// What it means.
+    pub quantity: Quantity,
+    /// In which unit it is answered.
+    pub unit: Unit,
+}
+
+/// Why a quantity is not determined here.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Indeterminate {
+    /// Two construction lines, or a link pair, are in line or parallel at this instant.
+    DeadCentre {
+        /// Numbers of the links that are in line, ascending; empty where it cannot be named.
+        links: Vec<u32>,
+    },
+    /// The mechanism's Jacobian is singular here (analytic solver).
+    Singular,
+    /// The asked direction does not exist (a centre of two links that do not move against each other).
+    Undefined {
+        /// In plain English, one clause.
+        why: String,
+    },
+}
+
+impl fmt::Display for Indeterminate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::DeadCentre { links } if links.is_empty() => {
+                write!(f, "dead centre: construction lines are parallel")
+            }
+            Self::DeadCentre { links } => {
+                let names: Vec<String> = links.iter().map(u32::to_string).collect();
+                match names.split_last() {
+                    Some((last, rest)) if !rest.is_empty() => {
+                        write!(f, "dead centre: links {} and {last} in line", rest.join(", "))
+                    }
+                    _ => write!(f, "dead centre at link {}", names.join("")),
+                }
+            }
+            Self::Singular => write!(f, "dead centre: the motion is not determined by the input here"),
+            Self::Undefined { why } => write!(f, "{why}"),
+        }
+    }
+}
+
+/// A solver's answer in SI units, with its bound.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Answer {
+    /// A signed scalar.
+    Scalar {
+        /// SI value, ccw positive.
+        value: f64,
+        /// |value − truth| ≤ bound.
+        bound: f64,
+    },
+    /// A vector or a place.
+    Vector {
+        /// SI components, x right, y up.
+        value: [f64; 2],
+        /// |value − truth| (length of the difference) ≤ bound.
+        bound: f64,
+    },
+    /// A centre at infinity.
+    AtInfinity {
+        /// Unit vector of the direction; its sign has no meaning.
+        direction: [f64; 2],
+        /// Radius of uncertainty of the direction, radians.
+        bound: f64,
+    },
+    /// Not determined at this position.
+    Indeterminate(Indeterminate),
+}

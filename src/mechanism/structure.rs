@@ -1,0 +1,1 @@
+//! Mobility and decomposition into the driver and Assur groups.
