@@ -4,4 +4,6 @@
 
 pub mod graphical;
 pub mod mechanism;
+pub mod render;
 pub mod scene;
+pub mod sheet;
