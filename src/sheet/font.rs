@@ -100,7 +100,8 @@ impl Face {
 struct Metrics {
     face: ttf_parser::Face<'static>,
     em: f64,
-    kerning: Vec<PairAdjustment<'static>>,
+    /// Subtables by lookup; every lookup applies, in each the first subtable that has the pair.
+    kerning: Vec<Vec<PairAdjustment<'static>>>,
 }
 
 impl Metrics {
@@ -109,43 +110,44 @@ impl Metrics {
         let em = f64::from(face.units_per_em());
         let mut kerning = Vec::new();
         if let Some(gpos) = face.tables().gpos {
-            let tag = Tag::from_bytes(b"kern");
-            let mut lookups: Vec<u16> = gpos
-                .features
+            let latin = gpos.scripts.find(Tag::from_bytes(b"latn"));
+            let script = latin.or_else(|| gpos.scripts.find(Tag::from_bytes(b"DFLT")));
+            let features = script.and_then(|s| s.default_language).map(|l| l.feature_indices);
+            let mut lookups: Vec<u16> = features
                 .into_iter()
-                .filter(|f| f.tag == tag)
-                .flat_map(|f| f.lookup_indices.into_iter())
+                .flatten()
+                .filter_map(|index| gpos.features.get(index))
+                .filter(|feature| feature.tag == Tag::from_bytes(b"kern"))
+                .flat_map(|feature| feature.lookup_indices.into_iter())
                 .collect();
             lookups.sort_unstable();
             lookups.dedup();
-            for index in lookups {
-                if let Some(lookup) = gpos.lookups.get(index) {
-                    for subtable in lookup.subtables.into_iter::<PositioningSubtable<'_>>() {
-                        if let PositioningSubtable::Pair(pair) = subtable {
-                            kerning.push(pair);
-                        }
-                    }
-                }
+            for lookup in lookups.into_iter().filter_map(|index| gpos.lookups.get(index)) {
+                let pairs = lookup.subtables.into_iter::<PositioningSubtable<'_>>();
+                let pairs = pairs.filter_map(|subtable| match subtable {
+                    PositioningSubtable::Pair(pair) => Some(pair),
+                    _ => None,
+                });
+                kerning.push(pairs.collect());
             }
         }
         Some(Self { face, em, kerning })
     }
 
-    /// The first subtable that knows the pair decides, as in a shaper.
     fn kern(&self, left: GlyphId, right: GlyphId) -> f64 {
-        for pair in &self.kerning {
-            let Some(index) = pair.coverage().get(left) else { continue };
-            let found = match pair {
-                PairAdjustment::Format1 { sets, .. } => sets.get(index).and_then(|set| set.get(right)),
-                PairAdjustment::Format2 { classes, matrix, .. } => {
-                    matrix.get((classes.0.get(left), classes.1.get(right)))
-                }
-            };
-            if let Some((first, _)) = found {
-                return f64::from(first.x_advance);
-            }
-        }
-        0.0
+        let of_lookup = |pairs: &Vec<PairAdjustment<'static>>| {
+            pairs.iter().find_map(|pair| {
+                let index = pair.coverage().get(left)?;
+                let (first, _) = match pair {
+                    PairAdjustment::Format1 { sets, .. } => sets.get(index)?.get(right)?,
+                    PairAdjustment::Format2 { classes, matrix, .. } => {
+                        matrix.get((classes.0.get(left), classes.1.get(right)))?
+                    }
+                };
+                Some(f64::from(first.x_advance))
+            })
+        };
+        self.kerning.iter().filter_map(of_lookup).sum()
     }
 }
 
