@@ -43,10 +43,12 @@ fn unknown_figures_are_refused() {
 #[test]
 fn preview() {
     let Some(folder) = std::env::var_os("SHEET_PREVIEW").map(std::path::PathBuf::from) else { return };
+    #[cfg(feature = "png")]
+    let dpi = std::env::var("SHEET_DPI").ok().and_then(|d| d.parse().ok()).unwrap_or(110.0);
     for (name, figure) in all_figures() {
         let text = svg::write(&figure);
         #[cfg(feature = "png")]
-        std::fs::write(folder.join(format!("{name}.png")), crate::render::png::render(&text, 110.0).unwrap())
+        std::fs::write(folder.join(format!("{name}.png")), crate::render::png::render(&text, dpi).unwrap())
             .unwrap();
         std::fs::write(folder.join(format!("{name}.svg")), text).unwrap();
     }
