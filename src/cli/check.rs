@@ -78,9 +78,9 @@ fn check_all(scenes: &[PathBuf], tolerance: f64) -> Vec<Checked> {
 }
 
 fn check_one(path: &Path, tolerance: f64) -> Checked {
-    let read = files::read(path).and_then(|(file, text)| Ok((crate::scene::read(&text, &file)?, file)));
+    let read = super::read_scene(path);
     match read {
-        Ok((scene, file)) => Checked { file, result: Ok(crate::check::check(&scene, tolerance)) },
+        Ok((file, scene)) => Checked { file, result: Ok(crate::check::check(&scene, tolerance)) },
         Err(Failure(message)) => Checked { file: path.display().to_string(), result: Err(message) },
     }
 }

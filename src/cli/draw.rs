@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use super::{Ending, Failure, Source, files, print};
+use super::{Ending, Failure, failure, files, print, read_scene};
 use crate::plan::Extent;
+use crate::scene::Scene;
 use crate::sheet::{self, Figure};
 
 /// What is to be drawn, and where.
@@ -28,11 +29,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if !(job.dpi.is_finite() && (10.0..=2400.0).contains(&job.dpi)) {
         return Err(Failure(format!("--dpi {}: choose between 10 and 2400", job.dpi)));
     }
-    let source = Source::read(&job.scene)?;
-    let language = language(job, &source)?;
-    let scene = &source.scene;
+    let (_, scene) = read_scene(&job.scene)?;
+    let scene = &scene;
+    let language = language(job, scene)?;
     let solved = crate::solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)
-        .map_err(|error| source.failure(&error))?;
+        .map_err(|error| failure(scene, &error))?;
     let construction = &solved.solution.construction;
     let names: Vec<&str> = if job.figure.is_empty() {
         scene.sheet.figures.iter().map(String::as_str).collect()
@@ -61,15 +62,15 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     Ok(Ending::Fine)
 }
 
-fn language(job: &Job, source: &Source) -> Result<sheet::Language, Failure> {
-    let tag = job.lang.as_deref().or(source.scene.sheet.language.as_deref()).unwrap_or("en");
+fn language(job: &Job, scene: &Scene) -> Result<sheet::Language, Failure> {
+    let tag = job.lang.as_deref().or(scene.sheet.language.as_deref()).unwrap_or("en");
     sheet::Language::from_tag(tag).ok_or_else(|| {
         Failure(format!("language {tag} is not available; known: {}", sheet::Language::tags().join(", ")))
     })
 }
 
 fn singles(
-    scene: &crate::scene::Scene,
+    scene: &Scene,
     construction: &crate::graphical::construction::Construction,
     language: sheet::Language,
     names: &[&str],

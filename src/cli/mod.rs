@@ -164,22 +164,13 @@ fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// A scene with the text it was read from, so that later errors can name a place.
-struct Source {
-    file: String,
-    text: String,
-    scene: Scene,
+fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
+    let (file, text) = files::read(path)?;
+    let scene = crate::scene::read(&text, &file)?;
+    Ok((file, scene))
 }
 
-impl Source {
-    fn read(path: &std::path::Path) -> Result<Self, Failure> {
-        let (file, text) = files::read(path)?;
-        let scene = crate::scene::read(&text, &file)?;
-        Ok(Self { file, text, scene })
-    }
-
-    /// An error of a later room, at the place in the file that it is about.
-    fn failure(&self, error: &crate::solve::SolveError) -> Failure {
-        Failure(report::diagnose(&self.file, &self.text, &self.scene, error).to_string())
-    }
+/// An error of a later room, at the place in the file that it is about.
+fn failure(scene: &Scene, error: &crate::solve::SolveError) -> Failure {
+    report::diagnose(scene, error).into()
 }

@@ -1,65 +1,84 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
 use crate::graphical::DrawError;
+use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::{Answer, Asked};
-use crate::scene::{Diagnostic, Scene, locate};
+use crate::mechanism::structure::{Joint, StructureError};
+use crate::scene::{Diagnostic, Scene, Subject};
 use crate::solve::SolveError;
 
 /// The diagnostic of an error that was found after reading.
-pub(super) fn diagnose(file: &str, text: &str, scene: &Scene, error: &SolveError) -> Diagnostic {
-    let unit = &scene.units.length;
-    let (paths, what, mend): (&[&str], String, Option<String>) = match error {
-        SolveError::Structure(structure) => (
-            &["inputs", "input", "links"],
-            structure.to_string(),
-            Some(match structure {
-                crate::mechanism::structure::StructureError::UnderConstrained { left, .. } => format!(
-                    "give {left} more input{}, or join or guide these links",
-                    if *left == 1 { "" } else { "s" }
-                ),
-                crate::mechanism::structure::StructureError::OverConstrained { .. } => {
-                    "take away a link, a pair or an input".to_owned()
-                }
-            }),
-        ),
-        SolveError::Draw(DrawError::CannotAssemble { why, range }) => (
-            &["input.angle", "input", "inputs", "links"],
-            format!("cannot be assembled: {}", why.in_unit(unit.si, &unit.symbol)),
-            Some(match range {
-                Some(range) => range.to_string(),
-                None => "change the dimensions or the input".to_owned(),
-            }),
-        ),
-        SolveError::Draw(DrawError::Ambiguous { pin, first, second }) => {
-            let place = |p: &[f64; 2]| format!("[{}, {}]", short(p[0] / unit.si), short(p[1] / unit.si));
-            (
-                &["near", "links"],
-                format!("ambiguous: the chain closes with {pin} at {} and at {}", place(first), place(second)),
-                Some(format!("choose one, as in \"near\": {{ \"{pin}\": {} }}", place(first))),
-            )
-        }
-        SolveError::Draw(DrawError::NoConstruction { links }) => {
-            let names: Vec<String> = links.iter().map(u32::to_string).collect();
-            (
-                &["links"],
-                format!(
-                    "links {} form a group for which no graphical construction is known",
-                    names.join(", ")
-                ),
-                Some("so far linkgram solves drivers, RRR and RRP groups with guides on link 1".to_owned()),
-            )
-        }
-        SolveError::Indeterminate { name, why } => (
-            &["find", "input"],
-            format!("indeterminate here: {name}: {why}"),
-            Some("turn the input a little; at this position it does not determine what is asked".to_owned()),
+pub(super) fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
+    let (subject, what, mend) = match error {
+        SolveError::Structure(error) => structure(&scene.mechanism, error),
+        SolveError::Draw(error) => draw(scene, error),
+        SolveError::Indeterminate { .. } => (
+            Subject::Inputs,
+            error.to_string(),
+            "turn the input a little; at this position it does not determine what is asked".to_owned(),
         ),
     };
-    let (path, (line, column)) = paths
-        .iter()
-        .find_map(|path| locate(text, path).map(|at| (*path, at)))
-        .unwrap_or(("", (1, 1)));
-    Diagnostic { file: file.to_owned(), line, column, path: path.to_owned(), what, mend }
+    scene.source.complain(subject, what, Some(mend))
+}
+
+fn structure(mechanism: &Mechanism, error: &StructureError) -> (Subject, String, String) {
+    match error {
+        StructureError::UnderConstrained { left, .. } => (
+            Subject::Inputs,
+            error.to_string(),
+            format!(
+                "give {left} more input{}, or join or guide these links",
+                if *left == 1 { "" } else { "s" }
+            ),
+        ),
+        StructureError::OverConstrained { joint, .. } => (
+            match *joint {
+                Joint::Pin(link, _) => Subject::Link(link),
+                Joint::Slide(index) => Subject::Slide(index),
+                Joint::Roll(index) | Joint::Contact(index) => Subject::Roll(index),
+                Joint::Input(index) => Subject::Input(index),
+            },
+            error.to_string(),
+            match joint {
+                Joint::Input(_) if mechanism.inputs.len() > 1 => "take this input away".to_owned(),
+                Joint::Input(_) => "take a link or a pair away: the chain is rigid".to_owned(),
+                _ => "take a link, a pair or an input away".to_owned(),
+            },
+        ),
+    }
+}
+
+fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
+    let unit = &scene.units.length;
+    match error {
+        DrawError::CannotAssemble { pin, why, range } => (
+            if range.is_some() { Subject::Input(0) } else { Subject::Point(*pin) },
+            format!("cannot be assembled: {}", why.in_unit(unit.si, &unit.symbol)),
+            match range {
+                Some(range) => range.to_string(),
+                None => "change the dimensions or the input".to_owned(),
+            },
+        ),
+        DrawError::Ambiguous { pin, first, second } => {
+            let name = &scene.mechanism.point(*pin).name;
+            let place = |p: &[f64; 2]| format!("[{}, {}]", short(p[0] / unit.si), short(p[1] / unit.si));
+            let (first, second) = (place(first), place(second));
+            (
+                Subject::Place(*pin),
+                format!("ambiguous: the chain closes with {name} at {first} and at {second}"),
+                format!("choose one, as in \"near\": {{ \"{name}\": {first} }}"),
+            )
+        }
+        DrawError::NoConstruction { links } => {
+            let names: Vec<String> =
+                links.iter().map(|&l| scene.mechanism.link(l).number.to_string()).collect();
+            (
+                links.first().map_or(Subject::Scene, |&l| Subject::Link(l)),
+                format!("no graphical construction is known for the group of links {}", names.join(", ")),
+                "linkgram solves driven cranks, and groups RRR and RRP with straight guides on link 1".to_owned(),
+            )
+        }
+    }
 }
 
 /// A number with seven significant digits.
@@ -68,7 +87,7 @@ pub(super) fn short(x: f64) -> String {
     text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
 }
 
-/// An answer for people: value in its unit, with sense or direction.
+/// An answer for people: value in its unit.
 pub(super) fn describe(asked: &Asked, answer: &Answer) -> String {
     let unit = &asked.unit;
     match answer {

@@ -6,21 +6,22 @@ use std::path::Path;
 use serde_json::{Map, Value, json};
 
 use super::report::{describe, short};
-use super::{Ending, Failure, Source, print};
+use super::{Ending, Failure, failure, print, read_scene};
 use crate::check::{Agreement, Compared};
 use crate::mechanism::quantity::{Answer, Asked, Quantity};
 use crate::plan::Extent;
+use crate::scene::Scene;
 
 pub(super) fn run(path: &Path, as_json: bool, explain: bool) -> Result<Ending, Failure> {
-    let source = Source::read(path)?;
-    let scene = &source.scene;
+    let (file, scene) = read_scene(path)?;
+    let scene = &scene;
     let solved = crate::solve::solve(scene, Extent::Asked, crate::sheet::scale::for_scene)
-        .map_err(|error| source.failure(&error))?;
+        .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
     let explanation =
         explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
     let text = if as_json {
-        let mut object = object(&source, &solved, &agreement);
+        let mut object = object(&file, scene, &solved, &agreement);
         if let (Some(explanation), Some(map)) = (&explanation, object.as_object_mut()) {
             let lines: Vec<&str> = explanation.lines().collect();
             map.insert("explain".to_owned(), json!(lines));
@@ -69,14 +70,14 @@ pub(super) fn verdict(agreement: &Agreement) -> String {
     format!("graphical and analytic {said}: worst difference is {} of the bounds", short(worst))
 }
 
-fn object(source: &Source, solved: &crate::solve::Solved, agreement: &Agreement) -> Value {
+fn object(file: &str, scene: &Scene, solved: &crate::solve::Solved, agreement: &Agreement) -> Value {
     let quantities: Vec<Value> = agreement.compared.iter().map(quantity).collect();
     let mut verdict_of = json!({ "worst_ratio": agreement.worst_ratio(), "ok": agreement.ok() });
     if let (false, Some(map)) = (agreement.ok(), verdict_of.as_object_mut()) {
         map.insert("why".to_owned(), json!(verdict(agreement)));
     }
     json!({
-        "scene": source.scene.title.any().unwrap_or(&source.file),
+        "scene": scene.title.in_language("en").unwrap_or(file),
         "degrees_of_freedom": solved.structure.mobility.freedoms,
         "mobility": solved.structure.mobility.to_string(),
         "quantities": quantities,

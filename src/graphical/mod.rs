@@ -15,7 +15,7 @@ mod velocity;
 use crate::board::{Bench, Board, Recorded, Recorder, Scale, Tape, Trial};
 use crate::given::Given;
 use crate::mechanism::structure::{GroupKind, Structure};
-use crate::mechanism::{Input, Mechanism};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::Plan;
 use construction::{Construction, ConstructionLine, Polygon};
 use draughtsman::Draughtsman;
@@ -57,28 +57,30 @@ pub struct Solution {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DrawError {
     /// Two arcs, or an arc and a guide, do not meet.
-    #[error("cannot be assembled: {why}{}", range.as_ref().map(|r| format!("; {r}")).unwrap_or_default())]
+    #[error("cannot be assembled: {why}")]
     CannotAssemble {
+        /// The pin that cannot be reached.
+        pin: PointId,
         /// Which sum fails, in the mechanism's own names; lengths in metres.
         why: Box<Misfit>,
         /// For which input the chain closes, where that could be found.
         range: Option<ClosingRange>,
     },
     /// Two assemblies and nothing to choose by.
-    #[error("ambiguous: pin {pin} can stand at ({:.6}, {:.6}) or at ({:.6}, {:.6}) m", first[0], first[1], second[0], second[1])]
+    #[error("ambiguous: the chain closes in two ways and nothing chooses between them")]
     Ambiguous {
-        /// The pin.
-        pin: String,
+        /// The pin that has two places.
+        pin: PointId,
         /// One place, metres.
         first: [f64; 2],
         /// The other.
         second: [f64; 2],
     },
     /// No construction is known for a group.
-    #[error("no construction for the group of links {links:?}")]
+    #[error("no construction is known for a group")]
     NoConstruction {
-        /// Numbers of its links.
-        links: Vec<u32>,
+        /// Its links.
+        links: Vec<LinkId>,
     },
 }
 
@@ -299,7 +301,7 @@ fn measure(record: &Construction, scales: Scales) -> Extents {
 fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> DrawError {
     const TRIALS: i32 = 720;
     const HALVINGS: usize = 48;
-    let DrawError::CannotAssemble { why, range: None } = &error else { return error };
+    let DrawError::CannotAssemble { pin, why, range: None } = &error else { return error };
     let driven: Vec<usize> = structure
         .groups
         .iter()
@@ -355,7 +357,7 @@ fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, pl
         intervals.rotate_left(1);
     }
     let range = ClosingRange { link: mechanism.link(link).number, intervals };
-    DrawError::CannotAssemble { why: why.clone(), range: Some(range) }
+    DrawError::CannotAssemble { pin: *pin, why: why.clone(), range: Some(range) }
 }
 
 /// A scale factor as the board wants it.

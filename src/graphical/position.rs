@@ -31,7 +31,6 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
             GroupKind::Rrr { links, bases, pin } => d.rrr(step, links, bases, pin)?,
             GroupKind::Rrp { rod, base, pin, slide } => d.rrp(step, rod, base, pin, slide)?,
             GroupKind::Other => {
-                let links = links.iter().map(|&l| d.mechanism.link(l).number).collect();
                 return Err(DrawError::NoConstruction { links });
             }
         }
@@ -181,6 +180,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let [r1, r2] = circles.map(|c| c.radius.value() * self.scales.length);
             let [first, second] = names;
             DrawError::CannotAssemble {
+                pin,
                 why: Box::new(Misfit {
                     first: (first, r1),
                     second: (second, Some(r2)),
@@ -227,6 +227,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let pair = self.board.meet_line_circle(line, circle, reason).map_err(|_| {
             let [_, distance] = self.board.square_off(line, circle.centre);
             DrawError::CannotAssemble {
+                pin,
                 why: Box::new(Misfit {
                     first: (
                         self.mechanism.point(base).name.clone(),
@@ -356,7 +357,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             _ => {
                 let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
                 Err(DrawError::Ambiguous {
-                    pin: self.mechanism.point(pin).name.clone(),
+                    pin,
                     first: world(self.board.look(&pair, Side::First)),
                     second: world(self.board.look(&pair, Side::Second)),
                 })

@@ -98,7 +98,8 @@ pub(super) fn list(names: &[&str]) -> String {
 }
 
 /// The known name that is nearest to a wrong one, if it is near enough to be meant.
-fn nearest<'n>(wrong: &str, known: &[&'n str]) -> Option<&'n str> {
+#[must_use]
+pub fn nearest<'n>(wrong: &str, known: &[&'n str]) -> Option<&'n str> {
     // Longer texts are no slips of the pen, and the distance costs their product.
     if wrong.chars().count() > 64 {
         return None;

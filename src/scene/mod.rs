@@ -19,7 +19,7 @@ mod sheet;
 mod source;
 mod units;
 
-pub use diagnostic::Diagnostic;
+pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
 pub use source::{Source, Subject};
 
