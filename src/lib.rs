@@ -2,8 +2,11 @@
 //! and the acceleration polygon, built link by link with scale factors, and checks every number with an
 //! independent solver.
 
+pub mod board;
+pub mod given;
 pub mod graphical;
 pub mod mechanism;
 pub mod render;
+pub mod plan;
 pub mod scene;
 pub mod sheet;

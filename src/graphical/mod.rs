@@ -1,6 +1,366 @@
 //! The method: position, velocity polygon, acceleration polygon, written in the board's operations.
 //!
 //! **Architecture Invariant:** nothing here knows `nalgebra` or the analytic solver; every direction,
-//! intersection and unknown length is drawn on the board and read off it.
+//! intersection and unknown length is drawn on the board and read off it. Between reading and laying off
+//! stands only what the textbook calculates: V = ωl, ω = V/l, Aⁿ = V²/l, Aᵗ = εl, ε = Aᵗ/l, scales.
 
+mod acceleration;
 pub mod construction;
+mod draughtsman;
+mod link_figure;
+mod position;
+mod reading;
+mod velocity;
+
+use crate::board::{Bench, Board, Recorded, Recorder, Scale, Tape, Trial};
+use crate::given::Given;
+use crate::mechanism::structure::{GroupKind, Structure};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
+use crate::plan::Plan;
+use construction::{Construction, ConstructionLine, Polygon};
+use draughtsman::Draughtsman;
+
+/// The scale factors of a solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scales {
+    /// Metres per millimetre of paper.
+    pub length: f64,
+    /// m/s per millimetre of paper.
+    pub velocity: f64,
+    /// m/s² per millimetre of paper.
+    pub acceleration: f64,
+}
+
+/// How large the diagrams are in reality, to choose scales by.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Extents {
+    /// Width and height of the skeleton, m.
+    pub space: [f64; 2],
+    /// Width and height of the velocity polygon, m/s; zero where there is none.
+    pub velocity: [f64; 2],
+    /// Width and height of the acceleration polygon, m/s²; zero where there is none.
+    pub acceleration: [f64; 2],
+}
+
+/// A finished drawing and the tape behind it.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// What stands on the paper.
+    pub construction: Construction,
+    /// The tape, for sensitivities.
+    pub tape: Tape,
+    /// Tape slots of each answer: two for a vector, one for a scalar, none where it needs none.
+    pub slots: Vec<Vec<u32>>,
+}
+
+/// Why the skeleton cannot be drawn.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DrawError {
+    /// Two arcs, or an arc and a guide, do not meet.
+    #[error("cannot be assembled: {why}")]
+    CannotAssemble {
+        /// The pin that cannot be reached.
+        pin: PointId,
+        /// Which sum fails, in the mechanism's own names; lengths in metres.
+        why: Box<Misfit>,
+        /// For which input the chain closes, where that could be found.
+        range: Option<ClosingRange>,
+    },
+    /// Two assemblies and nothing to choose by.
+    #[error("ambiguous: the chain closes in two ways and nothing chooses between them")]
+    Ambiguous {
+        /// The pin that has two places.
+        pin: PointId,
+        /// One place, metres.
+        first: [f64; 2],
+        /// The other.
+        second: [f64; 2],
+    },
+    /// No construction is known for a group.
+    #[error("no construction is known for a group")]
+    NoConstruction {
+        /// Its links.
+        links: Vec<LinkId>,
+    },
+}
+
+/// Two figures that do not meet, by name and length (metres).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Misfit {
+    /// First base and radius.
+    pub first: (String, f64),
+    /// Second base and radius, or the guide's link where `second.1` is `None`.
+    pub second: (String, Option<f64>),
+    /// The pin that both should reach.
+    pub pin: String,
+    /// Distance of the bases, or of the base from the guide.
+    pub distance: f64,
+}
+
+impl std::fmt::Display for Misfit {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.in_unit(1.0, "m").fmt(f)
+    }
+}
+
+impl Misfit {
+    /// The sum that fails, in a unit of `si` metres.
+    #[must_use]
+    pub fn in_unit(&self, si: f64, unit: &str) -> String {
+        let (p, r1) = &self.first;
+        let (q, r2) = &self.second;
+        let pin = &self.pin;
+        let n = |x: f64| significant(x / si);
+        match r2 {
+            None => format!(
+                "{p}{pin} = {} {unit} is shorter than the distance {} {unit} of {p} from the guide of {pin}",
+                n(*r1),
+                n(self.distance)
+            ),
+            Some(r2) if self.distance > r1 + r2 => format!(
+                "{p}{pin} + {q}{pin} = {} {unit} is less than {p}{q} = {} {unit}",
+                n(r1 + r2),
+                n(self.distance)
+            ),
+            Some(r2) => format!(
+                "|{p}{pin} - {q}{pin}| = {} {unit} is more than {p}{q} = {} {unit}",
+                n((r1 - r2).abs()),
+                n(self.distance)
+            ),
+        }
+    }
+}
+
+/// Seven significant digits, plainly.
+fn significant(x: f64) -> String {
+    let text = format!("{x:.6e}");
+    text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
+}
+
+/// The input angles for which a chain closes, radians.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClosingRange {
+    /// Number of the driven link.
+    pub link: u32,
+    /// Intervals (from, to) in (−π, π], ascending; empty where it never closes.
+    pub intervals: Vec<[f64; 2]>,
+}
+
+impl std::fmt::Display for ClosingRange {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if self.intervals.is_empty() {
+            return write!(f, "it closes for no angle of link {}", self.link);
+        }
+        write!(f, "it closes for angles of link {}", self.link)?;
+        for (index, [from, to]) in self.intervals.iter().enumerate() {
+            let joint = if index == 0 { "" } else { " and" };
+            write!(f, "{joint} from {:.4} to {:.4} deg", from.to_degrees(), to.to_degrees())?;
+        }
+        Ok(())
+    }
+}
+
+/// Draws the solution at the given scales.
+///
+/// # Errors
+/// See [`DrawError`].
+pub fn construct(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+) -> Result<Solution, DrawError> {
+    construct_on(Tape::default(), mechanism, structure, plan, scales)
+}
+
+/// As [`construct`], on a tape of one's own: a nudged one, to see how a moved stroke moves the answers.
+///
+/// # Errors
+/// See [`DrawError`].
+pub fn construct_on(
+    tape: Tape,
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+) -> Result<Solution, DrawError> {
+    let board = Board::<Recorded>::new(tape);
+    let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
+    let (answers, slots) = reading::answers(&mut draughtsman);
+    let (construction, tape) = draughtsman.finish(answers);
+    Ok(Solution { construction, tape, slots })
+}
+
+/// Draws once at a provisional scale and without a tape, to see how large everything is.
+///
+/// # Errors
+/// See [`DrawError`].
+pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Result<Extents, DrawError> {
+    let scales = provisional_scales(mechanism);
+    // A tangency can only be told from a miss with a tape; it is rare, so try without one first.
+    let bare = || {
+        draw(Board::<Trial>::new(crate::board::Blank), mechanism, structure, plan, scales)
+            .map(|d| measure(d.record(), scales))
+    };
+    let taped = || {
+        draw(Board::<Recorded>::new(Tape::default()), mechanism, structure, plan, scales)
+            .map(|d| measure(d.record(), scales))
+    };
+    bare().or_else(|_| taped()).map_err(|error| with_range(error, mechanism, structure, plan))
+}
+
+fn draw<'m, B: Bench>(
+    board: Board<B>,
+    mechanism: &'m Mechanism,
+    structure: &'m Structure,
+    plan: &Plan,
+    scales: Scales,
+) -> Result<Draughtsman<'m, B>, DrawError>
+where
+    B::Recorder: Recorder,
+{
+    let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
+    position::draw(&mut draughtsman, plan)?;
+    if !plan.velocity.is_empty() {
+        velocity::draw(&mut draughtsman, plan);
+    }
+    if !plan.acceleration.is_empty() {
+        acceleration::draw(&mut draughtsman, plan);
+    }
+    Ok(draughtsman)
+}
+
+/// Scales at which paper numbers are of order 100, whatever the units.
+fn provisional_scales(mechanism: &Mechanism) -> Scales {
+    let mut size: f64 = 0.0;
+    let mut longest: f64 = 0.0;
+    let mut seen = |x: f64| longest = longest.max(x.abs());
+    for link in &mechanism.links {
+        link_figure::given_lengths(link).into_iter().for_each(&mut seen);
+    }
+    let places: Vec<[f64; 2]> = mechanism.points.iter().filter_map(|p| p.place.hint()).collect();
+    for p in &places {
+        size = size.max(libm::hypot(p[0] - places[0][0], p[1] - places[0][1]));
+    }
+    size = size.max(longest);
+    let (mut speed, mut acceleration) = (0.0_f64, 0.0_f64);
+    for input in &mechanism.inputs {
+        let (v, a) = match input {
+            Input::Angle { omega, alpha, .. } => {
+                (omega.value * size, omega.value * omega.value * size + alpha.value.abs() * size)
+            }
+            Input::Speed { speed, alpha, .. } => {
+                (speed.value, speed.value * speed.value / size + alpha.value.abs() * size)
+            }
+            Input::Slide { velocity, acceleration, .. } => {
+                (velocity.value, acceleration.value.abs() + velocity.value * velocity.value / size)
+            }
+        };
+        speed = speed.max(v.abs());
+        acceleration = acceleration.max(a.abs());
+    }
+    let per_mm = |largest: f64| {
+        let scale = largest / 100.0;
+        if scale.is_normal() { scale } else { 1.0 }
+    };
+    Scales { length: per_mm(size), velocity: per_mm(speed), acceleration: per_mm(acceleration) }
+}
+
+fn measure(record: &Construction, scales: Scales) -> Extents {
+    let extent = |points: &mut dyn Iterator<Item = [f64; 2]>, start: Option<[f64; 2]>, scale: f64| {
+        let mut bounds: Option<[[f64; 2]; 2]> = start.map(|p| [p, p]);
+        for p in points {
+            let [low, high] = bounds.get_or_insert([p, p]);
+            for axis in 0..2 {
+                low[axis] = low[axis].min(p[axis]);
+                high[axis] = high[axis].max(p[axis]);
+            }
+        }
+        bounds.map_or([0.0; 2], |[low, high]| [(high[0] - low[0]) * scale, (high[1] - low[1]) * scale])
+    };
+    let polygon = |polygon: &Option<Polygon>, scale: f64| {
+        polygon.as_ref().map_or([0.0; 2], |p| {
+            let ends = p.lines.iter().filter_map(|l| match l {
+                ConstructionLine::Ray { to, .. } => Some(*to),
+                ConstructionLine::Arc { .. } => None,
+            });
+            let points = p.images.iter().map(|i| i.at);
+            let vectors = p.vectors.iter().flat_map(|v| [v.from, v.to]);
+            extent(&mut points.chain(vectors).chain(ends), Some([0.0; 2]), scale)
+        })
+    };
+    Extents {
+        space: extent(&mut record.space.places.iter().flatten().copied(), None, scales.length),
+        velocity: polygon(&record.velocity, scales.velocity),
+        acceleration: polygon(&record.acceleration, scales.acceleration),
+    }
+}
+
+/// Adds to a chain that does not close the range of the input in which it does, found by turning the
+/// one driven link through a whole turn on a blank board and halving the edges.
+fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> DrawError {
+    const TRIALS: i32 = 720;
+    const HALVINGS: usize = 48;
+    let DrawError::CannotAssemble { pin, why, range: None } = &error else { return error };
+    let driven: Vec<usize> = structure
+        .groups
+        .iter()
+        .filter_map(|g| match g.kind {
+            GroupKind::Driver { input, .. } => Some(input),
+            _ => None,
+        })
+        .collect();
+    let (&[input], 1) = (driven.as_slice(), mechanism.inputs.len()) else { return error };
+    let Input::Angle { link, angle: Some(_), .. } = mechanism.inputs[input] else { return error };
+    let positions = Plan { position: plan.position.clone(), ..Plan::default() };
+    let scales = provisional_scales(mechanism);
+    let closes = |at: f64| {
+        let mut turned = mechanism.clone();
+        if let Input::Angle { angle, .. } = &mut turned.inputs[input] {
+            *angle = Some(Given::exact(at));
+        }
+        let board = Board::<Trial>::new(crate::board::Blank);
+        !matches!(draw(board, &turned, structure, &positions, scales), Err(DrawError::CannotAssemble { .. }))
+    };
+    let angle_of = |trial: i32| std::f64::consts::PI * (2.0 * f64::from(trial) / f64::from(TRIALS) - 1.0);
+    let edge = |mut outside: f64, mut inside: f64| {
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(outside, inside);
+            if closes(middle) { inside = middle } else { outside = middle }
+        }
+        inside
+    };
+    let mut intervals: Vec<[f64; 2]> = Vec::new();
+    let mut open: Option<f64> = closes(angle_of(0)).then(|| angle_of(0));
+    for trial in 1..=TRIALS {
+        let (before, now) = (angle_of(trial - 1), angle_of(trial));
+        match (open, closes(now)) {
+            (None, true) => open = Some(edge(before, now)),
+            (Some(from), false) => {
+                intervals.push([from, edge(now, before)]);
+                open = None;
+            }
+            _ => {}
+        }
+    }
+    if let Some(from) = open {
+        intervals.push([from, std::f64::consts::PI]);
+    }
+    // One interval across ±180° reads as one.
+    if let (Some(&[first, end]), Some(&[start, last])) = (intervals.first(), intervals.last())
+        && intervals.len() > 1
+        && first == -std::f64::consts::PI
+        && last == std::f64::consts::PI
+    {
+        intervals.pop();
+        intervals[0] = [start, end + 2.0 * std::f64::consts::PI];
+        intervals.rotate_left(1);
+    }
+    let range = ClosingRange { link: mechanism.link(link).number, intervals };
+    DrawError::CannotAssemble { pin: *pin, why: why.clone(), range: Some(range) }
+}
+
+/// A scale factor as the board wants it.
+fn scale(si_per_mm: f64) -> Scale {
+    Scale { si_per_mm }
+}

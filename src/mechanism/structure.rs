@@ -1,1 +1,628 @@
-//! Mobility and decomposition into the driver and Assur groups.
+//! Mobility by count, and decomposition into drivers and Assur groups in order of transmission.
+//!
+//! The count is Grübler's, F = 3(n − 1) − 2 p₁ − p₂ (a pin of k links is k − 1 pairs). The
+//! decomposition plays the pebble game for bodies in the plane (Lee & Streinu, *Pebble game algorithms
+//! and sparse graphs*, 2008): a link has three freedoms, a joint two, every constraint takes one; a
+//! constraint that finds none free is redundant and is named. When the inputs have taken what is left,
+//! "whose freedom pays for which constraint" orients the pairs, and the strongly connected parts of
+//! that graph are the Assur groups, in the only order in which they can be solved.
+
+use std::fmt;
+
+use super::{Input, LinkId, Mechanism, Path, PointId, Rider, Roll};
+
+/// A pair or an input, as a constraint between two links.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Joint {
+    /// A link holds a joint.
+    Pin(LinkId, PointId),
+    /// Index into [`Mechanism::slides`].
+    Slide(usize),
+    /// Index into [`Mechanism::rolls`]; the no-slip condition.
+    Roll(usize),
+    /// Index into [`Mechanism::rolls`]; contact, where nothing else holds the distance.
+    Contact(usize),
+    /// Index into [`Mechanism::inputs`].
+    Input(usize),
+}
+
+/// The count of mobility.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mobility {
+    /// n: links with the frame.
+    pub links: usize,
+    /// Turning pairs, with multiplicity.
+    pub turning: usize,
+    /// Sliding pairs (block or link on a guide).
+    pub sliding: usize,
+    /// Rolling pairs that also keep the bodies in contact: one freedom, so they count with the lower pairs.
+    pub rolling: usize,
+    /// Higher pairs of two freedoms (pin in a bare slot, gear mesh on held centres).
+    pub higher: usize,
+    /// F = 3(n − 1) − 2 p₁ − p₂.
+    pub freedoms: i64,
+    /// Number of inputs.
+    pub inputs: usize,
+}
+
+impl fmt::Display for Mobility {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lower = self.turning + self.sliding + self.rolling;
+        write!(f, "n = {}, p1 = {lower} ({} turning, {} sliding", self.links, self.turning, self.sliding)?;
+        if self.rolling > 0 {
+            write!(f, ", {} rolling", self.rolling)?;
+        }
+        write!(
+            f,
+            "), p2 = {}: F = 3({} - 1) - 2*{lower} - {} = {}",
+            self.higher, self.links, self.higher, self.freedoms
+        )
+    }
+}
+
+/// The kinds of groups by the constructions that solve them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GroupKind {
+    /// A link driven about a pin on a link that is already solved.
+    Driver {
+        /// Its pin on a solved link.
+        base: PointId,
+        /// Index into [`Mechanism::inputs`].
+        input: usize,
+    },
+    /// Two links, three turning pairs.
+    Rrr {
+        /// The two links.
+        links: [LinkId; 2],
+        /// Their pins on solved links.
+        bases: [PointId; 2],
+        /// The pin between them.
+        pin: PointId,
+    },
+    /// A rod whose pin rides on a straight guide of a solved link.
+    Rrp {
+        /// The rod.
+        rod: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The pin on the guide.
+        pin: PointId,
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+    },
+    /// A group for which no construction is known yet.
+    Other,
+}
+
+impl fmt::Display for GroupKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Driver { .. } => "driver",
+            Self::Rrr { .. } => "RRR",
+            Self::Rrp { .. } => "RRP",
+            Self::Other => "group without a construction",
+        })
+    }
+}
+
+/// A driver or an Assur group.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Group {
+    /// Its links, ascending, blocks among them.
+    pub links: Vec<LinkId>,
+    /// The joints that are found with it, ascending; not those that merely ride on one solved link.
+    pub points: Vec<PointId>,
+    /// Its pairs and inputs: those among its links and those to links of earlier groups.
+    pub joints: Vec<Joint>,
+    /// How it is solved.
+    pub kind: GroupKind,
+    /// The groups that must be solved before it, ascending indices.
+    pub after: Vec<usize>,
+}
+
+/// A mechanism taken apart.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Structure {
+    /// The count.
+    pub mobility: Mobility,
+    /// Drivers and groups in order of transmission.
+    pub groups: Vec<Group>,
+    /// The group of each link; `None` for the frame.
+    pub group_of: Vec<Option<usize>>,
+}
+
+/// Why a mechanism cannot be taken apart.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum StructureError {
+    /// Freedoms are left over.
+    #[error("{left} degree{} of freedom left over: {} not driven ({mobility})", plural(*left), list(links))]
+    UnderConstrained {
+        /// How many.
+        left: usize,
+        /// Numbers of the links that are still free to move.
+        links: Vec<u32>,
+        /// The count.
+        mobility: Mobility,
+    },
+    /// A pair or input finds no freedom to take.
+    #[error("{what} is one constraint too many ({mobility})")]
+    OverConstrained {
+        /// The pair or input, as the scene names it.
+        what: String,
+        /// The redundant joint.
+        joint: Joint,
+        /// The count.
+        mobility: Mobility,
+    },
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+fn list(links: &[u32]) -> String {
+    let names: Vec<String> = links.iter().map(u32::to_string).collect();
+    match names.as_slice() {
+        [one] => format!("link {one}"),
+        _ => format!("links {}", names.join(", ")),
+    }
+}
+
+/// Freedoms of a link in the plane; also what any rigid part keeps against nothing.
+const LINK_FREEDOMS: usize = 3;
+/// Freedoms of a joint in the plane.
+const POINT_FREEDOMS: usize = 2;
+
+#[derive(Debug, Clone, Copy)]
+struct Edge {
+    ends: [usize; 2],
+    joint: Joint,
+    /// Which end's freedom pays for it.
+    payer: usize,
+}
+
+impl Edge {
+    fn other(&self, end: usize) -> usize {
+        if self.ends[0] == end { self.ends[1] } else { self.ends[0] }
+    }
+}
+
+/// The game's nodes: the links, then the joints.
+struct Nodes {
+    links: usize,
+    points: Vec<PointId>,
+}
+
+impl Nodes {
+    fn of(mechanism: &Mechanism) -> Self {
+        let rides = |id: PointId| {
+            mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point, .. } if point == id))
+        };
+        let points = (0..mechanism.points.len())
+            .map(PointId)
+            .filter(|&id| mechanism.point(id).links.len() > 1 || rides(id))
+            .collect();
+        Self { links: mechanism.links.len(), points }
+    }
+
+    fn count(&self) -> usize {
+        self.links + self.points.len()
+    }
+
+    fn point(&self, id: PointId) -> Option<usize> {
+        self.points.iter().position(|&p| p == id).map(|i| self.links + i)
+    }
+
+    fn freedoms(&self, node: usize) -> usize {
+        if node < self.links { LINK_FREEDOMS } else { POINT_FREEDOMS }
+    }
+}
+
+struct Game {
+    freedoms: Vec<usize>,
+    edges: Vec<Edge>,
+    /// Indices of the edges that each node pays for.
+    pays: Vec<Vec<usize>>,
+}
+
+/// The frame's node.
+const FRAME: usize = 0;
+
+impl Game {
+    fn new(nodes: &Nodes) -> Self {
+        Self {
+            freedoms: (0..nodes.count()).map(|n| nodes.freedoms(n)).collect(),
+            edges: Vec::new(),
+            pays: vec![Vec::new(); nodes.count()],
+        }
+    }
+
+    fn free(&self, node: usize) -> usize {
+        self.freedoms[node] - self.pays[node].len()
+    }
+
+    /// Freedoms of the whole beyond those of a rigid body.
+    fn left(&self) -> usize {
+        (0..self.pays.len()).map(|n| self.free(n)).sum::<usize>() - LINK_FREEDOMS
+    }
+
+    /// Brings one free freedom to `root` by letting others pay, never taking one from `keep`.
+    fn gather(&mut self, root: usize, keep: usize) -> bool {
+        let mut came_by: Vec<Option<usize>> = vec![None; self.pays.len()];
+        let mut seen = vec![false; self.pays.len()];
+        seen[root] = true;
+        seen[keep] = true;
+        let mut stack = vec![root];
+        while let Some(node) = stack.pop() {
+            if node != root && self.free(node) > 0 {
+                let mut at = node;
+                while let Some(edge) = came_by[at] {
+                    let from = self.edges[edge].payer;
+                    self.pays[from].retain(|&e| e != edge);
+                    self.pays[at].push(edge);
+                    self.edges[edge].payer = at;
+                    at = from;
+                }
+                return true;
+            }
+            for &edge in &self.pays[node] {
+                let other = self.edges[edge].other(node);
+                if !seen[other] {
+                    seen[other] = true;
+                    came_by[other] = Some(edge);
+                    stack.push(other);
+                }
+            }
+        }
+        false
+    }
+
+    /// Takes one freedom between two nodes, if one is left.
+    fn insert(&mut self, ends: [usize; 2], joint: Joint) -> bool {
+        let [a, b] = ends;
+        while self.free(a) < self.freedoms[a] && self.gather(a, b) {}
+        while self.free(a) + self.free(b) <= LINK_FREEDOMS && self.gather(b, a) {}
+        if a == b || self.free(a) + self.free(b) <= LINK_FREEDOMS {
+            return false;
+        }
+        let payer = if self.free(b) > 0 { b } else { a };
+        self.pays[payer].push(self.edges.len());
+        self.edges.push(Edge { ends, joint, payer });
+        true
+    }
+
+    /// Lets the frame pay for nothing.
+    fn free_frame(&mut self) {
+        while self.free(FRAME) < LINK_FREEDOMS && self.gather(FRAME, FRAME) {}
+    }
+}
+
+impl Structure {
+    /// Counts the freedoms and takes the mechanism apart.
+    ///
+    /// # Errors
+    /// When constraints are redundant, or freedoms are left over after all inputs.
+    pub fn of(mechanism: &Mechanism) -> Result<Self, StructureError> {
+        let nodes = Nodes::of(mechanism);
+        let mut game = Game::new(&nodes);
+        let mut mobility = Mobility {
+            links: nodes.links,
+            turning: mechanism.pins.len(),
+            sliding: 0,
+            rolling: 0,
+            higher: 0,
+            freedoms: 0,
+            inputs: mechanism.inputs.len(),
+        };
+        let mut redundant = None;
+        for (joint, ends, count) in constraints(mechanism, &nodes) {
+            match (joint, count) {
+                (Joint::Slide(_), 2) => mobility.sliding += 1,
+                (Joint::Slide(_) | Joint::Roll(_), _) => mobility.higher += 1,
+                _ => {}
+            }
+            for _ in 0..count {
+                if !game.insert(ends, joint) && redundant.is_none() {
+                    redundant = Some(joint);
+                }
+            }
+        }
+        for (index, roll) in mechanism.rolls.iter().enumerate() {
+            if game.left() > mechanism.inputs.len()
+                && !holds_distance(mechanism, roll)
+                && game.insert(roll_ends(roll), Joint::Contact(index))
+            {
+                mobility.higher -= 1;
+                mobility.rolling += 1;
+            }
+        }
+        let lower = mobility.turning + mobility.sliding + mobility.rolling;
+        let signed = |count: usize| i64::try_from(count).unwrap_or(i64::MAX);
+        mobility.freedoms = 3 * (signed(nodes.links) - 1) - 2 * signed(lower) - signed(mobility.higher);
+        for (index, input) in mechanism.inputs.iter().enumerate() {
+            let ends = input_ends(mechanism, &nodes, input);
+            if !game.insert(ends, Joint::Input(index)) && redundant.is_none() {
+                redundant = Some(Joint::Input(index));
+            }
+        }
+        if let Some(joint) = redundant {
+            let what = name_of(mechanism, joint);
+            return Err(StructureError::OverConstrained { what, joint, mobility });
+        }
+        let left = game.left();
+        if left > 0 {
+            let links = undriven(mechanism, &mut game);
+            return Err(StructureError::UnderConstrained { left, links, mobility });
+        }
+        game.free_frame();
+        Ok(Self::assemble(mechanism, mobility, &nodes, &game))
+    }
+
+    fn assemble(mechanism: &Mechanism, mobility: Mobility, nodes: &Nodes, game: &Game) -> Self {
+        let component = components(game);
+        let count = component.iter().copied().max().map_or(0, |m| m + 1);
+        let mut members: Vec<Vec<usize>> = vec![Vec::new(); count];
+        for (node, &c) in component.iter().enumerate() {
+            members[c].push(node);
+        }
+        let needed: Vec<Vec<usize>> = (0..count)
+            .map(|c| {
+                let mut list: Vec<usize> = members[c]
+                    .iter()
+                    .flat_map(|&node| game.pays[node].iter().map(move |&e| game.edges[e].other(node)))
+                    .map(|other| component[other])
+                    .filter(|&other| other != c)
+                    .collect();
+                list.sort_unstable();
+                list.dedup();
+                list
+            })
+            .collect();
+        // Solve what can be solved, the lowest link first. A joint that rides on one solved link needs no
+        // group of its own; it belongs to that link's.
+        let frame = component[FRAME];
+        let mut group_of_component: Vec<Option<Option<usize>>> = vec![None; count];
+        group_of_component[frame] = Some(None);
+        let mut waiting: Vec<usize> = (0..count).filter(|&c| c != frame).collect();
+        waiting.sort_by_key(|&c| members[c].first().copied());
+        let mut groups: Vec<Group> = Vec::new();
+        loop {
+            let ready = |&c: &usize| needed[c].iter().all(|&n| group_of_component[n].is_some());
+            let rides = |c: usize| members[c].iter().all(|&n| n >= nodes.links) && needed[c].len() == 1;
+            let next =
+                waiting.iter().position(|c| ready(c) && rides(*c)).or_else(|| waiting.iter().position(ready));
+            let Some(index) = next else { break };
+            let c = waiting.remove(index);
+            if rides(c) {
+                group_of_component[c] = group_of_component[needed[c][0]];
+                continue;
+            }
+            let links: Vec<LinkId> =
+                members[c].iter().filter(|&&n| n < nodes.links).map(|&n| LinkId(n)).collect();
+            let points: Vec<PointId> = members[c]
+                .iter()
+                .filter_map(|&n| nodes.points.get(n.wrapping_sub(nodes.links)))
+                .copied()
+                .collect();
+            let mut joints: Vec<Joint> = Vec::new();
+            for edge in &game.edges {
+                if component[edge.payer] == c && !joints.contains(&edge.joint) {
+                    joints.push(edge.joint);
+                }
+            }
+            let mut after: Vec<usize> =
+                needed[c].iter().filter_map(|&n| group_of_component[n].flatten()).collect();
+            after.sort_unstable();
+            after.dedup();
+            let kind = classify(mechanism, &links, &points, &joints);
+            group_of_component[c] = Some(Some(groups.len()));
+            groups.push(Group { links, points, joints, kind, after });
+        }
+        let group_of = (0..nodes.links).map(|link| group_of_component[component[link]].flatten()).collect();
+        Self { mobility, groups, group_of }
+    }
+
+    /// The group that solves a link; `None` for the frame.
+    #[must_use]
+    pub fn group_of(&self, link: LinkId) -> Option<usize> {
+        self.group_of[link.0]
+    }
+}
+
+/// Every pair as (joint, the two nodes, number of constraints).
+fn constraints(mechanism: &Mechanism, nodes: &Nodes) -> Vec<(Joint, [usize; 2], usize)> {
+    let mut list = Vec::new();
+    for &point in &nodes.points {
+        for &link in &mechanism.point(point).links {
+            if let Some(node) = nodes.point(point) {
+                list.push((Joint::Pin(link, point), [link.0, node], POINT_FREEDOMS));
+            }
+        }
+    }
+    for (index, slide) in mechanism.slides.iter().enumerate() {
+        let guide = slide.guide.link.0;
+        let (rider, count) = match slide.rider {
+            Rider::Pin { block: Some(block), .. } => (block.0, 2),
+            Rider::Link { link, .. } => (link.0, 2),
+            Rider::Pin { point, block: None } => (nodes.point(point).unwrap_or(guide), 1),
+        };
+        list.push((Joint::Slide(index), [guide, rider], count));
+    }
+    for (index, roll) in mechanism.rolls.iter().enumerate() {
+        list.push((Joint::Roll(index), roll_ends(roll), 1));
+    }
+    list
+}
+
+fn roll_ends(roll: &Roll) -> [usize; 2] {
+    match roll {
+        Roll::Circles { links, .. } => [links[0].0, links[1].0],
+        Roll::Line { guide, wheel, .. } => [guide.link.0, wheel.0],
+    }
+}
+
+/// Whether one link holds both centres of a rolling pair, or the wheel's centre rides on a guide of the
+/// body on whose line it rolls.
+fn holds_distance(mechanism: &Mechanism, roll: &Roll) -> bool {
+    match roll {
+        Roll::Circles { centres, .. } => {
+            let second = &mechanism.point(centres[1]).links;
+            mechanism.point(centres[0]).links.iter().any(|l| second.contains(l))
+        }
+        Roll::Line { guide, centre, .. } => mechanism.slides.iter().any(|slide| {
+            slide.guide.link == guide.link
+                && matches!(slide.guide.path, Path::Straight { .. })
+                && matches!(slide.rider, Rider::Pin { point, .. } if point == *centre)
+        }),
+    }
+}
+
+fn input_ends(mechanism: &Mechanism, nodes: &Nodes, input: &Input) -> [usize; 2] {
+    match input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => [FRAME, link.0],
+        Input::Slide { slide, .. } => constraints(mechanism, nodes)
+            .iter()
+            .find(|(joint, ..)| *joint == Joint::Slide(*slide))
+            .map_or([FRAME, FRAME], |(_, ends, _)| *ends),
+    }
+}
+
+fn name_of(mechanism: &Mechanism, joint: Joint) -> String {
+    let number = |link: LinkId| mechanism.link(link).number;
+    match joint {
+        Joint::Pin(link, point) => {
+            format!("pin {} of link {}", mechanism.point(point).name, number(link))
+        }
+        Joint::Slide(index) => {
+            let slide = mechanism.slides[index];
+            let rider = match slide.rider {
+                Rider::Pin { point, .. } => format!("pin {}", mechanism.point(point).name),
+                Rider::Link { link, .. } => format!("link {}", number(link)),
+            };
+            format!("the slide of {rider} on link {}", number(slide.guide.link))
+        }
+        Joint::Roll(index) | Joint::Contact(index) => {
+            let [a, b] = roll_ends(&mechanism.rolls[index]);
+            format!("the rolling of links {} and {}", mechanism.links[a].number, mechanism.links[b].number)
+        }
+        Joint::Input(index) => match mechanism.inputs[index] {
+            Input::Angle { link, .. } | Input::Speed { link, .. } => {
+                format!("the input of link {}", number(link))
+            }
+            Input::Slide { slide, .. } => {
+                format!("the input of {}", name_of(mechanism, Joint::Slide(slide)))
+            }
+        },
+    }
+}
+
+/// Numbers of the links that can still move against the frame.
+fn undriven(mechanism: &Mechanism, game: &mut Game) -> Vec<u32> {
+    let mut links = Vec::new();
+    for (node, link) in mechanism.links.iter().enumerate().skip(1) {
+        game.free_frame();
+        while game.free(node) == 0 && game.gather(node, FRAME) {}
+        if game.free(node) > 0 {
+            links.push(link.number);
+        }
+    }
+    links
+}
+
+/// Strongly connected components of "pays for a pair with", one index per node (Tarjan, with its own
+/// stack so that a long chain cannot overflow the machine's).
+fn components(game: &Game) -> Vec<usize> {
+    const UNSEEN: usize = usize::MAX;
+    let count_of_nodes = game.pays.len();
+    let next_of =
+        |node: usize| -> Vec<usize> { game.pays[node].iter().map(|&e| game.edges[e].other(node)).collect() };
+    let mut index = vec![UNSEEN; count_of_nodes];
+    let mut low = vec![0; count_of_nodes];
+    let mut component = vec![UNSEEN; count_of_nodes];
+    let mut open: Vec<usize> = Vec::new();
+    let (mut counter, mut count) = (0, 0);
+    for root in 0..count_of_nodes {
+        if index[root] != UNSEEN {
+            continue;
+        }
+        let mut calls: Vec<(usize, Vec<usize>)> = Vec::new();
+        let mut enter = Some(root);
+        loop {
+            if let Some(node) = enter.take() {
+                index[node] = counter;
+                low[node] = counter;
+                counter += 1;
+                open.push(node);
+                calls.push((node, next_of(node)));
+            }
+            let Some((node, rest)) = calls.last_mut() else { break };
+            let node = *node;
+            if let Some(next) = rest.pop() {
+                if index[next] == UNSEEN {
+                    enter = Some(next);
+                } else if component[next] == UNSEEN {
+                    low[node] = low[node].min(index[next]);
+                }
+                continue;
+            }
+            calls.pop();
+            if let Some((parent, _)) = calls.last() {
+                low[*parent] = low[*parent].min(low[node]);
+            }
+            if low[node] == index[node] {
+                while let Some(member) = open.pop() {
+                    component[member] = count;
+                    if member == node {
+                        break;
+                    }
+                }
+                count += 1;
+            }
+        }
+    }
+    component
+}
+
+/// Recognises the group by its pairs. A block is nothing but a way to name a pin on a guide, so it does
+/// not change the kind.
+fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints: &[Joint]) -> GroupKind {
+    let rods: Vec<LinkId> = links.iter().copied().filter(|&l| !mechanism.link(l).block).collect();
+    let mut inputs = Vec::new();
+    let mut slides = Vec::new();
+    let mut outer = Vec::new();
+    for joint in joints {
+        match *joint {
+            Joint::Pin(link, point) if rods.contains(&link) && !points.contains(&point) => {
+                outer.push((link, point));
+            }
+            Joint::Pin(..) => {}
+            Joint::Slide(index) => slides.push(index),
+            Joint::Input(index) => inputs.push(index),
+            Joint::Roll(_) | Joint::Contact(_) => return GroupKind::Other,
+        }
+    }
+    match (rods.as_slice(), points, inputs.as_slice(), slides.as_slice()) {
+        ([_], [], &[input], []) => match (outer.as_slice(), mechanism.inputs[input]) {
+            (&[(_, base)], Input::Angle { .. }) => GroupKind::Driver { base, input },
+            _ => GroupKind::Other,
+        },
+        (&[first, second], &[pin], [], []) => match outer.as_slice() {
+            &[(a, base_a), (b, base_b)] if a != b => {
+                let bases = if a == first { [base_a, base_b] } else { [base_b, base_a] };
+                GroupKind::Rrr { links: [first, second], bases, pin }
+            }
+            _ => GroupKind::Other,
+        },
+        (&[rod], &[pin], [], &[slide]) => {
+            let guide = mechanism.slides[slide].guide;
+            let straight_on_frame =
+                guide.link == LinkId::FRAME && matches!(guide.path, Path::Straight { .. });
+            let rides = matches!(mechanism.slides[slide].rider, Rider::Pin { point, .. } if point == pin);
+            match outer.as_slice() {
+                &[(_, base)] if straight_on_frame && rides => GroupKind::Rrp { rod, base, pin, slide },
+                _ => GroupKind::Other,
+            }
+        }
+        _ => GroupKind::Other,
+    }
+}

@@ -3,8 +3,87 @@
 //! **Architecture Invariant:** nothing here solves or draws; the scene is lowered to a
 //! [`Mechanism`] in SI units and this room is left.
 
+mod asked;
+mod diagnostic;
+mod draft;
+mod guides;
+mod inputs;
+mod json;
+mod keys;
+mod links;
+mod placing;
+mod published;
+mod rolls;
+mod schema;
+mod sheet;
+mod source;
+mod units;
+
+pub use diagnostic::{Diagnostic, nearest};
+pub use schema::schema;
+pub use source::{Source, Subject};
+
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Unit;
+use diagnostic::Res;
+use draft::Draft;
+use json::{Fields, Value};
+
+/// Reads a scene. `file` is only named in diagnostics.
+///
+/// ```
+/// let text = r#"{
+///   "units": { "length": "cm" },
+///   "fixed": { "O2": [0, 0] },
+///   "links": {
+///     "2": { "joins": ["O2", "A"], "length": 15 },
+///     "3": { "joins": ["A", "B"], "length": 45 }
+///   },
+///   "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } } ],
+///   "near":   { "B": [50, 0] },
+///   "input":  { "link": 2, "angle": 30, "omega": "10 rad/s cw" },
+///   "find":   ["v(B)"]
+/// }"#;
+/// let scene = linkgram::scene::read(text, "slider.json")?;
+/// assert_eq!(scene.mechanism.links.len(), 4);
+///
+/// let error = linkgram::scene::read(&text.replace("length\": 45", "lenght\": 45"), "slider.json").unwrap_err();
+/// assert_eq!(
+///     error.to_string(),
+///     "slider.json:6:32: links.3.lenght: unknown key `lenght`; help: did you mean `length`?",
+/// );
+/// # Ok::<(), linkgram::scene::Diagnostic>(())
+/// ```
+///
+/// # Errors
+///
+/// The first and most fundamental thing that is wrong with the text, with its place and its mend.
+/// Whether the mechanism moves as it should, and whether it can be assembled, is not known here.
+pub fn read(text: &str, file: &str) -> Result<Scene, Diagnostic> {
+    let root = json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
+    scene(&root, text, file).map_err(|fault| fault.locate(file, text, Some(&root)))
+}
+
+fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
+    let fields = Fields::of(root, keys::SCENE, "a scene: {\"links\": {…}, \"input\": {…}, …}")?;
+    fields.get("$schema").map(|address| address.text("the address of the schema")).transpose()?;
+    let title = sheet::title(fields.get("title"))?;
+    let scales = units::Scales::read(fields.get("units"))?;
+    let mut draft = Draft::new(&scales, root.at);
+    links::read(&fields, &mut draft)?;
+    guides::slides(fields.get("slides"), &mut draft)?;
+    rolls::read(fields.get("rolls"), &mut draft)?;
+    inputs::read(&fields, &mut draft)?;
+    placing::settle(&mut draft)?;
+    asked::read(fields.get("find"), &mut draft)?;
+    let published = published::read(fields.get("published"), &mut draft)?;
+    let errata = published::errata(fields.get("errata"), &published)?;
+    let expect = published::expect(fields.get("expect"))?;
+    let sheet = sheet::read(fields.get("sheet"), &scales)?;
+    let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
+    let mechanism = draft.mechanism;
+    Ok(Scene { title, units: scales.units(), mechanism, published, errata, expect, sheet, source })
+}
 
 /// A scene: the mechanism in SI units and what the file says about asking, publishing and drawing.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +102,8 @@ pub struct Scene {
     pub expect: Option<Refusal>,
     /// How to draw.
     pub sheet: SheetOptions,
+    /// Where everything stands in the file.
+    pub source: Source,
 }
 
 /// A title, in one or more languages.
@@ -32,6 +113,24 @@ pub struct Title {
     pub plain: Option<String>,
     /// Language tag and text, in the order of the file.
     pub by_language: Vec<(String, String)>,
+}
+
+impl Title {
+    /// The title in a language, else in the language of which it is a variant (`ar` for `ar-x-ajala`),
+    /// else without a language, else in English, else in the first one.
+    #[must_use]
+    pub fn in_language(&self, language: &str) -> Option<&str> {
+        let find = |tag: &str| {
+            let texts = self.by_language.iter();
+            texts.clone().find(|(t, _)| t.eq_ignore_ascii_case(tag)).map(|(_, text)| text.as_str())
+        };
+        let main = language.split('-').next().unwrap_or_default();
+        find(language)
+            .or_else(|| find(main))
+            .or(self.plain.as_deref())
+            .or_else(|| find("en"))
+            .or_else(|| self.by_language.first().map(|(_, text)| text.as_str()))
+    }
 }
 
 /// Units of bare numbers.
@@ -53,7 +152,7 @@ pub struct Published {
     pub asked: crate::mechanism::quantity::Asked,
     /// The printed number in SI units.
     pub value: f64,
-    /// Whether the print states a sense (cw, ccw, or a sign), so that the sign must agree.
+    /// Whether the print states a sense (`cw` or `ccw`), so that the sign must agree.
     pub signed: bool,
     /// Allowed relative deviation (0.1 = 10 %), if the scene states one.
     pub within: Option<f64>,
@@ -75,9 +174,10 @@ pub enum Refusal {
 /// How to draw the sheet.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SheetOptions {
-    /// Paper size (`A4`), default A4.
+    /// Paper size: `A0` to `A6`, `letter` or `legal`, possibly with ` portrait` or ` landscape` after it;
+    /// default A4.
     pub paper: Option<String>,
-    /// Language tag.
+    /// Language tag: `en`, `ar`, `ar-x-ajala` or `fa`.
     pub language: Option<String>,
     /// Letter for angular acceleration.
     pub angular_acceleration: Option<AngularAcceleration>,

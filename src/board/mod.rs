@@ -1,0 +1,552 @@
+//! The drawing board: points, lines and arcs on paper in millimetres, and the draughtsman's operations.
+//!
+//! The board is generic over its [`Bench`]: the arithmetic in which it reckons and the recorder that
+//! listens. With a [`Tape`] every result has an error bound and every operation leaves a stroke; with
+//! [`Blank`] neither exists and neither costs.
+//!
+//! Types keep apart what must not be mixed: paper millimetres ([`Mm`]), real quantities ([`Amount`]),
+//! angles, points and directions. A [`Scale`] is the only way from one to the other.
+//!
+//! **Architecture Invariant:** the board does not know what a mechanism is.
+
+mod reckon;
+mod scalar;
+mod tape;
+
+use std::fmt::Debug;
+use std::marker::PhantomData;
+
+pub use scalar::Real;
+pub use tape::{Blank, Nudge, Operation, Reason, Recorder, Stroke, Tape};
+
+/// The arithmetic and the recorder of a board.
+pub trait Bench {
+    /// The arithmetic.
+    type Real: Real;
+    /// What listens.
+    type Recorder: Recorder;
+}
+
+/// Shorthand for the handle of a recorded scalar.
+pub type MarkOf<B> = <<B as Bench>::Recorder as Recorder>::Mark;
+
+/// Double precision with the whole tape: for drawing and for answers with bounds.
+#[derive(Debug, Clone, Copy)]
+pub struct Recorded;
+
+impl Bench for Recorded {
+    type Real = f64;
+    type Recorder = Tape;
+}
+
+/// Double precision without a memory: for trials.
+#[derive(Debug, Clone, Copy)]
+pub struct Trial;
+
+impl Bench for Trial {
+    type Real = f64;
+    type Recorder = Blank;
+}
+
+/// A recorded scalar.
+pub struct Num<B: Bench> {
+    value: B::Real,
+    mark: MarkOf<B>,
+}
+
+macro_rules! scalar_type {
+    ($(#[$doc:meta])* $name:ident) => {
+        $(#[$doc])*
+        pub struct $name<B: Bench>(Num<B>);
+
+        impl<B: Bench> Clone for $name<B> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<B: Bench> Copy for $name<B> {}
+
+        impl<B: Bench> Debug for $name<B> {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                write!(f, concat!(stringify!($name), "({})"), self.0.value.to_f64())
+            }
+        }
+
+        impl<B: Bench> $name<B> {
+            /// The value, rounded to a double.
+            #[must_use]
+            pub fn value(&self) -> f64 {
+                self.0.value.to_f64()
+            }
+
+            /// Its handle on the tape.
+            #[must_use]
+            pub fn mark(&self) -> MarkOf<B> {
+                self.0.mark
+            }
+        }
+    };
+}
+
+scalar_type! {
+    /// A signed length on the paper, millimetres.
+    Mm
+}
+scalar_type! {
+    /// A real quantity in SI units: a length of the mechanism, a speed, an angular velocity.
+    Amount
+}
+scalar_type! {
+    /// An angle in radians, counter-clockwise positive.
+    Angle
+}
+scalar_type! {
+    /// A pure number, as in a division of a line.
+    Ratio
+}
+
+impl<B: Bench> Clone for Num<B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<B: Bench> Copy for Num<B> {}
+
+/// A point on the paper.
+pub struct Point<B: Bench> {
+    x: Num<B>,
+    y: Num<B>,
+}
+
+/// A unit vector; not a vector, it has no length.
+pub struct Direction<B: Bench> {
+    x: Num<B>,
+    y: Num<B>,
+}
+
+/// A line through a point.
+pub struct Line<B: Bench> {
+    /// A point of it.
+    pub through: Point<B>,
+    /// Its direction.
+    pub along: Direction<B>,
+}
+
+/// A circle, or the arc of one.
+pub struct Circle<B: Bench> {
+    /// Where the compass stands.
+    pub centre: Point<B>,
+    /// Its opening.
+    pub radius: Mm<B>,
+}
+
+macro_rules! copy_type {
+    ($($name:ident),*) => {
+        $(impl<B: Bench> Clone for $name<B> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<B: Bench> Copy for $name<B> {})*
+    };
+}
+
+copy_type!(Point, Direction, Line, Circle, Meet, Pair);
+
+impl<B: Bench> Point<B> {
+    /// Its coordinates, rounded to doubles.
+    #[must_use]
+    pub fn value(&self) -> [f64; 2] {
+        [self.x.value.to_f64(), self.y.value.to_f64()]
+    }
+}
+
+impl<B: Bench> Direction<B> {
+    /// Its components, rounded to doubles.
+    #[must_use]
+    pub fn value(&self) -> [f64; 2] {
+        [self.x.value.to_f64(), self.y.value.to_f64()]
+    }
+}
+
+/// A scale: how many SI units a millimetre of paper stands for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    /// SI units per millimetre, positive and finite.
+    pub si_per_mm: f64,
+}
+
+/// Where two lines meet.
+pub struct Meet<B: Bench> {
+    /// The point.
+    pub at: Point<B>,
+    /// Signed length from each line's own point to the meet, along its direction.
+    pub along: [Mm<B>; 2],
+    /// Angle of crossing, 0 to π/2.
+    pub crossing: f64,
+}
+
+/// The two points in which a circle meets a line or another circle.
+pub struct Pair<B: Bench> {
+    operation: Operation,
+    middle: Point<B>,
+    toward: Direction<B>,
+    half: Mm<B>,
+    /// Angle of crossing, 0 to π/2.
+    pub crossing: f64,
+    /// The half chord does not stand clear of its own error: both points are one.
+    pub tangent: bool,
+}
+
+/// One of a [`Pair`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Further along the line; or to the left of the first centre looking at the second.
+    First,
+    /// The other one.
+    Second,
+}
+
+/// Two figures that do not meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoMeet;
+
+/// The drawing board.
+pub struct Board<B: Bench> {
+    recorder: B::Recorder,
+    purpose: &'static str,
+    bench: PhantomData<B>,
+}
+
+impl<B: Bench> Board<B> {
+    /// A clean board with this recorder.
+    pub fn new(recorder: B::Recorder) -> Self {
+        Self { recorder, purpose: "", bench: PhantomData }
+    }
+
+    /// The recorder, to ask for bounds.
+    pub fn recorder(&mut self) -> &mut B::Recorder {
+        &mut self.recorder
+    }
+
+    /// What the next strokes are drawn for.
+    pub fn purpose(&mut self, purpose: &'static str) {
+        self.purpose = purpose;
+    }
+
+    fn stroke(&mut self, operation: Operation, point: Point<B>) -> Point<B> {
+        let by = self.recorder.stroke(operation, point.value(), [point.x.mark, point.y.mark], self.purpose);
+        if by == [0.0; 2] {
+            return point;
+        }
+        Point {
+            x: Num { value: point.x.value + B::Real::from_f64(by[0]), mark: point.x.mark },
+            y: Num { value: point.y.value + B::Real::from_f64(by[1]), mark: point.y.mark },
+        }
+    }
+
+    // --- between paper and reality -------------------------------------------------------------
+
+    /// The paper length that stands for a real quantity.
+    pub fn to_paper(&mut self, amount: Amount<B>, scale: Scale) -> Mm<B> {
+        Mm(self.times(amount.0, 1.0 / scale.si_per_mm))
+    }
+
+    /// A length read off the paper, multiplied by the scale factor.
+    pub fn read(&mut self, length: Mm<B>, scale: Scale) -> Amount<B> {
+        let inverse = 1.0 / scale.si_per_mm;
+        // The same factor as in `to_paper`, so that what is laid off is read back as it was.
+        let value = length.0.value / B::Real::from_f64(inverse);
+        let partial = 1.0 / inverse;
+        let rounding = value.to_f64().abs() * B::Real::UNIT_ROUNDOFF;
+        let mark = self.recorder.result(&[(length.0.mark, partial)], rounding);
+        Amount(Num { value, mark })
+    }
+
+    /// A number of the scene as a real quantity.
+    pub fn amount(&mut self, given: crate::given::Given) -> Amount<B> {
+        Amount(self.given(given))
+    }
+
+    /// A number of the scene as an angle in radians.
+    pub fn angle(&mut self, given: crate::given::Given) -> Angle<B> {
+        Angle(self.given(given))
+    }
+
+    // --- what the textbook calculates ----------------------------------------------------------
+
+    /// a / b, as in ω = V / l.
+    pub fn quotient(&mut self, a: Amount<B>, b: Amount<B>, reason: Reason) -> Amount<B> {
+        Amount(self.div(a.0, b.0, reason))
+    }
+
+    /// a · b, as in V = ω l.
+    pub fn product(&mut self, a: Amount<B>, b: Amount<B>) -> Amount<B> {
+        Amount(self.mul(a.0, b.0))
+    }
+
+    /// v² / l, as in Aⁿ = V² / l.
+    pub fn square_over(&mut self, v: Amount<B>, l: Amount<B>, reason: Reason) -> Amount<B> {
+        let square = self.mul(v.0, v.0);
+        Amount(self.div(square, l.0, reason))
+    }
+
+    /// a − b.
+    pub fn difference(&mut self, a: Amount<B>, b: Amount<B>) -> Amount<B> {
+        Amount(self.sub(a.0, b.0))
+    }
+
+    /// a + b.
+    pub fn sum(&mut self, a: Amount<B>, b: Amount<B>) -> Amount<B> {
+        Amount(self.add(a.0, b.0))
+    }
+
+    /// |a|.
+    pub fn magnitude(&mut self, a: Amount<B>) -> Amount<B> {
+        if a.value() < 0.0 { Amount(self.neg(a.0)) } else { a }
+    }
+
+    /// −a.
+    pub fn opposite(&mut self, a: Amount<B>) -> Amount<B> {
+        Amount(self.neg(a.0))
+    }
+
+    /// a / b as a pure number.
+    pub fn ratio(&mut self, a: Mm<B>, b: Mm<B>, reason: Reason) -> Ratio<B> {
+        Ratio(self.div(a.0, b.0, reason))
+    }
+
+    // --- the draughtsman's operations ----------------------------------------------------------
+
+    /// The origin of a diagram: (0, 0), exact.
+    pub fn origin(&mut self) -> Point<B> {
+        Point { x: self.exact(0.0), y: self.exact(0.0) }
+    }
+
+    /// Prick a point at given coordinates.
+    pub fn prick(&mut self, x: Mm<B>, y: Mm<B>) -> Point<B> {
+        self.stroke(Operation::Prick, Point { x: x.0, y: y.0 })
+    }
+
+    /// The direction of an angle from +x, by protractor.
+    pub fn protractor(&mut self, angle: Angle<B>) -> Direction<B> {
+        let [x, y] = self.cos_sin(angle.0);
+        Direction { x, y }
+    }
+
+    /// +x.
+    pub fn rightward(&mut self) -> Direction<B> {
+        Direction { x: self.exact(1.0), y: self.exact(0.0) }
+    }
+
+    /// Direction and distance from one point to another.
+    pub fn toward(&mut self, from: Point<B>, to: Point<B>, reason: Reason) -> (Direction<B>, Mm<B>) {
+        let [dx, dy] = self.between(from, to);
+        let square = self.dot(dx.0, dx.0, dy.0, dy.0);
+        let length = self.sqrt(square);
+        let x = self.div(dx.0, length, reason);
+        let y = self.div(dy.0, length, reason);
+        (Direction { x, y }, Mm(length))
+    }
+
+    /// Distance of two points, by dividers.
+    pub fn distance(&mut self, from: Point<B>, to: Point<B>) -> Mm<B> {
+        let [dx, dy] = self.between(from, to);
+        let square = self.dot(dx.0, dx.0, dy.0, dy.0);
+        Mm(self.sqrt(square))
+    }
+
+    /// Components of the vector from one point to another.
+    pub fn between(&mut self, from: Point<B>, to: Point<B>) -> [Mm<B>; 2] {
+        [Mm(self.sub(to.x, from.x)), Mm(self.sub(to.y, from.y))]
+    }
+
+    /// A direction turned by +90°, with the set square: exact.
+    pub fn quarter_turn(&mut self, d: Direction<B>) -> Direction<B> {
+        Direction { x: self.neg(d.y), y: d.x }
+    }
+
+    /// The opposite direction.
+    pub fn reverse(&mut self, d: Direction<B>) -> Direction<B> {
+        Direction { x: self.neg(d.x), y: self.neg(d.y) }
+    }
+
+    /// A direction turned by an angle, by protractor.
+    pub fn turned(&mut self, d: Direction<B>, by: Angle<B>) -> Direction<B> {
+        let [cos, sin] = self.cos_sin(by.0);
+        Direction { x: self.cross(d.x, cos, d.y, sin), y: self.dot(d.x, sin, d.y, cos) }
+    }
+
+    /// Angle of a direction from +x, by protractor, in (−π, π].
+    pub fn measure_angle(&mut self, d: Direction<B>) -> Angle<B> {
+        Angle(self.atan2(d.y, d.x))
+    }
+
+    /// Angle from one direction to another, ccw, in (−π, π].
+    pub fn angle_between(&mut self, from: Direction<B>, to: Direction<B>) -> Angle<B> {
+        let sin = self.cross(from.x, to.y, from.y, to.x);
+        let cos = self.dot(from.x, to.x, from.y, to.y);
+        Angle(self.atan2(sin, cos))
+    }
+
+    /// Lay off a signed length from a point along a direction.
+    pub fn lay_off(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
+        let point = self.shifted(from, along, length);
+        self.stroke(Operation::LayOff, point)
+    }
+
+    fn shifted(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
+        let dx = self.mul(along.x, length.0);
+        let dy = self.mul(along.y, length.0);
+        Point { x: self.add(from.x, dx), y: self.add(from.y, dy) }
+    }
+
+    /// How far a point lies along a line and square to it (left positive), with the set square.
+    pub fn square_off(&mut self, line: Line<B>, point: Point<B>) -> [Mm<B>; 2] {
+        let [dx, dy] = self.between(line.through, point);
+        let along = self.dot(dx.0, line.along.x, dy.0, line.along.y);
+        let across = self.cross(line.along.x, dy.0, line.along.y, dx.0);
+        [Mm(along), Mm(across)]
+    }
+
+    /// Where two lines meet, in difference form from the nearer of their two points. Parallel lines
+    /// leave a weak divisor with `reason` on the tape.
+    pub fn meet_lines(&mut self, first: Line<B>, second: Line<B>, reason: Reason) -> Meet<B> {
+        let sin = self.cross(first.along.x, second.along.y, first.along.y, second.along.x);
+        let [dx, dy] = self.between(first.through, second.through);
+        let to_first = self.cross(dx.0, second.along.y, dy.0, second.along.x);
+        let to_second = self.cross(dx.0, first.along.y, dy.0, first.along.x);
+        let along = [Mm(self.div(to_first, sin, reason)), Mm(self.div(to_second, sin, reason))];
+        let from_first = along[0].value().abs() <= along[1].value().abs();
+        let at = if from_first {
+            self.shifted(first.through, first.along, along[0])
+        } else {
+            self.shifted(second.through, second.along, along[1])
+        };
+        let crossing = libm::asin(sin.value.to_f64().abs().min(1.0));
+        Meet { at: self.stroke(Operation::MeetLines, at), along, crossing }
+    }
+
+    /// The two points of a line on a circle: [`Side::First`] lies further along the line.
+    ///
+    /// # Errors
+    /// [`NoMeet`] where the line passes the circle by.
+    pub fn meet_line_circle(
+        &mut self,
+        line: Line<B>,
+        circle: Circle<B>,
+        reason: Reason,
+    ) -> Result<Pair<B>, NoMeet> {
+        let [along, across] = self.square_off(line, circle.centre);
+        // The centre lies `across` to the left of the line: h² = (r − e)(r + e).
+        let less = self.sub(circle.radius.0, across.0);
+        let more = self.add(circle.radius.0, across.0);
+        let square = self.mul(less, more);
+        let (half, tangent) = self.half_chord(square, reason)?;
+        let middle = self.shifted(line.through, line.along, along);
+        let radius = circle.radius.value();
+        let crossing = if radius > 0.0 { libm::asin((half.value() / radius).clamp(0.0, 1.0)) } else { 0.0 };
+        Ok(Pair { operation: Operation::MeetLineCircle, middle, toward: line.along, half, crossing, tangent })
+    }
+
+    /// The two points in which circles meet: [`Side::First`] lies to the left of the first centre
+    /// looking at the second.
+    ///
+    /// # Errors
+    /// [`NoMeet`] where they are too far apart or one lies within the other.
+    pub fn meet_circles(
+        &mut self,
+        first: Circle<B>,
+        second: Circle<B>,
+        reason: Reason,
+    ) -> Result<Pair<B>, NoMeet> {
+        let (toward, distance) = self.toward(first.centre, second.centre, reason);
+        let (d, r1, r2) = (distance.0, first.radius.0, second.radius.0);
+        let sum = self.add(r1, r2);
+        let gap = self.sub(r1, r2);
+        // Foot of the common chord from the first centre: (d + (r1 − r2)(r1 + r2)/d) / 2.
+        let product = self.mul(sum, gap);
+        let quotient = self.div(product, d, reason);
+        let twice = self.add(d, quotient);
+        let along = Mm(self.times(twice, 0.5));
+        // 16 F² = ((r1 + r2) − d)((r1 + r2) + d)(d − (r1 − r2))(d + (r1 − r2)); h = 2F/d: no
+        // cancellation in a needle-shaped triangle.
+        let a = self.sub(sum, d);
+        let b = self.add(sum, d);
+        let c = self.sub(d, gap);
+        let e = self.add(d, gap);
+        let ab = self.mul(a, b);
+        let ce = self.mul(c, e);
+        let square = self.mul(ab, ce);
+        let (four_f, tangent) = self.half_chord(square, reason)?;
+        let chord = self.div(four_f.0, d, reason);
+        let half = Mm(self.times(chord, 0.5));
+        let middle = self.shifted(first.centre, toward, along);
+        let toward = self.quarter_turn(toward);
+        let (r1, r2) = (first.radius.value(), second.radius.value());
+        let sin = if r1 * r2 > 0.0 { half.value() * distance.value() / (r1 * r2) } else { 0.0 };
+        let crossing = libm::asin(sin.clamp(0.0, 1.0));
+        Ok(Pair { operation: Operation::MeetCircles, middle, toward, half, crossing, tangent })
+    }
+
+    /// √square, where a square below zero by no more than its own error is a tangency.
+    fn half_chord(&mut self, square: Num<B>, reason: Reason) -> Result<(Mm<B>, bool), NoMeet> {
+        /// A square is as good as zero within this many of its own errors: the same eighth by which
+        /// the tape calls a divisor weak.
+        const ERRORS: f64 = 8.0;
+        let value = square.value.to_f64();
+        self.recorder.divisor(square.mark, value, reason);
+        let mut tangent = value == 0.0;
+        if value <= 0.0 || !value.is_finite() {
+            match self.recorder.error(square.mark) {
+                Some(error) if -value <= ERRORS * error => tangent = true,
+                None if value == 0.0 => {}
+                _ => return Err(NoMeet),
+            }
+        }
+        Ok((Mm(self.sqrt(square)), tangent))
+    }
+
+    /// One of the two points of a pair.
+    pub fn take(&mut self, pair: Pair<B>, side: Side) -> Point<B> {
+        let half = match side {
+            Side::First => pair.half,
+            Side::Second => Mm(self.neg(pair.half.0)),
+        };
+        let point = self.shifted(pair.middle, pair.toward, half);
+        self.stroke(pair.operation, point)
+    }
+
+    /// Where a point of the pair lies, to choose between them before one is drawn.
+    #[must_use]
+    pub fn look(&self, pair: &Pair<B>, side: Side) -> [f64; 2] {
+        let half = match side {
+            Side::First => pair.half.value(),
+            Side::Second => -pair.half.value(),
+        };
+        let ([x, y], [dx, dy]) = (pair.middle.value(), pair.toward.value());
+        [x + dx * half, y + dy * half]
+    }
+
+    /// Divide the line from `from` to `to`: the point at `ratio` of its length.
+    pub fn divide(&mut self, from: Point<B>, to: Point<B>, ratio: Ratio<B>) -> Point<B> {
+        let [dx, dy] = self.between(from, to);
+        let x = self.mul(dx.0, ratio.0);
+        let y = self.mul(dy.0, ratio.0);
+        let point = Point { x: self.add(from.x, x), y: self.add(from.y, y) };
+        self.stroke(Operation::Divide, point)
+    }
+
+    /// The corner of a figure similar to one in which the corner lies `along` and `across` (left
+    /// positive), as parts of the base.
+    pub fn similar(&mut self, base: [Point<B>; 2], along: Ratio<B>, across: Ratio<B>) -> Point<B> {
+        let [dx, dy] = self.between(base[0], base[1]);
+        let x = self.cross(dx.0, along.0, dy.0, across.0);
+        let y = self.dot(dy.0, along.0, dx.0, across.0);
+        let point = Point { x: self.add(base[0].x, x), y: self.add(base[0].y, y) };
+        self.stroke(Operation::Similar, point)
+    }
+}

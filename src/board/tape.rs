@@ -1,0 +1,266 @@
+//! What the board remembers: the tape of its reckoning, from which every bound is read, and the
+//! strokes, from which figures are drawn.
+//!
+//! The tape is a list of scalar results. Each holds its local rounding error and the partial
+//! derivatives by which it hangs on earlier results. One sweep back from an asked result adds up what
+//! every rounding and every uncertain number of the scene does to it, *with* the correlations that
+//! running error bounds lose: a chain of twenty dyads keeps its digits.
+
+use std::fmt::Debug;
+
+/// Which of the board's operations made a stroke.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operation {
+    /// A place pricked from given coordinates.
+    Prick,
+    /// A length laid off from a point along a direction.
+    LayOff,
+    /// The meet of two lines.
+    MeetLines,
+    /// The meet of a line and a circle.
+    MeetLineCircle,
+    /// The meet of two circles.
+    MeetCircles,
+    /// A line divided in a ratio.
+    Divide,
+    /// The corner of a figure similar to a given one.
+    Similar,
+}
+
+impl Operation {
+    /// The word of the text tape.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Prick => "prick",
+            Self::LayOff => "lay off",
+            Self::MeetLines => "meet line line",
+            Self::MeetLineCircle => "meet line circle",
+            Self::MeetCircles => "meet circle circle",
+            Self::Divide => "divide",
+            Self::Similar => "similar",
+        }
+    }
+}
+
+/// A point that the draughtsman made, and how.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// The operation.
+    pub operation: Operation,
+    /// The point in paper millimetres.
+    pub at: [f64; 2],
+    /// Tape slots of its two coordinates.
+    pub slots: [u32; 2],
+    /// What it was drawn for.
+    pub purpose: &'static str,
+}
+
+/// Why a division may fail: an index into the list that the caller of the board keeps.
+pub type Reason = u32;
+
+/// What listens to the board. Recording costs nothing where the recorder is [`Blank`].
+pub trait Recorder {
+    /// Handle of a recorded scalar.
+    type Mark: Copy + Debug + Default;
+    /// A number from outside with its radius of uncertainty.
+    fn given(&mut self, error: f64) -> Self::Mark;
+    /// A result: what it hangs on, and the rounding of this operation alone.
+    fn result(&mut self, parts: &[(Self::Mark, f64)], rounding: f64) -> Self::Mark;
+    /// A divisor whose value must stand clear of its own error.
+    fn divisor(&mut self, mark: Self::Mark, value: f64, reason: Reason);
+    /// First-order error of a recorded scalar, if this recorder knows.
+    fn error(&mut self, mark: Self::Mark) -> Option<f64>;
+    /// A point was made. What comes back is added to its place: zero, but for tests that nudge a
+    /// stroke and for hands that tremble.
+    fn stroke(
+        &mut self,
+        operation: Operation,
+        at: [f64; 2],
+        marks: [Self::Mark; 2],
+        purpose: &'static str,
+    ) -> [f64; 2];
+}
+
+/// Records nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Blank;
+
+impl Recorder for Blank {
+    type Mark = ();
+
+    fn given(&mut self, _: f64) {}
+
+    fn result(&mut self, _: &[((), f64)], _: f64) {}
+
+    fn divisor(&mut self, (): (), _: f64, _: Reason) {}
+
+    fn error(&mut self, (): ()) -> Option<f64> {
+        None
+    }
+
+    fn stroke(&mut self, _: Operation, _: [f64; 2], _: [(); 2], _: &'static str) -> [f64; 2] {
+        [0.0; 2]
+    }
+}
+
+/// At most this many operands hang on one result.
+const MOST_PARTS: usize = 4;
+
+#[derive(Debug, Clone, Copy)]
+struct Slot {
+    parts: [(u32, f64); MOST_PARTS],
+    count: u8,
+    rounding: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Divisor {
+    slot: u32,
+    value: f64,
+    reason: Reason,
+    weak: Option<bool>,
+}
+
+/// A stroke to be moved after it is drawn, in paper millimetres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nudge {
+    /// Index into [`Tape::strokes`].
+    pub stroke: usize,
+    /// By how much.
+    pub by: [f64; 2],
+}
+
+/// Records everything: reckoning and strokes.
+#[derive(Debug, Clone, Default)]
+pub struct Tape {
+    slots: Vec<Slot>,
+    divisors: Vec<Divisor>,
+    strokes: Vec<Stroke>,
+    nudge: Option<Nudge>,
+    adjoint: Vec<f64>,
+    reached: Vec<bool>,
+}
+
+impl Recorder for Tape {
+    type Mark = u32;
+
+    fn given(&mut self, error: f64) -> u32 {
+        self.result(&[], error)
+    }
+
+    fn result(&mut self, parts: &[(u32, f64)], rounding: f64) -> u32 {
+        let mut slot = Slot { parts: [(0, 0.0); MOST_PARTS], count: 0, rounding };
+        for (to, from) in slot.parts.iter_mut().zip(parts) {
+            *to = *from;
+            slot.count += 1;
+        }
+        let mark = u32::try_from(self.slots.len()).unwrap_or(u32::MAX);
+        self.slots.push(slot);
+        mark
+    }
+
+    fn divisor(&mut self, mark: u32, value: f64, reason: Reason) {
+        self.divisors.push(Divisor { slot: mark, value, reason, weak: None });
+    }
+
+    fn error(&mut self, mark: u32) -> Option<f64> {
+        Some(self.first_order_error(mark))
+    }
+
+    fn stroke(
+        &mut self,
+        operation: Operation,
+        at: [f64; 2],
+        marks: [u32; 2],
+        purpose: &'static str,
+    ) -> [f64; 2] {
+        let by = match self.nudge {
+            Some(nudge) if nudge.stroke == self.strokes.len() => nudge.by,
+            _ => [0.0; 2],
+        };
+        let at = [at[0] + by[0], at[1] + by[1]];
+        self.strokes.push(Stroke { operation, at, slots: marks, purpose });
+        by
+    }
+}
+
+/// A divisor is too weak to divide by when its first-order error passes this part of it.
+const WEAK_DIVISOR: f64 = 1.0 / 8.0;
+
+/// The first-order bound is doubled, to cover what a divisor's error adds in second order.
+const SECOND_ORDER: f64 = 2.0;
+
+impl Tape {
+    /// A tape on which one stroke will be moved as it is drawn.
+    #[must_use]
+    pub fn nudged(nudge: Nudge) -> Self {
+        Self { nudge: Some(nudge), ..Self::default() }
+    }
+
+    /// The strokes in the order of drawing.
+    #[must_use]
+    pub fn strokes(&self) -> &[Stroke] {
+        &self.strokes
+    }
+
+    /// Bound of a recorded result: |value − truth| ≤ bound, unless [`Tape::weakness`] says that it has
+    /// none.
+    pub fn bound(&mut self, mark: u32) -> f64 {
+        SECOND_ORDER * self.first_order_error(mark)
+    }
+
+    /// The reason of the first divisor behind this result that does not stand clear of its own error.
+    pub fn weakness(&mut self, mark: u32) -> Option<Reason> {
+        for index in 0..self.divisors.len() {
+            if self.divisors[index].weak.is_none() {
+                let Divisor { slot, value, .. } = self.divisors[index];
+                let error = self.first_order_error(slot);
+                // Written so that a not-a-number counts as weak.
+                let clear = error <= WEAK_DIVISOR * value.abs() && value != 0.0;
+                self.divisors[index].weak = Some(!clear);
+            }
+        }
+        if !self.divisors.iter().any(|d| d.weak == Some(true)) {
+            return None;
+        }
+        self.sweep_back(mark);
+        self.divisors
+            .iter()
+            .find(|d| d.weak == Some(true) && self.reached.get(d.slot as usize).copied().unwrap_or(false))
+            .map(|d| d.reason)
+    }
+
+    /// ∂(result)/∂(slot): how the result moves when the slot is moved alone.
+    pub fn sensitivity(&mut self, mark: u32, slot: u32) -> f64 {
+        self.sweep_back(mark);
+        self.adjoint.get(slot as usize).copied().unwrap_or(0.0)
+    }
+
+    fn first_order_error(&mut self, mark: u32) -> f64 {
+        self.sweep_back(mark);
+        self.adjoint.iter().zip(&self.slots).map(|(a, s)| a.abs() * s.rounding).sum()
+    }
+
+    /// Fills `adjoint` and `reached` for the slots up to `mark`.
+    fn sweep_back(&mut self, mark: u32) {
+        let last = mark as usize;
+        self.adjoint.clear();
+        self.adjoint.resize(last + 1, 0.0);
+        self.reached.clear();
+        self.reached.resize(last + 1, false);
+        self.adjoint[last] = 1.0;
+        self.reached[last] = true;
+        for index in (0..=last).rev() {
+            if !self.reached[index] {
+                continue;
+            }
+            let slot = &self.slots[index];
+            let adjoint = self.adjoint[index];
+            for &(part, partial) in &slot.parts[..usize::from(slot.count)] {
+                self.adjoint[part as usize] += adjoint * partial;
+                self.reached[part as usize] = true;
+            }
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! `linkgram check`.
+
+use std::fmt::Write;
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::{Value, json};
+
+use super::report::short;
+use super::{Ending, Failure, files, print};
+use crate::check::{Outcome, PublishedCheck, SceneCheck};
+
+/// Fewer scenes than this need no progress bar.
+const MANY: usize = 50;
+
+struct Checked {
+    file: String,
+    result: Result<SceneCheck, String>,
+}
+
+pub(super) fn run(paths: &[PathBuf], as_json: bool, tolerance: f64) -> Result<Ending, Failure> {
+    let scenes = files::scenes_under(paths)?;
+    let checked = check_all(&scenes, tolerance);
+    let held = checked.iter().filter(|c| c.ok()).count();
+    // A file that is no scene is bad input, told on stderr; the others are still reported.
+    let broken: Vec<&str> = checked.iter().filter_map(|c| c.result.as_ref().err().map(String::as_str)).collect();
+    let text = if as_json {
+        let list: Vec<Value> = checked.iter().map(Checked::json).collect();
+        serde_json::to_string_pretty(&json!({ "scenes": list }))
+            .map_err(|error| Failure(error.to_string()))?
+            + "\n"
+    } else {
+        let mut out: String = checked.iter().map(Checked::text).collect();
+        let _ = writeln!(out, "{held} of {} scenes hold", checked.len());
+        out
+    };
+    print(&text)?;
+    if !broken.is_empty() {
+        return Err(Failure(broken.join("\nerror: ")));
+    }
+    Ok(if held == checked.len() { Ending::Fine } else { Ending::DoesNotHold })
+}
+
+/// Checks on all processors; the results stay in the order of the files.
+fn check_all(scenes: &[PathBuf], tolerance: f64) -> Vec<Checked> {
+    let bar = if scenes.len() >= MANY && std::io::stderr().is_terminal() {
+        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {eta} left")
+            .unwrap_or_else(|_| ProgressStyle::default_bar());
+        ProgressBar::new(scenes.len() as u64).with_style(style)
+    } else {
+        ProgressBar::hidden()
+    };
+    let next = AtomicUsize::new(0);
+    let done: Mutex<Vec<(usize, Checked)>> = Mutex::new(Vec::with_capacity(scenes.len()));
+    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(scenes.len());
+    std::thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(path) = scenes.get(index) else { break };
+                    let checked = check_one(path, tolerance);
+                    bar.inc(1);
+                    if let Ok(mut done) = done.lock() {
+                        done.push((index, checked));
+                    }
+                }
+            });
+        }
+    });
+    bar.finish_and_clear();
+    let mut done = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    done.sort_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, checked)| checked).collect()
+}
+
+fn check_one(path: &Path, tolerance: f64) -> Checked {
+    let read = super::read_scene(path);
+    match read {
+        Ok((file, scene)) => Checked { file, result: Ok(crate::check::check(&scene, tolerance)) },
+        Err(Failure(message)) => Checked { file: path.display().to_string(), result: Err(message) },
+    }
+}
+
+impl Checked {
+    fn ok(&self) -> bool {
+        self.result.as_ref().is_ok_and(|c| c.ok)
+    }
+
+    fn text(&self) -> String {
+        let mut out = String::new();
+        let word = if self.ok() { "holds" } else { "FAILS" };
+        let _ = match &self.result {
+            Err(message) => writeln!(out, "{}: not a scene: {message}", self.file),
+            Ok(SceneCheck { outcome: Outcome::Refused { message, .. }, .. }) => {
+                writeln!(out, "{}: {word}: refused: {message}", self.file)
+            }
+            Ok(SceneCheck { outcome: Outcome::Solved { agreement, published }, .. }) => {
+                let _ = writeln!(out, "{}: {word}: {}", self.file, super::solve::verdict(agreement));
+                for compared in &agreement.compared {
+                    if let Some(why) = compared.indeterminate() {
+                        let _ = writeln!(out, "    {}: indeterminate: {why}", compared.asked.name);
+                    }
+                }
+                published.iter().try_for_each(|p| writeln!(out, "    {}", line(p)))
+            }
+        };
+        out
+    }
+
+    fn json(&self) -> Value {
+        match &self.result {
+            Err(message) => json!({ "scene": self.file, "ok": false, "error": message }),
+            Ok(SceneCheck { outcome: Outcome::Refused { message, .. }, ok }) => {
+                json!({ "scene": self.file, "ok": ok, "refused": message })
+            }
+            Ok(SceneCheck { outcome: Outcome::Solved { agreement, published }, ok }) => {
+                let published: Vec<Value> = published.iter().map(published_json).collect();
+                json!({
+                    "scene": self.file,
+                    "ok": ok,
+                    "agreement": { "worst_ratio": agreement.worst_ratio(), "ok": agreement.ok() },
+                    "published": published,
+                })
+            }
+        }
+    }
+}
+
+/// One published value: `v(B)  published 170 cm/s, computed 175.3095, -3.03 %`.
+fn line(p: &PublishedCheck) -> String {
+    let unit = &p.asked.unit;
+    let computed = p.computed.map_or("nothing".to_owned(), |c| short(c / unit.si));
+    let percent = p.percent.map_or(String::new(), |x| format!(", {x:+.2} %"));
+    let verdict = match (p.ok, p.erratum) {
+        (true, false) => "",
+        (false, true) => "  (known erratum, found)",
+        (false, false) => "  OUT OF TOLERANCE",
+        (true, true) => "  LISTED AS ERRATUM BUT AGREES",
+    };
+    format!(
+        "{}: published {} {}, computed {computed}{percent}{verdict}",
+        p.asked.name,
+        short(p.published / unit.si),
+        unit.symbol
+    )
+}
+
+fn published_json(p: &PublishedCheck) -> Value {
+    json!({
+        "name": p.asked.name,
+        "unit": p.asked.unit.symbol,
+        "published": p.published / p.asked.unit.si,
+        "computed": p.computed.map(|c| c / p.asked.unit.si),
+        "percent": p.percent,
+        "ok": p.ok,
+        "erratum": p.erratum,
+    })
+}

@@ -1,0 +1,176 @@
+//! Arguments, progress and exit status.
+//!
+//! Exit status: 0 fine · 1 a check did not hold, or an asked quantity is indeterminate · 2 bad input or
+//! usage. Results go to stdout, diagnostics to stderr.
+//!
+//! **Architecture Invariant:** everything that a library user needs is in the library; this room only
+//! reads arguments and files, calls it, and prints.
+
+mod check;
+mod draw;
+mod files;
+mod new;
+mod report;
+mod solve;
+
+use std::ffi::OsString;
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::scene::{Diagnostic, Scene};
+
+/// Draws and checks graphical solutions of planar mechanisms.
+#[derive(Debug, Parser)]
+#[command(name = "linkgram", version, about, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Draw the solution sheet of a scene, or single figures of it
+    Draw {
+        /// The scene file; - for standard input
+        scene: PathBuf,
+        /// Where to write; the extension chooses the format (.svg, .png). SVG on stdout without it
+        #[arg(short, long, value_name = "FILE")]
+        output: Vec<PathBuf>,
+        /// A single figure instead of the sheet: skeleton, velocity, acceleration, steps, results
+        #[arg(long, value_name = "NAME")]
+        figure: Vec<String>,
+        /// Language of the sheet
+        #[arg(long, value_name = "LANG")]
+        lang: Option<String>,
+        /// Resolution of a PNG
+        #[arg(long, value_name = "DPI", default_value_t = 150.0)]
+        dpi: f32,
+    },
+    /// Print the asked quantities, graphical beside analytic
+    Solve {
+        /// The scene file; - for standard input
+        scene: PathBuf,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+        /// Say which steps the asked quantities needed, and which were left out
+        #[arg(long)]
+        explain: bool,
+    },
+    /// Check scenes: graphical against analytic, and both against what was published
+    Check {
+        /// Scene files, or folders of them; - for standard input
+        #[arg(required = true)]
+        paths: Vec<PathBuf>,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+        /// Allowed deviation of published values where the scene states none
+        #[arg(long, value_name = "PERCENT", default_value = "5%", value_parser = parse_percent)]
+        tolerance: f64,
+    },
+    /// List the mechanism catalogue, or write a ready scene of a kind
+    New {
+        /// The kind
+        kind: Option<String>,
+    },
+    /// Print the JSON Schema of a scene
+    Schema,
+}
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ending {
+    Fine,
+    DoesNotHold,
+}
+
+/// Bad input or usage: what stands on stderr before exit 2.
+#[derive(Debug)]
+struct Failure(String);
+
+impl From<Diagnostic> for Failure {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Self(diagnostic.to_string())
+    }
+}
+
+fn parse_percent(text: &str) -> Result<f64, String> {
+    let (number, factor) = match text.trim().strip_suffix('%') {
+        Some(number) => (number, 0.01),
+        None => (text, 1.0),
+    };
+    match number.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value * factor),
+        _ => Err("expected a percentage such as 5% or a part such as 0.05".to_owned()),
+    }
+}
+
+/// Runs the command with the process's arguments.
+#[must_use]
+pub fn run() -> ExitCode {
+    run_with(std::env::args_os())
+}
+
+/// Runs the command with the given arguments, the program's name first.
+#[must_use]
+pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help and version are not errors; clap knows where each goes.
+            let code = if error.use_stderr() { 2 } else { 0 };
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    let ending = match arguments.command {
+        Command::Draw { scene, output, figure, lang, dpi } => {
+            draw::run(&draw::Job { scene, output, figure, lang, dpi })
+        }
+        Command::Solve { scene, json, explain } => solve::run(&scene, json, explain),
+        Command::Check { paths, json, tolerance } => check::run(&paths, json, tolerance),
+        Command::New { kind } => new::run(kind.as_deref()),
+        Command::Schema => schema(),
+    };
+    match ending {
+        Ok(Ending::Fine) => ExitCode::SUCCESS,
+        Ok(Ending::DoesNotHold) => ExitCode::from(1),
+        Err(Failure(message)) => {
+            let _ = writeln!(std::io::stderr(), "error: {message}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn schema() -> Result<Ending, Failure> {
+    let text = serde_json::to_string_pretty(&crate::scene::schema())
+        .map_err(|error| Failure(error.to_string()))?;
+    print(&(text + "\n"))?;
+    Ok(Ending::Fine)
+}
+
+/// Writes to stdout; a reader who hung up is no error.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure(format!("standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
+    let (file, text) = files::read(path)?;
+    let scene = crate::scene::read(&text, &file)?;
+    Ok((file, scene))
+}
+
+/// An error of a later room, at the place in the file that it is about.
+fn failure(scene: &Scene, error: &crate::solve::SolveError) -> Failure {
+    report::diagnose(scene, error).into()
+}

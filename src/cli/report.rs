@@ -1,0 +1,107 @@
+//! Errors of later rooms, told at the place in the file that they are about; numbers for people.
+
+use crate::graphical::DrawError;
+use crate::mechanism::Mechanism;
+use crate::mechanism::quantity::{Answer, Asked};
+use crate::mechanism::structure::{Joint, StructureError};
+use crate::scene::{Diagnostic, Scene, Subject};
+use crate::solve::SolveError;
+
+/// The diagnostic of an error that was found after reading.
+pub(super) fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
+    let (subject, what, mend) = match error {
+        SolveError::Structure(error) => structure(&scene.mechanism, error),
+        SolveError::Draw(error) => draw(scene, error),
+        SolveError::Indeterminate { .. } => (
+            Subject::Inputs,
+            error.to_string(),
+            "turn the input a little; at this position it does not determine what is asked".to_owned(),
+        ),
+    };
+    scene.source.complain(subject, what, Some(mend))
+}
+
+fn structure(mechanism: &Mechanism, error: &StructureError) -> (Subject, String, String) {
+    match error {
+        StructureError::UnderConstrained { left, .. } => (
+            Subject::Inputs,
+            error.to_string(),
+            format!(
+                "give {left} more input{}, or join or guide these links",
+                if *left == 1 { "" } else { "s" }
+            ),
+        ),
+        StructureError::OverConstrained { joint, .. } => (
+            match *joint {
+                Joint::Pin(link, _) => Subject::Link(link),
+                Joint::Slide(index) => Subject::Slide(index),
+                Joint::Roll(index) | Joint::Contact(index) => Subject::Roll(index),
+                Joint::Input(index) => Subject::Input(index),
+            },
+            error.to_string(),
+            match joint {
+                Joint::Input(_) if mechanism.inputs.len() > 1 => "take this input away".to_owned(),
+                Joint::Input(_) => "take a link or a pair away: the chain is rigid".to_owned(),
+                _ => "take a link, a pair or an input away".to_owned(),
+            },
+        ),
+    }
+}
+
+fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
+    let unit = &scene.units.length;
+    match error {
+        DrawError::CannotAssemble { pin, why, range } => (
+            if range.is_some() { Subject::Input(0) } else { Subject::Point(*pin) },
+            format!("cannot be assembled: {}", why.in_unit(unit.si, &unit.symbol)),
+            match range {
+                Some(range) => range.to_string(),
+                None => "change the dimensions or the input".to_owned(),
+            },
+        ),
+        DrawError::Ambiguous { pin, first, second } => {
+            let name = &scene.mechanism.point(*pin).name;
+            let place = |p: &[f64; 2]| format!("[{}, {}]", short(p[0] / unit.si), short(p[1] / unit.si));
+            let (first, second) = (place(first), place(second));
+            (
+                Subject::Place(*pin),
+                format!("ambiguous: the chain closes with {name} at {first} and at {second}"),
+                format!("choose one, as in \"near\": {{ \"{name}\": {first} }}"),
+            )
+        }
+        DrawError::NoConstruction { links } => {
+            let names: Vec<String> =
+                links.iter().map(|&l| scene.mechanism.link(l).number.to_string()).collect();
+            (
+                links.first().map_or(Subject::Scene, |&l| Subject::Link(l)),
+                format!("no graphical construction is known for the group of links {}", names.join(", ")),
+                "linkgram solves driven cranks, and groups RRR and RRP with straight guides on link 1".to_owned(),
+            )
+        }
+    }
+}
+
+/// A number with seven significant digits.
+pub(super) fn short(x: f64) -> String {
+    let text = format!("{x:.6e}");
+    text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
+}
+
+/// An answer for people: value in its unit.
+pub(super) fn describe(asked: &Asked, answer: &Answer) -> String {
+    let unit = &asked.unit;
+    match answer {
+        Answer::Scalar { value, .. } => {
+            format!("{} {}", short(value / unit.si), unit.symbol)
+        }
+        Answer::Vector { value, .. } => {
+            let [x, y] = value.map(|v| v / unit.si);
+            format!("({}, {}) = {} {}", short(x), short(y), short(libm::hypot(x, y)), unit.symbol)
+        }
+        Answer::AtInfinity { direction, .. } => {
+            let degrees = libm::atan2(direction[1], direction[0]).to_degrees();
+            format!("at infinity, along {} deg", short(degrees))
+        }
+        Answer::Indeterminate(why) => format!("indeterminate: {why}"),
+    }
+}

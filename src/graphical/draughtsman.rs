@@ -1,0 +1,278 @@
+//! The draughtsman: the board, what already stands on it, and the record of his acts.
+
+use crate::board::{Amount, Angle, Bench, Board, Point, Reason, Scale};
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::structure::Structure;
+use crate::mechanism::{LinkId, Mechanism, PointId};
+
+use super::construction::{
+    Act, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon, Reading, Space,
+    Step, Vector, VectorKind,
+};
+use super::{Scales, scale};
+
+/// Vectors shorter than this are drawn as points (millimetres).
+const SHORTEST_VECTOR: f64 = 1.0;
+
+/// Images of one polygon.
+pub(super) type Images<B> = Vec<Option<Point<B>>>;
+
+/// A normal part that stands on the acceleration polygon.
+pub(super) struct Foot<B: Bench> {
+    pub(super) link: LinkId,
+    /// The observed and the reference point.
+    pub(super) points: [PointId; 2],
+    pub(super) tail: Point<B>,
+    pub(super) head: Point<B>,
+}
+
+pub(super) struct Draughtsman<'m, B: Bench> {
+    pub(super) mechanism: &'m Mechanism,
+    pub(super) structure: &'m Structure,
+    pub(super) board: Board<B>,
+    pub(super) scales: Scales,
+    /// Places on the skeleton, by point.
+    pub(super) places: Vec<Option<Point<B>>>,
+    /// Own figures, by link.
+    pub(super) figures: Vec<Option<Vec<Point<B>>>>,
+    /// Lengths already given or measured.
+    pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount<B>)>,
+    /// Angles of driven links' first-to-second line.
+    pub(super) input_angles: Vec<Option<Angle<B>>>,
+    /// Velocity images, by point.
+    pub(super) velocities: Images<B>,
+    /// Acceleration images, by point.
+    pub(super) accelerations: Images<B>,
+    /// ω of each link.
+    pub(super) omegas: Vec<Option<Amount<B>>>,
+    /// ε of each link.
+    pub(super) alphas: Vec<Option<Amount<B>>>,
+    /// The normal parts laid off so far.
+    pub(super) feet: Vec<Foot<B>>,
+    reasons: Vec<Vec<u32>>,
+    record: Construction,
+}
+
+impl<'m, B: Bench> Draughtsman<'m, B> {
+    pub(super) fn new(
+        board: Board<B>,
+        mechanism: &'m Mechanism,
+        structure: &'m Structure,
+        scales: Scales,
+    ) -> Self {
+        let (points, links) = (mechanism.points.len(), mechanism.links.len());
+        Self {
+            mechanism,
+            structure,
+            board,
+            scales,
+            places: vec![None; points],
+            figures: vec![None; links],
+            lengths: Vec::new(),
+            input_angles: vec![None; links],
+            velocities: vec![None; points],
+            accelerations: vec![None; points],
+            omegas: vec![None; links],
+            alphas: vec![None; links],
+            feet: Vec::new(),
+            reasons: Vec::new(),
+            record: Construction {
+                space: Space { metres_per_mm: scales.length, places: vec![None; points], lines: Vec::new() },
+                velocity: None,
+                acceleration: None,
+                steps: Vec::new(),
+                answers: Vec::new(),
+            },
+        }
+    }
+
+    pub(super) fn record(&self) -> &Construction {
+        &self.record
+    }
+
+    pub(super) fn finish(mut self, answers: Vec<Reading>) -> (Construction, B::Recorder)
+    where
+        B::Recorder: Default,
+    {
+        self.record.answers = answers;
+        let tape = std::mem::take(self.board.recorder());
+        (self.record, tape)
+    }
+
+    pub(super) fn length_scale(&self) -> Scale {
+        scale(self.scales.length)
+    }
+
+    /// The scale of a polygon.
+    pub(super) fn polygon_scale(&self, order: Order) -> Scale {
+        scale(match order {
+            Order::Position => self.scales.length,
+            Order::Velocity => self.scales.velocity,
+            Order::Acceleration => self.scales.acceleration,
+        })
+    }
+
+    /// A reason for a division that fails where these links are in line.
+    pub(super) fn reason(&mut self, links: &[LinkId]) -> Reason {
+        let mut numbers: Vec<u32> = links.iter().map(|&l| self.mechanism.link(l).number).collect();
+        numbers.sort_unstable();
+        let index = self.reasons.iter().position(|r| *r == numbers).unwrap_or_else(|| {
+            self.reasons.push(numbers);
+            self.reasons.len() - 1
+        });
+        Reason::try_from(index).unwrap_or(Reason::MAX)
+    }
+
+    /// The links behind a reason.
+    pub(super) fn links_of(&self, reason: Reason) -> Vec<u32> {
+        self.reasons.get(reason as usize).cloned().unwrap_or_default()
+    }
+
+    // --- the record ----------------------------------------------------------------------------
+
+    /// Begins a numbered step.
+    pub(super) fn step(&mut self, order: Order, links: &[LinkId], equations: Vec<Equation>) {
+        self.record.steps.push(Step { order, links: links.to_vec(), equations, acts: Vec::new() });
+    }
+
+    /// Records an act of the present step.
+    pub(super) fn act(&mut self, act: Act) {
+        if let Some(step) = self.record.steps.last_mut() {
+            step.acts.push(act);
+        }
+    }
+
+    pub(super) fn step_index(&self) -> usize {
+        self.record.steps.len().saturating_sub(1)
+    }
+
+    /// Notes a place of the skeleton.
+    pub(super) fn place(&mut self, point: PointId, at: Point<B>) {
+        self.places[point.0] = Some(at);
+        self.record.space.places[point.0] = Some(at.value());
+    }
+
+    /// Notes a line of the skeleton's construction.
+    pub(super) fn space_line(&mut self, line: ConstructionLine) {
+        self.record.space.lines.push(line);
+    }
+
+    /// Opens a polygon.
+    pub(super) fn open_polygon(&mut self, order: Order) {
+        let polygon = Polygon {
+            order,
+            si_per_mm: self.polygon_scale(order).si_per_mm,
+            images: Vec::new(),
+            vectors: Vec::new(),
+            lines: Vec::new(),
+            link_images: Vec::new(),
+        };
+        match order {
+            Order::Acceleration => self.record.acceleration = Some(polygon),
+            _ => self.record.velocity = Some(polygon),
+        }
+    }
+
+    pub(super) fn polygon(&self, order: Order) -> Option<&Polygon> {
+        match order {
+            Order::Acceleration => self.record.acceleration.as_ref(),
+            _ => self.record.velocity.as_ref(),
+        }
+    }
+
+    fn polygon_mut(&mut self, order: Order) -> Option<&mut Polygon> {
+        match order {
+            Order::Acceleration => self.record.acceleration.as_mut(),
+            _ => self.record.velocity.as_mut(),
+        }
+    }
+
+    /// The images of a polygon, by point; those of fixed points are the pole.
+    pub(super) fn images(&mut self, order: Order) -> &mut Images<B> {
+        match order {
+            Order::Acceleration => &mut self.accelerations,
+            _ => &mut self.velocities,
+        }
+    }
+
+    /// The image of a point whose image is known; the pole for a fixed one.
+    pub(super) fn image(&mut self, order: Order, point: PointId) -> Point<B> {
+        match self.images(order)[point.0] {
+            Some(image) => image,
+            None => self.board.origin(),
+        }
+    }
+
+    /// The label of a point's image.
+    pub(super) fn label(&self, point: PointId) -> Label {
+        if self.mechanism.is_fixed(point) { Label::Pole } else { Label::Image { point, link: None } }
+    }
+
+    /// Notes the image of a point.
+    pub(super) fn note_image(&mut self, order: Order, point: PointId, at: Point<B>) {
+        self.images(order)[point.0] = Some(at);
+        let image = Image { label: Label::Image { point, link: None }, at: at.value() };
+        if let Some(polygon) = self.polygon_mut(order) {
+            polygon.images.push(image);
+        }
+    }
+
+    /// Notes the end of a component.
+    pub(super) fn note_foot(&mut self, order: Order, label: Label, at: Point<B>) {
+        if let Some(polygon) = self.polygon_mut(order) {
+            polygon.images.push(Image { label, at: at.value() });
+        }
+    }
+
+    /// Notes the image of a whole link.
+    pub(super) fn note_link_image(&mut self, order: Order, link: LinkId) {
+        let points = self.mechanism.link(link).points.clone();
+        if points.len() < 3 {
+            return;
+        }
+        let mut corners = Vec::new();
+        for point in points {
+            if self.mechanism.is_fixed(point) || self.images(order)[point.0].is_some() {
+                corners.push((point, self.image(order, point).value()));
+            }
+        }
+        if corners.len() > 2
+            && let Some(polygon) = self.polygon_mut(order)
+        {
+            polygon.link_images.push(LinkImage { link, corners });
+        }
+    }
+
+    /// Notes a vector of a polygon and returns its index.
+    pub(super) fn note_vector(
+        &mut self,
+        order: Order,
+        (kind, quantity, claim): (VectorKind, Quantity, Option<Claim>),
+        (tail, from): (Label, Point<B>),
+        (head, to): (Label, Point<B>),
+    ) -> usize {
+        let step = self.step_index();
+        let (from, to) = (from.value(), to.value());
+        let as_point = libm::hypot(to[0] - from[0], to[1] - from[1]) < SHORTEST_VECTOR;
+        let Some(polygon) = self.polygon_mut(order) else { return 0 };
+        polygon.vectors.push(Vector { kind, quantity, tail, head, from, to, claim, as_point, step });
+        polygon.vectors.len() - 1
+    }
+
+    /// Notes a construction line of a polygon.
+    pub(super) fn note_ray(&mut self, order: Order, from: Point<B>, to: Point<B>, claim: Claim) {
+        let step = self.step_index();
+        let ray = ConstructionLine::Ray { from: from.value(), to: to.value(), claim: Some(claim), step };
+        if let Some(polygon) = self.polygon_mut(order) {
+            polygon.lines.push(ray);
+        }
+    }
+
+    /// Reads a vector off its polygon, for the step list.
+    pub(super) fn act_read(&mut self, order: Order, vector: usize) {
+        let scale = self.polygon_scale(order).si_per_mm;
+        let Some(v) = self.polygon(order).and_then(|p| p.vectors.get(vector)) else { return };
+        let mm = libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]);
+        self.act(Act::ReadVector { vector, mm, value: mm * scale });
+    }
+}

@@ -1,0 +1,175 @@
+//! A link's own figure, drawn aside from its given dimensions: the lengths and offsets by which its points
+//! are transferred to the skeleton.
+
+use crate::board::{Amount, Bench, Circle, Line, Mm, Point, Ratio, Side};
+use crate::mechanism::{Form, Link, LinkId, PointId, Sense};
+
+use super::construction::Act;
+use super::draughtsman::Draughtsman;
+
+/// The lengths that a link's form states, for a first idea of the mechanism's size.
+pub(super) fn given_lengths(link: &Link) -> Vec<f64> {
+    match &link.form {
+        Form::Length(l) => vec![l.value],
+        Form::Line(positions) => {
+            let values = || positions.iter().map(|p| p.value);
+            vec![values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)]
+        }
+        Form::Sides { first_second, second_third, third_first, .. } => {
+            vec![first_second.value, second_third.value, third_first.value]
+        }
+        Form::Arms { second, third, .. } => vec![second.value, third.value],
+        Form::Shape(points) => points.iter().flat_map(|p| [p[0].value, p[1].value]).collect(),
+        Form::Placed | Form::Single => Vec::new(),
+    }
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    fn index_in(&self, link: LinkId, point: PointId) -> usize {
+        self.mechanism.link(link).points.iter().position(|&p| p == point).unwrap_or(0)
+    }
+
+    /// The link's own figure, drawn once. A placed link's figure is the skeleton itself.
+    fn figure(&mut self, link: LinkId) -> Vec<Point<B>> {
+        if let Some(points) = &self.figures[link.0] {
+            return points.clone();
+        }
+        self.board.purpose("own figure of a link");
+        let scale = self.length_scale();
+        let form = &self.mechanism.link(link).form;
+        let reason = self.reason(&[link]);
+        let board = &mut self.board;
+        let origin = board.origin();
+        let right = board.rightward();
+        let mm = |board: &mut crate::board::Board<B>, given| {
+            let amount = board.amount(given);
+            board.to_paper(amount, scale)
+        };
+        let points = match form {
+            Form::Length(length) => {
+                let l = mm(board, *length);
+                vec![origin, board.lay_off(origin, right, l)]
+            }
+            Form::Line(positions) => positions
+                .iter()
+                .map(|&p| {
+                    let at = mm(board, p);
+                    board.lay_off(origin, right, at)
+                })
+                .collect(),
+            Form::Sides { first_second, second_third, third_first, turn } => {
+                let base = mm(board, *first_second);
+                let second = board.lay_off(origin, right, base);
+                let about_first = Circle { centre: origin, radius: mm(board, *third_first) };
+                let about_second = Circle { centre: second, radius: mm(board, *second_third) };
+                let side = if *turn == Sense::Ccw { Side::First } else { Side::Second };
+                // The scene room has checked the triangle inequality; a flat triangle is a tangency.
+                let third = match board.meet_circles(about_first, about_second, reason) {
+                    Ok(pair) => board.take(pair, side),
+                    Err(_) => board.lay_off(origin, right, about_first.radius),
+                };
+                vec![origin, second, third]
+            }
+            Form::Arms { second, third, angle } => {
+                let l2 = mm(board, *second);
+                let l3 = mm(board, *third);
+                let angle = board.angle(*angle);
+                let arm = board.protractor(angle);
+                vec![origin, board.lay_off(origin, right, l2), board.lay_off(origin, arm, l3)]
+            }
+            Form::Shape(points) => points
+                .iter()
+                .map(|p| {
+                    let x = mm(board, p[0]);
+                    let y = mm(board, p[1]);
+                    board.prick(x, y)
+                })
+                .collect(),
+            Form::Placed | Form::Single => {
+                let points = &self.mechanism.link(link).points;
+                points.iter().map(|p| self.places[p.0].unwrap_or(origin)).collect()
+            }
+        };
+        self.figures[link.0] = Some(points.clone());
+        points
+    }
+
+    /// A point of the link's own figure.
+    pub(super) fn own(&mut self, link: LinkId, point: PointId) -> Point<B> {
+        let index = self.index_in(link, point);
+        let figure = self.figure(link);
+        figure.get(index).copied().unwrap_or_else(|| self.board.origin())
+    }
+
+    /// The real distance of two points of a link: as given, or measured and said so.
+    pub(super) fn length(&mut self, link: LinkId, p: PointId, q: PointId) -> Amount<B> {
+        if let Some(&(.., length)) =
+            self.lengths.iter().find(|(l, a, b, _)| *l == link && ((*a, *b) == (p, q) || (*b, *a) == (p, q)))
+        {
+            return length;
+        }
+        let (i, j) = (self.index_in(link, p), self.index_in(link, q));
+        let given = match &self.mechanism.link(link).form {
+            Form::Length(l) => Some(*l),
+            Form::Sides { first_second, second_third, third_first, .. } => match (i.min(j), i.max(j)) {
+                (0, 1) => Some(*first_second),
+                (1, 2) => Some(*second_third),
+                _ => Some(*third_first),
+            },
+            Form::Arms { second, third, .. } => match (i.min(j), i.max(j)) {
+                (0, 1) => Some(*second),
+                (0, 2) => Some(*third),
+                _ => None,
+            },
+            Form::Line(_) | Form::Shape(_) | Form::Placed | Form::Single => None,
+        };
+        let length = match (given, &self.mechanism.link(link).form) {
+            (Some(given), _) => self.board.amount(given),
+            (None, Form::Line(positions)) => {
+                let (a, b) = (positions[i], positions[j]);
+                let (a, b) = (self.board.amount(a), self.board.amount(b));
+                let signed = self.board.difference(b, a);
+                self.board.magnitude(signed)
+            }
+            (None, _) => {
+                let (a, b) = (self.own(link, p), self.own(link, q));
+                let mm = self.board.distance(a, b);
+                let scale = self.length_scale();
+                let value = self.board.read(mm, scale);
+                self.act(Act::MeasureLength { from: p, to: q, mm: mm.value(), value: value.value() });
+                value
+            }
+        };
+        self.lengths.push((link, p, q, length));
+        length
+    }
+
+    /// Where `point` stands against the base `p`→`q` in the link's own figure: along and across (left
+    /// positive), with the set square.
+    pub(super) fn offsets(&mut self, link: LinkId, p: PointId, q: PointId, point: PointId) -> [Mm<B>; 2] {
+        let (a, b, c) = (self.own(link, p), self.own(link, q), self.own(link, point));
+        let reason = self.reason(&[link]);
+        let (along, _) = self.board.toward(a, b, reason);
+        self.board.square_off(Line { through: a, along }, c)
+    }
+
+    /// The offsets of [`Self::offsets`] as parts of the base.
+    pub(super) fn proportions(
+        &mut self,
+        link: LinkId,
+        p: PointId,
+        q: PointId,
+        point: PointId,
+    ) -> [Ratio<B>; 2] {
+        let [along, across] = self.offsets(link, p, q, point);
+        let (a, b) = (self.own(link, p), self.own(link, q));
+        let base = self.board.distance(a, b);
+        let reason = self.reason(&[link]);
+        [self.board.ratio(along, base, reason), self.board.ratio(across, base, reason)]
+    }
+
+    /// Whether the link is straight by its form, so that its images are divided, not constructed.
+    pub(super) fn is_straight(&self, link: LinkId) -> bool {
+        matches!(self.mechanism.link(link).form, Form::Line(_) | Form::Length(_))
+    }
+}

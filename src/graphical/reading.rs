@@ -1,0 +1,282 @@
+//! Reads the asked quantities off the finished diagrams.
+
+use crate::board::{Amount, Angle, Bench, Board, MarkOf, Point, Recorded};
+use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
+use crate::mechanism::{Form, LinkId, PointId};
+use crate::plan::{home, transmission_points};
+
+use super::construction::{Act, Calculation, Label, Reading, VectorKind};
+use super::draughtsman::Draughtsman;
+
+/// What stands for a quantity on the board.
+enum Read<B: Bench> {
+    Vector([Amount<B>; 2]),
+    Scalar(Amount<B>),
+    Angle(Angle<B>),
+    Undefined(&'static str),
+}
+
+/// Reads every asked quantity, with its bound from the tape.
+pub(super) fn answers(d: &mut Draughtsman<'_, Recorded>) -> (Vec<Reading>, Vec<Vec<u32>>) {
+    let asked = d.mechanism.asked.clone();
+    let mut slots = Vec::new();
+    let readings = asked
+        .iter()
+        .map(|asked| {
+            let read = d.read_quantity(&asked.quantity);
+            let drawn_mm = d.drawn_length(&asked.quantity);
+            let answer = d.answer(read, &mut slots);
+            Reading { answer, drawn_mm }
+        })
+        .collect();
+    (readings, slots)
+}
+
+impl Draughtsman<'_, Recorded> {
+    fn answer(&mut self, read: Read<Recorded>, slots: &mut Vec<Vec<u32>>) -> Answer {
+        let marks: Vec<MarkOf<Recorded>> = match &read {
+            Read::Vector([x, y]) => vec![x.mark(), y.mark()],
+            Read::Scalar(a) => vec![a.mark()],
+            Read::Angle(a) => vec![a.mark()],
+            Read::Undefined(_) => Vec::new(),
+        };
+        slots.push(marks.clone());
+        let weak = marks.iter().find_map(|&mark| self.board.recorder().weakness(mark));
+        if let Some(reason) = weak {
+            let links = self.links_of(reason);
+            return Answer::Indeterminate(Indeterminate::DeadCentre { links });
+        }
+        let mut bounds = marks.iter().map(|&mark| self.board.recorder().bound(mark));
+        match read {
+            Read::Vector([x, y]) => {
+                let (bx, by) = (bounds.next().unwrap_or(0.0), bounds.next().unwrap_or(0.0));
+                Answer::Vector { value: [x.value(), y.value()], bound: libm::hypot(bx, by) }
+            }
+            Read::Scalar(a) => Answer::Scalar { value: a.value(), bound: bounds.next().unwrap_or(0.0) },
+            Read::Angle(a) => Answer::Scalar { value: a.value(), bound: bounds.next().unwrap_or(0.0) },
+            Read::Undefined(why) => Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() }),
+        }
+    }
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    /// The paper length of the vector that stands for a quantity.
+    fn drawn_length(&self, quantity: &Quantity) -> Option<f64> {
+        [Order::Velocity, Order::Acceleration].into_iter().find_map(|order| {
+            let vector = self.polygon(order)?.vectors.iter().find(|v| v.quantity == *quantity)?;
+            Some(libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]))
+        })
+    }
+
+    fn read_quantity(&mut self, quantity: &Quantity) -> Read<B> {
+        match *quantity {
+            Quantity::Velocity(p) => self.read_absolute(Order::Velocity, p, *quantity),
+            Quantity::Acceleration(p) => self.read_absolute(Order::Acceleration, p, *quantity),
+            Quantity::RelativeVelocity(b, a) => self.read_relative(Order::Velocity, b, a, *quantity),
+            Quantity::RelativeAcceleration(b, a) => self.read_relative(Order::Acceleration, b, a, *quantity),
+            Quantity::RelativeNormal(b, a) => self.read_component(b, a, true),
+            Quantity::RelativeTangential(b, a) => self.read_component(b, a, false),
+            Quantity::Normal(p) | Quantity::Tangential(p) => match self.pivot_of(p) {
+                Some(pivot) => self.read_component(p, pivot, matches!(quantity, Quantity::Normal(_))),
+                None => Read::Undefined("the point's link has no fixed pivot"),
+            },
+            Quantity::Omega(l) => Read::Scalar(self.rate(Order::Velocity, l)),
+            Quantity::Alpha(l) => Read::Scalar(self.rate(Order::Acceleration, l)),
+            Quantity::RelativeOmega(i, j) => self.read_difference(Order::Velocity, i, j),
+            Quantity::RelativeAlpha(i, j) => self.read_difference(Order::Acceleration, i, j),
+            Quantity::Rub(pin, i, j) => self.read_rub(pin, i, j),
+            Quantity::Position(p) => self.read_position(p),
+            Quantity::Angle(l) => Read::Angle(self.read_angle(l)),
+            Quantity::Transmission(i, j) => self.read_transmission(i, j),
+            Quantity::Slip(..)
+            | Quantity::SlipAcceleration(..)
+            | Quantity::SlipNormal(..)
+            | Quantity::SlipTangential(..)
+            | Quantity::Coriolis(..)
+            | Quantity::Centre(..) => Read::Undefined("this quantity has no construction yet"),
+        }
+    }
+
+    fn rate(&mut self, order: Order, link: LinkId) -> Amount<B> {
+        let known = match order {
+            Order::Acceleration => self.alphas[link.0],
+            _ => self.omegas[link.0],
+        };
+        match known {
+            Some(rate) => rate,
+            None => self.rest(),
+        }
+    }
+
+    fn read_vector(&mut self, order: Order, from: Point<B>, to: Point<B>) -> Read<B> {
+        let scale = self.polygon_scale(order);
+        let [x, y] = self.board.between(from, to);
+        Read::Vector([self.board.read(x, scale), self.board.read(y, scale)])
+    }
+
+    fn read_absolute(&mut self, order: Order, p: PointId, quantity: Quantity) -> Read<B> {
+        let pole = self.board.origin();
+        let image = self.image(order, p);
+        if !self.mechanism.is_fixed(p) {
+            let to = (self.label(p), image);
+            self.ensure_vector(order, (VectorKind::Absolute, quantity), (Label::Pole, pole), to);
+        }
+        self.read_vector(order, pole, image)
+    }
+
+    fn read_relative(&mut self, order: Order, b: PointId, a: PointId, quantity: Quantity) -> Read<B> {
+        let (from, to) = (self.image(order, a), self.image(order, b));
+        let (tail, head) = ((self.label(a), from), (self.label(b), to));
+        self.ensure_vector(order, (VectorKind::Relative, quantity), tail, head);
+        self.read_vector(order, from, to)
+    }
+
+    /// Draws the vector of an asked quantity if no step has drawn it.
+    fn ensure_vector(
+        &mut self,
+        order: Order,
+        (kind, quantity): (VectorKind, Quantity),
+        tail: (Label, Point<B>),
+        head: (Label, Point<B>),
+    ) {
+        let drawn = self.polygon(order).is_some_and(|p| p.vectors.iter().any(|v| v.quantity == quantity));
+        if drawn {
+            return;
+        }
+        self.step(order, &[], Vec::new());
+        let vector = self.note_vector(order, (kind, quantity, None), tail, head);
+        self.act_read(order, vector);
+    }
+
+    /// The fixed pivot of the link whose group finds a point.
+    fn pivot_of(&self, point: PointId) -> Option<PointId> {
+        let with_pivot = |link: LinkId| {
+            self.mechanism.link(link).points.iter().copied().find(|&p| self.mechanism.is_fixed(p))
+        };
+        home(self.mechanism, self.structure, point).and_then(with_pivot).or_else(|| {
+            let links = &self.mechanism.point(point).links;
+            links.iter().copied().filter(|&l| l != LinkId::FRAME).find_map(with_pivot)
+        })
+    }
+
+    /// Normal or tangential part of A_BA, for two points of one link.
+    fn read_component(&mut self, b: PointId, a: PointId, normal: bool) -> Read<B> {
+        let shared = self
+            .mechanism
+            .moving()
+            .filter(|&l| !self.mechanism.link(l).block)
+            .find(|&l| [a, b].iter().all(|p| self.mechanism.link(l).points.contains(p)));
+        let Some(link) = shared else { return Read::Undefined("the two points are of different links") };
+        let drawn = self.feet.iter().find(|f| f.link == link && f.points == [b, a]).map(|f| (f.tail, f.head));
+        let (from, foot) = match drawn {
+            Some(drawn) => drawn,
+            None => {
+                self.board.purpose("components asked for");
+                self.step(Order::Acceleration, &[link], Vec::new());
+                let label = Label::Foot { point: b, link: None, index: 3 };
+                let foot = self.lay_off_normal(link, b, a, label);
+                let image = self.image(Order::Acceleration, b);
+                let fixed = self.mechanism.is_fixed(a);
+                let quantity =
+                    if fixed { Quantity::Tangential(b) } else { Quantity::RelativeTangential(b, a) };
+                let head = (self.label(b), image);
+                let vector = self.note_vector(
+                    Order::Acceleration,
+                    (VectorKind::Tangential, quantity, None),
+                    (label, foot),
+                    head,
+                );
+                self.act_read(Order::Acceleration, vector);
+                (self.image(Order::Acceleration, a), foot)
+            }
+        };
+        if normal {
+            return self.read_vector(Order::Acceleration, from, foot);
+        }
+        let image = self.image(Order::Acceleration, b);
+        self.read_vector(Order::Acceleration, foot, image)
+    }
+
+    fn read_difference(&mut self, order: Order, i: LinkId, j: LinkId) -> Read<B> {
+        let (first, second) = (self.rate(order, i), self.rate(order, j));
+        Read::Scalar(self.board.difference(first, second))
+    }
+
+    /// V_r = r |ω_i − ω_j|.
+    fn read_rub(&mut self, pin: PointId, i: LinkId, j: LinkId) -> Read<B> {
+        let Some(journal) = self.mechanism.point(pin).journal else {
+            return Read::Undefined("the pin has no journal radius");
+        };
+        let (first, second) = (self.rate(Order::Velocity, i), self.rate(Order::Velocity, j));
+        let radius = self.board.amount(journal);
+        let relative = self.board.difference(first, second);
+        let relative = self.board.magnitude(relative);
+        let value = self.board.product(radius, relative);
+        self.step(Order::Velocity, &[i, j], Vec::new());
+        self.act(Act::Calculate(Calculation::Rub {
+            pin,
+            links: [i, j],
+            radius: radius.value(),
+            first: first.value(),
+            second: second.value(),
+            value: value.value(),
+        }));
+        Read::Scalar(value)
+    }
+
+    /// The place in the world: as given for a fixed or placed point, else read off the skeleton.
+    fn read_position(&mut self, p: PointId) -> Read<B> {
+        if let Some([x, y]) = self.mechanism.point(p).place.exact() {
+            return Read::Vector([self.board.amount(x), self.board.amount(y)]);
+        }
+        let at = self.at(p);
+        let scale = self.length_scale();
+        let from = self.board.origin();
+        let [x, y] = self.board.between(from, at);
+        let origin = self.origin_of_space();
+        let along = [x, y].map(|mm| self.board.read(mm, scale));
+        let start = origin.map(|g| self.board.amount(g));
+        Read::Vector([self.board.sum(start[0], along[0]), self.board.sum(start[1], along[1])])
+    }
+
+    /// Angle of a link's own x-axis, by protractor.
+    fn read_angle(&mut self, link: LinkId) -> Angle<B> {
+        let points = self.mechanism.link(link).points.clone();
+        let placed = matches!(self.mechanism.link(link).form, Form::Placed | Form::Single);
+        let known: Vec<PointId> = points.iter().copied().filter(|p| self.places[p.0].is_some()).collect();
+        let (&[p, q, ..], false) = (known.as_slice(), placed) else {
+            if let (Some(angle), false) = (self.input_angles[link.0], placed) {
+                let along = self.board.protractor(angle);
+                return self.board.measure_angle(along);
+            }
+            return self.board.angle(crate::given::Given::exact(0.0));
+        };
+        let along = self.outward(link, p, q);
+        let (a, b) = (self.own(link, p), self.own(link, q));
+        let reason = self.reason(&[link]);
+        let (own, _) = self.board.toward(a, b, reason);
+        // Both directions belong to one line of the link: the turn between them is the link's angle.
+        self.board.angle_between(own, along)
+    }
+
+    fn read_transmission(&mut self, i: LinkId, j: LinkId) -> Read<B> {
+        let [Some(pin), Some(p), Some(q)] = transmission_points(self.mechanism, i, j) else {
+            return Read::Undefined("the links share no pin");
+        };
+        let coupler = self.outward(i, pin, p);
+        let output = self.outward(j, pin, q);
+        Read::Angle(self.board.unsigned_angle(coupler, output))
+    }
+}
+
+impl<B: Bench> Board<B> {
+    /// Angle between two directions, 0 to π.
+    fn unsigned_angle(
+        &mut self,
+        from: crate::board::Direction<B>,
+        to: crate::board::Direction<B>,
+    ) -> Angle<B> {
+        let angle = self.angle_between(from, to);
+        if angle.value() < 0.0 { self.angle_between(to, from) } else { angle }
+    }
+}

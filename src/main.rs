@@ -1,0 +1,7 @@
+//! The `linkgram` command.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    linkgram::cli::run()
+}

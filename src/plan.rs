@@ -1,0 +1,265 @@
+//! From what is asked to the ordered steps that it needs, and no other.
+//!
+//! A scene that asks for velocities gets no acceleration step; a scene that asks for one link solves only
+//! the groups on the way to it; a point that nobody asks for is not transferred.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::structure::{GroupKind, Structure};
+use crate::mechanism::{LinkId, Mechanism, PointId};
+
+/// How much of the skeleton is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// Only what the asked quantities need: for numbers.
+    Asked,
+    /// Every link and point, so that the skeleton can be shown: for figures.
+    WholeSkeleton,
+}
+
+/// One group at one order.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GroupStep {
+    /// Index into [`Structure::groups`].
+    pub group: usize,
+    /// Points to be found besides those by which the group is solved, each on the link that carries it.
+    pub points: Vec<(LinkId, PointId)>,
+}
+
+/// The steps that the asked quantities need, in order of transmission.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Plan {
+    /// Steps of the skeleton.
+    pub position: Vec<GroupStep>,
+    /// Steps of the velocity polygon.
+    pub velocity: Vec<GroupStep>,
+    /// Steps of the acceleration polygon.
+    pub acceleration: Vec<GroupStep>,
+}
+
+impl Plan {
+    /// Plans for the asked quantities of a mechanism.
+    #[must_use]
+    pub fn new(mechanism: &Mechanism, structure: &Structure, extent: Extent) -> Self {
+        let mut wanted = Wanted { mechanism, structure, steps: BTreeMap::new() };
+        for asked in &mechanism.asked {
+            wanted.quantity(&asked.quantity);
+        }
+        if extent == Extent::WholeSkeleton {
+            for index in 0..mechanism.points.len() {
+                wanted.point(PointId(index), Order::Position);
+            }
+            for link in mechanism.moving() {
+                wanted.link(link, Order::Position);
+            }
+        }
+        let steps_of = |order: Order| {
+            wanted
+                .steps
+                .iter()
+                .filter(|((o, _), _)| *o == order)
+                .map(|((_, group), points)| GroupStep {
+                    group: *group,
+                    points: points.iter().copied().collect(),
+                })
+                .collect()
+        };
+        Self {
+            position: steps_of(Order::Position),
+            velocity: steps_of(Order::Velocity),
+            acceleration: steps_of(Order::Acceleration),
+        }
+    }
+
+    /// The steps of one order.
+    #[must_use]
+    pub fn steps(&self, order: Order) -> &[GroupStep] {
+        match order {
+            Order::Position => &self.position,
+            Order::Velocity => &self.velocity,
+            Order::Acceleration => &self.acceleration,
+        }
+    }
+
+    /// Which steps were kept and which left out, as text.
+    #[must_use]
+    pub fn explain<'a>(&'a self, mechanism: &'a Mechanism, structure: &'a Structure) -> Explanation<'a> {
+        Explanation { plan: self, mechanism, structure }
+    }
+}
+
+/// The link whose group finds a point first: `None` for a point of the frame or of no link.
+#[must_use]
+pub fn home(mechanism: &Mechanism, structure: &Structure, point: PointId) -> Option<LinkId> {
+    if mechanism.is_fixed(point) {
+        return None;
+    }
+    mechanism
+        .point(point)
+        .links
+        .iter()
+        .copied()
+        .filter(|&l| structure.group_of(l).is_some())
+        .min_by_key(|&l| (structure.group_of(l), mechanism.link(l).block, l))
+}
+
+struct Wanted<'a> {
+    mechanism: &'a Mechanism,
+    structure: &'a Structure,
+    steps: BTreeMap<(Order, usize), BTreeSet<(LinkId, PointId)>>,
+}
+
+impl Wanted<'_> {
+    fn quantity(&mut self, quantity: &Quantity) {
+        let order = quantity.order();
+        match *quantity {
+            Quantity::Velocity(p)
+            | Quantity::Acceleration(p)
+            | Quantity::Normal(p)
+            | Quantity::Tangential(p)
+            | Quantity::Position(p) => self.point(p, order),
+            Quantity::RelativeVelocity(b, a)
+            | Quantity::RelativeAcceleration(b, a)
+            | Quantity::RelativeNormal(b, a)
+            | Quantity::RelativeTangential(b, a) => {
+                self.point(b, order);
+                self.point(a, order);
+            }
+            Quantity::Omega(link) | Quantity::Alpha(link) | Quantity::Angle(link) => self.link(link, order),
+            Quantity::RelativeOmega(i, j)
+            | Quantity::RelativeAlpha(i, j)
+            | Quantity::Rub(_, i, j)
+            | Quantity::Transmission(i, j)
+            | Quantity::Centre(i, j) => {
+                self.link(i, order);
+                self.link(j, order);
+            }
+            Quantity::Slip(p, link)
+            | Quantity::SlipAcceleration(p, link)
+            | Quantity::SlipNormal(p, link)
+            | Quantity::SlipTangential(p, link)
+            | Quantity::Coriolis(p, link) => {
+                self.point(p, order);
+                self.link(link, order);
+            }
+        }
+        if let Quantity::Transmission(i, j) = *quantity {
+            for p in transmission_points(self.mechanism, i, j).into_iter().flatten() {
+                self.point(p, order);
+            }
+        }
+    }
+
+    fn point(&mut self, point: PointId, order: Order) {
+        let Some(link) = home(self.mechanism, self.structure, point) else { return };
+        self.link(link, order);
+        let Some(group) = self.structure.group_of(link) else { return };
+        if main_points(self.structure.groups[group].kind).contains(&Some(point)) {
+            return;
+        }
+        for lower in lower_orders(order) {
+            if let Some(points) = self.steps.get_mut(&(*lower, group)) {
+                points.insert((link, point));
+            }
+        }
+    }
+
+    fn link(&mut self, link: LinkId, order: Order) {
+        let Some(group) = self.structure.group_of(link) else { return };
+        for &lower in lower_orders(order) {
+            if self.steps.contains_key(&(lower, group)) {
+                continue;
+            }
+            self.steps.insert((lower, group), BTreeSet::new());
+            for base in bases(self.structure.groups[group].kind).into_iter().flatten() {
+                self.point(base, lower);
+            }
+        }
+    }
+}
+
+/// An order and what must be solved before it.
+fn lower_orders(order: Order) -> &'static [Order] {
+    match order {
+        Order::Position => &[Order::Position],
+        Order::Velocity => &[Order::Position, Order::Velocity],
+        Order::Acceleration => &[Order::Position, Order::Velocity, Order::Acceleration],
+    }
+}
+
+/// The points on solved links from which a group is solved.
+fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
+    match kind {
+        GroupKind::Driver { base, .. } | GroupKind::Rrp { base, .. } => [Some(base), None],
+        GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
+        GroupKind::Other => [None, None],
+    }
+}
+
+/// The points that are found or used by solving the group itself.
+fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
+    match kind {
+        GroupKind::Driver { base, .. } => [Some(base), None, None],
+        GroupKind::Rrr { bases: [a, b], pin, .. } => [Some(a), Some(b), Some(pin)],
+        GroupKind::Rrp { base, pin, .. } => [Some(base), Some(pin), None],
+        GroupKind::Other => [None, None, None],
+    }
+}
+
+/// Pin and far ends of a transmission angle: the pin that coupler and output share, then the other end of
+/// each (its fixed point, else its first other joint, else its first other point).
+#[must_use]
+pub fn transmission_points(mechanism: &Mechanism, coupler: LinkId, output: LinkId) -> [Option<PointId>; 3] {
+    let shared =
+        mechanism.link(coupler).points.iter().copied().find(|p| mechanism.point(*p).links.contains(&output));
+    let Some(pin) = shared else { return [None; 3] };
+    let end = |link: LinkId| {
+        let others = || mechanism.link(link).points.iter().copied().filter(|&p| p != pin);
+        others()
+            .find(|&p| mechanism.is_fixed(p))
+            .or_else(|| others().find(|&p| mechanism.point(p).links.len() > 1))
+            .or_else(|| others().next())
+    };
+    [Some(pin), end(coupler), end(output)]
+}
+
+/// The text of [`Plan::explain`].
+#[derive(Debug, Clone, Copy)]
+pub struct Explanation<'a> {
+    plan: &'a Plan,
+    mechanism: &'a Mechanism,
+    structure: &'a Structure,
+}
+
+impl fmt::Display for Explanation<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "mobility: {}", self.structure.mobility)?;
+        let orders = [
+            (Order::Position, "position"),
+            (Order::Velocity, "velocity"),
+            (Order::Acceleration, "acceleration"),
+        ];
+        for (order, name) in orders {
+            for (index, group) in self.structure.groups.iter().enumerate() {
+                let links: Vec<String> =
+                    group.links.iter().map(|&l| self.mechanism.link(l).number.to_string()).collect();
+                let step = self.plan.steps(order).iter().find(|s| s.group == index);
+                let verdict = if step.is_some() { "kept   " } else { "skipped" };
+                write!(f, "{verdict} {name}: {} of links {}", group.kind, links.join(", "))?;
+                match step {
+                    None => write!(f, " (nothing asked needs it)")?,
+                    Some(step) if !step.points.is_empty() => {
+                        let points: Vec<&str> =
+                            step.points.iter().map(|(_, p)| self.mechanism.point(*p).name.as_str()).collect();
+                        write!(f, " with {}", points.join(", "))?;
+                    }
+                    Some(_) => {}
+                }
+                writeln!(f)?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,353 @@
+//! Names of quantities: `v(B/A)`, `omega(3)`, `I(1,3)`.
+
+use super::diagnostic::{Fault, Res, list};
+use super::draft::{Draft, is_straight};
+use super::json::{Fields, Kind, Value};
+use super::keys;
+use super::units::{Measure, Scale, Scales};
+use crate::mechanism::quantity::{Asked, Quantity, Unit};
+use crate::mechanism::{LinkId, PointId, Rider};
+
+/// Every name, with its form for messages.
+const NAMES: [(&str, &str); 16] = [
+    ("v", "v(B) or v(B/A)"),
+    ("a", "a(B) or a(B/A)"),
+    ("an", "an(B/A), or an(B) for a link pivoted to the frame"),
+    ("at", "at(B/A), or at(B) for a link pivoted to the frame"),
+    ("omega", "omega(3) or omega(3/2)"),
+    ("alpha", "alpha(3) or alpha(3/2)"),
+    ("slip", "slip(A/4)"),
+    ("aslip", "aslip(A/4)"),
+    ("aslipn", "aslipn(A/4)"),
+    ("aslipt", "aslipt(A/4)"),
+    ("coriolis", "coriolis(A/4)"),
+    ("I", "I(1,3)"),
+    ("rub", "rub(B) or rub(B,3/4)"),
+    ("x", "x(B)"),
+    ("angle", "angle(3)"),
+    ("transmission", "transmission(3/4)"),
+];
+
+/// Reads `find`; without it, everything is asked.
+pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(value) = value else {
+        draft.mechanism.asked = everything(draft);
+        return Ok(());
+    };
+    for item in value.list("a list of names, such as [\"v(B)\", \"omega(3)\"]")? {
+        let asked = match &item.kind {
+            Kind::Text(name) => asked(name, item.at, None, draft)?,
+            Kind::Object(_) => {
+                let fields = Fields::of(item, keys::FIND, "a name")?;
+                let name = fields.need("name", "the quantity, such as \"v(B)\"")?;
+                // Scenes may say by which method they want it; both are always computed.
+                fields.get("method").map(|method| method.text("the name of a method")).transpose()?;
+                asked(name.text("the name of a quantity")?, name.at, fields.get("unit"), draft)?
+            }
+            _ => return Err(item.unexpected("the name of a quantity, such as \"v(B)\"")),
+        };
+        draft.mechanism.asked.push(asked);
+        draft.anchors.asked.push(item.at);
+    }
+    Ok(())
+}
+
+/// One asked quantity in its unit.
+pub(super) fn asked(name: &str, at: usize, unit: Option<&Value<'_>>, draft: &Draft<'_>) -> Res<Asked> {
+    let quantity = parse(name, at, draft)?;
+    let unit = match unit {
+        None => default_scale(&quantity, draft.scales).unit(),
+        Some(unit) => {
+            let symbol = unit.text("the name of a unit")?;
+            Scale::parse(symbol, unit.at)?.must_be(measure(&quantity), unit.at)?.unit()
+        }
+    };
+    Ok(Asked { name: name.to_owned(), quantity, unit })
+}
+
+/// What a quantity measures.
+pub(super) fn measure(quantity: &Quantity) -> Measure {
+    match quantity {
+        Quantity::Velocity(_) | Quantity::RelativeVelocity(..) | Quantity::Slip(..) | Quantity::Rub(..) => {
+            Measure::Velocity
+        }
+        Quantity::Acceleration(_)
+        | Quantity::RelativeAcceleration(..)
+        | Quantity::RelativeNormal(..)
+        | Quantity::RelativeTangential(..)
+        | Quantity::Normal(_)
+        | Quantity::Tangential(_)
+        | Quantity::SlipAcceleration(..)
+        | Quantity::SlipNormal(..)
+        | Quantity::SlipTangential(..)
+        | Quantity::Coriolis(..) => Measure::Acceleration,
+        Quantity::Omega(_) | Quantity::RelativeOmega(..) => Measure::AngularVelocity,
+        Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => Measure::AngularAcceleration,
+        Quantity::Centre(..) | Quantity::Position(_) => Measure::Length,
+        Quantity::Angle(_) | Quantity::Transmission(..) => Measure::Angle,
+    }
+}
+
+/// The unit in which a quantity is answered where the scene says nothing.
+pub(super) fn default_scale(quantity: &Quantity, scales: &Scales) -> Scale {
+    match quantity {
+        // A transmission angle is read in degrees whatever the scene counts in.
+        Quantity::Transmission(..) => Scale::degrees(),
+        _ => scales.bare(measure(quantity)).clone(),
+    }
+}
+
+/// All velocities, accelerations, ω and α of what moves.
+fn everything(draft: &Draft<'_>) -> Vec<Asked> {
+    let mechanism = &draft.mechanism;
+    let unit = |measure| -> Unit { draft.scales.bare(measure).unit() };
+    let points: Vec<PointId> =
+        (0..mechanism.points.len()).map(PointId).filter(|p| !mechanism.is_fixed(*p)).collect();
+    let mut asked = Vec::new();
+    let mut ask = |name: String, quantity: Quantity| {
+        asked.push(Asked { name, quantity, unit: unit(measure(&quantity)) });
+    };
+    for &point in &points {
+        ask(format!("v({})", draft.say_point(point)), Quantity::Velocity(point));
+    }
+    for &point in &points {
+        ask(format!("a({})", draft.say_point(point)), Quantity::Acceleration(point));
+    }
+    for link in mechanism.moving() {
+        ask(format!("omega({})", mechanism.link(link).number), Quantity::Omega(link));
+    }
+    for link in mechanism.moving() {
+        ask(format!("alpha({})", mechanism.link(link).number), Quantity::Alpha(link));
+    }
+    asked
+}
+
+/// A name while it is read.
+struct Name<'n, 'd, 's> {
+    whole: &'n str,
+    at: usize,
+    /// How it should look.
+    form: &'static str,
+    draft: &'d Draft<'s>,
+}
+
+/// Reads a name, and that what it names exists.
+fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
+    let heads = || NAMES.iter().map(|(head, _)| *head);
+    let unknown = |head: &str| {
+        let fault = Fault::new(at, format!("`{name}` is not the name of a quantity"));
+        if heads().any(|known| known == head) {
+            let form = NAMES.iter().find(|(known, _)| *known == head).map_or("", |(_, form)| form);
+            fault.mend(format!("write {form}"))
+        } else {
+            fault.known(head, heads())
+        }
+    };
+    let (head, inside) = name.split_once('(').ok_or_else(|| unknown(name.trim()))?;
+    let head = head.trim();
+    let inside = inside.trim_end().strip_suffix(')').ok_or_else(|| unknown(head))?.trim();
+    let &(head, form) = NAMES.iter().find(|(known, _)| *known == head).ok_or_else(|| unknown(head))?;
+    let name = Name { whole: name, at, form, draft };
+    let separator = if matches!(head, "I" | "rub") { ',' } else { '/' };
+    let (first, second) = match inside.split_once(separator) {
+        Some((first, second)) => (first.trim(), Some(second.trim())),
+        None => (inside, None),
+    };
+    match (head, second) {
+        ("v", None) => Ok(Quantity::Velocity(name.point(first)?)),
+        ("a", None) => Ok(Quantity::Acceleration(name.point(first)?)),
+        ("v", Some(second)) => name.points(first, second).map(|(b, a)| Quantity::RelativeVelocity(b, a)),
+        ("a", Some(second)) => name.points(first, second).map(|(b, a)| Quantity::RelativeAcceleration(b, a)),
+        ("an", Some(second)) => name.one_link(first, second).map(|(b, a)| Quantity::RelativeNormal(b, a)),
+        ("at", Some(second)) => name.one_link(first, second).map(|(b, a)| Quantity::RelativeTangential(b, a)),
+        ("an", None) => Ok(Quantity::Normal(name.pivoted(first)?)),
+        ("at", None) => Ok(Quantity::Tangential(name.pivoted(first)?)),
+        ("omega", None) => Ok(Quantity::Omega(name.link(first)?)),
+        ("alpha", None) => Ok(Quantity::Alpha(name.link(first)?)),
+        ("angle", None) => Ok(Quantity::Angle(name.link(first)?)),
+        ("omega", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeOmega(b, a)),
+        ("alpha", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeAlpha(b, a)),
+        ("I", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Centre(b, a)),
+        ("transmission", Some(second)) => {
+            let (coupler, output) = name.links(first, second)?;
+            name.pinned(coupler, output)?;
+            Ok(Quantity::Transmission(coupler, output))
+        }
+        ("slip", Some(link)) => name.sliding(first, link, false).map(|(p, l)| Quantity::Slip(p, l)),
+        ("aslip", Some(link)) => {
+            name.sliding(first, link, false).map(|(p, l)| Quantity::SlipAcceleration(p, l))
+        }
+        ("coriolis", Some(link)) => name.sliding(first, link, false).map(|(p, l)| Quantity::Coriolis(p, l)),
+        ("aslipn", Some(link)) => name.sliding(first, link, true).map(|(p, l)| Quantity::SlipNormal(p, l)),
+        ("aslipt", Some(link)) => {
+            name.sliding(first, link, true).map(|(p, l)| Quantity::SlipTangential(p, l))
+        }
+        ("rub", links) => name.rubbing(first, links),
+        ("x", None) => Ok(Quantity::Position(name.point(first)?)),
+        _ => Err(unknown(head)),
+    }
+}
+
+impl<'n> Name<'n, '_, '_> {
+    fn fault(&self, what: impl AsRef<str>) -> Fault {
+        Fault::new(self.at, format!("`{}`: {}", self.whole, what.as_ref()))
+    }
+
+    fn point(&self, name: &str) -> Res<PointId> {
+        let points = &self.draft.mechanism.points;
+        self.draft.point_named(name, self.at).map_err(|_| {
+            let fault = self.fault(format!("there is no point `{name}`"));
+            if name.parse::<u32>().is_ok() || name.is_empty() {
+                return fault.mend(format!("write {}", self.form));
+            }
+            fault.known(name, points.iter().map(|p| p.name.as_str()))
+        })
+    }
+
+    fn link(&self, number: &str) -> Res<LinkId> {
+        let found = number.parse().ok().and_then(|n| self.draft.link_of(n, self.at).ok());
+        found.ok_or_else(|| {
+            let fault = self.fault(format!("there is no link `{number}`"));
+            if number.parse::<u32>().is_err() {
+                return fault.mend(format!("write {}", self.form));
+            }
+            let known: Vec<String> =
+                self.draft.mechanism.links.iter().map(|l| l.number.to_string()).collect();
+            fault.known(number, known.iter().map(String::as_str))
+        })
+    }
+
+    fn points(&self, first: &str, second: &str) -> Res<(PointId, PointId)> {
+        let pair = (self.point(first)?, self.point(second)?);
+        if pair.0 == pair.1 {
+            return Err(self.fault("the two points are one"));
+        }
+        Ok(pair)
+    }
+
+    fn links(&self, first: &str, second: &str) -> Res<(LinkId, LinkId)> {
+        let pair = (self.link(first)?, self.link(second)?);
+        if pair.0 == pair.1 {
+            return Err(self.fault("the two links are one"));
+        }
+        Ok(pair)
+    }
+
+    /// Two points of one link.
+    fn one_link(&self, first: &str, second: &str) -> Res<(PointId, PointId)> {
+        let (b, a) = self.points(first, second)?;
+        let links = &self.draft.mechanism.point(b).links;
+        if links.iter().any(|link| self.draft.stands_in(a, *link)) {
+            return Ok((b, a));
+        }
+        let mates = self.mates(b);
+        let fault = self.fault(format!("{first} and {second} do not stand in one link"));
+        let mates: Vec<&str> = mates.iter().map(|p| self.draft.say_point(*p)).collect();
+        Err(fault.mend(match mates.as_slice() {
+            [] => "only points of one link have a normal and a tangential part".to_owned(),
+            mates => format!("points that share a link with {first}: {}", list(&mates[..mates.len().min(8)])),
+        }))
+    }
+
+    /// The other points of a point's links.
+    fn mates(&self, point: PointId) -> Vec<PointId> {
+        let links = &self.draft.mechanism.point(point).links;
+        let points = links.iter().flat_map(|link| &self.draft.link(*link).points);
+        let mut mates: Vec<PointId> = points.copied().filter(|p| *p != point).take(64).collect();
+        mates.dedup();
+        mates
+    }
+
+    /// A moving point of a link that turns about a fixed pin.
+    fn pivoted(&self, name: &str) -> Res<PointId> {
+        let point = self.point(name)?;
+        if self.draft.is_fixed(point) {
+            return Err(self.fault(format!("{name} is a fixed point")));
+        }
+        let links = &self.draft.mechanism.point(point).links;
+        let pivots = |link: &LinkId| self.draft.link(*link).points.iter().any(|p| self.draft.is_fixed(*p));
+        if links.iter().any(pivots) {
+            return Ok(point);
+        }
+        let fault =
+            self.fault(format!("{name} stands in no link that is pivoted to the frame by a fixed pin"));
+        Err(fault.mend(format!("name a second point of its link: {}", self.form)))
+    }
+
+    /// Two links with a pin between them.
+    fn pinned(&self, one: LinkId, other: LinkId) -> Res<()> {
+        if self.draft.link(one).points.iter().any(|p| self.draft.stands_in(*p, other)) {
+            return Ok(());
+        }
+        let [one, other] = [one, other].map(|link| self.draft.say(link));
+        Err(self.fault(format!("{one} and {other} have no pin in common")))
+    }
+
+    /// A pin and a link on which it, its block or its link slides.
+    fn sliding(&self, pin: &str, link: &str, on_arc: bool) -> Res<(PointId, LinkId)> {
+        let (point, link) = (self.point(pin)?, self.link(link)?);
+        let slides = &self.draft.mechanism.slides;
+        let rides = |rider: &Rider| match rider {
+            Rider::Pin { point: rider, .. } => *rider == point,
+            Rider::Link { link: rider, .. } => self.draft.stands_in(point, *rider),
+        };
+        let mut pairs = slides.iter().filter(|slide| slide.guide.link == link && rides(&slide.rider));
+        let Some(slide) = pairs.next() else {
+            let on: Vec<String> =
+                slides.iter().filter(|s| rides(&s.rider)).map(|s| self.draft.say(s.guide.link)).collect();
+            let fault = self.fault(format!("{pin} does not slide on {}", self.draft.say(link)));
+            return Err(if on.is_empty() {
+                let riders = slides.iter().filter_map(|s| self.draft.riding_point(&s.rider));
+                let riders: Vec<&str> = riders.map(|p| self.draft.say_point(p)).take(8).collect();
+                if riders.is_empty() {
+                    fault
+                } else {
+                    fault.mend(format!("what slides: {}", riders.join(", ")))
+                }
+            } else {
+                fault.mend(format!("it slides on {}", on.join(", ")))
+            });
+        };
+        if on_arc && is_straight(&slide.guide) && pairs.all(|slide| is_straight(&slide.guide)) {
+            let fault =
+                self.fault(format!("{pin} slides along a straight line, where nothing is normal to it"));
+            return Err(fault.mend(format!("ask for `aslip({pin}/{})`", self.draft.link(link).number)));
+        }
+        Ok((point, link))
+    }
+
+    fn rubbing(&self, pin: &str, links: Option<&str>) -> Res<Quantity> {
+        let point = self.point(pin)?;
+        let of = &self.draft.mechanism.point(point);
+        let pair = match links {
+            Some(links) => {
+                let (one, other) = links
+                    .split_once('/')
+                    .ok_or_else(|| self.fault("two links rub").mend(format!("write {}", self.form)))?;
+                let pair = self.links(one.trim(), other.trim())?;
+                for link in [pair.0, pair.1] {
+                    if !of.links.contains(&link) {
+                        return Err(self.fault(format!("{pin} does not stand in {}", self.draft.say(link))));
+                    }
+                }
+                pair
+            }
+            None => match of.links.as_slice() {
+                [one, other] => (*one, *other),
+                [] | [_] => return Err(self.fault(format!("{pin} is no pin between two links"))),
+                more => {
+                    let numbers: Vec<String> =
+                        more.iter().map(|l| self.draft.link(*l).number.to_string()).collect();
+                    let fault = self.fault(format!("{pin} joins links {}", numbers.join(", ")));
+                    return Err(fault
+                        .mend(format!("say which two, such as rub({pin},{}/{})", numbers[0], numbers[1])));
+                }
+            },
+        };
+        if of.journal.is_none() {
+            let fault = self.fault(format!("the radius of pin {pin} is missing"));
+            return Err(fault.mend(format!("add \"pins\": {{\"{pin}\": {{\"radius\": …}}}}")));
+        }
+        Ok(Quantity::Rub(point, pair.0, pair.1))
+    }
+}

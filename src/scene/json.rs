@@ -1,0 +1,345 @@
+//! JSON in which every key and every value knows the byte at which it stands.
+
+use std::collections::HashSet;
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde_json::value::RawValue;
+
+use super::diagnostic::{Fault, Res};
+
+/// The deepest scene has six levels; more is no scene.
+const DEEPEST: usize = 16;
+/// More entries in one list or object than any mechanism has.
+pub(super) const MOST: usize = 10_000;
+/// A larger text is not a scene (bytes).
+const LARGEST: usize = 16 << 20;
+
+/// A value and its place.
+#[derive(Debug)]
+pub(super) struct Value<'a> {
+    /// Byte offset in the text.
+    pub(super) at: usize,
+    pub(super) kind: Kind<'a>,
+}
+
+#[derive(Debug)]
+pub(super) enum Kind<'a> {
+    Null,
+    Bool(bool),
+    /// A number as written.
+    Number(&'a str),
+    Text(String),
+    List(Vec<Value<'a>>),
+    Object(Vec<Entry<'a>>),
+}
+
+/// One key of an object.
+#[derive(Debug)]
+pub(super) struct Entry<'a> {
+    /// Byte offset of the key.
+    pub(super) at: usize,
+    pub(super) key: String,
+    pub(super) value: Value<'a>,
+}
+
+/// Reads a text.
+pub(super) fn parse(text: &str) -> Res<Value<'_>> {
+    if text.len() > LARGEST {
+        return Err(Fault::new(0, format!("the file is larger than {} MiB", LARGEST >> 20)));
+    }
+    // Editors on some systems begin a file with a byte-order mark, which JSON does not know.
+    let body = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let raw: &RawValue = serde_json::from_str(body).map_err(|error| {
+        let before: usize =
+            body.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+        let at = before + error.column().saturating_sub(1) + (text.len() - body.len());
+        syntax(at.min(text.len()), &error)
+    })?;
+    Source { text }.value(raw.get(), 0)
+}
+
+fn syntax(at: usize, error: &serde_json::Error) -> Fault {
+    let message = error.to_string();
+    let what = message.rsplit_once(" at line ").map_or(message.as_str(), |(what, _)| what);
+    Fault::new(at, format!("not JSON: {what}"))
+}
+
+struct Source<'a> {
+    text: &'a str,
+}
+
+impl<'a> Source<'a> {
+    /// Where a slice of the text stands in it.
+    fn offset(&self, slice: &str) -> usize {
+        (slice.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize)
+    }
+
+    fn value(&self, raw: &'a str, depth: usize) -> Res<Value<'a>> {
+        let raw = raw.trim_ascii();
+        let at = self.offset(raw);
+        if depth > DEEPEST {
+            return Err(Fault::new(at, format!("nested more than {DEEPEST} levels deep")));
+        }
+        let kind = match raw.as_bytes().first() {
+            Some(b'{') => Kind::Object(self.object(raw, at, depth)?),
+            Some(b'[') => {
+                let Items(items) = serde_json::from_str(raw).map_err(|e| syntax(at, &e))?;
+                crowded(at, items.len())?;
+                let items = items.into_iter().map(|item| self.value(item.get(), depth + 1));
+                Kind::List(items.collect::<Res<_>>()?)
+            }
+            Some(b'"') => Kind::Text(serde_json::from_str(raw).map_err(|e| syntax(at, &e))?),
+            Some(b't') => Kind::Bool(true),
+            Some(b'f') => Kind::Bool(false),
+            Some(b'n') | None => Kind::Null,
+            Some(_) => Kind::Number(raw),
+        };
+        Ok(Value { at, kind })
+    }
+
+    fn object(&self, raw: &'a str, at: usize, depth: usize) -> Res<Vec<Entry<'a>>> {
+        let Pairs(pairs) = serde_json::from_str(raw).map_err(|e| syntax(at, &e))?;
+        crowded(at, pairs.len())?;
+        let mut seen = HashSet::new();
+        let mut entries = Vec::with_capacity(pairs.len());
+        for (key, value) in pairs {
+            let at = self.offset(key.get());
+            let key: String = serde_json::from_str(key.get()).map_err(|e| syntax(at, &e))?;
+            if !seen.insert(key.clone()) {
+                return Err(Fault::new(at, format!("`{key}` is given twice")).mend("keep one of the two"));
+            }
+            entries.push(Entry { at, key, value: self.value(value.get(), depth + 1)? });
+        }
+        Ok(entries)
+    }
+}
+
+fn crowded(at: usize, count: usize) -> Res<()> {
+    if count > MOST {
+        return Err(Fault::new(at, format!("{count} entries, more than {MOST}")));
+    }
+    Ok(())
+}
+
+/// The entries of an object as slices of the text, duplicates kept.
+struct Pairs<'a>(Vec<(&'a RawValue, &'a RawValue)>);
+
+impl<'de> Deserialize<'de> for Pairs<'de> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Collect;
+        impl<'de> Visitor<'de> for Collect {
+            type Value = Pairs<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object")
+            }
+
+            fn visit_map<M: MapAccess<'de>>(self, mut map: M) -> Result<Self::Value, M::Error> {
+                let mut pairs = Vec::new();
+                while let Some(pair) = map.next_entry()? {
+                    pairs.push(pair);
+                }
+                Ok(Pairs(pairs))
+            }
+        }
+        deserializer.deserialize_map(Collect)
+    }
+}
+
+/// The items of a list as slices of the text.
+struct Items<'a>(Vec<&'a RawValue>);
+
+impl<'de> Deserialize<'de> for Items<'de> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Collect;
+        impl<'de> Visitor<'de> for Collect {
+            type Value = Items<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a list")
+            }
+
+            fn visit_seq<S: SeqAccess<'de>>(self, mut seq: S) -> Result<Self::Value, S::Error> {
+                let mut items = Vec::new();
+                while let Some(item) = seq.next_element()? {
+                    items.push(item);
+                }
+                Ok(Items(items))
+            }
+        }
+        deserializer.deserialize_seq(Collect)
+    }
+}
+
+impl<'a> Value<'a> {
+    /// What kind of value this is, with its article.
+    pub(super) fn noun(&self) -> &'static str {
+        match self.kind {
+            Kind::Null => "null",
+            Kind::Bool(_) => "true or false",
+            Kind::Number(_) => "a number",
+            Kind::Text(_) => "text",
+            Kind::List(_) => "a list",
+            Kind::Object(_) => "an object",
+        }
+    }
+
+    /// That something else was expected here.
+    pub(super) fn unexpected(&self, expected: &str) -> Fault {
+        Fault::new(self.at, format!("expected {expected}, found {}", self.noun()))
+    }
+
+    pub(super) fn text(&self, expected: &str) -> Res<&str> {
+        match &self.kind {
+            Kind::Text(text) => Ok(text),
+            _ => Err(self.unexpected(expected)),
+        }
+    }
+
+    pub(super) fn list(&self, expected: &str) -> Res<&[Value<'a>]> {
+        match &self.kind {
+            Kind::List(items) => Ok(items),
+            _ => Err(self.unexpected(expected)),
+        }
+    }
+
+    pub(super) fn object(&self, expected: &str) -> Res<&[Entry<'a>]> {
+        match &self.kind {
+            Kind::Object(entries) => Ok(entries),
+            _ => Err(self.unexpected(expected)),
+        }
+    }
+
+    pub(super) fn bool(&self) -> Res<bool> {
+        match self.kind {
+            Kind::Bool(value) => Ok(value),
+            _ => Err(self.unexpected("true or false")),
+        }
+    }
+
+    /// A whole number from 0.
+    pub(super) fn whole(&self, expected: &str) -> Res<u32> {
+        match self.kind {
+            Kind::Number(digits) => digits.parse().map_err(|_| {
+                Fault::new(self.at, format!("expected {expected}, a whole number, found {digits}"))
+            }),
+            _ => Err(self.unexpected(&format!("{expected}, a whole number"))),
+        }
+    }
+
+    /// The keys from here to the value or key at a byte offset.
+    pub(super) fn path_to(&self, at: usize) -> String {
+        let mut path = String::new();
+        let mut here = self;
+        while here.at != at {
+            match &here.kind {
+                Kind::Object(entries) => {
+                    let Some(entry) = entries[..entries.partition_point(|e| e.at <= at)].last() else {
+                        break;
+                    };
+                    if !path.is_empty() {
+                        path.push('.');
+                    }
+                    path.push_str(&entry.key);
+                    if entry.at == at {
+                        break;
+                    }
+                    here = &entry.value;
+                }
+                Kind::List(items) => {
+                    let index = items.partition_point(|i| i.at <= at);
+                    let Some(item) = items[..index].last() else { break };
+                    path.push_str(&format!("[{}]", index - 1));
+                    here = item;
+                }
+                _ => break,
+            }
+        }
+        path
+    }
+}
+
+/// The entries of an object of which all keys are known.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fields<'v, 'a> {
+    /// Byte offset of the object.
+    pub(super) at: usize,
+    entries: &'v [Entry<'a>],
+    known: &'static [&'static str],
+}
+
+impl<'v, 'a> Fields<'v, 'a> {
+    /// The object's fields; an unknown key is an error that offers the nearest known one.
+    pub(super) fn of(value: &'v Value<'a>, known: &'static [&'static str], expected: &str) -> Res<Self> {
+        let entries = value.object(expected)?;
+        for entry in entries {
+            if !known.contains(&entry.key.as_str()) {
+                let fault = Fault::new(entry.at, format!("unknown key `{}`", entry.key));
+                return Err(fault.known(&entry.key, known.iter().copied()));
+            }
+        }
+        Ok(Self { at: value.at, entries, known })
+    }
+
+    pub(super) fn entry(&self, key: &str) -> Option<&'v Entry<'a>> {
+        debug_assert!(self.known.contains(&key), "the reader asks for `{key}`, which no table lists");
+        self.entries.iter().find(|e| e.key == key)
+    }
+
+    pub(super) fn get(&self, key: &str) -> Option<&'v Value<'a>> {
+        self.entry(key).map(|e| &e.value)
+    }
+
+    /// A key that must be there.
+    pub(super) fn need(&self, key: &str, why: &str) -> Res<&'v Value<'a>> {
+        self.get(key).ok_or_else(|| Fault::new(self.at, format!("`{key}` is missing: {why}")))
+    }
+
+    /// Refuses keys that have no meaning beside others.
+    pub(super) fn refuse(&self, keys: &[&str], why: &str) -> Res<()> {
+        match keys.iter().find_map(|key| self.entry(key)) {
+            Some(entry) => Err(Fault::new(entry.at, format!("`{}` has no meaning here: {why}", entry.key))),
+            None => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fault(text: &str) -> String {
+        match parse(text) {
+            Ok(_) => "fine".to_owned(),
+            Err(fault) => fault.locate("f", text, None).to_string(),
+        }
+    }
+
+    #[test]
+    fn offsets_and_paths() {
+        let text = "\u{feff}{\"a\": [1, {\"b\": \"x\"}],\n  \"c\": null}";
+        let root = parse(text).unwrap();
+        let path = |needle: &str| root.path_to(text.find(needle).unwrap());
+        assert_eq!(path("\"x\""), "a[1].b");
+        assert_eq!(path("\"b\""), "a[1].b");
+        assert_eq!(path("1,"), "a[0]");
+        assert_eq!(path("null"), "c");
+        assert_eq!(root.path_to(root.at), "");
+    }
+
+    #[test]
+    fn broken_texts_are_placed() {
+        assert_eq!(fault(""), "f:1:1: not JSON: EOF while parsing a value");
+        assert_eq!(fault("{\n \"a\": }"), "f:2:7: not JSON: expected value");
+        assert_eq!(
+            fault("{\n \"a\": 1,\n \"a\": 2}"),
+            "f:3:2: `a` is given twice; help: keep one of the two"
+        );
+        assert!(fault(&"[".repeat(100_000)).contains("not JSON"));
+        assert!(fault(&("[".repeat(200) + &"]".repeat(200))).contains("levels deep"));
+        assert!(fault(&format!("[{}0]", "0,".repeat(MOST))).contains("10001 entries"));
+        assert!(fault("[\"\\ud800\"]").contains("not JSON"));
+    }
+}

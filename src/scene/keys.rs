@@ -1,0 +1,38 @@
+//! Every key that a scene may have, by the object in which it stands.
+//!
+//! The reader refuses all others, and the published schema is tested against the same tables.
+
+pub(super) const SCENE: &[&str] = &[
+    "$schema",
+    "title",
+    "units",
+    "fixed",
+    "placed",
+    "near",
+    "links",
+    "slides",
+    "rolls",
+    "input",
+    "inputs",
+    "find",
+    "pins",
+    "published",
+    "errata",
+    "expect",
+    "sheet",
+];
+pub(super) const UNITS: &[&str] = &["length", "angle", "time"];
+pub(super) const LINK: &[&str] = &["joins", "length", "line", "sides", "turn", "shape", "arms"];
+pub(super) const SLIDE: &[&str] = &["pin", "block", "link", "turned", "on"];
+pub(super) const GUIDE: &[&str] =
+    &["link", "through", "angle", "toward", "turned", "offset", "centre", "radius"];
+pub(super) const ROLL: &[&str] =
+    &["links", "centres", "radii", "teeth", "module", "internal", "line", "centre", "radius"];
+pub(super) const INPUT: &[&str] =
+    &["link", "angle", "omega", "alpha", "speed", "slide", "at", "velocity", "acceleration"];
+pub(super) const FIND: &[&str] = &["name", "unit", "method"];
+pub(super) const PIN: &[&str] = &["radius", "diameter"];
+pub(super) const PUBLISHED: &[&str] = &["value", "within", "why"];
+pub(super) const SHEET: &[&str] =
+    &["paper", "language", "symbols", "scales", "length", "velocity", "acceleration", "figures"];
+pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];

@@ -1,0 +1,123 @@
+//! Rolling pairs and gear meshes.
+
+use super::diagnostic::{Fault, Res};
+use super::draft::{Draft, is_straight};
+use super::guides::guide;
+use super::json::{Fields, Value};
+use super::keys;
+use crate::mechanism::{Given, LinkId, PointId, Roll};
+
+/// More teeth than any wheel has.
+const MOST_TEETH: u32 = 1_000_000;
+
+/// Reads `rolls`.
+pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(value) = value else { return Ok(()) };
+    for item in value.list("a list of rolling pairs")? {
+        let fields = Fields::of(item, keys::ROLL, "a rolling pair: {\"links\": [2, 3], …}")?;
+        let links = fields.need("links", "the numbers of the two bodies, such as [2, 3]")?;
+        let [first, second] = pair(links, "the numbers of two links")?;
+        let bodies = [draft.link_at(first)?, draft.link_at(second)?];
+        if bodies[0] == bodies[1] {
+            return Err(Fault::new(second.at, format!("{} cannot roll on itself", draft.say(bodies[1]))));
+        }
+        let roll = if fields.get("line").is_some() {
+            on_line(&fields, bodies, draft)?
+        } else {
+            circles(&fields, bodies, draft)?
+        };
+        draft.mechanism.rolls.push(roll);
+        draft.anchors.rolls.push(item.at);
+    }
+    Ok(())
+}
+
+fn pair<'v, 'a>(value: &'v Value<'a>, expected: &str) -> Res<[&'v Value<'a>; 2]> {
+    match value.list(expected)? {
+        [first, second] => Ok([first, second]),
+        other => Err(Fault::new(value.at, format!("expected {expected}, found {} entries", other.len()))),
+    }
+}
+
+fn circles(fields: &Fields<'_, '_>, links: [LinkId; 2], draft: &Draft<'_>) -> Res<Roll> {
+    let why = "`line` is missing, without which two circles roll on each other";
+    fields.refuse(&["centre", "radius"], &format!("{why}: give `centres` and `radii`"))?;
+    let centres = fields.need("centres", "the centres of the two circles, such as [\"O2\", \"A\"]")?;
+    let [first, second] = pair(centres, "the names of two centres")?;
+    let points: [PointId; 2] = [draft.point_in(first, links[0])?, draft.point_in(second, links[1])?];
+    if points[0] == points[1] {
+        return Err(Fault::new(second.at, "two circles about one centre cannot roll on each other"));
+    }
+    let internal = fields.get("internal").map_or(Ok(false), Value::bool)?;
+    let (radii, at) = match (fields.get("radii"), fields.entry("teeth")) {
+        (Some(radii), None) => {
+            fields.refuse(&["module"], "it belongs to `teeth`")?;
+            let [first, second] = pair(radii, "two radii")?;
+            let radius = |value| draft.scales.positive(value, "a radius");
+            ([radius(first)?, radius(second)?], radii.at)
+        }
+        (None, Some(teeth)) => {
+            let [first, second] = pair(&teeth.value, "two numbers of teeth")?;
+            let module = module(fields, draft)?;
+            ([pitch_radius(first, module)?, pitch_radius(second, module)?], teeth.value.at)
+        }
+        (Some(_), Some(teeth)) => return Err(Fault::new(teeth.at, "`radii` are given already")),
+        (None, None) => {
+            return Err(
+                Fault::new(fields.at, "`radii` are missing").mend("`teeth` and `module` may stand for them")
+            );
+        }
+    };
+    if internal && radii[0].value == radii[1].value {
+        return Err(Fault::new(at, "a circle cannot roll inside one of the same radius"));
+    }
+    Ok(Roll::Circles { links, centres: points, radii, internal })
+}
+
+fn on_line(fields: &Fields<'_, '_>, links: [LinkId; 2], draft: &Draft<'_>) -> Res<Roll> {
+    fields
+        .refuse(&["centres", "radii", "internal"], "a wheel on a `line` has one `centre` and one `radius`")?;
+    let value = fields.need("centre", "the wheel's centre")?;
+    let centre = draft.point(value)?;
+    // Without a number in `line`, the wheel is the body in which the centre stands, the second if both.
+    let wheel_is_first = draft.stands_in(centre, links[0]) && !draft.stands_in(centre, links[1]);
+    let line = fields.need("line", "the line on which the wheel rolls")?;
+    let guide = guide(line, Some(links[usize::from(wheel_is_first)]), draft)?;
+    let wheel = match links {
+        [first, second] if guide.link == first => second,
+        [first, second] if guide.link == second => first,
+        _ => {
+            let what = format!("the line belongs to {}, which is not in `links`", draft.say(guide.link));
+            return Err(Fault::new(line.at, what));
+        }
+    };
+    draft.point_in(value, wheel)?;
+    if !is_straight(&guide) {
+        return Err(Fault::new(line.at, "a rack or plane is straight")
+            .mend("two circles roll by `centres` and `radii`"));
+    }
+    let radius = match (fields.get("radius"), fields.entry("teeth")) {
+        (Some(radius), None) => {
+            fields.refuse(&["module"], "it belongs to `teeth`")?;
+            draft.scales.positive(radius, "the radius")?
+        }
+        (None, Some(teeth)) => pitch_radius(&teeth.value, module(fields, draft)?)?,
+        (Some(_), Some(teeth)) => return Err(Fault::new(teeth.at, "the `radius` is given already")),
+        (None, None) => return Err(Fault::new(fields.at, "the wheel's `radius` is missing")),
+    };
+    Ok(Roll::Line { guide, wheel, centre, radius })
+}
+
+fn module(fields: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<Given> {
+    let module = fields.need("module", "pitch diameter per tooth, such as \"2 mm\"")?;
+    draft.scales.positive(module, "the module")
+}
+
+/// Half the module for each tooth.
+fn pitch_radius(teeth: &Value<'_>, module: Given) -> Res<Given> {
+    let count = teeth.whole("a number of teeth")?;
+    if count == 0 || count > MOST_TEETH {
+        return Err(Fault::new(teeth.at, format!("a wheel cannot have {count} teeth")));
+    }
+    Ok(module.scaled(f64::from(count) / 2.0, 0.0))
+}

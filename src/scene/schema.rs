@@ -1,0 +1,422 @@
+//! The JSON Schema of a scene, for editors.
+
+use serde_json::{Value, json};
+
+use super::sheet::{LANGUAGES, PAPERS};
+use super::units::names;
+
+/// The JSON Schema (draft 2020-12) of a scene: what an editor needs to complete and to check it.
+///
+/// It says which keys there are and what stands behind them. What only the reader can know (that a
+/// point exists, that a triangle closes) it does not say.
+#[must_use]
+pub fn schema() -> Value {
+    let mut schema = scene();
+    schema["$defs"] = Value::Object(definitions());
+    schema
+}
+
+fn reference(name: &str) -> Value {
+    json!({ "$ref": format!("#/$defs/{name}") })
+}
+
+/// A reference with a description of its own.
+fn described(name: &str, description: &str) -> Value {
+    json!({ "$ref": format!("#/$defs/{name}"), "description": description })
+}
+
+fn object(description: &str, required: &[&str], properties: Value) -> Value {
+    json!({
+        "type": "object", "description": description, "required": required,
+        "additionalProperties": false, "properties": properties,
+    })
+}
+
+fn by_point(description: &str, value: &Value) -> Value {
+    json!({
+        "type": "object", "description": description,
+        "propertyNames": reference("point"), "additionalProperties": value,
+    })
+}
+
+fn scene() -> Value {
+    let mut schema = object(
+        "A planar mechanism at one instant, the motion that drives it, and what is asked.",
+        &[],
+        json!({
+            "$schema": { "type": "string", "description": "Address of this schema, for editors." },
+            "title": {
+                "description": "Text, or texts by language tag.",
+                "oneOf": [
+                    { "type": "string" },
+                    {
+                        "type": "object", "additionalProperties": { "type": "string" },
+                        "propertyNames": { "pattern": "^[A-Za-z0-9]{1,8}(-[A-Za-z0-9]{1,8})*$" },
+                    },
+                ],
+                "examples": ["Problem 3-1", { "en": "Problem 3-1", "ar": "مسألة 3-1" }],
+            },
+            "units": reference("units"),
+            "fixed": by_point("Points of the frame (link 1), exact.", &reference("place")),
+            "placed": by_point(
+                "Moving points at this instant, as exact as their digits; link dimensions not given elsewhere follow from them.",
+                &reference("place"),
+            ),
+            "near": by_point(
+                "Rough places of moving points: they choose the assembly and fix nothing else.",
+                &reference("place"),
+            ),
+            "links": {
+                "type": "object", "description": "The moving links by number, from 2; link 1 is the frame.",
+                "propertyNames": { "pattern": "^([2-9]|[1-9][0-9]+)$" }, "additionalProperties": reference("link"),
+            },
+            "slides": { "type": "array", "description": "Sliding pairs.", "items": reference("slide") },
+            "rolls": { "type": "array", "description": "Rolling pairs and gear meshes.", "items": reference("roll") },
+            "input": described("input", "What drives the mechanism."),
+            "inputs": {
+                "type": "array", "items": reference("input"),
+                "description": "What drives the mechanism, one per degree of freedom.",
+            },
+            "find": {
+                "type": "array", "items": reference("find"),
+                "description": "Asked quantities; without it, all velocities, accelerations, ω and α.",
+            },
+            "pins": by_point("Journals of pins, for rubbing speeds.", &reference("pin")),
+            "published": {
+                "type": "object", "propertyNames": reference("quantity"), "additionalProperties": reference("published"),
+                "description": "What somebody printed, by name of the quantity. Never used in the solution.",
+            },
+            "errata": {
+                "type": "array", "items": reference("quantity"), "uniqueItems": true,
+                "description": "Names in `published` known to be wrong: the check must find exactly these.",
+            },
+            "expect": {
+                "enum": ["cannot-assemble", "indeterminate", "ambiguous"],
+                "description": "The refusal that this scene must get.",
+            },
+            "sheet": reference("sheet"),
+        }),
+    );
+    schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
+    schema["title"] = json!("linkgram scene");
+    schema["not"] = json!({ "required": ["input", "inputs"] });
+    schema
+}
+
+fn definitions() -> serde_json::Map<String, Value> {
+    let mut all = serde_json::Map::new();
+    let parts = [values(), links(), pairs(), motion(), results(), sheet()];
+    for part in parts {
+        if let Value::Object(part) = part {
+            all.extend(part);
+        }
+    }
+    all
+}
+
+/// Points, numbers of links, and numbers with units.
+fn values() -> Value {
+    let unit = names().collect::<Vec<_>>().join("|");
+    let number = r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
+    let factor = format!(r"({unit})\s*(²|\^\s*[1-9])?");
+    let quantity = |description: &str, examples: Value| {
+        json!({
+            "description": format!("{description} A bare number is in the scene's unit; text carries its own."),
+            "oneOf": [
+                { "type": "number" },
+                { "type": "string", "pattern": format!(r"{number}\s*({factor}(\s*[*/]\s*{factor})*)?(\s*c?cw)?\s*$") },
+            ],
+            "examples": examples,
+        })
+    };
+    json!({
+        "point": {
+            "type": "string", "maxLength": 64, "pattern": "^\\p{L}[^\\s/,()\"`]*$",
+            "description": "Name of a point: a letter, then no blank, slash, comma, quote or parenthesis.",
+            "examples": ["A", "O2"],
+        },
+        "linkNumber": { "type": "integer", "minimum": 1, "description": "Number of a link; 1 is the frame." },
+        "movingLink": { "type": "integer", "minimum": 2, "description": "Number of a moving link." },
+        "length": quantity("A length.", json!([15, "6 in", "25 mm"])),
+        "angle": quantity("An angle, counter-clockwise positive; any number of turns.", json!([30, "30 deg cw", "0.25 rev"])),
+        "velocity": quantity("A velocity.", json!(["24.4 m/s", "6 m/s ccw"])),
+        "acceleration": quantity("An acceleration.", json!(["15 m/s^2"])),
+        "omega": quantity("An angular velocity, counter-clockwise positive; bare in rad.", json!(["10 rad/s cw", "75 rpm cw"])),
+        "alpha": quantity("An angular acceleration, counter-clockwise positive; bare in rad.", json!(["15 rad/s^2 ccw"])),
+        "place": {
+            "type": "array", "items": reference("length"), "minItems": 2, "maxItems": 2,
+            "description": "Coordinates [x, y], x to the right and y up.", "examples": [[0, 37]],
+        },
+        "units": object("Units of bare numbers; m, deg and s where nothing is said.", &[], json!({
+            "length": { "enum": ["nm", "um", "mm", "cm", "m", "km", "in", "ft"], "default": "m", "description": "Unit of lengths." },
+            "angle": { "enum": ["deg", "rad", "rev"], "default": "deg", "description": "Unit of angles; ω and α are in rad whatever it is." },
+            "time": { "enum": ["ms", "s", "min"], "default": "s", "description": "Unit of time." },
+        })),
+    })
+}
+
+fn links() -> Value {
+    let one_of = |keys: [&str; 5]| -> Value {
+        let pairs = (0..5).flat_map(|i| (i + 1..5).map(move |j| (i, j)));
+        pairs.map(|(i, j)| json!({ "required": [keys[i], keys[j]] })).collect()
+    };
+    let mut link = object(
+        "A rigid link. Its dimensions are one of `length`, `line`, `sides`, `shape` and `arms`, or nothing where all its points are placed or where it has one joint.",
+        &["joins"],
+        json!({
+            "joins": {
+                "type": "array", "items": reference("point"), "minItems": 1, "uniqueItems": true,
+                "description": "Joints and points of interest. A point that stands in several links is a pin between them.",
+            },
+            "length": described("length", "Distance of its two joints."),
+            "line": {
+                "type": "array", "items": reference("length"), "minItems": 2,
+                "description": "Positions along a straight link, in the order of `joins`.", "examples": [[0, 30, -30]],
+            },
+            "sides": {
+                "type": "array", "items": reference("length"), "minItems": 3, "maxItems": 3,
+                "description": "Three joints: lengths 1–2, 2–3 and 3–1.",
+            },
+            "turn": { "enum": ["ccw", "cw"], "default": "ccw", "description": "Turning sense of the triangle of `sides`." },
+            "shape": by_point("Own coordinates of every point of `joins`.", &reference("place")),
+            "arms": {
+                "type": "array", "minItems": 3, "maxItems": 3, "items": false,
+                "prefixItems": [reference("length"), reference("length"), reference("angle")],
+                "description": "Three joints: lengths 1–2 and 1–3, and the angle from the first arm to the second, counter-clockwise.",
+            },
+        }),
+    );
+    link["not"] = json!({ "anyOf": one_of(["length", "line", "sides", "shape", "arms"]) });
+    link["dependentRequired"] = json!({ "turn": ["sides"] });
+    json!({ "link": link })
+}
+
+fn pairs() -> Value {
+    let two = |items: Value, description: &str| json!({ "type": "array", "items": items, "minItems": 2, "maxItems": 2, "description": description });
+    let point_or_place = |description: &str| json!({ "oneOf": [reference("point"), reference("place")], "description": description });
+    let teeth = json!({ "type": "integer", "minimum": 1, "maximum": 1_000_000 });
+    let guide = object(
+        "A guide: a straight line, or an arc with `centre` and `radius`. Coordinates and angles are its link's own.",
+        &[],
+        json!({
+            "link": described("linkNumber", "The link that carries the guide."),
+            "through": point_or_place("A point of the link, or own coordinates, through which the line goes."),
+            "angle": described("angle", "Direction of the line, from the link's own x-axis; default 0."),
+            "toward": described("point", "Another point of the link, toward which the line goes."),
+            "turned": described("angle", "Added to the direction, counter-clockwise."),
+            "offset": described("length", "Parallel shift to the left of the direction."),
+            "centre": point_or_place("Centre of an arc: a point of the link, or own coordinates."),
+            "radius": described("length", "Radius of an arc."),
+        }),
+    );
+    let mut slide = object(
+        "A sliding pair: a `pin` (perhaps in a numbered `block`) or a `link` that slides without turning, `on` a guide.",
+        &["on"],
+        json!({
+            "pin": described("point", "The pin that slides."),
+            "block": described("movingLink", "Number of the block in which the pin turns."),
+            "link": described("movingLink", "The link that slides; its first joint is on the guide."),
+            "turned": described("angle", "Angle from the guide to the sliding link's own x-axis."),
+            "on": described("guide", "The guide."),
+        }),
+    );
+    slide["oneOf"] = json!([{ "required": ["pin"] }, { "required": ["link"] }]);
+    slide["dependentRequired"] = json!({ "block": ["pin"], "turned": ["link"] });
+    let mut roll = object(
+        "A rolling pair or gear mesh: two circles (`centres`, `radii`), or a wheel (`centre`, `radius`) on a `line`.",
+        &["links"],
+        json!({
+            "links": two(reference("linkNumber"), "The two bodies."),
+            "centres": two(reference("point"), "The centres of the two circles, a point of each body."),
+            "radii": two(reference("length"), "The radii of the two circles."),
+            "teeth": {
+                "oneOf": [two(teeth.clone(), "Numbers of teeth of two wheels."), teeth],
+                "description": "With `module`, stands for the radii.",
+            },
+            "module": described("length", "Pitch diameter per tooth."),
+            "internal": { "type": "boolean", "default": false, "description": "One circle lies inside the other." },
+            "line": described("guide", "The straight line of a rack or plane; its `link` may be left out."),
+            "centre": described("point", "The centre of the wheel on a `line`."),
+            "radius": described("length", "The radius of the wheel on a `line`."),
+        }),
+    );
+    roll["oneOf"] = json!([{ "required": ["centres"] }, { "required": ["line", "centre"] }]);
+    roll["dependentRequired"] = json!({ "teeth": ["module"], "module": ["teeth"] });
+    json!({ "guide": guide, "slide": slide, "roll": roll })
+}
+
+fn motion() -> Value {
+    let speed = json!({
+        "type": "object", "minProperties": 1, "maxProperties": 1,
+        "propertyNames": reference("point"), "additionalProperties": reference("velocity"),
+        "description": "Speed of one point about the link's first joint, counter-clockwise positive.",
+        "examples": [{ "A": "6 m/s ccw" }],
+    });
+    let mut input = object(
+        "A driven `link` or a driven `slide`. A missing rate is 0.",
+        &[],
+        json!({
+            "link": described("movingLink", "The driven link."),
+            "angle": described("angle", "Angle of the line from its first to its second joint, from +x; left out where the link is placed."),
+            "omega": described("omega", "Its angular velocity."),
+            "alpha": described("alpha", "Its angular acceleration."),
+            "speed": speed,
+            "slide": {
+                "oneOf": [reference("point"), reference("movingLink")],
+                "description": "The driven sliding pair: its pin, or its block's or link's number.",
+            },
+            "at": described("length", "Distance along the guide from `through` (after `offset`); left out where the rider is placed."),
+            "velocity": described("velocity", "Velocity along the guide."),
+            "acceleration": described("acceleration", "Acceleration along the guide."),
+        }),
+    );
+    input["oneOf"] = json!([{ "required": ["link"] }, { "required": ["slide"] }]);
+    json!({ "input": input })
+}
+
+fn results() -> Value {
+    let mut pin = object(
+        "A pin's journal.",
+        &[],
+        json!({
+            "radius": described("length", "Radius of the journal."),
+            "diameter": described("length", "Diameter of the journal."),
+        }),
+    );
+    pin["oneOf"] = json!([{ "required": ["radius"] }, { "required": ["diameter"] }]);
+    let number = json!({ "oneOf": [{ "type": "number" }, { "type": "string" }] });
+    let published = object(
+        "A printed value with an allowed deviation.",
+        &["value"],
+        json!({
+            "value": { "oneOf": number["oneOf"], "description": "The printed number.", "examples": ["5.66 rad/s ccw"] },
+            "within": {
+                "oneOf": [
+                    { "type": "number", "exclusiveMinimum": 0, "maximum": 1 },
+                    { "type": "string", "pattern": "^\\s*[0-9.]+([eE][+-]?[0-9]+)?\\s*%?\\s*$" },
+                ],
+                "description": "Allowed relative deviation.", "examples": ["10 %"],
+            },
+            "why": { "type": "string", "description": "Why it is allowed.", "examples": ["1 mm on the printed drawing"] },
+        }),
+    );
+    json!({
+        "quantity": {
+            "type": "string",
+            "pattern": "^\\s*(v|a|an|at|omega|alpha|slip|aslip|aslipn|aslipt|coriolis|I|rub|x|angle|transmission)\\s*\\(.+\\)\\s*$",
+            "description": "Name of a quantity; `/` reads \"relative to\".",
+            "examples": [
+                "v(B)", "v(B/A)", "a(B)", "a(B/A)", "an(B/A)", "at(B/A)", "an(B)", "at(B)", "omega(3)", "omega(3/2)",
+                "alpha(3)", "alpha(3/2)", "slip(A/4)", "aslip(A/4)", "aslipn(A/4)", "aslipt(A/4)", "coriolis(A/4)",
+                "I(1,3)", "rub(B)", "rub(B,3/4)", "x(B)", "angle(3)", "transmission(3/4)",
+            ],
+        },
+        "find": {
+            "oneOf": [reference("quantity"), reference("asked")],
+            "description": "An asked quantity.",
+        },
+        "asked": object("An asked quantity with its output unit.", &["name"], json!({
+            "name": described("quantity", "The quantity."),
+            "unit": { "type": "string", "description": "Output unit.", "examples": ["mm/s", "rpm"] },
+            "method": { "type": "string", "description": "Has no effect: both methods are always used." },
+        })),
+        "pin": pin,
+        "published": {
+            "oneOf": [{ "type": "number" }, { "type": "string" }, reference("publishedValue")],
+            "description": "What was printed. Vectors, and scalars without cw or ccw, are compared in magnitude.",
+        },
+        "publishedValue": published,
+    })
+}
+
+fn sheet() -> Value {
+    let length = json!({ "type": "string", "description": "Scale of the skeleton.", "examples": ["1:10", "10 cm per cm"] });
+    let velocity = json!({ "type": "string", "description": "Scale of the velocity polygon.", "examples": ["50 cm/s per cm"] });
+    let acceleration = json!({
+        "type": "string", "description": "Scale of the acceleration polygon.", "examples": ["500 cm/s^2 per cm"],
+    });
+    json!({
+        "scales": object("Scales by diagram.", &[], json!({
+            "length": length, "velocity": velocity, "acceleration": acceleration,
+        })),
+        "sheet": object("How to draw.", &[], json!({
+            "paper": {
+                "type": "string", "pattern": format!("^\\s*({})(\\s+(portrait|landscape))?\\s*$", PAPERS.join("|")),
+                "default": "A4", "description": "Paper size.", "examples": ["A4", "A3 landscape"],
+            },
+            "language": { "enum": LANGUAGES, "description": "Language of the sheet." },
+            "symbols": { "enum": ["alpha", "epsilon"], "description": "Letter for angular acceleration." },
+            "scales": described("scales", "Scales; chosen where they are left out."),
+            "length": length, "velocity": velocity, "acceleration": acceleration,
+            "figures": {
+                "type": "array", "items": { "type": "string" }, "description": "Figures wanted; all where it is left out.",
+                "examples": [["skeleton", "velocity"]],
+            },
+        })),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::keys;
+
+    /// The reader's tables and the schema name the same keys, and every key is described.
+    #[test]
+    fn same_keys_as_the_reader() {
+        let schema = schema();
+        let tables: [(&str, &[&str]); 12] = [
+            ("", keys::SCENE),
+            ("/$defs/units", keys::UNITS),
+            ("/$defs/link", keys::LINK),
+            ("/$defs/slide", keys::SLIDE),
+            ("/$defs/guide", keys::GUIDE),
+            ("/$defs/roll", keys::ROLL),
+            ("/$defs/input", keys::INPUT),
+            ("/$defs/asked", keys::FIND),
+            ("/$defs/pin", keys::PIN),
+            ("/$defs/publishedValue", keys::PUBLISHED),
+            ("/$defs/sheet", keys::SHEET),
+            ("/$defs/scales", keys::SCALES),
+        ];
+        for (place, keys) in tables {
+            let object = schema.pointer(place).unwrap();
+            assert_eq!(object["additionalProperties"], json!(false), "{place}");
+            let mut listed: Vec<&str> =
+                object["properties"].as_object().unwrap().keys().map(String::as_str).collect();
+            let mut known = keys.to_vec();
+            listed.sort_unstable();
+            known.sort_unstable();
+            assert_eq!(listed, known, "{place}");
+        }
+        let objects = schema["$defs"].as_object().unwrap().values();
+        let closed = objects.filter(|d| d["additionalProperties"] == json!(false)).count();
+        assert_eq!(closed, tables.len() - 1, "an object of the schema has no table in the reader");
+    }
+
+    /// Every `$ref` leads somewhere and every definition is used.
+    #[test]
+    fn references_hold() {
+        fn collect(value: &Value, into: &mut Vec<String>) {
+            match value {
+                Value::Object(map) => {
+                    if let Some(Value::String(target)) = map.get("$ref") {
+                        into.push(target.clone());
+                    }
+                    map.values().for_each(|v| collect(v, into));
+                }
+                Value::Array(items) => items.iter().for_each(|v| collect(v, into)),
+                _ => {}
+            }
+        }
+        let schema = schema();
+        let mut targets = Vec::new();
+        collect(&schema, &mut targets);
+        for target in &targets {
+            assert!(schema.pointer(target.trim_start_matches('#')).is_some(), "{target}");
+        }
+        for name in schema["$defs"].as_object().unwrap().keys() {
+            assert!(targets.iter().any(|t| *t == format!("#/$defs/{name}")), "{name} is never used");
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! How the sheet is to be drawn, and its title.
+
+use super::diagnostic::{Fault, Res};
+use super::json::{Entry, Fields, Kind, Value};
+use super::units::{Measure, Scales, drawing_scale};
+use super::{AngularAcceleration, SheetOptions, Title, keys};
+
+/// Languages of the sheet.
+pub(super) const LANGUAGES: [&str; 4] = ["en", "ar", "ar-x-ajala", "fa"];
+/// Paper sizes; `portrait` or `landscape` may stand after them.
+pub(super) const PAPERS: [&str; 9] = ["A0", "A1", "A2", "A3", "A4", "A5", "A6", "letter", "legal"];
+
+/// Reads `title`.
+pub(super) fn title(value: Option<&Value<'_>>) -> Res<Title> {
+    let Some(value) = value else { return Ok(Title::default()) };
+    match &value.kind {
+        Kind::Text(text) => Ok(Title { plain: Some(text.clone()), by_language: Vec::new() }),
+        Kind::Object(entries) => {
+            let mut title = Title::default();
+            for Entry { at, key, value } in entries {
+                let part =
+                    |p: &str| !p.is_empty() && p.len() <= 8 && p.bytes().all(|b| b.is_ascii_alphanumeric());
+                if !key.split('-').all(part) {
+                    return Err(Fault::new(*at, format!("`{}` is not a language tag", key.escape_debug()))
+                        .known(key, LANGUAGES));
+                }
+                title.by_language.push((key.clone(), value.text("a title, as text")?.to_owned()));
+            }
+            Ok(title)
+        }
+        _ => Err(value.unexpected("text, or texts by language")),
+    }
+}
+
+/// Reads `sheet`.
+pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales) -> Res<SheetOptions> {
+    let mut sheet = SheetOptions::default();
+    let Some(value) = value else { return Ok(sheet) };
+    let fields = Fields::of(value, keys::SHEET, "how to draw the sheet")?;
+    sheet.paper = fields.get("paper").map(paper).transpose()?;
+    sheet.language = fields.get("language").map(|v| one_of(v, &LANGUAGES, "a language")).transpose()?;
+    if let Some(symbols) = fields.get("symbols") {
+        let name = one_of(symbols, &["alpha", "epsilon"], "a letter for angular acceleration")?;
+        let epsilon = name == "epsilon";
+        sheet.angular_acceleration =
+            Some(if epsilon { AngularAcceleration::Epsilon } else { AngularAcceleration::Alpha });
+    }
+    let nested =
+        fields.get("scales").map(|v| Fields::of(v, keys::SCALES, "scales by diagram")).transpose()?;
+    let scale = |key: &str, measure: Measure| -> Res<Option<f64>> {
+        let inner = nested.as_ref().and_then(|f| f.entry(key));
+        let chosen = match (inner, fields.entry(key)) {
+            (Some(one), Some(other)) => {
+                return Err(Fault::new(one.at.max(other.at), format!("the `{key}` scale is given twice")));
+            }
+            (one, other) => one.or(other),
+        };
+        chosen.map(|entry| drawing_scale(&entry.value, measure, scales)).transpose()
+    };
+    sheet.length_scale = scale("length", Measure::Length)?;
+    // From metres of paper to millimetres.
+    sheet.velocity_scale = scale("velocity", Measure::Velocity)?.map(|s| s / 1000.0);
+    sheet.acceleration_scale = scale("acceleration", Measure::Acceleration)?.map(|s| s / 1000.0);
+    if let Some(figures) = fields.get("figures") {
+        for item in figures.list("a list of figures, such as [\"skeleton\", \"velocity\"]")? {
+            sheet.figures.push(item.text("the name of a figure")?.to_owned());
+        }
+    }
+    Ok(sheet)
+}
+
+fn one_of(value: &Value<'_>, known: &[&str], what: &str) -> Res<String> {
+    let name = value.text(&format!("the name of {what}"))?;
+    if known.contains(&name) {
+        return Ok(name.to_owned());
+    }
+    Err(Fault::new(value.at, format!("`{name}` is not {what}")).known(name, known.iter().copied()))
+}
+
+fn paper(value: &Value<'_>) -> Res<String> {
+    let text = value.text("a paper size, such as \"A4\"")?;
+    let mut words = text.split_whitespace();
+    let size = words.next().unwrap_or_default();
+    let known = PAPERS.iter().find(|name| name.eq_ignore_ascii_case(size));
+    let Some(name) = known else {
+        return Err(Fault::new(value.at, format!("`{text}` is not a paper size")).known(size, PAPERS));
+    };
+    match (words.next(), words.next()) {
+        (None, _) => Ok((*name).to_owned()),
+        (Some(way @ ("portrait" | "landscape")), None) => Ok(format!("{name} {way}")),
+        _ => Err(Fault::new(value.at, format!("`{text}` is not a paper size"))
+            .mend(format!("write `{name}`, `{name} portrait` or `{name} landscape`"))),
+    }
+}

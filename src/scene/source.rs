@@ -1,0 +1,129 @@
+//! Where the parts of a mechanism stand in the file, so that later rooms can complain about them too.
+
+use super::diagnostic::{Diagnostic, Fault};
+use super::json;
+use crate::mechanism::{LinkId, PointId};
+
+/// The text of a scene and where its parts stand.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    pub(super) file: String,
+    pub(super) text: String,
+    pub(super) anchors: Anchors,
+}
+
+/// A part of a scene about which something can be wrong. Indices are those of the mechanism's lists.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// The whole scene.
+    Scene,
+    /// A link.
+    Link(LinkId),
+    /// The key that gives a link's dimensions (`links.3.length`); the link itself where it has none.
+    Dimension(LinkId),
+    /// A point, where it is first mentioned.
+    Point(PointId),
+    /// A point's `placed` or `near` value; its first mention where it has none.
+    Place(PointId),
+    /// A sliding pair.
+    Slide(usize),
+    /// A rolling pair.
+    Roll(usize),
+    /// All inputs: `input` or `inputs`; the whole scene where there are none.
+    Inputs,
+    /// One input.
+    Input(usize),
+    /// An asked quantity; the whole scene where `find` is absent.
+    Asked(usize),
+    /// A published value.
+    Published(usize),
+}
+
+/// Byte offsets of all parts.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Anchors {
+    root: usize,
+    links: Vec<usize>,
+    dimensions: Vec<usize>,
+    pub(super) points: Vec<usize>,
+    pub(super) places: Vec<Option<usize>>,
+    pub(super) slides: Vec<usize>,
+    pub(super) rolls: Vec<usize>,
+    pub(super) all_inputs: Option<usize>,
+    pub(super) inputs: Vec<usize>,
+    pub(super) asked: Vec<usize>,
+    pub(super) published: Vec<usize>,
+}
+
+impl Anchors {
+    /// The frame stands for the whole file.
+    pub(super) fn new(root: usize) -> Self {
+        Self {
+            root,
+            links: vec![root],
+            dimensions: vec![root],
+            points: Vec::new(),
+            places: Vec::new(),
+            slides: Vec::new(),
+            rolls: Vec::new(),
+            all_inputs: None,
+            inputs: Vec::new(),
+            asked: Vec::new(),
+            published: Vec::new(),
+        }
+    }
+
+    pub(super) fn add_link(&mut self, at: usize) {
+        self.links.push(at);
+        self.dimensions.push(at);
+    }
+
+    pub(super) fn set_dimension(&mut self, link: LinkId, at: usize) {
+        if let Some(place) = self.dimensions.get_mut(link.0) {
+            *place = at;
+        }
+    }
+
+    /// Where a point's given place stands, or its first mention.
+    pub(super) fn place(&self, point: PointId) -> usize {
+        let given = self.places.get(point.0).copied().flatten();
+        given.or_else(|| self.points.get(point.0).copied()).unwrap_or(self.root)
+    }
+
+    fn of(&self, subject: Subject) -> usize {
+        let found = match subject {
+            Subject::Scene => None,
+            Subject::Link(id) => self.links.get(id.0),
+            Subject::Dimension(id) => self.dimensions.get(id.0),
+            Subject::Point(id) => self.points.get(id.0),
+            Subject::Place(id) => return self.place(id),
+            Subject::Slide(index) => self.slides.get(index),
+            Subject::Roll(index) => self.rolls.get(index),
+            Subject::Inputs => self.all_inputs.as_ref(),
+            Subject::Input(index) => self.inputs.get(index),
+            Subject::Asked(index) => self.asked.get(index),
+            Subject::Published(index) => self.published.get(index),
+        };
+        found.copied().unwrap_or(self.root)
+    }
+}
+
+impl Source {
+    /// The file's name, as given to [`read`](super::read).
+    #[must_use]
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// What is wrong with a part of the scene, with its line, column and path.
+    #[must_use]
+    pub fn complain(&self, subject: Subject, what: impl Into<String>, mend: Option<String>) -> Diagnostic {
+        let fault = Fault::new(self.anchors.of(subject), what);
+        let fault = match mend {
+            Some(mend) => fault.mend(mend),
+            None => fault,
+        };
+        // The text was read before, so it is read again; should it fail, the path stays empty.
+        fault.locate(&self.file, &self.text, json::parse(&self.text).ok().as_ref())
+    }
+}

@@ -1,0 +1,575 @@
+//! Units, and numbers that carry them.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::Units;
+use super::diagnostic::{Fault, Res};
+use super::json::{Fields, Kind, Value};
+use super::keys;
+use crate::mechanism::quantity::Unit;
+use crate::mechanism::{Given, Sense};
+
+/// Half a unit in the last place, relative.
+const HALF_ULP: f64 = f64::EPSILON / 2.0;
+/// No mechanism is larger or faster in SI units; below it, products of several quantities stay finite.
+const LARGEST: f64 = 1e60;
+
+/// Exponents of length, time and angle. Angles count as a dimension of their own, so that a frequency
+/// or a length cannot pass for one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Dimension {
+    length: i8,
+    time: i8,
+    angle: i8,
+}
+
+impl Dimension {
+    const fn new(length: i8, time: i8, angle: i8) -> Self {
+        Self { length, time, angle }
+    }
+
+    /// With its article.
+    fn noun(self) -> String {
+        match Measure::ALL.iter().find(|m| m.dimension() == self) {
+            Some(measure) => measure.noun().to_owned(),
+            None if self == Self::new(0, 1, 0) => "a time".to_owned(),
+            None => "no quantity of a mechanism".to_owned(),
+        }
+    }
+}
+
+/// What a number of a scene measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Measure {
+    Length,
+    Angle,
+    Velocity,
+    Acceleration,
+    AngularVelocity,
+    AngularAcceleration,
+}
+
+impl Measure {
+    const ALL: [Self; 6] = [
+        Self::Length,
+        Self::Angle,
+        Self::Velocity,
+        Self::Acceleration,
+        Self::AngularVelocity,
+        Self::AngularAcceleration,
+    ];
+
+    pub(super) const fn dimension(self) -> Dimension {
+        match self {
+            Self::Length => Dimension::new(1, 0, 0),
+            Self::Angle => Dimension::new(0, 0, 1),
+            Self::Velocity => Dimension::new(1, -1, 0),
+            Self::Acceleration => Dimension::new(1, -2, 0),
+            Self::AngularVelocity => Dimension::new(0, -1, 1),
+            Self::AngularAcceleration => Dimension::new(0, -2, 1),
+        }
+    }
+
+    pub(super) const fn noun(self) -> &'static str {
+        match self {
+            Self::Length => "a length",
+            Self::Angle => "an angle",
+            Self::Velocity => "a velocity",
+            Self::Acceleration => "an acceleration",
+            Self::AngularVelocity => "an angular velocity",
+            Self::AngularAcceleration => "an angular acceleration",
+        }
+    }
+
+    /// A unit that would be right.
+    const fn example(self) -> &'static str {
+        match self {
+            Self::Length => "cm",
+            Self::Angle => "deg",
+            Self::Velocity => "cm/s",
+            Self::Acceleration => "cm/s^2",
+            Self::AngularVelocity => "rad/s",
+            Self::AngularAcceleration => "rad/s^2",
+        }
+    }
+
+    /// Whether `cw` and `ccw` say something about it anywhere.
+    pub(super) const fn turns(self) -> bool {
+        matches!(self, Self::Angle | Self::AngularVelocity | Self::AngularAcceleration)
+    }
+}
+
+/// A unit as a quotient of two numbers, exact wherever π has no part in it: a division by a power of
+/// ten rounds once, a multiplication by 0.01 twice.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Scale {
+    pub(super) symbol: String,
+    dimension: Dimension,
+    numerator: f64,
+    denominator: f64,
+    /// Relative error of the quotient.
+    error: f64,
+    /// How many units make a full turn, for the units in which that is exact.
+    turn: Option<f64>,
+}
+
+/// Symbol, dimension, numerator, denominator, relative error.
+type Row = (&'static str, Dimension, f64, f64, f64);
+
+const LENGTH: Dimension = Measure::Length.dimension();
+const TIME: Dimension = Dimension::new(0, 1, 0);
+const ANGLE: Dimension = Measure::Angle.dimension();
+
+const TABLE: [Row; 15] = [
+    ("nm", LENGTH, 1.0, 1e9, 0.0),
+    ("um", LENGTH, 1.0, 1e6, 0.0),
+    ("mm", LENGTH, 1.0, 1e3, 0.0),
+    ("cm", LENGTH, 1.0, 1e2, 0.0),
+    ("m", LENGTH, 1.0, 1.0, 0.0),
+    ("km", LENGTH, 1e3, 1.0, 0.0),
+    ("in", LENGTH, 254.0, 1e4, 0.0),
+    ("ft", LENGTH, 3048.0, 1e4, 0.0),
+    ("ms", TIME, 1.0, 1e3, 0.0),
+    ("s", TIME, 1.0, 1.0, 0.0),
+    ("min", TIME, 60.0, 1.0, 0.0),
+    ("deg", ANGLE, PI, 180.0, HALF_ULP),
+    ("rad", ANGLE, 1.0, 1.0, 0.0),
+    ("rev", ANGLE, 2.0 * PI, 1.0, HALF_ULP),
+    ("rpm", Measure::AngularVelocity.dimension(), PI, 30.0, HALF_ULP),
+];
+
+/// Every unit name.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    TABLE.iter().map(|row| row.0)
+}
+
+fn names_of(dimension: Dimension) -> impl Iterator<Item = &'static str> {
+    TABLE.iter().filter(move |row| row.1 == dimension).map(|row| row.0)
+}
+
+impl Scale {
+    /// One of the table's units.
+    fn base(name: &str) -> Option<Self> {
+        let &(symbol, dimension, numerator, denominator, error) = TABLE.iter().find(|row| row.0 == name)?;
+        let turn = match symbol {
+            "deg" => Some(360.0),
+            "rev" => Some(1.0),
+            _ => None,
+        };
+        Some(Self { symbol: symbol.to_owned(), dimension, numerator, denominator, error, turn })
+    }
+
+    /// Degrees.
+    pub(super) fn degrees() -> Self {
+        Self::base("deg").unwrap_or_else(Self::one)
+    }
+
+    /// The number 1, to begin a product with.
+    fn one() -> Self {
+        Self {
+            symbol: String::new(),
+            dimension: Dimension::new(0, 0, 0),
+            numerator: 1.0,
+            denominator: 1.0,
+            error: 0.0,
+            turn: None,
+        }
+    }
+
+    /// The product with another unit, or the quotient.
+    fn combine(&self, other: &Self, inverse: bool) -> Option<Self> {
+        let sign: i8 = if inverse { -1 } else { 1 };
+        let add = |a: i8, b: i8| a.checked_add(b.checked_mul(sign)?);
+        let (up, down) =
+            if inverse { (other.denominator, other.numerator) } else { (other.numerator, other.denominator) };
+        // A product of whole numbers below 2^53 is exact.
+        let exact = |a: f64, b: f64| {
+            let p = a * b;
+            a == 1.0 || b == 1.0 || (a.fract() == 0.0 && b.fract() == 0.0 && p < 9e15)
+        };
+        let rounding = |a, b| if exact(a, b) { 0.0 } else { HALF_ULP };
+        Some(Self {
+            symbol: String::new(),
+            dimension: Dimension {
+                length: add(self.dimension.length, other.dimension.length)?,
+                time: add(self.dimension.time, other.dimension.time)?,
+                angle: add(self.dimension.angle, other.dimension.angle)?,
+            },
+            numerator: self.numerator * up,
+            denominator: self.denominator * down,
+            error: self.error + other.error + rounding(self.numerator, up) + rounding(self.denominator, down),
+            turn: None,
+        })
+    }
+
+    /// Reads `cm`, `rad/s^2`, `m*rad/s`.
+    pub(super) fn parse(text: &str, at: usize) -> Res<Self> {
+        let wrong = |what: String| Fault::new(at, what);
+        let text = text.trim();
+        if let Some(base) = Self::base(text) {
+            return Ok(base);
+        }
+        let mut unit = Self::one();
+        let mut inverse = false;
+        let mut rest = text;
+        loop {
+            let end = rest.find(['/', '*']).unwrap_or(rest.len());
+            let (name, power) = power(rest[..end].trim()).ok_or_else(|| {
+                wrong(format!("`{text}` is not a unit: an exponent is a digit from 1 to 9"))
+            })?;
+            let base = Self::base(name).ok_or_else(|| {
+                let what = if name == text { String::new() } else { format!("`{text}` is not a unit: ") };
+                let fault = if name.is_empty() {
+                    wrong(format!("`{text}` is not a unit"))
+                } else {
+                    wrong(format!("{what}`{name}` is not a unit"))
+                };
+                fault.known(name, names())
+            })?;
+            for _ in 0..power {
+                let product = unit.combine(&base, inverse);
+                unit = product.ok_or_else(|| wrong(format!("`{text}` has too many factors")))?;
+            }
+            match rest[end..].chars().next() {
+                Some(sign) => inverse = sign == '/',
+                None => break,
+            }
+            rest = &rest[end + 1..];
+        }
+        // An absurd product (nm^9/km^9) has no use and no finite value.
+        if !(1e-30..=1e30).contains(&unit.si()) {
+            return Err(wrong(format!("`{text}` is not a unit of a mechanism's quantity")));
+        }
+        unit.symbol = text.to_owned();
+        Ok(unit)
+    }
+
+    /// The unit as the other rooms know it.
+    pub(super) fn unit(&self) -> Unit {
+        Unit { symbol: self.symbol.clone(), si: self.si() }
+    }
+
+    /// SI units per unit.
+    pub(super) fn si(&self) -> f64 {
+        self.numerator / self.denominator
+    }
+
+    /// Refuses a unit of another dimension.
+    pub(super) fn must_be(self, measure: Measure, at: usize) -> Res<Self> {
+        if self.dimension == measure.dimension() {
+            return Ok(self);
+        }
+        let (symbol, is) = (&self.symbol, self.dimension.noun());
+        let what = format!("`{symbol}` measures {is}, but {} is expected here", measure.noun());
+        Err(Fault::new(at, what).mend(format!("take a unit such as `{}`", measure.example())))
+    }
+
+    /// A number of this unit in SI.
+    fn apply(&self, read: Given) -> Given {
+        if let Some(turn) = self.turn {
+            return self.angle(read, turn);
+        }
+        let up = if self.numerator == 1.0 { 0.0 } else { HALF_ULP };
+        let down = if self.denominator == 1.0 { 0.0 } else { HALF_ULP };
+        let value = read.value * self.numerator / self.denominator;
+        let error = read.error * self.si() + value.abs() * (self.error + up + down);
+        Given { value, error }
+    }
+
+    /// An angle within half a turn. Whole turns are taken off in the unit itself, where that is exact,
+    /// and quarter turns are the double nearest to their value.
+    fn angle(&self, read: Given, turn: f64) -> Given {
+        let mut rest = libm::fmod(read.value, turn);
+        if rest > turn / 2.0 {
+            rest -= turn;
+        } else if rest <= -turn / 2.0 {
+            rest += turn;
+        }
+        let quarters = rest / (turn / 4.0);
+        let (value, rounding) = if quarters.fract() == 0.0 {
+            (quarters * FRAC_PI_2, HALF_ULP)
+        } else {
+            (rest * self.numerator / self.denominator, self.error + 2.0 * HALF_ULP)
+        };
+        Given { value, error: read.error * self.si() + value.abs() * rounding }
+    }
+}
+
+/// `s^2` as `s` and 2.
+fn power(factor: &str) -> Option<(&str, u32)> {
+    if let Some(name) = factor.strip_suffix('²') {
+        return Some((name.trim_end(), 2));
+    }
+    match factor.split_once('^') {
+        None => Some((factor, 1)),
+        Some((name, digits)) => match digits.trim().as_bytes() {
+            [digit @ b'1'..=b'9'] => Some((name.trim_end(), u32::from(digit - b'0'))),
+            _ => None,
+        },
+    }
+}
+
+/// The units of bare numbers.
+#[derive(Debug, Clone)]
+pub(super) struct Scales {
+    length: Scale,
+    angle: Scale,
+    velocity: Scale,
+    acceleration: Scale,
+    angular_velocity: Scale,
+    angular_acceleration: Scale,
+    time: Scale,
+}
+
+/// A number with its unit, as stated.
+#[derive(Debug, Clone)]
+pub(super) struct Stated {
+    /// In SI units, sense applied.
+    pub(super) given: Given,
+    /// The unit in which it was stated.
+    pub(super) scale: Scale,
+    /// Whether `cw` or `ccw` was said.
+    pub(super) sense: Option<Sense>,
+}
+
+impl Scales {
+    /// Reads `units`.
+    pub(super) fn read(value: Option<&Value<'_>>) -> Res<Self> {
+        let fields = value.map(|v| Fields::of(v, keys::UNITS, "units by what they measure")).transpose()?;
+        let choose = |key: &str, default: &str, dimension: Dimension| -> Res<Scale> {
+            let value = fields.as_ref().and_then(|f| f.get(key));
+            let (name, at) = match value {
+                Some(value) => (value.text("the name of a unit")?.trim(), value.at),
+                None => (default, 0),
+            };
+            Scale::base(name).filter(|scale| scale.dimension == dimension).ok_or_else(|| {
+                Fault::new(at, format!("`{name}` is not a unit of {key}")).known(name, names_of(dimension))
+            })
+        };
+        let length = choose("length", "m", LENGTH)?;
+        let angle = choose("angle", "deg", ANGLE)?;
+        let time = choose("time", "s", TIME)?;
+        let rad = Scale::base("rad").unwrap_or_else(Scale::one);
+        let rate = |of: &Scale, order: u8| {
+            let mut scale = of.clone();
+            for _ in 0..order {
+                // Two dimensions and two orders cannot overflow an exponent.
+                scale = scale.combine(&time, true).unwrap_or(scale);
+            }
+            let power = if order == 2 { "^2" } else { "" };
+            scale.symbol = format!("{}/{}{power}", of.symbol, time.symbol);
+            scale
+        };
+        Ok(Self {
+            velocity: rate(&length, 1),
+            acceleration: rate(&length, 2),
+            angular_velocity: rate(&rad, 1),
+            angular_acceleration: rate(&rad, 2),
+            length,
+            angle,
+            time,
+        })
+    }
+
+    /// The unit of bare numbers.
+    pub(super) fn bare(&self, measure: Measure) -> &Scale {
+        match measure {
+            Measure::Length => &self.length,
+            Measure::Angle => &self.angle,
+            Measure::Velocity => &self.velocity,
+            Measure::Acceleration => &self.acceleration,
+            Measure::AngularVelocity => &self.angular_velocity,
+            Measure::AngularAcceleration => &self.angular_acceleration,
+        }
+    }
+
+    pub(super) fn units(&self) -> Units {
+        Units { length: self.length.unit(), angle: self.angle.unit(), time: self.time.unit() }
+    }
+
+    /// A number without a sense of rotation, unless its measure has one.
+    pub(super) fn given(&self, value: &Value<'_>, measure: Measure) -> Res<Given> {
+        Ok(self.stated(value, measure, measure.turns(), self.bare(measure))?.given)
+    }
+
+    /// A number with all that was said about it. `senses`: whether `cw` and `ccw` may stand after it;
+    /// `bare`: the unit where none is said.
+    pub(super) fn stated(
+        &self,
+        value: &Value<'_>,
+        measure: Measure,
+        senses: bool,
+        bare: &Scale,
+    ) -> Res<Stated> {
+        let expected = || format!("{}, a number or text such as \"6 {}\"", measure.noun(), measure.example());
+        let stated = match &value.kind {
+            Kind::Number(digits) => Ok(Words { digits, unit: "", sense: None }),
+            Kind::Text(text) => Words::split(text).ok_or_else(|| {
+                Fault::new(value.at, format!("`{text}` does not begin with a number"))
+                    .mend(format!("write {}", expected()))
+            }),
+            _ => Err(value.unexpected(&expected())),
+        }?;
+        let scale = match stated.unit {
+            "" => bare.clone(),
+            unit => Scale::parse(unit, value.at)?.must_be(measure, value.at)?,
+        };
+        if stated.sense.is_some() && !senses {
+            let what = format!("{} has no sense of rotation here", measure.noun());
+            return Err(
+                Fault::new(value.at, what).mend("leave out `cw` or `ccw`, a sign gives the direction")
+            );
+        }
+        let read = number(stated.digits, value.at)?;
+        let mut given = scale.apply(read);
+        if stated.sense == Some(Sense::Cw) {
+            given.value = -given.value;
+        }
+        // A negative zero would print as one.
+        given.value += 0.0;
+        let size = given.value.abs();
+        if !given.error.is_finite() || size > LARGEST || (size < 1.0 / LARGEST && read.value != 0.0) {
+            let what = format!("`{}` is out of range", stated.digits);
+            let range =
+                format!("sizes from {:e} to {LARGEST:e} in SI units, and 0, can be solved", 1.0 / LARGEST);
+            return Err(Fault::new(value.at, what).mend(range));
+        }
+        Ok(Stated { given, scale, sense: stated.sense })
+    }
+
+    /// A length greater than zero.
+    pub(super) fn positive(&self, value: &Value<'_>, what: &str) -> Res<Given> {
+        let given = self.given(value, Measure::Length)?;
+        if given.value > 0.0 {
+            return Ok(given);
+        }
+        Err(Fault::new(value.at, format!("{what} must be greater than zero")))
+    }
+
+    /// A pair of coordinates.
+    pub(super) fn place(&self, value: &Value<'_>) -> Res<[Given; 2]> {
+        match value.list("a place [x, y]")? {
+            [x, y] => Ok([self.given(x, Measure::Length)?, self.given(y, Measure::Length)?]),
+            other => {
+                Err(Fault::new(value.at, format!("expected a place [x, y], found {} numbers", other.len())))
+            }
+        }
+    }
+
+    /// A length in the scene's unit, for a message: seven digits and the unit.
+    pub(super) fn say_length(&self, metres: f64) -> String {
+        format!("{} {}", short(metres / self.length.si()), self.length.symbol)
+    }
+
+    /// An angle in the scene's unit, for a message.
+    pub(super) fn say_angle(&self, radians: f64) -> String {
+        format!("{} {}", short(radians / self.angle.si()), self.angle.symbol)
+    }
+}
+
+/// Seven significant digits without trailing zeros.
+fn short(value: f64) -> String {
+    let text = format!("{value:.6e}");
+    text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
+}
+
+/// A number as written in decimals. Infinite, and not zero but too small for a double, are errors.
+pub(super) fn number(digits: &str, at: usize) -> Res<Given> {
+    let value: f64 = digits.parse().map_err(|_| Fault::new(at, format!("`{digits}` is not a number")))?;
+    let mantissa = digits.split(['e', 'E']).next().unwrap_or_default();
+    let vanished = value == 0.0 && mantissa.bytes().any(|b| matches!(b, b'1'..=b'9'));
+    if !value.is_finite() || vanished {
+        return Err(Fault::new(at, format!("`{digits}` is out of range of double precision")));
+    }
+    Ok(Given::read(value))
+}
+
+/// `75 rpm cw`, taken apart.
+pub(super) struct Words<'t> {
+    pub(super) digits: &'t str,
+    /// Empty where none is said.
+    pub(super) unit: &'t str,
+    pub(super) sense: Option<Sense>,
+}
+
+impl<'t> Words<'t> {
+    /// `None` where the text does not begin with a number.
+    pub(super) fn split(text: &'t str) -> Option<Self> {
+        let text = text.trim();
+        let end = number_end(text.as_bytes())?;
+        let rest = text[end..].trim_start();
+        let (unit, last) = rest.rsplit_once(char::is_whitespace).unwrap_or(("", rest));
+        let (unit, sense) = match last {
+            "cw" => (unit.trim_end(), Some(Sense::Cw)),
+            "ccw" => (unit.trim_end(), Some(Sense::Ccw)),
+            _ => (rest, None),
+        };
+        Some(Self { digits: &text[..end], unit, sense })
+    }
+}
+
+/// Where the number at the beginning of a text ends.
+fn number_end(text: &[u8]) -> Option<usize> {
+    let digits = |from: usize| text[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+    let sign = usize::from(matches!(text.first(), Some(b'+' | b'-')));
+    let whole = digits(sign);
+    let mut end = sign + whole;
+    let mut any = whole;
+    if text.get(end) == Some(&b'.') {
+        any += digits(end + 1);
+        end += 1 + digits(end + 1);
+    }
+    if any == 0 {
+        return None;
+    }
+    if matches!(text.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(text.get(end + 1), Some(b'+' | b'-')));
+        let power = digits((end + 1 + sign).min(text.len()));
+        if power > 0 {
+            end += 1 + sign + power;
+        }
+    }
+    Some(end)
+}
+
+/// A positive quotient of paper and world: `1:10`, or `50 cm/s per cm`. In SI units per metre of paper.
+pub(super) fn drawing_scale(value: &Value<'_>, measure: Measure, scales: &Scales) -> Res<f64> {
+    let example = match measure {
+        Measure::Length => "write it as \"1:10\" or \"10 cm per cm\"".to_owned(),
+        _ => format!("write it as \"50 {} per cm\"", measure.example()),
+    };
+    let text = value.text("a scale, as text").map_err(|fault| fault.mend(example.clone()))?;
+    let wrong = || Fault::new(value.at, format!("`{text}` is not a scale")).mend(example.clone());
+    let part = |text: &str, measure: Measure, bare: &Scale| -> Res<f64> {
+        let words = Words::split(text).filter(|w| w.sense.is_none()).ok_or_else(wrong)?;
+        let scale = match words.unit {
+            "" => bare.clone(),
+            unit => Scale::parse(unit, value.at)?.must_be(measure, value.at)?,
+        };
+        Ok(scale.apply(number(words.digits, value.at)?).value)
+    };
+    let plain = |text: &str| match Words::split(text) {
+        Some(Words { digits, unit: "", sense: None }) => Ok(number(digits, value.at)?.value),
+        _ => Err(wrong()),
+    };
+    let (world, paper) = if let Some((world, paper)) = text.split_once(" per ") {
+        let paper = paper.trim();
+        // `per cm` means per 1 cm.
+        let paper = match Words::split(paper) {
+            Some(words) if !words.unit.is_empty() => part(paper, Measure::Length, scales.bare(measure))?,
+            Some(_) => return Err(wrong()),
+            None => Scale::parse(paper, value.at)?.must_be(Measure::Length, value.at)?.si(),
+        };
+        (part(world, measure, scales.bare(measure))?, paper)
+    } else if measure == Measure::Length {
+        let (paper, world) = text.split_once([':', '/']).ok_or_else(wrong)?;
+        (plain(world)?, plain(paper)?)
+    } else {
+        return Err(wrong());
+    };
+    let scale = world / paper;
+    if world > 0.0 && paper > 0.0 && (1.0 / LARGEST..=LARGEST).contains(&scale) {
+        return Ok(scale);
+    }
+    Err(Fault::new(value.at, format!("the scale `{text}` must be greater than zero")).mend(example))
+}

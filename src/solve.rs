@@ -1,0 +1,90 @@
+//! From a scene to its checked solution: the whole way in one call.
+
+use crate::analytic::{self, AnalyticError, State};
+use crate::graphical::{self, DrawError, Extents, Scales, Solution};
+use crate::mechanism::quantity::{Answer, Indeterminate, Order};
+use crate::mechanism::structure::{Structure, StructureError};
+use crate::plan::{Extent, Plan};
+use crate::scene::{Refusal, Scene};
+
+/// A scene taken apart, planned and drawn.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    /// The mechanism's mobility and groups.
+    pub structure: Structure,
+    /// The steps that were needed.
+    pub plan: Plan,
+    /// The graphical solution.
+    pub solution: Solution,
+}
+
+/// Why a scene has no solution.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SolveError {
+    /// The freedoms do not match the inputs.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// The skeleton cannot be drawn.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
+    /// Nothing that was asked is determined at this position.
+    #[error("indeterminate here: {why}")]
+    Indeterminate {
+        /// The first asked quantity.
+        name: String,
+        /// Why it is not determined.
+        why: Indeterminate,
+    },
+}
+
+impl SolveError {
+    /// The refusal that a scene may expect, where this is one.
+    #[must_use]
+    pub fn refusal(&self) -> Option<Refusal> {
+        match self {
+            Self::Draw(DrawError::CannotAssemble { .. }) => Some(Refusal::CannotAssemble),
+            Self::Draw(DrawError::Ambiguous { .. }) => Some(Refusal::Ambiguous),
+            Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
+            Self::Structure(_) | Self::Draw(DrawError::NoConstruction { .. }) => None,
+        }
+    }
+}
+
+/// Draws the solution of a scene, at the scales that it states or that `choose` finds for the size of its
+/// diagrams.
+///
+/// # Errors
+/// See [`SolveError`].
+pub fn solve(
+    scene: &Scene,
+    extent: Extent,
+    choose: impl FnOnce(&Scene, Extents) -> Scales,
+) -> Result<Solved, SolveError> {
+    let structure = Structure::of(&scene.mechanism)?;
+    let plan = Plan::new(&scene.mechanism, &structure, extent);
+    let extents = graphical::extents(&scene.mechanism, &structure, &plan)?;
+    let scales = choose(scene, extents);
+    let solution = graphical::construct(&scene.mechanism, &structure, &plan, scales)?;
+    let answers = &solution.construction.answers;
+    let indeterminate = |answer: &Answer| match answer {
+        Answer::Indeterminate(why) => Some(why.clone()),
+        _ => None,
+    };
+    if let Some(why) = answers.first().and_then(|r| indeterminate(&r.answer))
+        && answers.iter().all(|r| indeterminate(&r.answer).is_some())
+    {
+        let name = scene.mechanism.asked.first().map(|a| a.name.clone()).unwrap_or_default();
+        return Err(SolveError::Indeterminate { name, why });
+    }
+    Ok(Solved { structure, plan, solution })
+}
+
+/// Solves the same scene with the independent solver, as far as the asked quantities need.
+///
+/// # Errors
+/// See [`AnalyticError`].
+pub fn solve_analytically(scene: &Scene) -> Result<State, AnalyticError> {
+    let order =
+        scene.mechanism.asked.iter().map(|a| a.quantity.order()).max().unwrap_or(Order::Position);
+    analytic::solve(&scene.mechanism, order)
+}
