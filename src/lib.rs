@@ -6,7 +6,7 @@ pub mod board;
 pub mod given;
 pub mod graphical;
 pub mod mechanism;
-pub mod render;
 pub mod plan;
+pub mod render;
 pub mod scene;
 pub mod sheet;

@@ -6,6 +6,7 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{self, fontdb};
 use thiserror::Error;
 
+use crate::sheet::figure::Figure;
 use crate::sheet::font::{FAMILY, Face};
 
 /// The largest side of a picture in pixels; beyond it a slip of the pen would eat the memory.
@@ -15,7 +16,9 @@ pub const LARGEST_SIDE: f64 = 32_000.0;
 #[derive(Debug, Error)]
 pub enum PngError {
     /// The resolution is not a positive number, or the picture would be too large.
-    #[error("{dpi} dots per inch make a picture of {width} by {height} pixels; from 1 to {LARGEST_SIDE} pixels a side are drawn")]
+    #[error(
+        "{dpi} dots per inch make a picture of {width} by {height} pixels; from 1 to {LARGEST_SIDE} pixels a side are drawn"
+    )]
     Size {
         /// As asked.
         dpi: f64,
@@ -32,11 +35,20 @@ pub enum PngError {
     Encoding(String),
 }
 
+/// Draws a figure as PNG on white at `dpi` dots per inch.
+///
+/// # Errors
+/// When the size is out of range.
+pub fn render(figure: &Figure, dpi: f32) -> Result<Vec<u8>, PngError> {
+    render_svg(&super::svg::write(figure), dpi)
+}
+
 /// Draws an SVG as PNG on white at `dpi` dots per inch.
 ///
 /// # Errors
 /// When the size is out of range, or the text is not an SVG.
-pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, PngError> {
+pub fn render_svg(svg: &str, dpi: f32) -> Result<Vec<u8>, PngError> {
+    let dpi = f64::from(dpi);
     let tree = parse(svg)?;
     // usvg resolves millimetres at its own 96 dots per inch.
     let scale = dpi / 96.0;
@@ -66,10 +78,7 @@ pub fn parse(svg: &str) -> Result<usvg::Tree, PngError> {
     // A character that no face has falls back to the family itself: a box, never a system font.
     fonts.set_serif_family(FAMILY);
     fonts.set_sans_serif_family(FAMILY);
-    let options = usvg::Options {
-        font_family: FAMILY.to_owned(),
-        fontdb: Arc::new(fonts),
-        ..usvg::Options::default()
-    };
+    let options =
+        usvg::Options { font_family: FAMILY.to_owned(), fontdb: Arc::new(fonts), ..usvg::Options::default() };
     Ok(usvg::Tree::from_str(svg, &options)?)
 }

@@ -67,12 +67,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 
 /// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
 #[must_use]
-pub fn single(
-    scene: &Scene,
-    construction: &Construction,
-    name: &str,
-    language: Language,
-) -> Option<Figure> {
+pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
     let words = language.words();
     let notation = Notation { scene, words };
     let (block, heading) = match name {
@@ -99,10 +94,31 @@ pub fn single(
     })
 }
 
+/// Several figures below each other as one.
+#[must_use]
+pub fn stack(figures: &[Figure]) -> Figure {
+    let mut root = Group::new("figures");
+    let mut y = 0.0;
+    let width = figures.iter().map(|f| f.width).fold(0.0, f64::max);
+    for figure in figures {
+        let mut group = figure.root.clone();
+        group.translate(Vec2::new((width - figure.width) / 2.0, y));
+        root.group(group);
+        y += figure.height;
+    }
+    let titles: Vec<&str> = figures.iter().map(|f| f.title.as_str()).collect();
+    Figure {
+        width,
+        height: y,
+        title: titles.join("; "),
+        description: String::new(),
+        language: figures.first().map_or("en", |f| f.language),
+        root,
+    }
+}
+
 fn title(scene: &Scene, words: &Words) -> String {
-    let own = scene.title.by_language.iter().find(|(tag, _)| tag == words.tag);
-    let any = || scene.title.plain.as_ref().or_else(|| scene.title.by_language.first().map(|(_, t)| t));
-    own.map(|(_, text)| text).or_else(any).cloned().unwrap_or_else(|| words.untitled.to_owned())
+    scene.title.in_language(words.tag).unwrap_or(words.untitled).to_owned()
 }
 
 fn description(construction: &Construction, words: &Words) -> String {
@@ -146,7 +162,12 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
         }
         Name::Acceleration => {
             let p = construction.acceleration.as_ref()?;
-            (polygon::draw(p, notation), "c", words.acceleration_diagram, notation.scale(p.si_per_mm, p.order))
+            (
+                polygon::draw(p, notation),
+                "c",
+                words.acceleration_diagram,
+                notation.scale(p.si_per_mm, p.order),
+            )
         }
     };
     let mut group = Group::new("panel");
@@ -166,7 +187,28 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
 struct Strip {
     group: Group,
     height: f64,
+    /// Blank above, left out on top of a column.
+    blank: f64,
     keep: bool,
+}
+
+/// How many chunks go into the first column of this height and how many into the second; at least one,
+/// so that a chunk too tall for any column does not stop the sheet.
+fn split(chunks: &[Vec<Strip>], height: f64) -> (usize, usize) {
+    let fill = |chunks: &[Vec<Strip>]| {
+        let mut used = -chunks.first().and_then(|c| c.first()).map_or(0.0, |s| s.blank);
+        let mut count = 0;
+        for chunk in chunks {
+            used += chunk.iter().map(|s| s.height).sum::<f64>();
+            if used > height && count > 0 {
+                break;
+            }
+            count += 1;
+        }
+        count
+    };
+    let first = fill(chunks);
+    (first, fill(&chunks[first..]))
 }
 
 /// The items of the steps as strips of this width.
@@ -179,7 +221,7 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                     let mut group = Group::new("step-head");
                     let above = if k == 0 { 3.2 } else { 0.0 };
                     line.set(TEXT).put(&mut group, Point::new(0.0, above + TEXT), "heading");
-                    all.push(Strip { group, height: above + LEADING + 0.4, keep: true });
+                    all.push(Strip { group, height: above + LEADING + 0.4, blank: above, keep: true });
                 }
             }
             Item::Terms(table) => {
@@ -188,7 +230,7 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                 let mut group = block.group;
                 group.translate(Vec2::new(0.0, 1.2));
                 let keep = matches!(items.get(i + 1), Some(Item::Sentence(_)));
-                all.push(Strip { group, height: block.height + 3.2, keep });
+                all.push(Strip { group, height: block.height + 3.2, blank: 0.0, keep });
             }
             Item::Sentence(text) => {
                 let lines = text.wrap(TEXT, width - 4.0);
@@ -198,7 +240,7 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                         Rich::upright("–").set(TEXT).put(&mut group, Point::new(0.0, TEXT), "mark");
                     }
                     line.set(TEXT).put(&mut group, Point::new(4.0, TEXT), "sentence");
-                    all.push(Strip { group, height: LEADING, keep: k + 1 < lines.len() });
+                    all.push(Strip { group, height: LEADING, blank: 0.0, keep: k + 1 < lines.len() });
                 }
             }
         }
@@ -329,44 +371,58 @@ impl Pager {
         self.y = deepest + 8.0;
     }
 
-    /// The steps in two columns.
+    /// The steps in two columns, the last pair of them balanced.
     fn steps(&mut self, items: &[Item]) {
         let width = self.column();
-        let mut strips = strips(items, width).into_iter().peekable();
-        if strips.peek().is_none() {
+        let mut chunks: Vec<Vec<Strip>> = vec![Vec::new()];
+        for strip in strips(items, width) {
+            let keep = strip.keep;
+            if let Some(chunk) = chunks.last_mut() {
+                chunk.push(strip);
+            }
+            if !keep {
+                chunks.push(Vec::new());
+            }
+        }
+        chunks.retain(|chunk| !chunk.is_empty());
+        if chunks.is_empty() {
             return;
         }
         if self.bottom() - self.y < 55.0 {
             self.page();
         }
-        let mut column = 0;
-        let mut top = self.y;
-        let mut y = top;
-        let mut chunk: Vec<Strip> = Vec::new();
-        while let Some(strip) = strips.next() {
-            let keep = strip.keep && strips.peek().is_some();
-            chunk.push(strip);
-            if keep {
-                continue;
-            }
-            let height: f64 = chunk.iter().map(|s| s.height).sum();
-            if y + height > self.bottom() && y > top {
-                column += 1;
-                if column == 2 {
-                    self.page();
-                    column = 0;
-                    top = self.y;
+        let mut rest = &chunks[..];
+        while !rest.is_empty() {
+            let free = self.bottom() - self.y;
+            let (mut first, mut second) = split(rest, free);
+            if first + second == rest.len() {
+                // The last pair of columns: as low as both fit.
+                let mut height = free;
+                while height > LEADING {
+                    let lower = split(rest, height - LEADING / 2.0);
+                    if lower.0 + lower.1 < rest.len() {
+                        break;
+                    }
+                    (first, second) = lower;
+                    height -= LEADING / 2.0;
                 }
-                y = top;
             }
-            for strip in chunk.drain(..) {
-                // No blank above the first line of a column.
-                let lift = if y == top && strip.group.class == "step-head" { 3.2 } else { 0.0 };
-                self.add(strip.group, MARGIN + f64::from(column) * (width + GUTTER), y - lift);
-                y += strip.height - lift;
+            let top = self.y;
+            for (column, chunks) in [&rest[..first], &rest[first..first + second]].into_iter().enumerate() {
+                let x = MARGIN + column as f64 * (width + GUTTER);
+                let mut y = top;
+                for strip in chunks.iter().flatten() {
+                    let lift = if y == top { strip.blank } else { 0.0 };
+                    self.add(strip.group.clone(), x, y - lift);
+                    y += strip.height - lift;
+                }
+                self.y = self.y.max(y);
+            }
+            rest = &rest[first + second..];
+            if !rest.is_empty() {
+                self.page();
             }
         }
-        self.y = self.bottom();
     }
 
     /// Running title and page number, and the pages below each other.
@@ -376,10 +432,10 @@ impl Pager {
         let pages = std::mem::take(&mut self.pages);
         for (i, mut page) in pages.into_iter().enumerate() {
             page = page.data("page", (i + 1).to_string());
-            let number = Rich::fill(self.words.page, &[
-                ("page", Rich::upright((i + 1).to_string())),
-                ("pages", Rich::upright(count.to_string())),
-            ]);
+            let number = Rich::fill(
+                self.words.page,
+                &[("page", Rich::upright((i + 1).to_string())), ("pages", Rich::upright(count.to_string()))],
+            );
             let line = number.set(3.0);
             let at = Point::new(self.paper.0 - MARGIN - line.width, self.paper.1 - 10.0);
             line.put(&mut page, at, "page-number");

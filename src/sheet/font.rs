@@ -21,7 +21,8 @@ pub enum Face {
 }
 
 /// The family's name in the font files, and what may stand for it where they are not installed.
-pub const FAMILIES: &str = "'Libertinus Serif', 'Linux Libertine O', 'Linux Libertine', 'STIX Two Text', 'Times New Roman', serif";
+pub const FAMILIES: &str =
+    "'Libertinus Serif', 'Linux Libertine O', 'Linux Libertine', 'STIX Two Text', 'Times New Roman', serif";
 
 /// The family's name alone.
 pub const FAMILY: &str = "Libertinus Serif";

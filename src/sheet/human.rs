@@ -3,10 +3,15 @@
 use super::rich::Rich;
 use crate::mechanism::quantity::Unit;
 
-/// Three significant figures, four from a thousand on; powers of ten beyond six digits.
+/// Three significant figures, four from a thousand on; powers of ten beyond six digits. What is exactly
+/// a shorter number is written as one: 45, not 45.0.
 #[must_use]
 pub fn number(value: f64) -> Rich {
     let size = value.abs();
+    let short: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    if (short - value).abs() <= 1e-9 * size {
+        return figures(value, 4, true);
+    }
     let digits = if size >= 1000.0 { 4 } else { 3 };
     figures(value, digits, false)
 }
@@ -109,8 +114,11 @@ mod tests {
             (999.6, "1000"),
             (0.0538, "0.0538"),
             (12_345.6, "12350"),
-            (1.26e6, "1.260\u{a0}×\u{a0}106"),
-            (-2.5e-7, "−2.50\u{a0}×\u{a0}10−7"),
+            (1.26e6, "1.26\u{a0}×\u{a0}106"),
+            (-2.511e-7, "−2.511\u{a0}×\u{a0}10−7"),
+            (-2.51154e-7, "−2.51\u{a0}×\u{a0}10−7"),
+            (45.0, "45"),
+            (0.3 / 0.01, "30"),
             (0.0, "0"),
         ] {
             assert_eq!(plain(&number(value)), text);
@@ -122,7 +130,7 @@ mod tests {
 
     #[test]
     fn units_are_upright_and_angles_have_no_blank() {
-        assert_eq!(plain(&with_unit(&number(2.0), "cm/s^2")), "2.00\u{a0}cm/s²");
+        assert_eq!(plain(&with_unit(&number(2.0), "cm/s^2")), "2\u{a0}cm/s²");
         assert_eq!(plain(&degrees(std::f64::consts::FRAC_PI_6)), "30°");
         assert_eq!(plain(&degrees(-1e-9)), "0°");
     }

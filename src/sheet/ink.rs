@@ -16,6 +16,8 @@ pub const LABEL: f64 = 4.0;
 pub const SMALL: f64 = 3.3;
 /// Length of an arrowhead; it is three times as long as wide.
 pub const HEAD: f64 = 2.5;
+/// Length of the arrowhead of a thick vector.
+pub const THICK_HEAD: f64 = 3.0;
 
 /// A place of a diagram (mm, y up) as a point of the page (y down).
 #[must_use]
@@ -39,7 +41,8 @@ pub fn arrow(group: &mut Group, from: Point, to: Point, width: f64) {
         return;
     }
     let direction = d / length;
-    let head_length = HEAD.min(length / 3.0);
+    let full = if width < THICK { HEAD } else { THICK_HEAD };
+    let head_length = full.min(length / 3.0);
     // A shaft as wide as its own head would hide it.
     let width = width.min(head_length / 4.0);
     let neck = to - direction * (head_length * 0.9);

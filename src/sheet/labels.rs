@@ -165,6 +165,15 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
             Site::Along { .. } => None,
         })
         .collect();
+    let lines_named: Vec<(usize, Point, Point)> = requests
+        .iter()
+        .enumerate()
+        .filter_map(|(i, r)| match r.site {
+            Site::Along { from, to } => Some((i, from, to)),
+            Site::Around { .. } => None,
+        })
+        .collect();
+    let strangers = Strangers { points: anchors, lines: lines_named };
     let candidates: Vec<Vec<Candidate>> = requests
         .iter()
         .zip(&lines)
@@ -172,7 +181,7 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
         .map(|(i, (request, line))| {
             let mut all = candidates(request, line);
             for candidate in &mut all {
-                price(candidate, request, i, &obstacles, &anchors, within);
+                price(candidate, request, i, &obstacles, &strangers, within);
             }
             all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
             all.truncate(160);
@@ -275,7 +284,7 @@ fn price(
     request: &Request,
     index: usize,
     obstacles: &Obstacles,
-    anchors: &[(usize, Point)],
+    strangers: &Strangers,
     within: Option<Rect>,
 ) {
     for own in &candidate.boxes {
@@ -298,13 +307,34 @@ fn price(
     }
     if let (Site::Around { at, .. }, Some(own)) = (request.site, candidate.boxes.first()) {
         let near = distance(*own, at);
-        for (_, stranger) in anchors.iter().filter(|(j, p)| *j != index && p.distance(at) > 0.2) {
+        for (_, stranger) in strangers.points.iter().filter(|(j, p)| *j != index && p.distance(at) > 0.2) {
             let far = distance(*own, *stranger);
             if candidate.leader.is_none() && far < near + 1.0 {
                 candidate.cost += 25.0 + 10.0 * (near + 1.0 - far);
             }
         }
     }
+    if let (Site::Along { from, to }, Some(own)) = (request.site, candidate.boxes.first()) {
+        let near = to_line(own.center(), from, to);
+        for (_, a, b) in strangers.lines.iter().filter(|(j, ..)| *j != index) {
+            let far = to_line(own.center(), *a, *b);
+            if far < near + 2.0 {
+                candidate.cost += 4.0 + 6.0 * (near + 2.0 - far).min(4.0);
+            }
+        }
+    }
+}
+
+/// What else is named: a name nearer to a stranger would be read as the stranger's.
+struct Strangers {
+    points: Vec<(usize, Point)>,
+    lines: Vec<(usize, Point, Point)>,
+}
+
+fn to_line(p: Point, a: Point, b: Point) -> f64 {
+    let d = b - a;
+    let t = ((p - a).dot(d) / d.hypot2().max(1e-12)).clamp(0.0, 1.0);
+    a.lerp(b, t).distance(p)
 }
 
 fn distance(r: Rect, p: Point) -> f64 {

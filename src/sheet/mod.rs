@@ -23,11 +23,9 @@ mod steps;
 mod table;
 mod words;
 
-pub use compose::{figure_names, single, solution};
-pub use scale::panel_free_mm;
+pub use compose::{figure_names, single, solution, stack};
+pub use figure::Figure;
 pub use words::Language;
 
-#[cfg(test)]
-mod problem_3_1;
 #[cfg(test)]
 mod tests;

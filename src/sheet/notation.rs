@@ -242,7 +242,9 @@ impl<'a> Notation<'a> {
     #[must_use]
     pub fn guide(&self, slide: usize) -> Rich {
         match self.mechanism().slides.get(slide).map(|s| s.rider) {
-            Some(Rider::Pin { point, .. }) => Rich::fill(self.words.guide_of, &[("point", self.point(point))]),
+            Some(Rider::Pin { point, .. }) => {
+                Rich::fill(self.words.guide_of, &[("point", self.point(point))])
+            }
             Some(Rider::Link { link, .. }) => {
                 Rich::fill(self.words.guide_of_link, &[("link", Rich::upright(self.number(link)))])
             }

@@ -12,6 +12,8 @@ use crate::mechanism::quantity::Order;
 
 /// Images closer than this on paper are one dot and share a label.
 const COINCIDENT: f64 = 0.05;
+/// Vectors shorter than this have no room for their name beside them; the steps name them.
+const SHORTEST_NAMED: f64 = 4.0;
 /// How far a line of unknown length runs past the intersection that ends its use.
 const PAST: f64 = 4.0;
 
@@ -164,8 +166,7 @@ fn images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
     for image in &polygon.images {
         let name = notation.image_name(image.label, polygon.order);
         let mut own = Group::new("image").data("point", name);
-        let radius = if matches!(image.label, Label::Foot { .. }) { 0.25 } else { 0.35 };
-        own.mark(dot(page(image.at), radius).precise());
+        own.mark(dot(page(image.at), THICK / 2.0).precise());
         all.group(own);
     }
     all
@@ -192,7 +193,8 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
         request.leader = true;
         requests.push(request);
     }
-    for vector in polygon.vectors.iter().filter(|v| !v.as_point) {
+    let long = |v: &&Vector| page(v.from).distance(page(v.to)) > SHORTEST_NAMED;
+    for vector in polygon.vectors.iter().filter(long) {
         let site = Site::Along { from: page(vector.from), to: page(vector.to) };
         let text = notation.symbol(vector.quantity, false);
         let mut request = Request::new(text, SMALL, site, "label vector-name");

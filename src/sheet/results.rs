@@ -88,6 +88,8 @@ pub fn given(notation: &Notation<'_>) -> Rich {
     for link in mechanism.moving().map(|l| mechanism.link(l)) {
         let mut distance = |a: usize, b: usize, si: f64| {
             if let (Some(a), Some(b)) = (link.points.get(a), link.points.get(b)) {
+                // The pivot first, as one reads the mechanism.
+                let (a, b) = if mechanism.is_fixed(*b) && !mechanism.is_fixed(*a) { (b, a) } else { (a, b) };
                 parts.push(equals(notation.length(*a, *b), human::stated_quantity(si, length)));
             }
         };

@@ -335,7 +335,7 @@ impl Setter {
                     // Primes are raised in the font itself.
                     let prime = text.chars().all(|c| c == '′' || c == '″');
                     x = if prime {
-                        self.run(text, *face, em, x - 0.02 * em, 0.0)
+                        self.run(text, *face, em, x - 0.09 * em, 0.0)
                     } else {
                         self.run(text, *face, small, x, -RAISE * em)
                     };
@@ -379,10 +379,10 @@ mod tests {
 
     #[test]
     fn lines_break_at_blanks_and_stay_inside() {
-        let text = Rich::fill("From {o} lay off {v} and draw a line", &[
-            ("o", Rich::italic("o")),
-            ("v", Rich::italic("V").sub("A")),
-        ]);
+        let text = Rich::fill(
+            "From {o} lay off {v} and draw a line",
+            &[("o", Rich::italic("o")), ("v", Rich::italic("V").sub("A"))],
+        );
         let lines = text.wrap(3.5, 24.0);
         assert!(lines.len() > 1);
         let mut words = String::new();

@@ -1,13 +1,49 @@
 //! Round scales: 1, 2, 2.5, 5 × 10ⁿ.
 
+use crate::graphical::{Extents, Scales};
+use crate::scene::Scene;
+
 /// The round steps within a decade.
 const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 
-/// Largest size of the three panels' geometry on an A4 sheet, width and height in mm, without labels
-/// and symbols: skeleton, velocity polygon, acceleration polygon.
+/// Largest size of the geometry of a panel on an A4 sheet, width and height in mm, without labels and
+/// symbols.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PanelSizes {
+    /// The skeleton; the result table stands beside it.
+    pub skeleton: (f64, f64),
+    /// A polygon.
+    pub polygon: (f64, f64),
+}
+
+/// The room for the panels: two polygons share a row, a single one has it to itself.
 #[must_use]
-pub const fn panel_free_mm() -> [(f64, f64); 3] {
-    [(105.0, 66.0), (150.0, 70.0), (150.0, 70.0)]
+pub const fn panel_sizes(two_polygons: bool) -> PanelSizes {
+    let polygon = if two_polygons { (73.0, 64.0) } else { (150.0, 75.0) };
+    PanelSizes { skeleton: (92.0, 70.0), polygon }
+}
+
+/// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels.
+#[must_use]
+pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
+    let drawn = |[w, h]: [f64; 2]| w > 0.0 || h > 0.0;
+    let sizes = panel_sizes(drawn(extents.velocity) && drawn(extents.acceleration));
+    let length = scene.units.length.si;
+    let time = scene.units.time.si;
+    let polygon = |[w, h]: [f64; 2], unit: f64| choose_for(w, h, sizes.polygon, unit).unwrap_or(unit);
+    let [w, h] = extents.space;
+    let stated = &scene.sheet;
+    Scales {
+        length: stated
+            .length_scale
+            .map(|ratio| ratio / 1000.0)
+            .or_else(|| choose_length(w, h, sizes.skeleton))
+            .unwrap_or(0.001),
+        velocity: stated.velocity_scale.unwrap_or_else(|| polygon(extents.velocity, length / time)),
+        acceleration: stated
+            .acceleration_scale
+            .unwrap_or_else(|| polygon(extents.acceleration, length / (time * time))),
+    }
 }
 
 /// The smallest round number (1, 2, 2.5, 5 × 10ⁿ) that is not below `least`; `None` unless `least` is

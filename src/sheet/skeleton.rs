@@ -45,11 +45,13 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
         labels: Vec::new(),
     };
     artist.bars = artist.all_bars();
-    group.group(artist.construction_lines());
     group.group(artist.ground());
+    // Blocks cover their slots, and the bar of a rod runs on to the pin inside its block.
+    group.group(artist.slots());
+    group.group(artist.slides());
     group.group(artist.links());
     group.group(artist.rolls());
-    group.group(artist.slides());
+    group.group(artist.construction_lines());
     group.group(artist.joints());
     group.group(artist.crank_angles());
     artist.rotations(&mut group);
@@ -230,14 +232,12 @@ impl Artist<'_> {
                 continue;
             }
             let mut own = Group::new("link").data("link", self.notation.number(link));
-            let slotted = self.slots(link, &mut own);
+            let slotted = self.is_slotted(link);
             match self.body(link) {
                 Body::Point => {}
                 Body::Straight(a, b, between) => {
                     if !slotted {
-                        own.mark(
-                            Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).class("bar").precise(),
-                        );
+                        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).class("bar").precise());
                     }
                     for joint in between {
                         self.continuity(link, joint, (b - a).normalize(), &mut own);
@@ -272,7 +272,9 @@ impl Artist<'_> {
         // Points inside the outline hang on it by an arm.
         for (_, p) in places {
             let on_corner = corners.iter().any(|c| c.distance(p) < 0.3);
-            if !on_corner && let Some(near) = corners.iter().min_by(|a, b| a.distance(p).total_cmp(&b.distance(p))) {
+            if !on_corner
+                && let Some(near) = corners.iter().min_by(|a, b| a.distance(p).total_cmp(&b.distance(p)))
+            {
                 own.mark(Mark::stroke(Shape::Line(p, *near), Pen::solid(THIN)).class("arm"));
             }
         }
@@ -304,34 +306,34 @@ impl Artist<'_> {
         own.mark(Mark::stroke(arc, Pen::solid(THICK)).class("continuity"));
     }
 
-    /// Slots that a link carries; whether one of them runs along the link's own line.
-    fn slots(&self, link: LinkId, own: &mut Group) -> bool {
-        let mut replaces_bar = false;
-        for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link == link) {
+    /// Whether a slot runs along a link's own line: then it stands for the bar.
+    fn is_slotted(&self, link: LinkId) -> bool {
+        self.notation.mechanism().slides.iter().filter(|s| s.guide.link == link).any(|slide| {
+            let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) else { return false };
+            let places = self.pose.places(link);
+            places.iter().filter(|(_, p)| (*p - at).cross(along).abs() < THIN).count() >= 2
+        })
+    }
+
+    /// The slots in moving links: two parallel lines, closed at their ends.
+    fn slots(&self) -> Group {
+        let mut all = Group::new("slots");
+        for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link != LinkId::FRAME) {
+            let link = slide.guide.link;
+            let mut own = Group::new("link slot").data("link", self.notation.number(link));
             match self.pose.guide(slide) {
                 Some(GuideLine::Straight { at, along }) => {
-                    let position = |p: Point| (p - at).dot(along);
                     let mut reach = (-8.0_f64, 8.0_f64);
-                    let mut on_line = 0;
                     for (_, p) in self.pose.places(link) {
                         if (p - at).cross(along).abs() < THIN {
-                            on_line += 1;
-                            reach = (reach.0.min(position(p)), reach.1.max(position(p)));
+                            let position = (p - at).dot(along);
+                            reach = (reach.0.min(position), reach.1.max(position));
                         }
                     }
-                    replaces_bar |= on_line >= 2;
-                    let half = SLOT_BLOCK.1 + THIN / 2.0;
-                    let across = Vec2::new(-along.y, along.x) * half;
+                    let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
                     let (a, b) = (at + along * reach.0, at + along * reach.1);
-                    for side in [1.0, -1.0] {
-                        let shape = Shape::Line(a + across * side, b + across * side);
-                        own.mark(Mark::stroke(shape, Pen::solid(THICK)).class("slot"));
-                    }
-                    // Closed at a free end; a joint closes it with its own circle.
-                    for end in [a, b] {
-                        let shape = Shape::Line(end + across, end - across);
-                        own.mark(Mark::stroke(shape, Pen::solid(THICK)).class("slot"));
-                    }
+                    let outline = Shape::Polygon(vec![a + across, b + across, b - across, a - across]);
+                    own.mark(Mark::stroke(outline, Pen::solid(THICK)));
                 }
                 Some(GuideLine::Arc { at, centre }) => {
                     let radius = at.distance(centre);
@@ -339,19 +341,16 @@ impl Artist<'_> {
                     let middle = libm::atan2(-d.y, d.x);
                     let half = (GUIDE / radius.max(1.0)).min(1.2);
                     for offset in [-SLOT_BLOCK.1, SLOT_BLOCK.1] {
-                        let shape = Shape::Arc {
-                            centre,
-                            radius: (radius + offset).max(0.1),
-                            start: middle - half,
-                            sweep: 2.0 * half,
-                        };
-                        own.mark(Mark::stroke(shape, Pen::solid(THICK)).class("slot"));
+                        let radius = (radius + offset).max(0.1);
+                        let shape = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
+                        own.mark(Mark::stroke(shape, Pen::solid(THICK)));
                     }
                 }
-                None => {}
+                None => continue,
             }
+            all.group(own);
         }
-        replaces_bar
+        all
     }
 
     fn slides(&mut self) -> Group {
@@ -438,7 +437,8 @@ impl Artist<'_> {
             let id = PointId(i);
             let Some(at) = self.pose.place(id) else { continue };
             let pinned = mechanism.pins.iter().any(|p| p.point == id);
-            let rides = mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point, .. } if point == id));
+            let rides =
+                mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point, .. } if point == id));
             let in_use = point.links.iter().any(|l| *l != LinkId::FRAME);
             let mut own = Group::new("joint").data("point", point.name.clone());
             let radius = if pinned || rides {
@@ -476,8 +476,8 @@ impl Artist<'_> {
     fn crank_angles(&mut self) -> Group {
         let mut all = Group::new("angles");
         for input in &self.notation.mechanism().inputs {
-            let (Input::Angle { link, angle: Some(angle), .. } | Input::Speed { link, angle: Some(angle), .. }) =
-                input
+            let (Input::Angle { link, angle: Some(angle), .. }
+            | Input::Speed { link, angle: Some(angle), .. }) = input
             else {
                 continue;
             };
@@ -485,7 +485,7 @@ impl Artist<'_> {
             let turn = libm::remainder(angle.value, std::f64::consts::TAU);
             let radius = (from.distance(to) * 0.75).clamp(6.0, 11.0);
             let end = from + Vec2::new(radius + 3.0, 0.0);
-            all.mark(Mark::stroke(Shape::Line(from + Vec2::new(PIN, 0.0), end), Pen::chain(FINE)));
+            all.mark(Mark::stroke(Shape::Line(from + Vec2::new(PIN, 0.0), end), Pen::solid(FINE)));
             if turn.abs() * radius > 1.5 {
                 arc_arrow(&mut all, from, radius, 0.0, turn, FINE);
             }
@@ -538,7 +538,10 @@ impl Artist<'_> {
     fn rotations(&mut self, group: &mut Group) {
         let mut all = Group::new("rotations");
         for ((link, second), value) in self.known_rotations() {
-            let Some((arc, cost)) = self.best_arc(&Obstacles::of(group), &Obstacles::of(&all), link, second) else { continue };
+            let Some((arc, cost)) = self.best_arc(&Obstacles::of(group), &Obstacles::of(&all), link, second)
+            else {
+                continue;
+            };
             if cost > 400.0 {
                 continue;
             }
@@ -548,7 +551,8 @@ impl Artist<'_> {
                 .data("quantity", self.notation.quantity_name(quantity))
                 .data("value", format!("{}", value / unit.si));
             let Turn { centre, radius, middle, half } = arc;
-            let (start, sweep) = if value > 0.0 { (middle - half, 2.0 * half) } else { (middle + half, -2.0 * half) };
+            let (start, sweep) =
+                if value > 0.0 { (middle - half, 2.0 * half) } else { (middle + half, -2.0 * half) };
             arc_arrow(&mut own, centre, radius, start, sweep, THIN);
             if second {
                 // Two barbs tell the angular acceleration from the angular velocity.
@@ -569,13 +573,7 @@ impl Artist<'_> {
     }
 
     /// Where a link's curved arrow disturbs least.
-    fn best_arc(
-        &self,
-        ink: &Obstacles,
-        arcs: &Obstacles,
-        link: LinkId,
-        second: bool,
-    ) -> Option<(Turn, f64)> {
+    fn best_arc(&self, ink: &Obstacles, arcs: &Obstacles, link: LinkId, second: bool) -> Option<(Turn, f64)> {
         let mut best: Option<(Turn, f64)> = None;
         for (turn, taste) in self.arcs(link, second) {
             let mut cost = taste;
@@ -654,7 +652,9 @@ impl Artist<'_> {
                 None if !blocked => {
                     if let Some((_, at)) = self.pose.places(link).first() {
                         let slides = &self.notation.mechanism().slides;
-                        let rides = slides.iter().any(|s| matches!(s.rider, Rider::Link { link: l, .. } if l == link));
+                        let rides = slides
+                            .iter()
+                            .any(|s| matches!(s.rider, Rider::Link { link: l, .. } if l == link));
                         let radius = if rides { 5.0 } else { 2.0 };
                         requests.push(ringed(&number, Site::Around { at: *at, radius, toward: None }));
                     }

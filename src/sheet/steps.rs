@@ -135,43 +135,55 @@ impl Teller<'_> {
                     .filter(|p| n.mechanism().point(*p).place.exact().is_some())
                     .map(|p| n.point(p))
                     .collect();
-                Rich::fill(words.mark_places, &[
-                    ("points", Rich::join(&points, &Rich::upright(", "))),
-                    ("scale", n.length_scale(per_mm)),
-                ])
+                Rich::fill(
+                    words.mark_places,
+                    &[
+                        ("points", Rich::join(&points, &Rich::upright(", "))),
+                        ("scale", n.length_scale(per_mm)),
+                    ],
+                )
             }
-            Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(words.lay_off_link, &[
-                ("from", n.point(*from)),
-                ("to", n.point(*to)),
-                ("length", n.length(*from, *to)),
-                ("value", metres(*length)),
-                ("mm", human::millimetres(length / per_mm)),
-                ("angle", human::degrees(*angle)),
-            ]),
-            Act::StrikeArc { centre, to, radius } => Rich::fill(words.strike_arc, &[
-                ("centre", n.point(*centre)),
-                ("length", n.length(*centre, *to)),
-                ("value", metres(*radius)),
-                ("mm", human::millimetres(radius / per_mm)),
-            ]),
+            Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(
+                words.lay_off_link,
+                &[
+                    ("from", n.point(*from)),
+                    ("to", n.point(*to)),
+                    ("length", n.length(*from, *to)),
+                    ("value", metres(*length)),
+                    ("mm", human::millimetres(length / per_mm)),
+                    ("angle", human::degrees(*angle)),
+                ],
+            ),
+            Act::StrikeArc { centre, to, radius } => Rich::fill(
+                words.strike_arc,
+                &[
+                    ("centre", n.point(*centre)),
+                    ("length", n.length(*centre, *to)),
+                    ("value", metres(*radius)),
+                    ("mm", human::millimetres(radius / per_mm)),
+                ],
+            ),
             Act::DrawGuide { slide } => Rich::fill(words.draw_guide, &[("guide", n.guide(*slide))]),
             Act::MarkIntersection { point, crossing } => {
                 let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
                 self.warned(met, *crossing)
             }
-            Act::TransferPoint { link, point } => Rich::fill(words.transfer_point, &[
-                ("point", n.point(*point)),
-                ("link", Rich::upright(n.number(*link))),
-            ]),
-            Act::MeasureLength { from, to, mm, value } => Rich::fill(words.measure_length, &[
-                ("length", n.length(*from, *to)),
-                ("mm", human::millimetres(*mm)),
-                ("value", metres(*value)),
-            ]),
-            Act::MarkPole => Rich::fill(words.mark_pole, &[(
-                "pole",
-                n.image(crate::graphical::construction::Label::Pole, order),
-            )]),
+            Act::TransferPoint { link, point } => Rich::fill(
+                words.transfer_point,
+                &[("point", n.point(*point)), ("link", Rich::upright(n.number(*link)))],
+            ),
+            Act::MeasureLength { from, to, mm, value } => Rich::fill(
+                words.measure_length,
+                &[
+                    ("length", n.length(*from, *to)),
+                    ("mm", human::millimetres(*mm)),
+                    ("value", metres(*value)),
+                ],
+            ),
+            Act::MarkPole => Rich::fill(
+                words.mark_pole,
+                &[("pole", n.image(crate::graphical::construction::Label::Pole, order))],
+            ),
             Act::Calculate(calculation) => return self.calculation(calculation),
             Act::LayOffVector { vector, mm, .. } => {
                 let vector = self.vector(*vector)?;
@@ -193,17 +205,23 @@ impl Teller<'_> {
                 let met = Rich::fill(words.mark_meet, &[("label", image(*label))]);
                 self.warned(met, *crossing)
             }
-            Act::DivideImage { label, from, to, ratio } => Rich::fill(words.divide_image, &[
-                ("image", n.image_line(*from, *to, order)),
-                ("part", n.image_line(*from, *label, order)),
-                ("ratio", human::number(*ratio)),
-                ("label", image(*label)),
-            ]),
-            Act::CompleteImage { label, link, base } => Rich::fill(words.complete_image, &[
-                ("base", n.image_line(base[0], base[1], order)),
-                ("link", Rich::upright(n.number(*link))),
-                ("label", image(*label)),
-            ]),
+            Act::DivideImage { label, from, to, ratio } => Rich::fill(
+                words.divide_image,
+                &[
+                    ("image", n.image_line(*from, *to, order)),
+                    ("part", n.image_line(*from, *label, order)),
+                    ("ratio", human::number(*ratio)),
+                    ("label", image(*label)),
+                ],
+            ),
+            Act::CompleteImage { label, link, base } => Rich::fill(
+                words.complete_image,
+                &[
+                    ("base", n.image_line(base[0], base[1], order)),
+                    ("link", Rich::upright(n.number(*link))),
+                    ("label", image(*label)),
+                ],
+            ),
             Act::SameImage { label, with } => {
                 Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(*with))])
             }
@@ -216,11 +234,14 @@ impl Teller<'_> {
                     .then(&human::stated(factor))
                     .up("\u{a0}=\u{a0}")
                     .then(&human::quantity(*value, &unit));
-                Rich::fill(words.read_vector, &[
-                    ("vector", n.symbol(vector.quantity, false)),
-                    ("image", n.image_line(vector.tail, vector.head, order)),
-                    ("reading", reading),
-                ])
+                Rich::fill(
+                    words.read_vector,
+                    &[
+                        ("vector", n.symbol(vector.quantity, false)),
+                        ("image", n.image_line(vector.tail, vector.head, order)),
+                        ("reading", reading),
+                    ],
+                )
             }
         };
         Some(sentence)
@@ -323,10 +344,10 @@ impl Teller<'_> {
                     Order::Acceleration => Quantity::Alpha(*link),
                     _ => Quantity::Omega(*link),
                 };
-                Rich::fill(n.words.translation, &[
-                    ("link", Rich::upright(n.number(*link))),
-                    ("omega", n.symbol(omega, false)),
-                ])
+                Rich::fill(
+                    n.words.translation,
+                    &[("link", Rich::upright(n.number(*link))), ("omega", n.symbol(omega, false))],
+                )
             }
             Calculation::Rub { pin, links, radius, first, second, value } => {
                 let quantity = Quantity::Rub(*pin, links[0], links[1]);
@@ -351,4 +372,3 @@ impl Teller<'_> {
         Some(text)
     }
 }
-

@@ -22,6 +22,12 @@ impl Language {
         exact.or_else(|| Self::ALL.into_iter().find(|l| l.words().tag.eq_ignore_ascii_case(primary)))
     }
 
+    /// The tags of all languages.
+    #[must_use]
+    pub fn tags() -> Vec<&'static str> {
+        Self::ALL.iter().map(|l| l.words().tag).collect()
+    }
+
     /// Its words.
     #[must_use]
     pub const fn words(self) -> &'static Words {
