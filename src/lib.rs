@@ -2,6 +2,7 @@
 //! and the acceleration polygon, built link by link with scale factors, and checks every number with an
 //! independent solver.
 
+pub mod analytic;
 pub mod graphical;
 pub mod mechanism;
 pub mod scene;
