@@ -11,5 +11,7 @@ pub mod given;
 pub mod graphical;
 pub mod mechanism;
 pub mod plan;
+pub mod render;
 pub mod scene;
+pub mod sheet;
 pub mod solve;
