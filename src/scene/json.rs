@@ -14,7 +14,7 @@ const DEEPEST: usize = 16;
 /// More entries in one list or object than any mechanism has.
 pub(super) const MOST: usize = 10_000;
 /// A larger text is not a scene (bytes).
-const LARGEST: usize = 16 << 20;
+const LARGEST: usize = 8 << 20;
 
 /// A value and its place.
 #[derive(Debug)]
@@ -103,7 +103,9 @@ impl<'a> Source<'a> {
             Some(b'{') => Kind::Object(self.object(raw, at, depth)?),
             Some(b'[') => {
                 let Items(items) = serde_json::from_str(raw).map_err(|e| syntax(at, &e))?;
-                self.crowded(at, items.len());
+                if self.crowded(at, items.len()) {
+                    return Ok(Value { at, kind: Kind::Null });
+                }
                 let items = items.into_iter().map(|item| self.value(item.get(), depth + 1));
                 Kind::List(items.collect::<Res<_>>()?)
             }
@@ -118,7 +120,9 @@ impl<'a> Source<'a> {
 
     fn object(&mut self, raw: &'a str, at: usize, depth: usize) -> Res<Vec<Entry<'a>>> {
         let Pairs(pairs) = serde_json::from_str(raw).map_err(|e| syntax(at, &e))?;
-        self.crowded(at, pairs.len());
+        if self.crowded(at, pairs.len()) {
+            return Ok(Vec::new());
+        }
         let mut seen = HashSet::new();
         let mut entries = Vec::with_capacity(pairs.len());
         for (key, value) in pairs {
@@ -132,10 +136,12 @@ impl<'a> Source<'a> {
         Ok(entries)
     }
 
-    fn crowded(&mut self, at: usize, count: usize) {
+    /// A crowded list or object is blamed, and its entries are left unread.
+    fn crowded(&mut self, at: usize, count: usize) -> bool {
         if count > MOST {
             self.blame(Fault::new(at, format!("{count} entries, more than {MOST}")));
         }
+        count > MOST
     }
 }
 

@@ -143,6 +143,12 @@ const CASES: &[Case] = &[
         &["`at` is missing: D is not placed"],
     ),
     ("\"input\":  { \"link\": 2,", "\"input\":  { \"link\": 2, \"slide\": 6,", "input.slide", &["not both"]),
+    (
+        "{ \"link\": 2, \"angle\": 30, \"omega\": \"10 rad/s cw\" }",
+        "[{ \"link\": 2 }]",
+        "input",
+        &["one input", "`inputs`"],
+    ),
     // Names.
     ("\"v(B/A)\"", "\"v(E/A)\"", "find[1]", &["`v(E/A)`", "no point `E`", "`A`"]),
     ("\"v(B/A)\"", "\"v(B/B)\"", "find[1]", &["are one"]),
