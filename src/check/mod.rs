@@ -161,7 +161,7 @@ pub struct PublishedCheck {
     pub published: f64,
     /// Computed, SI; the magnitude of a vector, and of a scalar printed without a sense.
     pub computed: Option<f64>,
-    /// 100 (published − computed) / |computed|; `None` where the computed value is zero or missing.
+    /// 100 (published − computed) / computed; `None` where the computed value is zero or missing.
     pub percent: Option<f64>,
     /// Within what the scene or the command allows.
     pub ok: bool,
@@ -186,7 +186,7 @@ pub fn compare_published(
     let printed = if published.signed { published.value } else { published.value.abs() };
     let within = published.within.unwrap_or(tolerance);
     let ok = computed.is_some_and(|c| (printed - c).abs() <= within * printed.abs().max(c.abs()) + bound);
-    let percent = computed.filter(|c| c.abs() > bound).map(|c| 100.0 * (printed - c) / c.abs());
+    let percent = computed.filter(|c| c.abs() > bound).map(|c| 100.0 * (printed - c) / c);
     PublishedCheck { asked: published.asked.clone(), published: printed, computed, percent, ok, erratum }
 }
 
