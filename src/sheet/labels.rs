@@ -119,7 +119,8 @@ impl Obstacles {
         let tight = own.inflate(CLEARANCE, CLEARANCE);
         for (a, b, half) in &self.strokes {
             let grown = tight.inflate(*half, *half);
-            if a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1 {
+            let beside = a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1;
+            if beside || a.y.max(b.y) < grown.y0 || a.y.min(b.y) > grown.y1 {
                 continue;
             }
             if let Some((t0, t1)) = clip(*a, *b, grown) {

@@ -17,7 +17,7 @@ pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Ord
         .asked
         .iter()
         .zip(&construction.answers)
-        .filter(|(asked, _)| orders.contains(&asked.quantity.order()))
+        .filter(|(asked, _)| orders.contains(&polygon_of(asked.quantity)))
         .map(|(asked, reading)| row(asked, reading, notation))
         .collect();
     Table {
@@ -26,6 +26,18 @@ pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Ord
         rows,
         size,
         gap: 4.0,
+    }
+}
+
+/// The polygon on which a quantity is read: normal parts need velocities only, and stand in the
+/// acceleration polygon all the same.
+fn polygon_of(quantity: Quantity) -> Order {
+    match quantity {
+        Quantity::RelativeNormal(..)
+        | Quantity::Normal(_)
+        | Quantity::SlipNormal(..)
+        | Quantity::Coriolis(..) => Order::Acceleration,
+        other => other.order(),
     }
 }
 
