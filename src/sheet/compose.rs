@@ -357,25 +357,29 @@ impl Pager {
         }
     }
 
-    /// The result table in two columns of even height, on as many pages as it needs.
+    /// The result table in columns of even height, on as many pages as it needs: two columns, or three
+    /// where that keeps it on the page.
     fn results(&mut self, table: &Table) {
         let rows = table.rows.len();
         let mut from = 0;
         while from < rows {
             let fit = table.rows_in(self.bottom() - self.y);
-            if fit < 3.min(rows - from) && self.y > MARGIN + 30.0 {
+            let left = rows - from;
+            if fit < 3.min(left) && self.y > MARGIN + 30.0 {
                 self.page();
                 continue;
             }
-            let here = (rows - from).min(2 * fit.max(1));
-            let left = here.div_ceil(2);
+            let three = 3.0 * table.width() + 2.0 * GUTTER <= self.width();
+            let columns = if left > 2 * fit && left <= 3 * fit && three { 3 } else { 2 };
+            let here = left.min(columns * fit.max(1));
+            let each = here.div_ceil(columns);
+            let pitch = self.width() / columns as f64;
             let mut deepest = self.y;
-            for (column, (a, b)) in [(from, from + left), (from + left, from + here)].into_iter().enumerate()
-            {
+            for column in 0..columns {
+                let (a, b) = (from + column * each, from + here.min((column + 1) * each));
                 if a < b {
                     let block = table.draw("results", a, b);
-                    let blank = (self.column() - block.width) / 2.0;
-                    let x = MARGIN + column as f64 * (self.column() + GUTTER) + blank.max(0.0);
+                    let x = MARGIN + column as f64 * pitch + ((pitch - block.width) / 2.0).max(0.0);
                     let y = self.y;
                     deepest = deepest.max(y + block.height);
                     self.add(block.group, x, y);

@@ -53,6 +53,7 @@ pub struct Words {
     pub steps: &'static str,
     pub results: &'static str,
     pub given: &'static str,
+    pub given_guide: &'static str,
     pub scale: &'static str,
     pub page: &'static str,
 
@@ -121,6 +122,7 @@ const ENGLISH: Words = Words {
     steps: "Steps",
     results: "Results",
     given: "Given:",
+    given_guide: "{guide} through {place} at {angle}",
     scale: "scale {scale}",
     page: "page {page} of {pages}",
 
