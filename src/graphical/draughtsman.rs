@@ -9,6 +9,7 @@ use super::construction::{
     Act, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon, Reading, Space,
     Step, Vector, VectorKind,
 };
+use super::pose::Pose;
 use super::{Scales, scale};
 
 /// Vectors shorter than this are drawn as points (millimetres).
@@ -35,6 +36,8 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) places: Vec<Option<Point<B>>>,
     /// Own figures, by link.
     pub(super) figures: Vec<Option<Vec<Point<B>>>>,
+    /// How the solved links stand, where that was needed.
+    pub(super) poses: Vec<Option<Pose<B>>>,
     /// Lengths already given or measured.
     pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount<B>)>,
     /// Angles of driven links' first-to-second line.
@@ -68,6 +71,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             scales,
             places: vec![None; points],
             figures: vec![None; links],
+            poses: vec![None; links],
             lengths: Vec::new(),
             input_angles: vec![None; links],
             velocities: vec![None; points],
