@@ -6,8 +6,8 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{LinkId, Mechanism, PointId};
 
 use super::construction::{
-    Act, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon, Reading, Space,
-    Step, Vector, VectorKind,
+    Act, Calculation, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon,
+    Reading, Space, Step, Vector, VectorKind,
 };
 use super::pose::Pose;
 use super::{Scales, scale};
@@ -137,6 +137,14 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     /// Begins a numbered step.
     pub(super) fn step(&mut self, order: Order, links: &[LinkId], equations: Vec<Equation>) {
         self.record.steps.push(Step { order, links: links.to_vec(), equations, acts: Vec::new() });
+    }
+
+    /// Begins the step of the rubbing speeds, unless the present one is it.
+    pub(super) fn rubbing_step(&mut self) {
+        let is_rub = |act: &Act| matches!(act, Act::Calculate(Calculation::Rub { .. }));
+        if !self.record.steps.last().is_some_and(|step| step.acts.iter().any(is_rub)) {
+            self.step(Order::Velocity, &[], Vec::new());
+        }
     }
 
     /// Records an act of the present step.

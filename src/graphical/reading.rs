@@ -212,7 +212,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let relative = self.board.difference(first, second);
         let relative = self.board.magnitude(relative);
         let value = self.board.product(radius, relative);
-        self.step(Order::Velocity, &[i, j], Vec::new());
+        self.rubbing_step();
         self.act(Act::Calculate(Calculation::Rub {
             pin,
             links: [i, j],

@@ -1,0 +1,374 @@
+//! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
+
+use super::human;
+use super::notation::Notation;
+use super::rich::Rich;
+use super::table::{Align, Table};
+use crate::graphical::construction::{
+    Act, Calculation, Construction, Equation, Polygon, Step, Term, TermDirection, Vector, VectorKind,
+};
+use crate::mechanism::quantity::Order;
+
+/// Flatter crossings than this are badly readable by hand.
+const FLAT: f64 = 3.0;
+
+/// A piece of the text of the steps.
+#[derive(Debug, Clone)]
+pub enum Item {
+    /// The head of a step; stays with what follows.
+    Head(Rich),
+    /// The table of terms of an equation; stays with what follows.
+    Terms(Table),
+    /// A sentence.
+    Sentence(Rich),
+}
+
+/// All steps in order.
+#[must_use]
+pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
+    let mut all = Vec::new();
+    for (i, step) in construction.steps.iter().enumerate() {
+        let teller = Teller { construction, notation, step };
+        all.push(Item::Head(Rich::bold(format!("{}.", i + 1)).up("\u{a0}\u{a0}").then(&teller.head())));
+        for equation in &step.equations {
+            all.push(Item::Terms(teller.terms(equation)));
+        }
+        for act in &step.acts {
+            all.extend(teller.act(act).map(Item::Sentence));
+        }
+    }
+    all
+}
+
+struct Teller<'a> {
+    construction: &'a Construction,
+    notation: &'a Notation<'a>,
+    step: &'a Step,
+}
+
+impl Teller<'_> {
+    fn head(&self) -> Rich {
+        let words = self.notation.words;
+        let template = match (self.step.order, self.step.links.is_empty()) {
+            (Order::Position, true) => words.step_frame,
+            (Order::Position, false) => words.step_place,
+            (Order::Velocity, true) => words.step_velocity_pole,
+            (Order::Velocity, false) => words.step_velocity,
+            (Order::Acceleration, true) => words.step_acceleration_pole,
+            (Order::Acceleration, false) => words.step_acceleration,
+        };
+        Rich::fill(template, &[("links", self.notation.links(&self.step.links))]).bolder()
+    }
+
+    /// One column per term, the signs between them in columns of their own.
+    fn terms(&self, equation: &Equation) -> Table {
+        let words = self.notation.words;
+        let unit = self.notation.unit(self.step.order);
+        let label = |word: &str| Rich::italic(word);
+        let mut table = Table {
+            columns: vec![Align::Left],
+            head: vec![Rich::default()],
+            rows: vec![
+                vec![label(words.magnitude).up(", ").up(&human::pretty(&unit.symbol))],
+                vec![label(words.direction)],
+            ],
+            size: 3.3,
+            gap: 2.2,
+        };
+        let sides = [&equation.left, &equation.right];
+        for (side, terms) in sides.into_iter().enumerate() {
+            for (i, term) in terms.iter().enumerate() {
+                if i > 0 || side > 0 {
+                    table.columns.push(Align::Middle);
+                    table.head.push(Rich::upright(if i > 0 { "+" } else { "=" }));
+                    table.rows.iter_mut().for_each(|row| row.push(Rich::default()));
+                }
+                let (magnitude, direction) = self.term(term, unit.si);
+                table.columns.push(Align::Middle);
+                table.head.push(self.notation.symbol(term.quantity, true));
+                for (row, cell) in table.rows.iter_mut().zip([magnitude, direction]) {
+                    row.push(cell);
+                }
+            }
+        }
+        table
+    }
+
+    fn term(&self, term: &Term, unit: f64) -> (Rich, Rich) {
+        let unknown = || Rich::upright(self.notation.words.unknown);
+        let magnitude = match term.magnitude {
+            Some(value) => Rich::tick().gap(0.15).then(&human::number(value / unit)),
+            None => unknown(),
+        };
+        let direction = match term.direction {
+            Some(TermDirection::Found) => Rich::tick(),
+            Some(TermDirection::Claim(claim)) => self.notation.claim(claim),
+            None => unknown(),
+        };
+        (magnitude, direction)
+    }
+
+    fn polygon(&self) -> Option<&Polygon> {
+        match self.step.order {
+            Order::Acceleration => self.construction.acceleration.as_ref(),
+            _ => self.construction.velocity.as_ref(),
+        }
+    }
+
+    fn vector(&self, index: usize) -> Option<&Vector> {
+        self.polygon()?.vectors.get(index)
+    }
+
+    /// The sentence of an act; none where it refers to what is not there.
+    fn act(&self, act: &Act) -> Option<Rich> {
+        let n = self.notation;
+        let words = n.words;
+        let order = self.step.order;
+        let length_unit = &n.scene.units.length;
+        let per_mm = self.construction.space.metres_per_mm;
+        let metres = |si: f64| human::quantity(si, length_unit);
+        let image = |label| n.image(label, order);
+        let sentence = match act {
+            Act::MarkPlaces => {
+                let points: Vec<Rich> = (0..n.mechanism().points.len())
+                    .map(crate::mechanism::PointId)
+                    .filter(|p| n.mechanism().point(*p).place.exact().is_some())
+                    .map(|p| n.point(p))
+                    .collect();
+                Rich::fill(
+                    words.mark_places,
+                    &[
+                        ("points", Rich::join(&points, &Rich::upright(", "))),
+                        ("scale", n.length_scale(per_mm)),
+                    ],
+                )
+            }
+            Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(
+                words.lay_off_link,
+                &[
+                    ("from", n.point(*from)),
+                    ("to", n.point(*to)),
+                    ("length", n.length(*from, *to)),
+                    ("value", metres(*length)),
+                    ("mm", human::millimetres(length / per_mm)),
+                    ("angle", human::degrees(*angle)),
+                ],
+            ),
+            Act::StrikeArc { centre, to, radius } => Rich::fill(
+                words.strike_arc,
+                &[
+                    ("centre", n.point(*centre)),
+                    ("length", n.length(*centre, *to)),
+                    ("value", metres(*radius)),
+                    ("mm", human::millimetres(radius / per_mm)),
+                ],
+            ),
+            Act::DrawGuide { slide } => Rich::fill(words.draw_guide, &[("guide", n.guide(*slide))]),
+            Act::MarkIntersection { point, crossing } => {
+                let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
+                self.warned(met, *crossing)
+            }
+            Act::TransferPoint { link, point } => Rich::fill(
+                words.transfer_point,
+                &[("point", n.point(*point)), ("link", Rich::upright(n.number(*link)))],
+            ),
+            Act::MeasureLength { from, to, mm, value } => Rich::fill(
+                words.measure_length,
+                &[
+                    ("length", n.length(*from, *to)),
+                    ("mm", human::millimetres(*mm)),
+                    ("value", metres(*value)),
+                ],
+            ),
+            Act::MarkPole => Rich::fill(
+                words.mark_pole,
+                &[("pole", n.image(crate::graphical::construction::Label::Pole, order))],
+            ),
+            Act::Calculate(calculation) => return self.calculation(calculation),
+            Act::LayOffVector { vector, mm, .. } => {
+                let vector = self.vector(*vector)?;
+                let parts = [
+                    ("vector", n.symbol(vector.quantity, false)),
+                    ("image", n.image_line(vector.tail, vector.head, order)),
+                    ("mm", human::millimetres(*mm)),
+                    ("tail", image(vector.tail)),
+                    ("head", image(vector.head)),
+                    ("direction", self.direction_of(vector)),
+                ];
+                let template = if vector.as_point { words.vector_as_point } else { words.lay_off_vector };
+                Rich::fill(template, &parts)
+            }
+            Act::DrawRay { from, claim } => {
+                Rich::fill(words.draw_ray, &[("from", image(*from)), ("direction", n.claim(*claim))])
+            }
+            Act::MarkMeet { label, crossing } => {
+                let met = Rich::fill(words.mark_meet, &[("label", image(*label))]);
+                self.warned(met, *crossing)
+            }
+            Act::DivideImage { label, from, to, ratio } => Rich::fill(
+                words.divide_image,
+                &[
+                    ("image", n.image_line(*from, *to, order)),
+                    ("part", n.image_line(*from, *label, order)),
+                    ("ratio", human::number(*ratio)),
+                    ("label", image(*label)),
+                ],
+            ),
+            Act::CompleteImage { label, link, base } => Rich::fill(
+                words.complete_image,
+                &[
+                    ("base", n.image_line(base[0], base[1], order)),
+                    ("link", Rich::upright(n.number(*link))),
+                    ("label", image(*label)),
+                ],
+            ),
+            Act::SameImage { label, with } => {
+                Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(*with))])
+            }
+            Act::ReadVector { vector, mm, value } => {
+                let vector = self.vector(*vector)?;
+                let unit = n.unit(order);
+                let factor = self.polygon()?.si_per_mm / unit.si;
+                let reading = human::millimetres(*mm)
+                    .up("\u{a0}×\u{a0}")
+                    .then(&human::stated(factor))
+                    .up("\u{a0}=\u{a0}")
+                    .then(&human::quantity(*value, &unit));
+                Rich::fill(
+                    words.read_vector,
+                    &[
+                        ("vector", n.symbol(vector.quantity, false)),
+                        ("image", n.image_line(vector.tail, vector.head, order)),
+                        ("reading", reading),
+                    ],
+                )
+            }
+        };
+        Some(sentence)
+    }
+
+    fn direction_of(&self, vector: &Vector) -> Rich {
+        let direction = vector.claim.map(|claim| self.notation.claim(claim));
+        if vector.kind == VectorKind::Coriolis {
+            let head = ("head", self.notation.image(vector.head, self.step.order));
+            let rule = Rich::fill(self.notation.words.head_first, &[head]);
+            return direction.map_or_else(|| rule.clone(), |d| d.up(", ").then(&rule));
+        }
+        direction.unwrap_or_default()
+    }
+
+    fn warned(&self, sentence: Rich, crossing: f64) -> Rich {
+        if crossing.to_degrees() >= FLAT {
+            return sentence;
+        }
+        let angle = ("angle", human::degrees(crossing));
+        sentence.up(" ").then(&Rich::fill(self.notation.words.flat_crossing, &[angle]))
+    }
+
+    fn calculation(&self, calculation: &Calculation) -> Option<Rich> {
+        use crate::mechanism::quantity::Quantity;
+        let n = self.notation;
+        let equals = "\u{a0}= ";
+        let length = &n.scene.units.length;
+        let (v, a) = (n.unit(Order::Velocity), n.unit(Order::Acceleration));
+        let (w, e) = (n.angular_unit(Order::Velocity), n.angular_unit(Order::Acceleration));
+        let number = |si: f64, unit: f64| human::number(si / unit);
+        let times = "\u{a0}·\u{a0}";
+        let cross = "\u{a0}×\u{a0}";
+        let over = "\u{a0}/\u{a0}";
+        let text = match calculation {
+            Calculation::Speed { quantity, link, ends, omega, length: l, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .then(&n.symbol(Quantity::Omega(*link), false))
+                .up(times)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(omega.abs(), w.si))
+                .up(cross)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&human::quantity(*value, &v)),
+            Calculation::Omega { link, quantity, ends, speed, length: l, value } => n
+                .symbol(Quantity::Omega(*link), false)
+                .up(equals)
+                .then(&n.symbol(*quantity, false))
+                .up(over)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(*speed, v.si))
+                .up(over)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&n.rotation(*value, &w)),
+            Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .then(&n.symbol(*velocity, false))
+                .up("²")
+                .up(over)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(*speed, v.si))
+                .up("²")
+                .up(over)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&human::quantity(*value, &a)),
+            Calculation::Tangential { quantity, link, ends, alpha, length: l, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .then(&n.symbol(Quantity::Alpha(*link), false))
+                .up(times)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(alpha.abs(), e.si))
+                .up(cross)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&human::quantity(*value, &a)),
+            Calculation::Alpha { link, quantity, ends, tangential, length: l, value } => n
+                .symbol(Quantity::Alpha(*link), false)
+                .up(equals)
+                .then(&n.symbol(*quantity, false))
+                .up(over)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(*tangential, a.si))
+                .up(over)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&n.rotation(*value, &e)),
+            Calculation::Translation { link } => {
+                let omega = match self.step.order {
+                    Order::Acceleration => Quantity::Alpha(*link),
+                    _ => Quantity::Omega(*link),
+                };
+                Rich::fill(
+                    n.words.translation,
+                    &[("link", Rich::upright(n.number(*link))), ("omega", n.symbol(omega, false))],
+                )
+            }
+            Calculation::Rub { pin, links, radius, first, second, value } => {
+                let quantity = Quantity::Rub(*pin, links[0], links[1]);
+                let unit = n.mechanism().asked.iter().find(|q| q.quantity == quantity);
+                let unit = unit.map_or_else(|| v.clone(), |asked| asked.unit.clone());
+                n.symbol(quantity, false)
+                    .up(equals)
+                    .it("r")
+                    .up("\u{a0}|")
+                    .then(&n.symbol(Quantity::Omega(links[0]), false))
+                    .up("\u{a0}−\u{a0}")
+                    .then(&n.symbol(Quantity::Omega(links[1]), false))
+                    .up("|")
+                    .up(equals)
+                    .then(&human::stated_quantity(*radius, length))
+                    .up(cross)
+                    .then(&number((first - second).abs(), w.si))
+                    .up(equals)
+                    .then(&human::quantity(*value, &unit))
+            }
+        };
+        Some(text)
+    }
+}
