@@ -488,7 +488,7 @@ impl<'a> Assembler<'a> {
             }
             let next = Self::moved(group, pose, &step);
             let Some((r, t, j)) = self.evaluate(group, &next) else { break };
-            if !(r.norm() < residuals.norm()) {
+            if r.norm().is_nan() || r.norm() >= residuals.norm() {
                 break;
             }
             pose.copy_from_slice(&next);
