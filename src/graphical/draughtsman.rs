@@ -1,9 +1,10 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
-use crate::board::{Amount, Angle, Bench, Board, Point, Reason, Scale};
+use crate::board::{Amount, Angle, Bench, Board, Direction, Point, Reason, Scale};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
-use crate::mechanism::{LinkId, Mechanism, PointId};
+use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
+use crate::plan::home;
 
 use super::construction::{
     Act, Calculation, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon,
@@ -23,6 +24,37 @@ pub(super) struct Foot<B: Bench> {
     pub(super) link: LinkId,
     /// The observed and the reference point.
     pub(super) points: [PointId; 2],
+    pub(super) tail: Point<B>,
+    pub(super) head: Point<B>,
+}
+
+/// The image of the point of a link that lies under a pin of another link.
+pub(super) struct Coincident<B: Bench> {
+    pub(super) order: Order,
+    pub(super) pin: PointId,
+    pub(super) link: LinkId,
+    pub(super) image: Point<B>,
+}
+
+/// The sliding in a pair: how the rider moves along the guide, seen from the guide's link.
+pub(super) struct Slip<B: Bench> {
+    /// Direction of the guide under the rider.
+    pub(super) along: Direction<B>,
+    /// Signed sliding velocity in that direction.
+    pub(super) speed: Amount<B>,
+}
+
+impl<B: Bench> Clone for Slip<B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<B: Bench> Copy for Slip<B> {}
+
+/// A vector of a polygon that answers a quantity by itself.
+pub(super) struct Part<B: Bench> {
+    pub(super) quantity: Quantity,
     pub(super) tail: Point<B>,
     pub(super) head: Point<B>,
 }
@@ -52,6 +84,14 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) alphas: Vec<Option<Amount<B>>>,
     /// The normal parts laid off so far.
     pub(super) feet: Vec<Foot<B>>,
+    /// Images of points of guide links under their riders.
+    pub(super) coincident: Vec<Coincident<B>>,
+    /// The sliding in each pair, by index of the pair.
+    pub(super) slips: Vec<Option<Slip<B>>>,
+    /// The apparent acceleration along the guide in each pair, signed, by index of the pair.
+    pub(super) sliding_accelerations: Vec<Option<Amount<B>>>,
+    /// Sliding, Coriolis and coincident vectors drawn so far.
+    pub(super) parts: Vec<Part<B>>,
     reasons: Vec<Vec<u32>>,
     record: Construction,
 }
@@ -79,6 +119,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             omegas: vec![None; links],
             alphas: vec![None; links],
             feet: Vec::new(),
+            coincident: Vec::new(),
+            slips: vec![None; mechanism.slides.len()],
+            sliding_accelerations: vec![None; mechanism.slides.len()],
+            parts: Vec::new(),
             reasons: Vec::new(),
             record: Construction {
                 space: Space { metres_per_mm: scales.length, places: vec![None; points], lines: Vec::new() },
@@ -144,6 +188,13 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let is_rub = |act: &Act| matches!(act, Act::Calculate(Calculation::Rub { .. }));
         if !self.record.steps.last().is_some_and(|step| step.acts.iter().any(is_rub)) {
             self.step(Order::Velocity, &[], Vec::new());
+        }
+    }
+
+    /// Adds an equation to the present step.
+    pub(super) fn equation(&mut self, equation: Equation) {
+        if let Some(step) = self.record.steps.last_mut() {
+            step.equations.push(equation);
         }
     }
 
@@ -215,15 +266,45 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }
     }
 
-    /// The label of a point's image.
+    /// The label of a point's image; the link's number is told where other links have points under it.
     pub(super) fn label(&self, point: PointId) -> Label {
-        if self.mechanism.is_fixed(point) { Label::Pole } else { Label::Image { point, link: None } }
+        if self.mechanism.is_fixed(point) {
+            return Label::Pole;
+        }
+        let on_moving_guide = self.mechanism.slides.iter().any(|s| {
+            s.guide.link != LinkId::FRAME && matches!(s.rider, Rider::Pin { point: p, .. } if p == point)
+        });
+        let link = if on_moving_guide { home(self.mechanism, self.structure, point) } else { None };
+        Label::Image { point, link }
+    }
+
+    /// The label of the point of a link under a pin of another.
+    pub(super) fn label_under(&self, pin: PointId, link: LinkId) -> Label {
+        if link == LinkId::FRAME { Label::Pole } else { Label::Image { point: pin, link: Some(link) } }
+    }
+
+    /// Notes a vector that answers a quantity, for reading.
+    pub(super) fn note_part(&mut self, quantity: Quantity, tail: Point<B>, head: Point<B>) {
+        self.parts.push(Part { quantity, tail, head });
+    }
+
+    /// Notes the image of the point of a link under a pin.
+    pub(super) fn note_under(&mut self, order: Order, pin: PointId, link: LinkId, image: Point<B>) {
+        self.coincident.push(Coincident { order, pin, link, image });
+        let label = self.label_under(pin, link);
+        self.note_foot(order, label, image);
+        let pole = self.board.origin();
+        let quantity = match order {
+            Order::Acceleration => Quantity::CoincidentAcceleration(pin, link),
+            _ => Quantity::CoincidentVelocity(pin, link),
+        };
+        self.note_part(quantity, pole, image);
     }
 
     /// Notes the image of a point.
     pub(super) fn note_image(&mut self, order: Order, point: PointId, at: Point<B>) {
         self.images(order)[point.0] = Some(at);
-        let image = Image { label: Label::Image { point, link: None }, at: at.value() };
+        let image = Image { label: self.label(point), at: at.value() };
         if let Some(polygon) = self.polygon_mut(order) {
             polygon.images.push(image);
         }

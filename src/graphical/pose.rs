@@ -139,13 +139,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The parallel to a guide on which a point of the rider link moves, through the place it has when the
     /// rider's first joint stands at the guide's start.
-    fn beside_guide(
-        &mut self,
-        line: Line<B>,
-        rider: LinkId,
-        turned: Option<Given>,
-        of: PointId,
-    ) -> Point<B> {
+    fn beside_guide(&mut self, line: Line<B>, rider: LinkId, turned: Option<Given>, of: PointId) -> Point<B> {
         let Some(&first) = self.mechanism.link(rider).points.first() else { return line.through };
         if first == of {
             return line.through;
@@ -186,11 +180,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The direction of a guide under a point of the skeleton: along a straight guide; on an arc the
     /// radius turned by +90°. With it, on an arc, the direction from the point to the centre.
-    pub(super) fn tangent(
-        &mut self,
-        slide: usize,
-        under: PointId,
-    ) -> (Direction<B>, Option<Direction<B>>) {
+    pub(super) fn tangent(&mut self, slide: usize, under: PointId) -> (Direction<B>, Option<Direction<B>>) {
         match self.track(slide, Some(under)) {
             Track::Straight(line) => (line.along, None),
             Track::Arc(circle) => {

@@ -313,7 +313,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act(Act::DrawGuide { slide });
         let own_anchor = self.own(lever, base);
         if matches!(self.mechanism.link(lever).form, Form::Placed) {
-            self.poses[lever.0] = Some(Pose { own_anchor: at_base, anchor: at_base, own_along: along, along });
+            self.poses[lever.0] =
+                Some(Pose { own_anchor: at_base, anchor: at_base, own_along: along, along });
         } else {
             let track = self.own_track(slide, Some(pin));
             let circle = Circle { centre: own_anchor, radius: distance };
