@@ -229,7 +229,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         };
         let slip = self.slips[slide];
         if let (Some(slip), true) = (slip, guide.link != LinkId::FRAME) {
-            let coriolis = self.coriolis(slide, slip.speed, (rider, guide.link));
+            let coriolis = self.coriolis(slip, (rider, guide.link));
             let left = self.board.quarter_turn(along);
             let kind = (VectorKind::Coriolis, Quantity::Coriolis(rider, guide.link));
             let foot = Label::Foot { point: pin, link: self.foot_link(slide, back), index };
@@ -238,12 +238,12 @@ impl<B: Bench> Draughtsman<'_, B> {
         if let (Some(slip), Some(inward), Path::Arc { radius, .. }) = (slip, inward, guide.path) {
             let radius = self.board.amount(radius);
             let reason = self.reason(&[guide.link]);
-            let normal = self.board.square_over(slip.speed, radius, reason);
+            let normal = self.board.square_over(slip, radius, reason);
             let quantity = Quantity::SlipNormal(rider, guide.link);
             self.act(Act::Calculate(Calculation::SlipNormal {
                 quantity,
                 slip: Quantity::Slip(rider, guide.link),
-                speed: slip.speed.value().abs(),
+                speed: slip.value().abs(),
                 radius: radius.value(),
                 value: normal.value(),
             }));
@@ -269,11 +269,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Aᶜ = 2 V ω, signed along the guide's direction turned by +90°.
-    fn coriolis(&mut self, slide: usize, slip: Amount<B>, (rider, link): (PointId, LinkId)) -> Amount<B> {
+    fn coriolis(&mut self, slip: Amount<B>, (rider, link): (PointId, LinkId)) -> Amount<B> {
         let omega = self.rate(Order::Velocity, link);
         let product = self.board.product(omega, slip);
         let coriolis = self.board.sum(product, product);
-        let _ = slide;
         self.act(Act::Calculate(Calculation::Coriolis {
             quantity: Quantity::Coriolis(rider, link),
             link,

@@ -1,6 +1,6 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
-use crate::board::{Amount, Angle, Bench, Board, Direction, Point, Reason, Scale};
+use crate::board::{Amount, Bench, Board, Point, Reason, Scale};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
@@ -36,22 +36,6 @@ pub(super) struct Coincident<B: Bench> {
     pub(super) image: Point<B>,
 }
 
-/// The sliding in a pair: how the rider moves along the guide, seen from the guide's link.
-pub(super) struct Slip<B: Bench> {
-    /// Direction of the guide under the rider.
-    pub(super) along: Direction<B>,
-    /// Signed sliding velocity in that direction.
-    pub(super) speed: Amount<B>,
-}
-
-impl<B: Bench> Clone for Slip<B> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<B: Bench> Copy for Slip<B> {}
-
 /// A vector of a polygon that answers a quantity by itself.
 pub(super) struct Part<B: Bench> {
     pub(super) quantity: Quantity,
@@ -72,8 +56,6 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) poses: Vec<Option<Pose<B>>>,
     /// Lengths already given or measured.
     pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount<B>)>,
-    /// Angles of driven links' first-to-second line.
-    pub(super) input_angles: Vec<Option<Angle<B>>>,
     /// Velocity images, by point.
     pub(super) velocities: Images<B>,
     /// Acceleration images, by point.
@@ -86,8 +68,9 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) feet: Vec<Foot<B>>,
     /// Images of points of guide links under their riders.
     pub(super) coincident: Vec<Coincident<B>>,
-    /// The sliding in each pair, by index of the pair.
-    pub(super) slips: Vec<Option<Slip<B>>>,
+    /// The sliding velocity in each pair, signed along the guide's direction under the rider, seen from the
+    /// guide's link; by index of the pair.
+    pub(super) slips: Vec<Option<Amount<B>>>,
     /// The apparent acceleration along the guide in each pair, signed, by index of the pair.
     pub(super) sliding_accelerations: Vec<Option<Amount<B>>>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
@@ -113,7 +96,6 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             figures: vec![None; links],
             poses: vec![None; links],
             lengths: Vec::new(),
-            input_angles: vec![None; links],
             velocities: vec![None; points],
             accelerations: vec![None; points],
             omegas: vec![None; links],

@@ -5,7 +5,7 @@ use crate::board::{Bench, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::GroupKind;
-use crate::mechanism::{Form, Input, LinkId, PointId, Rider};
+use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Claim, ConstructionLine, Reference};
@@ -34,7 +34,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
             GroupKind::Rpr { lever, base, pin, slide, rod } => {
                 d.rpr(step, lever, base, pin, slide)?;
                 if let Some(rod) = rod {
-                    d.ride_along(step, rod, slide, (pin, lever));
+                    d.ride_along(step, rod, slide, pin);
                 }
             }
             GroupKind::Prp { pin, slides } => d.prp(pin, slides)?,
@@ -108,7 +108,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         let along = match angle {
             Some(angle) => {
                 let angle = self.board.angle(angle);
-                self.input_angles[link.0] = Some(angle);
                 self.board.protractor(angle)
             }
             None => {
@@ -315,13 +314,19 @@ impl<B: Bench> Draughtsman<'_, B> {
         if matches!(self.mechanism.link(lever).form, Form::Placed) {
             self.poses[lever.0] =
                 Some(Pose { own_anchor: at_base, anchor: at_base, own_along: along, along });
+        } else if self.stands_upright(lever, base, slide) {
+            let x = self.board.rightward();
+            self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along: x, along: x });
         } else {
             let track = self.own_track(slide, Some(pin));
             let circle = Circle { centre: own_anchor, radius: distance };
             let pair = self.meet_track(track, circle, (lever, base), (slide, pin))?;
-            let swivels = matches!(self.mechanism.link(lever).form, Form::Single);
-            let side = if swivels || pair.tangent {
+            let side = if pair.tangent {
                 Side::First
+            } else if matches!(self.mechanism.link(lever).form, Form::Single) {
+                // It turns until the guide meets its rider, x toward the rider.
+                let [first, second] = [Side::First, Side::Second].map(|side| self.board.look(&pair, side)[0]);
+                if first >= second { Side::First } else { Side::Second }
             } else {
                 self.choose_lever(lever, (own_anchor, at_base), along, pin, pair)?
             };
@@ -331,6 +336,16 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         self.transfer_by_pose(step, lever);
         Ok(())
+    }
+
+    /// Whether a link of one joint has the world's axes at this instant: unless its guide goes through that
+    /// joint and swivels to meet the rider.
+    fn stands_upright(&self, lever: LinkId, base: PointId, slide: usize) -> bool {
+        let swivels = matches!(
+            self.mechanism.slides[slide].guide.path,
+            Path::Straight { through: GuidePoint::Point(p), .. } if p == base
+        );
+        matches!(self.mechanism.link(lever).form, Form::Single) && !swivels
     }
 
     /// Chooses between the two ways in which a lever's guide can pass through a pin.
@@ -390,35 +405,25 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// The pose of a link that slides without turning on a solved link, and has a known point.
-    fn ride_along(&mut self, step: &GroupStep, rider: LinkId, slide: usize, (pin, lever): (PointId, LinkId)) {
-        let own_anchor = self.own(rider, pin);
+    /// The pose of a rod that slides without turning on a lever, and has a known pin.
+    fn ride_along(&mut self, step: &GroupStep, rod: LinkId, slide: usize, pin: PointId) {
+        let own_anchor = self.own(rod, pin);
         let anchor = self.at(pin);
-        let guide_link = self.mechanism.slides[slide].guide.link;
-        let (own_along, along) = self.ride_directions(slide, guide_link, lever);
-        self.poses[rider.0] = Some(Pose { own_anchor, anchor, own_along, along });
-        self.transfer_by_pose(step, rider);
+        let (own_along, along) = self.ride_directions(slide);
+        self.poses[rod.0] = Some(Pose { own_anchor, anchor, own_along, along });
+        self.transfer_by_pose(step, rod);
     }
 
-    /// Own x-axis of a rider link and where it points on the skeleton.
-    fn ride_directions(
-        &mut self,
-        slide: usize,
-        guide_link: LinkId,
-        solved: LinkId,
-    ) -> (Direction<B>, Direction<B>) {
-        let _ = guide_link;
+    /// Own x-axis of a rider link and where it points on the skeleton. A rider of placed points rides as
+    /// placed: its own axes are the world's.
+    fn ride_directions(&mut self, slide: usize) -> (Direction<B>, Direction<B>) {
         let own_x = self.board.rightward();
-        let Rider::Link { link, turned: Some(turned) } = self.mechanism.slides[slide].rider else {
+        let Rider::Link { turned: Some(turned), .. } = self.mechanism.slides[slide].rider else {
             return (own_x, own_x);
         };
-        let _ = (link, solved);
-        let along = match self.track(slide, None) {
-            Track::Straight(line) => line.along,
-            Track::Arc(_) => own_x,
-        };
+        let Track::Straight(guide) = self.track(slide, None) else { return (own_x, own_x) };
         let by = self.board.angle(turned);
-        (own_x, self.board.turned(along, by))
+        (own_x, self.board.turned(guide.along, by))
     }
 
     /// A pin on two guides.
@@ -474,7 +479,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.transfer_by_pose(step, link);
             return;
         }
-        let (own_along, along) = self.ride_directions(ride, link, link);
+        let (own_along, along) = self.ride_directions(ride);
         let own_anchor = self.own(link, first);
         // The slot's line carried over as if the first joint stood at the pin, then shifted so that it
         // passes through the pin.

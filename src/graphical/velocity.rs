@@ -20,7 +20,7 @@ use crate::plan::{GroupStep, Plan};
 use super::construction::{
     Act, Calculation, Claim, Equation, Label, Reference, Term, TermDirection, VectorKind,
 };
-use super::draughtsman::{Draughtsman, Slip};
+use super::draughtsman::Draughtsman;
 
 /// Two sides of an image triangle that cross flatter than this are not constructed from but replaced by
 /// the similar figure (sine of about 3°, `drawing.md`).
@@ -345,7 +345,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let read = self.board.read(along, scale);
         // Read from the guide's point to the rider: against the ray where it was drawn backwards.
         let speed = if back { self.board.opposite(read) } else { read };
-        self.slips[slide] = Some(Slip { along: route.ray.along, speed });
+        self.slips[slide] = Some(speed);
         let (tail, head) = if back { ((label, image), route.from) } else { (route.from, (label, image)) };
         let quantity = match (target, back) {
             // A yoke on a fixed guide: its own velocity is the sliding velocity.
@@ -393,14 +393,14 @@ impl<B: Bench> Draughtsman<'_, B> {
     pub(super) fn rates_of_blocks(&mut self, order: Order, links: &[LinkId]) {
         for index in 0..self.mechanism.slides.len() {
             let slide = self.mechanism.slides[index];
-            let Rider::Pin { point, block: Some(block) } = slide.rider else { continue };
+            let Rider::Pin { block: Some(block), .. } = slide.rider else { continue };
             if !links.contains(&block) {
                 continue;
             }
             let mut rate = self.rate(order, slide.guide.link);
             if let Path::Arc { radius, .. } = slide.guide.path {
                 let along = match order {
-                    Order::Velocity => self.slips[index].map(|slip| slip.speed),
+                    Order::Velocity => self.slips[index],
                     _ => self.sliding_accelerations[index],
                 };
                 if let Some(along) = along {
@@ -412,7 +412,6 @@ impl<B: Bench> Draughtsman<'_, B> {
             } else if slide.guide.link == LinkId::FRAME && order == Order::Velocity {
                 self.act(Act::Calculate(Calculation::Translation { link: block }));
             }
-            let _ = point;
             self.set_rate(order, block, rate);
         }
     }
