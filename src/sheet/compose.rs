@@ -6,10 +6,11 @@ use super::figure::{Figure, Group, Mark, Pen, Shape};
 use super::notation::Notation;
 use super::rich::Rich;
 use super::steps::{self, Item};
-use super::table::Block;
+use super::table::{Block, Table};
 use super::words::{Language, Words};
 use super::{polygon, results, skeleton};
 use crate::graphical::construction::Construction;
+use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
 
 /// Blank around the page.
@@ -20,6 +21,10 @@ const EDGE: f64 = 4.0;
 const TEXT: f64 = 3.5;
 /// From base line to base line of running text.
 const LEADING: f64 = 4.9;
+/// The result table stands beside the skeleton if it is no taller than this.
+const TALLEST_BESIDE: f64 = 112.0;
+/// Everything.
+const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.
 const GUTTER: f64 = 8.0;
 
@@ -38,20 +43,26 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&results::given(&notation));
 
-    let mut blocks = vec![panel(Name::Skeleton, construction, &notation)];
-    let rows = construction.answers.len();
-    let table = results::table(construction, &notation, 3.5);
-    let beside = Rect::new(0.0, 0.0, pager.width() - GUTTER, 115.0);
-    let fits_beside = blocks.iter().flatten().all(|b| b.width + table.width() < beside.width())
-        && rows <= table.rows_in(beside.height());
-    if rows > 0 && fits_beside {
-        blocks.push(Some(table.draw("results", 0, rows)));
-    }
-    blocks.push(panel(Name::Velocity, construction, &notation));
-    blocks.push(panel(Name::Acceleration, construction, &notation));
+    let drawn = |name| panel(name, construction, &notation);
+    let skeleton = drawn(Name::Skeleton);
+    let beside = pager.width() - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
+    // All results beside the skeleton, or those of velocity there and the others below the panels.
+    let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
+    let fits = |table: &Table| {
+        !table.rows.is_empty() && table.width() <= beside && table.rows.len() <= table.rows_in(TALLEST_BESIDE)
+    };
+    let whole = of(&ORDERS);
+    let (first, rest) = if fits(&whole) {
+        (Some(whole), None)
+    } else {
+        let (slow, fast) = (of(&[Order::Position, Order::Velocity]), of(&[Order::Acceleration]));
+        if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
+    };
+    let first = first.map(|table| table.draw("results", 0, table.rows.len()));
+    let blocks = [skeleton, first, drawn(Name::Velocity), drawn(Name::Acceleration)];
     pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
-    if rows > 0 && !fits_beside {
-        pager.results(&table.fitted(pager.column()), rows);
+    if let Some(table) = rest {
+        pager.results(&table.fitted(pager.column()));
     }
     pager.steps(&steps::items(construction, &notation));
     let (pages, count) = pager.finish();
@@ -75,8 +86,8 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "velocity" => (panel(Name::Velocity, construction, &notation)?, words.velocity_diagram),
         "acceleration" => (panel(Name::Acceleration, construction, &notation)?, words.acceleration_diagram),
         "results" => {
-            let rows = construction.answers.len();
-            (results::table(construction, &notation, TEXT).draw("results", 0, rows), words.results)
+            let table = results::table(construction, &notation, &ORDERS, TEXT);
+            (table.draw("results", 0, table.rows.len()), words.results)
         }
         "steps" => (column(&steps::items(construction, &notation), 90.0), words.steps),
         _ => return None,
@@ -346,29 +357,33 @@ impl Pager {
         }
     }
 
-    /// The result table, cut into columns and pages where it is long.
-    fn results(&mut self, table: &super::table::Table, rows: usize) {
+    /// The result table in two columns of even height, on as many pages as it needs.
+    fn results(&mut self, table: &Table) {
+        let rows = table.rows.len();
         let mut from = 0;
-        let mut column = 0;
-        let mut deepest = self.y;
         while from < rows {
             let fit = table.rows_in(self.bottom() - self.y);
-            if fit < 3.min(rows - from) || column == 2 {
+            if fit < 3.min(rows - from) && self.y > MARGIN + 30.0 {
                 self.page();
-                column = 0;
-                deepest = self.y;
                 continue;
             }
-            let to = (from + fit).min(rows);
-            let block = table.draw("results", from, to);
-            let x = MARGIN + column as f64 * (self.column() + GUTTER);
-            let y = self.y;
-            deepest = deepest.max(y + block.height);
-            self.add(block.group, x, y);
-            from = to;
-            column += 1;
+            let here = (rows - from).min(2 * fit.max(1));
+            let left = here.div_ceil(2);
+            let mut deepest = self.y;
+            for (column, (a, b)) in [(from, from + left), (from + left, from + here)].into_iter().enumerate()
+            {
+                if a < b {
+                    let block = table.draw("results", a, b);
+                    let blank = (self.column() - block.width) / 2.0;
+                    let x = MARGIN + column as f64 * (self.column() + GUTTER) + blank.max(0.0);
+                    let y = self.y;
+                    deepest = deepest.max(y + block.height);
+                    self.add(block.group, x, y);
+                }
+            }
+            self.y = deepest + 8.0;
+            from += here;
         }
-        self.y = deepest + 8.0;
     }
 
     /// The steps in two columns, the last pair of them balanced.

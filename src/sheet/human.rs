@@ -8,9 +8,9 @@ use crate::mechanism::quantity::Unit;
 #[must_use]
 pub fn number(value: f64) -> Rich {
     let size = value.abs();
-    let short: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     if (short - value).abs() <= 1e-9 * size {
-        return figures(value, 4, true);
+        return figures(value, 3, true);
     }
     let digits = if size >= 1000.0 { 4 } else { 3 };
     figures(value, digits, false)
@@ -65,6 +65,24 @@ pub fn stated_quantity(si: f64, unit: &Unit) -> Rich {
     with_unit(&stated(si / unit.si), &unit.symbol)
 }
 
+/// The length of a speed's unit: mm of mm/s.
+#[must_use]
+pub fn length_of(speed: &Unit) -> Option<Unit> {
+    let lengths: [(&str, f64); 8] = [
+        ("nm", 1e-9),
+        ("um", 1e-6),
+        ("mm", 1e-3),
+        ("cm", 1e-2),
+        ("m", 1.0),
+        ("km", 1e3),
+        ("in", 0.0254),
+        ("ft", 0.3048),
+    ];
+    let (symbol, _) = speed.symbol.split_once('/')?;
+    let (_, si) = lengths.into_iter().find(|(name, _)| *name == symbol)?;
+    Some(Unit { symbol: symbol.to_owned(), si })
+}
+
 fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
@@ -115,7 +133,7 @@ mod tests {
             (0.0538, "0.0538"),
             (12_345.6, "12350"),
             (1.26e6, "1.26\u{a0}×\u{a0}106"),
-            (-2.511e-7, "−2.511\u{a0}×\u{a0}10−7"),
+            (-2.511e-7, "−2.51\u{a0}×\u{a0}10−7"),
             (-2.51154e-7, "−2.51\u{a0}×\u{a0}10−7"),
             (45.0, "45"),
             (0.3 / 0.01, "30"),

@@ -1,6 +1,6 @@
 //! Strokes that several drawings share: arrows, hatching, right-angle marks.
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Point, Vec2};
 
 use super::figure::{Group, Mark, Pen, Shape, Tone, on_circle};
 
@@ -159,10 +159,4 @@ pub fn turned_rect(centre: Point, along: Vec2, half_length: f64, half_width: f64
     let across = Vec2::new(-along.y, along.x) * half_width;
     let along = along * half_length;
     vec![centre + along + across, centre - along + across, centre - along - across, centre + along - across]
-}
-
-/// The least box around points.
-#[must_use]
-pub fn extent(points: impl IntoIterator<Item = Point>) -> Option<Rect> {
-    points.into_iter().map(|p| Rect::from_points(p, p)).reduce(|a, b| a.union(b))
 }

@@ -41,8 +41,8 @@ pub struct Request {
     pub text: Rich,
     /// Size of the type.
     pub size: f64,
-    /// Where it may stand.
-    pub site: Site,
+    /// Where it may stand; the first is preferred.
+    pub sites: Vec<Site>,
     /// Class of the text.
     pub class: &'static str,
     /// Radius of a circle around the text, for link numbers.
@@ -54,10 +54,17 @@ pub struct Request {
 }
 
 impl Request {
+    /// The same with a further place where it may stand.
+    #[must_use]
+    pub fn or(mut self, site: Site) -> Self {
+        self.sites.push(site);
+        self
+    }
+
     /// A label that must be placed.
     #[must_use]
     pub fn new(text: Rich, size: f64, site: Site, class: &'static str) -> Self {
-        Self { text, size, site, class, ring: None, optional: false, leader: false }
+        Self { text, size, sites: vec![site], class, ring: None, optional: false, leader: false }
     }
 }
 
@@ -160,17 +167,17 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
     let anchors: Vec<(usize, Point)> = requests
         .iter()
         .enumerate()
-        .filter_map(|(i, r)| match r.site {
-            Site::Around { at, .. } => Some((i, at)),
-            Site::Along { .. } => None,
+        .filter_map(|(i, r)| match r.sites[..] {
+            [Site::Around { at, .. }] => Some((i, at)),
+            _ => None,
         })
         .collect();
     let lines_named: Vec<(usize, Point, Point)> = requests
         .iter()
         .enumerate()
-        .filter_map(|(i, r)| match r.site {
-            Site::Along { from, to } => Some((i, from, to)),
-            Site::Around { .. } => None,
+        .filter_map(|(i, r)| match r.sites[..] {
+            [Site::Along { from, to }, ..] => Some((i, from, to)),
+            _ => None,
         })
         .collect();
     let strangers = Strangers { points: anchors, lines: lines_named };
@@ -179,12 +186,16 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
         .zip(&lines)
         .enumerate()
         .map(|(i, (request, line))| {
-            let mut all = candidates(request, line);
-            for candidate in &mut all {
-                price(candidate, request, i, &obstacles, &strangers, within);
+            let mut all = Vec::new();
+            for (rank, site) in request.sites.iter().enumerate() {
+                for mut candidate in candidates(request, *site, line) {
+                    candidate.cost += 5.0 * rank as f64;
+                    price(&mut candidate, *site, i, &obstacles, &strangers, within);
+                    all.push(candidate);
+                }
             }
             all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-            all.truncate(160);
+            all.truncate(240);
             all
         })
         .collect();
@@ -281,7 +292,7 @@ fn crossing(a: Point, b: Point, c: Point, d: Point) -> bool {
 /// Adds what ink, strangers and the edge cost.
 fn price(
     candidate: &mut Candidate,
-    request: &Request,
+    site: Site,
     index: usize,
     obstacles: &Obstacles,
     strangers: &Strangers,
@@ -305,7 +316,7 @@ fn price(
             }
         }
     }
-    if let (Site::Around { at, .. }, Some(own)) = (request.site, candidate.boxes.first()) {
+    if let (Site::Around { at, .. }, Some(own)) = (site, candidate.boxes.first()) {
         let near = distance(*own, at);
         for (_, stranger) in strangers.points.iter().filter(|(j, p)| *j != index && p.distance(at) > 0.2) {
             let far = distance(*own, *stranger);
@@ -314,7 +325,7 @@ fn price(
             }
         }
     }
-    if let (Site::Along { from, to }, Some(own)) = (request.site, candidate.boxes.first()) {
+    if let (Site::Along { from, to }, Some(own)) = (site, candidate.boxes.first()) {
         let near = to_line(own.center(), from, to);
         for (_, a, b) in strangers.lines.iter().filter(|(j, ..)| *j != index) {
             let far = to_line(own.center(), *a, *b);
@@ -343,7 +354,7 @@ fn distance(r: Rect, p: Point) -> f64 {
     libm::hypot(dx, dy)
 }
 
-fn candidates(request: &Request, line: &Line) -> Vec<Candidate> {
+fn candidates(request: &Request, site: Site, line: &Line) -> Vec<Candidate> {
     let half = match request.ring {
         Some(radius) => Vec2::new(radius, radius),
         None => Vec2::new(line.ink.width() / 2.0, line.ink.height() / 2.0),
@@ -356,14 +367,19 @@ fn candidates(request: &Request, line: &Line) -> Vec<Candidate> {
             None => line.boxes_at(at),
         };
         let leader = leader.map(|from| {
-            let own = Rect::from_center_size(centre, (2.0 * half.x + 0.8, 2.0 * half.y + 0.8));
-            let to = clip(from, centre, own).map_or(centre, |(t, _)| from.lerp(centre, t));
+            let to = if let Some(radius) = request.ring {
+                let d = from - centre;
+                centre + d * (radius / d.hypot().max(1e-9)).min(1.0)
+            } else {
+                let own = Rect::from_center_size(centre, (2.0 * half.x + 0.8, 2.0 * half.y + 0.8));
+                clip(from, centre, own).map_or(centre, |(t, _)| from.lerp(centre, t))
+            };
             (from, to)
         });
         Candidate { at, boxes, leader, cost, touches_ink: false }
     };
     let mut all = Vec::new();
-    match request.site {
+    match site {
         Site::Around { at, radius, toward } => {
             for (ring, gap) in [0.6, 1.1, 1.8, 2.8, 4.2].into_iter().enumerate() {
                 for k in 0..24 {
@@ -394,10 +410,19 @@ fn candidates(request: &Request, line: &Line) -> Vec<Candidate> {
             let reach = if let Some(radius) = request.ring { radius } else { reach };
             for (i, t) in [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73, 0.2, 0.8].into_iter().enumerate() {
                 for side in [1.0, -1.0] {
+                    let up = if side * normal.y < 0.0 { 0.0 } else { 0.4 };
+                    let taste = 0.8 * i as f64 + up;
                     for (ring, gap) in [0.8, 1.5, 2.5].into_iter().enumerate() {
                         let centre = from + d * t + normal * (side * (reach + gap));
-                        let up = if side * normal.y < 0.0 { 0.0 } else { 0.4 };
-                        all.push(stand(centre, 0.8 * i as f64 + 3.0 * ring as f64 + up, None));
+                        all.push(stand(centre, taste + 3.0 * ring as f64, None));
+                    }
+                    if request.leader {
+                        for (ring, gap) in [4.0, 6.0, 8.5, 11.0].into_iter().enumerate() {
+                            let foot = from + d * t;
+                            let centre = foot + normal * (side * (reach + gap));
+                            let start = foot + normal * (side * 0.4);
+                            all.push(stand(centre, 30.0 + taste + 4.0 * ring as f64, Some(start)));
+                        }
                     }
                 }
             }

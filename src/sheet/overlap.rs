@@ -37,6 +37,8 @@ pub fn overlaps_in(group: &Group, page: Option<Rect>) -> Vec<Overlap> {
         .enumerate()
         .flat_map(|(i, text)| text.boxes().into_iter().map(move |b| (i, b)))
         .collect();
+    let inks: Vec<(&Mark, Rect)> =
+        marks.into_iter().filter(|m| !m.backdrop).map(|m| (m, m.bounds())).collect();
     let mut found = Vec::new();
     let mut report = |i: usize, with: String, at: Rect| {
         found.push(Overlap { text: texts[i].content(), with, at: at.center() });
@@ -52,8 +54,10 @@ pub fn overlaps_in(group: &Group, page: Option<Rect>) -> Vec<Overlap> {
                 report(*i, format!("text {:?}", texts[*j].content()), *own);
             }
         }
-        for mark in &marks {
-            if touches(mark, *own) {
+        for (mark, ink) in &inks {
+            // A level stroke without width has a box without area, so the plain test, not an intersection.
+            let apart = ink.x0 > own.x1 || ink.x1 < own.x0 || ink.y0 > own.y1 || ink.y1 < own.y0;
+            if !apart && touches(mark, *own) {
                 report(*i, format!("ink {:?}", mark.class), *own);
             }
         }
@@ -62,25 +66,11 @@ pub fn overlaps_in(group: &Group, page: Option<Rect>) -> Vec<Overlap> {
 }
 
 /// Whether the ink of a mark meets a box.
-#[must_use]
-pub fn touches(mark: &Mark, own: Rect) -> bool {
-    if mark.backdrop {
-        return false;
-    }
+fn touches(mark: &Mark, own: Rect) -> bool {
     let half = mark.pen.map_or(0.0, |pen| pen.width / 2.0);
     let grown = own.inflate(half, half);
-    if grown.intersect(mark.bounds()).is_zero_area() && !crosses_flat(mark, grown) {
-        return false;
-    }
-    if mark.shape.outline().iter().any(|(a, b)| clip(*a, *b, grown).is_some()) {
-        return true;
-    }
-    mark.fill == Some(Tone::Ink) && encloses(&mark.shape, own.center())
-}
-
-/// A level or upright stroke has a box without area.
-fn crosses_flat(mark: &Mark, grown: Rect) -> bool {
     mark.shape.outline().iter().any(|(a, b)| clip(*a, *b, grown).is_some())
+        || (mark.fill == Some(Tone::Ink) && encloses(&mark.shape, own.center()))
 }
 
 fn encloses(shape: &Shape, p: Point) -> bool {

@@ -3,7 +3,7 @@
 use kurbo::{Point, Vec2};
 
 use super::figure::{Group, Mark, Pen, Shape, Tone};
-use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, page, right_angle};
+use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, hull, page, right_angle};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::rich::Rich;
@@ -57,6 +57,10 @@ fn link_images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
     let mut all = Group::new("images");
     for image in &polygon.link_images {
         let corners: Vec<Point> = image.corners.iter().map(|(_, at)| page(*at)).collect();
+        let corners = hull(&corners);
+        if corners.len() < 3 {
+            continue;
+        }
         let mut own = Group::new("image link-image").data("link", notation.number(image.link));
         own.mark(Mark::area(Shape::Polygon(corners), Tone::Tint).precise());
         all.group(own);

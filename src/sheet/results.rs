@@ -8,15 +8,16 @@ use crate::graphical::construction::{Construction, Reading};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
 use crate::mechanism::{Form, Input, Rider};
 
-/// The asked quantities with their values, senses and directions.
+/// The asked quantities of these orders with their values, senses and directions.
 #[must_use]
-pub fn table(construction: &Construction, notation: &Notation<'_>, size: f64) -> Table {
+pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Order], size: f64) -> Table {
     let words = notation.words;
     let rows = notation
         .mechanism()
         .asked
         .iter()
         .zip(&construction.answers)
+        .filter(|(asked, _)| orders.contains(&asked.quantity.order()))
         .map(|(asked, reading)| row(asked, reading, notation))
         .collect();
     Table {

@@ -15,7 +15,7 @@ use super::notation::Notation;
 use super::polygon::short_arc;
 use super::pose::{GuideLine, Pose};
 use super::rich::Rich;
-use crate::graphical::construction::{Act, Calculation, Construction, ConstructionLine};
+use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll};
 
@@ -123,12 +123,15 @@ impl Artist<'_> {
         for line in &self.construction.space.lines {
             if let Some(arc) = short_arc(line) {
                 all.mark(arc);
-            } else if let ConstructionLine::Ray { from, to, .. } = line {
+            } else if let ConstructionLine::Ray { from, to, claim, .. } = line {
                 let (from, to) = (page(*from), page(*to));
                 let d = to - from;
                 if d.hypot() > 1e-9 {
+                    // The line of a guide is an axis.
+                    let axis = matches!(claim, Some(Claim::Parallel(Reference::Guide(_))));
+                    let pen = if axis { Pen::chain(FINE) } else { Pen::solid(FINE) };
                     let shape = Shape::Line(from, to + d.normalize() * 4.0);
-                    all.mark(Mark::stroke(shape, Pen::solid(FINE)).precise());
+                    all.mark(Mark::stroke(shape, pen).class(if axis { "axis" } else { "ray" }).precise());
                 }
             }
         }
@@ -239,7 +242,7 @@ impl Artist<'_> {
                     if !slotted {
                         own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).class("bar").precise());
                     }
-                    for joint in between {
+                    for joint in between.into_iter().filter(|joint| self.is_pinned(*joint)) {
                         self.continuity(link, joint, (b - a).normalize(), &mut own);
                     }
                 }
@@ -250,6 +253,12 @@ impl Artist<'_> {
             }
         }
         all
+    }
+
+    /// Whether a turning pair is at this place.
+    fn is_pinned(&self, at: Point) -> bool {
+        let pins = &self.notation.mechanism().pins;
+        pins.iter().filter_map(|pin| self.pose.place(pin.point)).any(|p| p.distance(at) < 0.3)
     }
 
     /// A link of three or more points: outlined and lightly hatched; a bell crank as two arms with a web.
@@ -493,7 +502,12 @@ impl Artist<'_> {
             let site = Site::Around { at: middle, radius: 0.3, toward: Some(turn / 2.0) };
             let text = self.notation.symbol(Quantity::Angle(*link), false).up("\u{a0}=\u{a0}");
             let text = text.then(&human::degrees(angle.value));
-            self.labels.push(Request::new(text, SMALL, site, "label angle"));
+            let beyond = Site::Around { at: end, radius: 0.3, toward: Some(0.0) };
+            let quarter = on_circle(from, radius, turn / 4.0);
+            let quarter = Site::Around { at: quarter, radius: 0.3, toward: Some(turn / 4.0) };
+            let mut request = Request::new(text, SMALL, site, "label angle").or(quarter).or(beyond);
+            request.leader = true;
+            self.labels.push(request);
         }
         all
     }
@@ -647,7 +661,11 @@ impl Artist<'_> {
                 Some((_, a, b)) => {
                     // A straight link with a middle joint is numbered on its longer piece.
                     let (from, to) = self.longest_piece(link, *a, *b);
-                    requests.push(ringed(&number, Site::Along { from, to }));
+                    let mut request = ringed(&number, Site::Along { from, to });
+                    for (_, a, b) in self.bars.iter().filter(|(l, ..)| *l == link).skip(1) {
+                        request = request.or(Site::Along { from: *a, to: *b });
+                    }
+                    requests.push(request);
                 }
                 None if !blocked => {
                     if let Some((_, at)) = self.pose.places(link).first() {
@@ -694,6 +712,7 @@ struct Turn {
 fn ringed(number: &str, site: Site) -> Request {
     let mut request = Request::new(Rich::upright(number), SMALL * 0.95, site, "label link-number");
     request.ring = Some(if number.len() > 1 { 2.6 } else { 2.1 });
+    request.leader = true;
     request
 }
 

@@ -5,9 +5,11 @@ use super::notation::Notation;
 use super::rich::Rich;
 use super::table::{Align, Table};
 use crate::graphical::construction::{
-    Act, Calculation, Construction, Equation, Polygon, Step, Term, TermDirection, Vector, VectorKind,
+    Act, Calculation, Claim, Construction, Equation, Label, Polygon, Reference, Step, Term, TermDirection,
+    Vector, VectorKind,
 };
-use crate::mechanism::quantity::Order;
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::{LinkId, PointId};
 
 /// Flatter crossings than this are badly readable by hand.
 const FLAT: f64 = 3.0;
@@ -27,8 +29,17 @@ pub enum Item {
 #[must_use]
 pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
     let mut all = Vec::new();
+    let mut rubbing = false;
     for (i, step) in construction.steps.iter().enumerate() {
         let teller = Teller { construction, notation, step };
+        // Rubbing speeds of several pins stand under one head.
+        let rubs = only_rubs(step);
+        let same = rubs && rubbing;
+        rubbing = rubs;
+        if same {
+            all.extend(step.acts.iter().filter_map(|act| teller.act(act)).map(Item::Sentence));
+            continue;
+        }
         all.push(Item::Head(Rich::bold(format!("{}.", i + 1)).up("\u{a0}\u{a0}").then(&teller.head())));
         for equation in &step.equations {
             all.push(Item::Terms(teller.terms(equation)));
@@ -40,6 +51,11 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
     all
 }
 
+fn only_rubs(step: &Step) -> bool {
+    let rub = |act: &Act| matches!(act, Act::Calculate(Calculation::Rub { .. }));
+    !step.acts.is_empty() && step.acts.iter().all(rub)
+}
+
 struct Teller<'a> {
     construction: &'a Construction,
     notation: &'a Notation<'a>,
@@ -49,6 +65,9 @@ struct Teller<'a> {
 impl Teller<'_> {
     fn head(&self) -> Rich {
         let words = self.notation.words;
+        if only_rubs(self.step) {
+            return Rich::bold(words.step_rubbing);
+        }
         let template = match (self.step.order, self.step.links.is_empty()) {
             (Order::Position, true) => words.step_frame,
             (Order::Position, false) => words.step_place,
@@ -131,7 +150,7 @@ impl Teller<'_> {
         let sentence = match act {
             Act::MarkPlaces => {
                 let points: Vec<Rich> = (0..n.mechanism().points.len())
-                    .map(crate::mechanism::PointId)
+                    .map(PointId)
                     .filter(|p| n.mechanism().point(*p).place.exact().is_some())
                     .map(|p| n.point(p))
                     .collect();
@@ -180,10 +199,7 @@ impl Teller<'_> {
                     ("value", metres(*value)),
                 ],
             ),
-            Act::MarkPole => Rich::fill(
-                words.mark_pole,
-                &[("pole", n.image(crate::graphical::construction::Label::Pole, order))],
-            ),
+            Act::MarkPole => Rich::fill(words.mark_pole, &[("pole", n.image(Label::Pole, order))]),
             Act::Calculate(calculation) => return self.calculation(calculation),
             Act::LayOffVector { vector, mm, .. } => {
                 let vector = self.vector(*vector)?;
@@ -247,14 +263,40 @@ impl Teller<'_> {
         Some(sentence)
     }
 
+    /// The direction in which a vector is laid off, with its sense.
     fn direction_of(&self, vector: &Vector) -> Rich {
-        let direction = vector.claim.map(|claim| self.notation.claim(claim));
+        let n = self.notation;
+        let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.up(", ").then(&b) };
+        let Some(claim) = vector.claim else { return Rich::default() };
         if vector.kind == VectorKind::Coriolis {
-            let head = ("head", self.notation.image(vector.head, self.step.order));
-            let rule = Rich::fill(self.notation.words.head_first, &[head]);
-            return direction.map_or_else(|| rule.clone(), |d| d.up(", ").then(&rule));
+            let head = ("head", n.image(vector.head, self.step.order));
+            return comma(n.claim(claim), Rich::fill(n.words.head_first, &[head]));
         }
-        direction.unwrap_or_default()
+        match claim {
+            Claim::Parallel(Reference::Points(p, q)) => {
+                let places = &self.construction.space.places;
+                let place = |p: PointId| places.get(p.0).copied().flatten();
+                let (Some(a), Some(b)) = (place(p), place(q)) else { return n.claim(claim) };
+                let along = (b[0] - a[0]) * (vector.to[0] - vector.from[0])
+                    + (b[1] - a[1]) * (vector.to[1] - vector.from[1]);
+                let (p, q) = if along < 0.0 { (q, p) } else { (p, q) };
+                Rich::upright("∥\u{a0}").then(&n.point(p)).up("\u{2009}→\u{2009}").then(&n.point(q))
+            }
+            Claim::Perpendicular(Reference::Points(p, q)) => {
+                let carries = |l: &LinkId| {
+                    let points = &n.mechanism().link(*l).points;
+                    points.contains(&p) && points.contains(&q)
+                };
+                let Some(link) = n.mechanism().moving().find(carries) else { return n.claim(claim) };
+                let rotation = match vector.kind {
+                    VectorKind::Tangential => Quantity::Alpha(link),
+                    _ => Quantity::Omega(link),
+                };
+                let sense = Rich::fill(n.words.in_sense_of, &[("rotation", n.symbol(rotation, false))]);
+                comma(n.claim(claim), sense)
+            }
+            _ => n.claim(claim),
+        }
     }
 
     fn warned(&self, sentence: Rich, crossing: f64) -> Rich {
@@ -266,7 +308,6 @@ impl Teller<'_> {
     }
 
     fn calculation(&self, calculation: &Calculation) -> Option<Rich> {
-        use crate::mechanism::quantity::Quantity;
         let n = self.notation;
         let equals = "\u{a0}= ";
         let length = &n.scene.units.length;
@@ -383,6 +424,7 @@ impl Teller<'_> {
                 let quantity = Quantity::Rub(*pin, links[0], links[1]);
                 let unit = n.mechanism().asked.iter().find(|q| q.quantity == quantity);
                 let unit = unit.map_or_else(|| v.clone(), |asked| asked.unit.clone());
+                let length = human::length_of(&unit).unwrap_or_else(|| length.clone());
                 n.symbol(quantity, false)
                     .up(equals)
                     .it("r")
@@ -392,7 +434,7 @@ impl Teller<'_> {
                     .then(&n.symbol(Quantity::Omega(links[1]), false))
                     .up("|")
                     .up(equals)
-                    .then(&human::stated_quantity(*radius, length))
+                    .then(&human::stated_quantity(*radius, &length))
                     .up(cross)
                     .then(&number((first - second).abs(), w.si))
                     .up(equals)

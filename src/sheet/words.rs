@@ -85,6 +85,7 @@ pub struct Words {
     pub step_velocity: &'static str,
     pub step_acceleration_pole: &'static str,
     pub step_acceleration: &'static str,
+    pub step_rubbing: &'static str,
 
     // Acts.
     pub mark_places: &'static str,
@@ -99,6 +100,7 @@ pub struct Words {
     pub lay_off_vector: &'static str,
     pub vector_as_point: &'static str,
     pub head_first: &'static str,
+    pub in_sense_of: &'static str,
     pub draw_ray: &'static str,
     pub mark_meet: &'static str,
     pub divide_image: &'static str,
@@ -148,6 +150,7 @@ const ENGLISH: Words = Words {
     step_velocity: "Velocity of {links}",
     step_acceleration_pole: "Acceleration: the pole and the input",
     step_acceleration: "Acceleration of {links}",
+    step_rubbing: "Rubbing speeds",
 
     mark_places: "Mark the given points {points} to the scale {scale}.",
     lay_off_link: "At {from} lay off {length} = {value} ({mm}) at {angle} to the horizontal: {to}.",
@@ -161,6 +164,7 @@ const ENGLISH: Words = Words {
     lay_off_vector: "Lay off {vector} = {image} = {mm}, {direction}.",
     vector_as_point: "{vector} measures {mm} on paper: drawn as a point, {tail} and {head} coincide.",
     head_first: "its head at {head}",
+    in_sense_of: "in the sense of {rotation}",
     draw_ray: "Through {from} draw a line {direction}.",
     mark_meet: "The lines meet in {label}.",
     divide_image: "Divide {image} as the link is divided: {part} : {image} = {ratio} gives {label}.",
