@@ -564,7 +564,8 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// Aⁿ = ω² l and Aᵗ = ε l about a point whose image is known.
     pub(super) fn acceleration_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point<B> {
         let scale = self.polygon_scale(Order::Acceleration);
-        let label = Label::Foot { point, link: Some(link), index: 1 };
+        let foot_of = if self.mechanism.link(link).points.contains(&point) { None } else { Some(link) };
+        let label = Label::Foot { point, link: foot_of, index: 1 };
         let foot = self.lay_off_normal(link, point, base, label);
         let alpha = self.rate(Order::Acceleration, link);
         let length = self.length_to(link, base, point);
