@@ -26,6 +26,8 @@ const AT_ROUNDING: f64 = 64.0;
 const FLOOR: f64 = 4e-15;
 const MOST_ITERATIONS: usize = 80;
 const MOST_ASSEMBLIES: usize = 64;
+/// Groups solved in going back, beyond two rounds of all.
+const MOST_GROUPS: usize = 400;
 /// Floating-point operations that one group may cost, roughly.
 const WORK: f64 = 3e9;
 
@@ -154,7 +156,7 @@ impl<'a> Assembler<'a> {
         let mut failure: Option<(usize, f64)> = None;
         let mut group = 0;
         let mut complete = 0;
-        let mut budget = 4000 + 4 * self.groups.len();
+        let mut budget = MOST_GROUPS + 2 * self.groups.len();
         loop {
             let mut stuck = None;
             while group < self.groups.len() {
@@ -488,7 +490,7 @@ impl<'a> Assembler<'a> {
             }
             let next = Self::moved(group, pose, &step);
             let Some((r, t, j)) = self.evaluate(group, &next) else { break };
-            if !(r.norm() < residuals.norm()) {
+            if r.norm().is_nan() || r.norm() >= residuals.norm() {
                 break;
             }
             pose.copy_from_slice(&next);

@@ -176,6 +176,9 @@ fn invert(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
 /// (Collatz 1942, Wielandt 1950). It does not depend on the scales of the unknowns.
 fn spectral_radius_bound(matrix: &DMatrix<f64>) -> f64 {
     let n = matrix.nrows();
+    if !matrix.iter().all(|m| m.is_finite()) {
+        return f64::INFINITY;
+    }
     let mut x = vec![1.0; n];
     let mut best = f64::INFINITY;
     for _ in 0..40 {
@@ -213,6 +216,7 @@ pub(super) fn entry_error(
     let spread: f64 = linear
         .terms
         .iter()
+        .filter(|(_, c)| *c != 0.0)
         .map(|(leaf, c)| match leaf {
             Leaf::Pose(at) => c.abs() * pose_error[*at],
             Leaf::Param(at) => c.abs() * params[*at].error,

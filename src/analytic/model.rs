@@ -693,7 +693,11 @@ impl Model {
 
     /// The equations of motion.
     fn write_motion(&mut self, unit: bool) -> Result<Vec<Row>, AnalyticError> {
+        // Where there are too many equations the first are kept: the inputs before the pairs.
         let mut rows = Vec::new();
+        for input in self.mechanism.inputs.clone() {
+            rows.extend(self.input_row(&input, false, unit)?);
+        }
         for pin in self.mechanism.pins.clone() {
             let [a, b] = pin.links;
             let ends = [self.point_site(a, pin.point)?, self.point_site(b, pin.point)?];
@@ -703,9 +707,6 @@ impl Model {
         rows.extend(self.floating().map(|body| Row::Hold(3 * body + 2)));
         for roll in 0..self.mechanism.rolls.len() {
             rows.push(self.roll_row(roll)?);
-        }
-        for input in self.mechanism.inputs.clone() {
-            rows.extend(self.input_row(&input, false, unit)?);
         }
         let missing = (3 * (self.bodies - 1)).saturating_sub(rows.len());
         for roll in self.contacts(missing) {
@@ -717,10 +718,13 @@ impl Model {
     /// The equations of position.
     fn write_position(&mut self) -> Result<(), AnalyticError> {
         let mut rows = Vec::new();
+        for input in self.mechanism.inputs.clone() {
+            rows.extend(self.input_row(&input, true, false)?);
+        }
         let mut known = vec![false; self.bodies];
         known[0] = true;
-        for body in 1..self.mechanism.links.len() {
-            known[body] = self.anchor(body, &mut rows);
+        for (body, known) in known.iter_mut().enumerate().take(self.mechanism.links.len()).skip(1) {
+            *known = self.anchor(body, &mut rows);
         }
         for body in self.floating() {
             rows.push(Row::Hold(3 * body + 2));
@@ -743,9 +747,6 @@ impl Model {
             }
         }
         rows.extend(self.slide_rows(true)?);
-        for input in self.mechanism.inputs.clone() {
-            rows.extend(self.input_row(&input, true, false)?);
-        }
         let rolls = self.mechanism.rolls.len();
         let contacts = self.contacts(rolls);
         for roll in 0..rolls {

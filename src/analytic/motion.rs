@@ -17,6 +17,8 @@ use super::tape::{Leaf, Linear};
 const REFINEMENTS: usize = 3;
 /// Largest relative contradiction of a redundant equation of motion.
 const CONTRADICTION: f64 = 1e-6;
+/// Radius of a pose of which nothing is known; its products stay finite.
+const UNBOUNDED: f64 = 1e150;
 /// A second singular value below this leaves the width of a singular position unknown.
 const DOUBLY_SINGULAR: f64 = 1e-5;
 
@@ -119,7 +121,7 @@ impl Located {
         }
         let widths = self.widths(model, index);
         for (k, column) in columns.iter().enumerate() {
-            self.error[*column] = widths.as_ref().map_or(f64::INFINITY, |w| w[k]);
+            self.error[*column] = widths.as_ref().map_or(UNBOUNDED, |w| w[k]);
         }
         self.system.blocks[index].inverse = None;
         self.system.blocks[index].widths = widths;
@@ -175,7 +177,7 @@ impl Located {
             |k: usize, values: &[f64]| -> f64 { (0..n).map(|i| u[(i, k)] * values[i]).sum::<f64>().abs() };
         let within = |k: usize| -> f64 { (0..n).map(|i| u[(i, k)].abs() * open[i]).sum() };
         let bend = along(last, &curvature);
-        if !(bend > DOUBLY_SINGULAR) {
+        if bend.is_nan() || bend <= DOUBLY_SINGULAR {
             return None;
         }
         let width = 2.0 * (2.0 * svd.singular_values[last] / bend + (2.0 * within(last) / bend).sqrt());

@@ -72,6 +72,16 @@ impl State {
             | Quantity::SlipNormal(p, link)
             | Quantity::SlipTangential(p, link)
             | Quantity::Coriolis(p, link) => self.slipping(quantity, p, link),
+            Quantity::CoincidentVelocity(p, link) => {
+                let site = self.carrier(p, Some(link))?;
+                self.vector(1, self.unit(1, 1), |s| parts(s.carried(link.0, s.site(&site)), 1))
+            }
+            Quantity::CoincidentAcceleration(p, link) => {
+                let site = self.carrier(p, Some(link))?;
+                self.vector(2, self.unit(1, 2), |s| parts(s.carried(link.0, s.site(&site)), 2))
+            }
+            Quantity::CoincidentNormal(p, link) => self.coincident_part(p, link, true),
+            Quantity::CoincidentTangential(p, link) => self.coincident_part(p, link, false),
             Quantity::Centre(a, b) => self.centre(a, b),
             Quantity::Rub(p, a, b) => self.rubbing(p, a, b),
             Quantity::Position(p) => self.position(p),
@@ -101,6 +111,10 @@ impl State {
             | Quantity::SlipAcceleration(p, l)
             | Quantity::SlipNormal(p, l)
             | Quantity::SlipTangential(p, l)
+            | Quantity::CoincidentVelocity(p, l)
+            | Quantity::CoincidentAcceleration(p, l)
+            | Quantity::CoincidentNormal(p, l)
+            | Quantity::CoincidentTangential(p, l)
             | Quantity::Coriolis(p, l) => (vec![p], vec![l]),
             Quantity::Rub(p, a, b) => (vec![p], vec![a, b]),
         };
@@ -241,6 +255,28 @@ impl State {
             });
         }
         self.vector(2, unit, |s| scaled(parts(quarter(arm(s, &ends)), 0), s.angle(link.0).a))
+    }
+
+    /// −ω² r or α × r of the point of a pivoted link that lies under a pin, r from the fixed pivot.
+    fn coincident_part(&self, pin: PointId, link: LinkId, normal: bool) -> Read {
+        let m = &self.model.mechanism;
+        let Some(pivot) = m.links[link.0].points.iter().copied().find(|p| m.is_fixed(*p)) else {
+            return undefined(format!("link {} is not pivoted to the frame", self.number(link)));
+        };
+        let (site, centre) = (self.carrier(pin, Some(link))?, self.carrier(pivot, Some(link))?);
+        let unit = self.unit(1, 2);
+        if normal {
+            return self.vector(1, unit, |s| {
+                let arm = difference(parts(s.site(&site), 0), parts(s.site(&centre), 0));
+                let omega = s.angle(link.0).d;
+                scaled(arm, -(omega * omega))
+            });
+        }
+        self.vector(2, unit, |s| {
+            let [x, y] = difference(parts(s.site(&site), 0), parts(s.site(&centre), 0));
+            let alpha = s.angle(link.0).a;
+            [-(y * alpha), x * alpha]
+        })
     }
 
     fn turning(&self, link: LinkId, other: Option<LinkId>, order: u8) -> Read {

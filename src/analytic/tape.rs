@@ -405,6 +405,7 @@ impl Neg for Jet<'_> {
     }
 }
 
+#[expect(clippy::suspicious_arithmetic_impl, reason = "Leibniz's rule")]
 impl Mul for Jet<'_> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
@@ -416,6 +417,7 @@ impl Mul for Jet<'_> {
     }
 }
 
+#[expect(clippy::suspicious_arithmetic_impl, reason = "the derivatives of a quotient")]
 impl Div for Jet<'_> {
     type Output = Self;
     fn div(self, other: Self) -> Self {

@@ -143,12 +143,21 @@ impl<'a> Notation<'a> {
             Quantity::SlipNormal(p, l) => n("n", self.coincident(p, l)),
             Quantity::SlipTangential(p, l) => n("t", self.coincident(p, l)),
             Quantity::Coriolis(p, l) => n("c", self.coincident(p, l)),
+            Quantity::CoincidentVelocity(p, l) => letter("V").sub(&self.under(p, l)),
+            Quantity::CoincidentAcceleration(p, l) => letter("A").sub(&self.under(p, l)),
+            Quantity::CoincidentNormal(p, l) => n("n", self.under(p, l)),
+            Quantity::CoincidentTangential(p, l) => n("t", self.under(p, l)),
             Quantity::Centre(a, b) => Rich::italic("I").sub(&numbers(a, b)),
             Quantity::Rub(p, ..) => Rich::italic("V").sub(&format!("{},{}", self.words.rubbing_mark, of(p))),
             Quantity::Position(p) => self.point(p),
             Quantity::Angle(l) => Rich::italic("θ").sub(&self.number(l)),
             Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
         }
+    }
+
+    /// A4: the point of link 4 under pin A.
+    fn under(&self, point: PointId, link: LinkId) -> String {
+        format!("{}{}", self.point_name(point), self.number(link))
     }
 
     /// A2A4: the pin as a point of its own link, and the point of the guide's link under it.
@@ -183,6 +192,10 @@ impl<'a> Notation<'a> {
             Quantity::SlipNormal(a, b) => format!("aslipn({}/{})", p(a), l(b)),
             Quantity::SlipTangential(a, b) => format!("aslipt({}/{})", p(a), l(b)),
             Quantity::Coriolis(a, b) => format!("coriolis({}/{})", p(a), l(b)),
+            Quantity::CoincidentVelocity(a, b) => format!("v({}@{})", p(a), l(b)),
+            Quantity::CoincidentAcceleration(a, b) => format!("a({}@{})", p(a), l(b)),
+            Quantity::CoincidentNormal(a, b) => format!("an({}@{})", p(a), l(b)),
+            Quantity::CoincidentTangential(a, b) => format!("at({}@{})", p(a), l(b)),
             Quantity::Centre(a, b) => format!("I({},{})", l(a), l(b)),
             Quantity::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
             Quantity::Position(a) => format!("x({})", p(a)),

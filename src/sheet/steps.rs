@@ -380,6 +380,36 @@ impl Teller<'_> {
                 .then(&number(*l, length.si))
                 .up(equals)
                 .then(&n.rotation(*value, &e)),
+            Calculation::Coriolis { quantity, link, slip, speed, omega, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .up("2")
+                .up(times)
+                .then(&n.symbol(*slip, false))
+                .up(times)
+                .then(&n.symbol(Quantity::Omega(*link), false))
+                .up(equals)
+                .up("2")
+                .up(cross)
+                .then(&number(*speed, v.si))
+                .up(cross)
+                .then(&number(omega.abs(), w.si))
+                .up(equals)
+                .then(&human::quantity(*value, &a)),
+            Calculation::SlipNormal { quantity, slip, speed, radius, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .then(&n.symbol(*slip, false))
+                .up("²")
+                .up(over)
+                .it("R")
+                .up(equals)
+                .then(&number(*speed, v.si))
+                .up("²")
+                .up(over)
+                .then(&number(*radius, length.si))
+                .up(equals)
+                .then(&human::quantity(*value, &a)),
             Calculation::Translation { link } => {
                 let omega = match self.step.order {
                     Order::Acceleration => Quantity::Alpha(*link),

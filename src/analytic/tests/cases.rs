@@ -191,7 +191,7 @@ fn problem_9_1_is_exact_in_integers() {
     both(s.vector(Quantity::RelativeNormal(s.p("B"), s.p("A"))), [-54.0, -30.0], 1e-12);
     both(s.vector(Quantity::Normal(s.p("B"))), [-270.0, -540.0], 1e-11);
     // Kennedy: I(1,3) is where O–A meets C–B.
-    // O + s (6, 25) = C + t (30, 60): s = 165/39, t = −6/39 − …; solved by Cramer in the rationals.
+    // O + s (6, 25) = C + t (30, 60), by Cramer's rule.
     let det = 6.0 * -60.0 + 30.0 * 25.0;
     let along = (30.0 * -60.0 - 30.0 * 5.0) / det;
     both(s.vector(Quantity::Centre(s.l(1), s.l(3))), [6.0 * along, 25.0 * along], 1e-11);
