@@ -413,7 +413,7 @@ fn candidates(request: &Request, site: Site, line: &Line) -> Vec<Candidate> {
                 for side in [1.0, -1.0] {
                     let up = if side * normal.y < 0.0 { 0.0 } else { 0.4 };
                     let taste = 0.8 * i as f64 + up;
-                    for (ring, gap) in [0.8, 1.5, 2.5].into_iter().enumerate() {
+                    for (ring, gap) in [0.8, 1.5, 2.6, 3.4].into_iter().enumerate() {
                         let centre = from + d * t + normal * (side * (reach + gap));
                         all.push(stand(centre, taste + 3.0 * ring as f64, None));
                     }
