@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::figure::{Figure, Group, Mark, Pen, Shape};
+use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
 use super::notation::Notation;
 use super::rich::Rich;
 use super::steps::{self, Item};
@@ -39,12 +39,17 @@ pub const fn figure_names() -> &'static [&'static str] {
 pub fn solution(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation { scene, words };
+    let drawn = |name| panel(name, construction, &notation);
+    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration].map(drawn);
+    // Scales stated in the scene may outgrow the paper: then the paper grows, and nothing is clipped.
+    let largest = |side: fn(&Block) -> f64| panels.iter().flatten().map(side).fold(0.0, f64::max);
     let (width, height) = paper(scene);
+    let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
+    let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
+    let [skeleton, velocity, acceleration] = panels;
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&results::given(&notation));
 
-    let drawn = |name| panel(name, construction, &notation);
-    let skeleton = drawn(Name::Skeleton);
     let beside = pager.width() - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
     // All results beside the skeleton, or those of velocity there and the others below the panels.
     let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
@@ -59,7 +64,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    let blocks = [skeleton, first, drawn(Name::Velocity), drawn(Name::Acceleration)];
+    let blocks = [skeleton, first, velocity, acceleration];
     pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
@@ -92,6 +97,11 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "steps" => (column(&steps::items(construction, &notation), 90.0), words.steps),
         _ => return None,
     };
+    let mut description = String::new();
+    block.group.walk(&mut |node| match node {
+        Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
+        _ => {}
+    });
     let mut root = block.group;
     let ink = root.bounds().unwrap_or(Rect::ZERO);
     root.translate(Vec2::new(EDGE - ink.x0, EDGE - ink.y0));
@@ -99,7 +109,7 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         width: ink.width() + 2.0 * EDGE,
         height: ink.height() + 2.0 * EDGE,
         title: format!("{}: {heading}", title(scene, words)),
-        description: String::new(),
+        description,
         language: words.tag,
         root,
     })

@@ -288,7 +288,11 @@ impl<'a> Notation<'a> {
         };
         let line = match reference {
             Reference::Points(a, b) => format!("{} {}", self.point_name(a), self.point_name(b)),
-            Reference::Guide(slide) => format!("guide {slide}"),
+            Reference::Guide(slide) => match self.mechanism().slides.get(slide).map(|s| s.rider) {
+                Some(Rider::Pin { point, .. }) => format!("guide {}", self.point_name(point)),
+                Some(Rider::Link { link, .. }) => format!("guide link {}", self.number(link)),
+                None => String::new(),
+            },
         };
         (name, line)
     }

@@ -189,7 +189,9 @@ impl Artist<'_> {
         for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link == LinkId::FRAME) {
             if let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) {
                 all.group(self.fixed_guide(at, along));
-            } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide) {
+            } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide)
+                && at.distance(centre) > BLOCK.1
+            {
                 all.group(fixed_arc(at, centre));
                 let out = (at - centre).normalize();
                 self.frame_number(at + out * 3.5 + Vec2::new(-out.y, out.x) * GUIDE, 0.5, out);
@@ -266,6 +268,8 @@ impl Artist<'_> {
         let places = self.pose.places(link);
         if let (Form::Arms { .. }, [(_, vertex), (_, one), (_, other)]) =
             (&self.notation.mechanism().links[link.0].form, &places[..])
+            && one.distance(*vertex) > PIN
+            && other.distance(*vertex) > PIN
         {
             let arms = Shape::Polyline(vec![*one, *vertex, *other]);
             own.mark(Mark::stroke(arms, Pen::solid(THICK)).class("bar").precise());

@@ -345,8 +345,7 @@ impl Teller<'_> {
             Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => n
                 .symbol(*quantity, false)
                 .up(equals)
-                .then(&n.symbol(*velocity, false))
-                .up("²")
+                .then(&n.symbol(*velocity, false).squared())
                 .up(over)
                 .then(&n.length(ends[0], ends[1]))
                 .up(equals)

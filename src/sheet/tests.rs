@@ -177,29 +177,18 @@ fn texts(group: &resvg::usvg::Group, out: &mut Vec<resvg::tiny_skia::Rect>) {
     }
 }
 
-/// `SHEET_PREVIEW=folder cargo test preview` writes every figure as SVG, and as PNG where it can.
 #[test]
-fn preview() {
-    let Some(folder) = std::env::var_os("SHEET_PREVIEW").map(PathBuf::from) else { return };
-    let only = std::env::var("SHEET_ONLY").unwrap_or_default();
-    let dpi = std::env::var("SHEET_DPI").ok().and_then(|d| d.parse().ok()).unwrap_or(110.0_f32);
-    for path in scenes() {
-        let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
-        if !stem.contains(&only) {
-            continue;
-        }
-        let Some((scene, construction)) = solved(&path) else { continue };
-        for (name, figure) in figures(&scene, &construction) {
-            std::fs::write(folder.join(format!("{stem}.{name}.svg")), svg::write(&figure)).unwrap();
-            #[cfg(feature = "png")]
-            std::fs::write(
-                folder.join(format!("{stem}.{name}.png")),
-                crate::render::png::render(&figure, dpi).unwrap(),
-            )
-            .unwrap();
-        }
-    }
-    let _ = dpi;
+fn paper_grows_with_a_scale_that_is_too_large() {
+    let (mut scene, _) = problem_3_1();
+    scene.sheet.length_scale = Some(1.0);
+    let structure = Structure::of(&scene.mechanism).unwrap();
+    let plan = Plan::new(&scene.mechanism, &structure, Extent::WholeSkeleton);
+    let extents = extents(&scene.mechanism, &structure, &plan).unwrap();
+    let scales = scale::for_scene(&scene, extents);
+    let construction = construct(&scene.mechanism, &structure, &plan, scales).unwrap().construction;
+    let figure = solution(&scene, &construction, Language::English);
+    assert!(figure.width > 500.0);
+    assert_eq!(overlaps(&figure), vec![]);
 }
 
 /// What the graphical room cannot solve yet is drawn all the same, from places alone.
@@ -267,14 +256,5 @@ fn slots_wheels_and_racks_are_drawn() {
         assert_eq!(overlaps(&figure), vec![], "{name}");
         let text = svg::write(&figure);
         assert!(text.contains(&format!("class=\"{class}\"")), "{name}");
-        if let Some(folder) = std::env::var_os("SHEET_PREVIEW") {
-            let folder = PathBuf::from(folder);
-            #[cfg(feature = "png")]
-            std::fs::write(
-                folder.join(format!("{name}.png")),
-                crate::render::png::render(&figure, 100.0).unwrap(),
-            )
-            .unwrap();
-        }
     }
 }
