@@ -340,7 +340,7 @@ impl Pager {
         self.y = top + y + 6.0;
     }
 
-    /// Panels in their order, side by side where they fit, each row centred.
+    /// Panels in their order, side by side where they fit.
     fn rows(&mut self, blocks: &[Block]) {
         let mut rows: Vec<Vec<&Block>> = Vec::new();
         for block in blocks {
@@ -360,7 +360,10 @@ impl Pager {
             let mut x = MARGIN + between;
             let y = self.y;
             for block in row {
-                self.add(block.group.clone(), x, y + (height - block.height) / 2.0);
+                // Captions of a row stand on one line; a table stands in the middle.
+                let free = height - block.height;
+                let down = if block.group.class == "panel" { free } else { free / 2.0 };
+                self.add(block.group.clone(), x, y + down);
                 x += block.width + between;
             }
             self.y += height + 6.0;

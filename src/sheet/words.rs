@@ -154,7 +154,7 @@ const ENGLISH: Words = Words {
     step_acceleration: "Acceleration of {links}",
     step_rubbing: "Rubbing speeds",
 
-    mark_places: "Mark the given points {points} to the scale {scale}.",
+    mark_places: "Mark {points} to the scale {scale}.",
     lay_off_link: "At {from} lay off {length} = {value} ({mm}) at {angle} to the horizontal: {to}.",
     strike_arc: "About {centre} strike an arc with the radius {length} = {value} ({mm}).",
     draw_guide: "Draw the {guide}.",
