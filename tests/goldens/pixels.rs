@@ -32,7 +32,8 @@ impl Grey {
     pub fn of_svg(svg: &str, dpi: f32) -> Self {
         let picture = Pixmap::decode_png(&render_svg(svg, dpi).unwrap()).unwrap();
         let level = |p: &resvg::tiny_skia::PremultipliedColorU8| {
-            ((u32::from(p.red()) * 299 + u32::from(p.green()) * 587 + u32::from(p.blue()) * 114 + 500) / 1000) as u8
+            ((u32::from(p.red()) * 299 + u32::from(p.green()) * 587 + u32::from(p.blue()) * 114 + 500) / 1000)
+                as u8
         };
         Self {
             width: picture.width(),

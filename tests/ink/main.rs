@@ -146,7 +146,9 @@ impl Reading<'_> {
                 Rider::Pin { block, .. } => block,
                 Rider::Link { link, .. } => Some(link),
             };
-            rider == Some(link) && s.guide.link == LinkId::FRAME && matches!(s.guide.path, Path::Straight { .. })
+            rider == Some(link)
+                && s.guide.link == LinkId::FRAME
+                && matches!(s.guide.path, Path::Straight { .. })
         })
     }
 
@@ -197,14 +199,16 @@ fn difference(a: Read, b: Read) -> Read {
 /// own error.
 fn ratio(read: &Read, answer: &Answer) -> f64 {
     // What double arithmetic in this test itself may add.
-    let room = |bound: f64, slack: f64, size: f64| bound + slack + 1e-15 * size;
+    let part = |off: f64, bound: f64, slack: f64, size: f64| {
+        if off == 0.0 { 0.0 } else { off / (bound + slack + 1e-15 * size) }
+    };
     match (read, answer) {
         (Read::Vector(read, slack), Answer::Vector { value, bound }) => {
-            let of = |k: usize| (read[k] - value[k]).abs() / room(*bound, *slack, value[k].abs());
+            let of = |k: usize| part((read[k] - value[k]).abs(), *bound, *slack, value[k].abs());
             of(0).max(of(1))
         }
         (Read::Scalar(read, slack), Answer::Scalar { value, bound }) => {
-            (read - value).abs() / room(*bound, *slack, value.abs())
+            part((read - value).abs(), *bound, *slack, value.abs())
         }
         _ => f64::INFINITY,
     }

@@ -183,7 +183,8 @@ fn data<'a>(node: Node<'a, 'a>, name: &str) -> &'a str {
 
 /// The centre of the circle by which a point is marked.
 fn circle(group: Node) -> Mm2 {
-    let circle = group.descendants().find(|n| n.has_tag_name("circle")).expect("a point is marked by a circle");
+    let circle =
+        group.descendants().find(|n| n.has_tag_name("circle")).expect("a point is marked by a circle");
     let number = |name| -> f64 { circle.attribute(name).unwrap().parse().unwrap() };
     [number("cx"), -number("cy")]
 }
