@@ -186,9 +186,11 @@ impl Artist<'_> {
             all.group(own);
             self.frame_number(at + way * 5.4, 2.2, way);
         }
-        for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link == LinkId::FRAME) {
+        let slides = self.notation.mechanism().slides.iter().enumerate();
+        for (index, slide) in slides.filter(|(_, s)| s.guide.link == LinkId::FRAME) {
             if let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) {
-                all.group(self.fixed_guide(at, along));
+                let own = self.fixed_guide(at, along);
+                all.group(own.data("guide", index.to_string()));
             } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide)
                 && at.distance(centre) > BLOCK.1
             {
@@ -223,7 +225,7 @@ impl Artist<'_> {
         }
         let foot = at + across * (BLOCK.1 + THICK / 2.0);
         let (a, b) = (foot - along * GUIDE, foot + along * GUIDE);
-        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)));
+        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).precise());
         let (a, b) = if Vec2::new(-along.y, along.x).dot(across) > 0.0 { (a, b) } else { (b, a) };
         hatch_below(&mut own, a, b);
         self.frame_number(b, 0.6, -(b - a).normalize());
@@ -331,9 +333,12 @@ impl Artist<'_> {
     /// The slots in moving links: two parallel lines, closed at their ends.
     fn slots(&self) -> Group {
         let mut all = Group::new("slots");
-        for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link != LinkId::FRAME) {
+        let slides = self.notation.mechanism().slides.iter().enumerate();
+        for (index, slide) in slides.filter(|(_, s)| s.guide.link != LinkId::FRAME) {
             let link = slide.guide.link;
-            let mut own = Group::new("link slot").data("link", self.notation.number(link));
+            let mut own = Group::new("link slot")
+                .data("link", self.notation.number(link))
+                .data("guide", index.to_string());
             match self.pose.guide(slide) {
                 Some(GuideLine::Straight { at, along }) => {
                     let mut reach = (-8.0_f64, 8.0_f64);
@@ -348,7 +353,7 @@ impl Artist<'_> {
                     let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
                     let (a, b) = (at + along * reach.0, at + along * reach.1);
                     let outline = Shape::Polygon(vec![a + across, b + across, b - across, a - across]);
-                    own.mark(Mark::stroke(outline, Pen::solid(THICK)));
+                    own.mark(Mark::stroke(outline, Pen::solid(THICK)).precise());
                 }
                 Some(GuideLine::Arc { at, centre }) => {
                     let radius = at.distance(centre);
