@@ -2,9 +2,16 @@
 //! and the acceleration polygon, built link by link with scale factors, and checks every number with an
 //! independent solver.
 
+pub mod analytic;
 pub mod board;
+pub mod catalogue;
+pub mod check;
+pub mod cli;
 pub mod given;
 pub mod graphical;
 pub mod mechanism;
 pub mod plan;
+pub mod render;
 pub mod scene;
+pub mod sheet;
+pub mod solve;

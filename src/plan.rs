@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{GroupKind, Structure};
-use crate::mechanism::{LinkId, Mechanism, PointId};
+use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Slide};
 
 /// How much of the skeleton is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -140,6 +140,10 @@ impl Wanted<'_> {
             | Quantity::SlipAcceleration(p, link)
             | Quantity::SlipNormal(p, link)
             | Quantity::SlipTangential(p, link)
+            | Quantity::CoincidentVelocity(p, link)
+            | Quantity::CoincidentAcceleration(p, link)
+            | Quantity::CoincidentNormal(p, link)
+            | Quantity::CoincidentTangential(p, link)
             | Quantity::Coriolis(p, link) => {
                 self.point(p, order);
                 self.link(link, order);
@@ -173,8 +177,17 @@ impl Wanted<'_> {
                 continue;
             }
             self.steps.insert((lower, group), BTreeSet::new());
-            for base in bases(self.structure.groups[group].kind).into_iter().flatten() {
+            let kind = self.structure.groups[group].kind;
+            for base in bases(kind).into_iter().flatten() {
                 self.point(base, lower);
+            }
+            for slide in slides_of(kind).into_iter().flatten() {
+                let slide = self.mechanism.slides[slide];
+                for link in [Some(slide.guide.link), slide_rider(&slide)].into_iter().flatten() {
+                    if self.structure.group_of(link) != Some(group) {
+                        self.link(link, lower);
+                    }
+                }
             }
         }
     }
@@ -194,7 +207,26 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
     match kind {
         GroupKind::Driver { base, .. } | GroupKind::Rrp { base, .. } => [Some(base), None],
         GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
-        GroupKind::Other => [None, None],
+        GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin)],
+        GroupKind::Yoke { pin, .. } => [Some(pin), None],
+        GroupKind::Prp { .. } | GroupKind::Other => [None, None],
+    }
+}
+
+/// The sliding pairs by which a group hangs on solved links.
+fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
+    match kind {
+        GroupKind::Rrp { slide, .. } | GroupKind::Rpr { slide, .. } => [Some(slide), None],
+        GroupKind::Prp { slides: [a, b], .. } => [Some(a), Some(b)],
+        GroupKind::Yoke { ride, slot, .. } => [Some(ride), Some(slot)],
+        GroupKind::Driver { .. } | GroupKind::Rrr { .. } | GroupKind::Other => [None, None],
+    }
+}
+
+fn slide_rider(slide: &Slide) -> Option<LinkId> {
+    match slide.rider {
+        Rider::Link { link, .. } => Some(link),
+        Rider::Pin { .. } => None,
     }
 }
 
@@ -203,7 +235,8 @@ fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
     match kind {
         GroupKind::Driver { base, .. } => [Some(base), None, None],
         GroupKind::Rrr { bases: [a, b], pin, .. } => [Some(a), Some(b), Some(pin)],
-        GroupKind::Rrp { base, pin, .. } => [Some(base), Some(pin), None],
+        GroupKind::Rrp { base, pin, .. } | GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin), None],
+        GroupKind::Prp { pin, .. } | GroupKind::Yoke { pin, .. } => [Some(pin), None, None],
         GroupKind::Other => [None, None, None],
     }
 }

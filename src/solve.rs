@@ -84,7 +84,6 @@ pub fn solve(
 /// # Errors
 /// See [`AnalyticError`].
 pub fn solve_analytically(scene: &Scene) -> Result<State, AnalyticError> {
-    let order =
-        scene.mechanism.asked.iter().map(|a| a.quantity.order()).max().unwrap_or(Order::Position);
+    let order = scene.mechanism.asked.iter().map(|a| a.quantity.order()).max().unwrap_or(Order::Position);
     analytic::solve(&scene.mechanism, order)
 }

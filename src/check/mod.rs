@@ -5,6 +5,7 @@
 
 use crate::analytic::AnalyticError;
 use crate::graphical::construction::Reading;
+use crate::mechanism::PointId;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate};
 use crate::scene::{Published, Refusal, Scene};
 use crate::solve::{SolveError, Solved};
@@ -114,11 +115,7 @@ pub fn agreement(
     let state = match analytic {
         Ok(state) => state,
         Err(error) => {
-            return Agreement {
-                compared: Vec::new(),
-                wrong_branch: None,
-                refused: Some(error.to_string()),
-            };
+            return Agreement { compared: Vec::new(), wrong_branch: None, refused: Some(error.to_string()) };
         }
     };
     let compared: Vec<Compared> = scene
@@ -142,15 +139,12 @@ fn wrong_branch(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
     let space = &solved.solution.construction.space;
     let places: Vec<(usize, [f64; 2])> =
         space.places.iter().enumerate().filter_map(|(i, p)| p.map(|p| (i, p))).collect();
-    let size = places
-        .iter()
-        .map(|(_, p)| libm::hypot(p[0], p[1]) * space.metres_per_mm)
-        .fold(0.0, f64::max);
-    // Both frames are told apart by the same first point.
+    let size = places.iter().map(|(_, p)| libm::hypot(p[0], p[1]) * space.metres_per_mm).fold(0.0, f64::max);
+    // The skeleton has its own frame: both are laid on each other at the first point.
     let &(first, at_first) = places.first()?;
-    let from = state.place(crate::mechanism::PointId(first));
+    let from = state.pose(PointId(first)).ok()?.at;
     places.iter().find_map(|&(index, at)| {
-        let world = state.place(crate::mechanism::PointId(index));
+        let world = state.pose(PointId(index)).ok()?.at;
         let drawn = [0, 1].map(|k| (at[k] - at_first[k]) * space.metres_per_mm);
         let solved = [0, 1].map(|k| world[k] - from[k]);
         let apart = libm::hypot(drawn[0] - solved[0], drawn[1] - solved[1]);
@@ -167,7 +161,7 @@ pub struct PublishedCheck {
     pub published: f64,
     /// Computed, SI; the magnitude of a vector, and of a scalar printed without a sense.
     pub computed: Option<f64>,
-    /// 100 (published − computed) / |computed|; `None` where the computed value is zero or missing.
+    /// 100 (published − computed) / computed; `None` where the computed value is zero or missing.
     pub percent: Option<f64>,
     /// Within what the scene or the command allows.
     pub ok: bool,
@@ -192,7 +186,7 @@ pub fn compare_published(
     let printed = if published.signed { published.value } else { published.value.abs() };
     let within = published.within.unwrap_or(tolerance);
     let ok = computed.is_some_and(|c| (printed - c).abs() <= within * printed.abs().max(c.abs()) + bound);
-    let percent = computed.filter(|c| c.abs() > bound).map(|c| 100.0 * (printed - c) / c.abs());
+    let percent = computed.filter(|c| c.abs() > bound).map(|c| 100.0 * (printed - c) / c);
     PublishedCheck { asked: published.asked.clone(), published: printed, computed, percent, ok, erratum }
 }
 
@@ -243,9 +237,7 @@ pub fn check(scene: &Scene, tolerance: f64) -> SceneCheck {
                     compare_published(published, answer, tolerance, erratum)
                 })
                 .collect();
-            let ok = scene.expect.is_none()
-                && agreement.ok()
-                && published.iter().all(|p| p.ok != p.erratum);
+            let ok = scene.expect.is_none() && agreement.ok() && published.iter().all(|p| p.ok != p.erratum);
             SceneCheck { outcome: Outcome::Solved { agreement, published }, ok }
         }
     }
@@ -258,7 +250,6 @@ fn solve_for_check(scene: &Scene) -> Result<(Agreement, Vec<Answer>), SolveError
     let solved = crate::solve::solve(&both, crate::plan::Extent::Asked, crate::sheet::scale::for_scene)?;
     let agreement = agreement(&both, &solved, &crate::solve::solve_analytically(&both));
     let asked = scene.mechanism.asked.len();
-    let answers =
-        solved.solution.construction.answers[asked..].iter().map(|r| r.answer.clone()).collect();
+    let answers = solved.solution.construction.answers[asked..].iter().map(|r| r.answer.clone()).collect();
     Ok((agreement, answers))
 }

@@ -26,7 +26,8 @@ pub(super) fn run(paths: &[PathBuf], as_json: bool, tolerance: f64) -> Result<En
     let checked = check_all(&scenes, tolerance);
     let held = checked.iter().filter(|c| c.ok()).count();
     // A file that is no scene is bad input, told on stderr; the others are still reported.
-    let broken: Vec<&str> = checked.iter().filter_map(|c| c.result.as_ref().err().map(String::as_str)).collect();
+    let broken: Vec<&str> =
+        checked.iter().filter_map(|c| c.result.as_ref().err().map(String::as_str)).collect();
     let text = if as_json {
         let list: Vec<Value> = checked.iter().map(Checked::json).collect();
         serde_json::to_string_pretty(&json!({ "scenes": list }))

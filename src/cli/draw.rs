@@ -1,6 +1,6 @@
 //! `linkgram draw`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::{Ending, Failure, failure, files, print, read_scene};
 use crate::plan::Extent;
@@ -17,7 +17,7 @@ pub(super) struct Job {
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
-    let formats: Vec<Format> = job.output.iter().map(Format::of).collect::<Result<_, _>>()?;
+    let formats: Vec<Format> = job.output.iter().map(|path| Format::of(path)).collect::<Result<_, _>>()?;
     for name in &job.figure {
         if !sheet::figure_names().contains(&name.as_str()) {
             let nearest = crate::scene::nearest(name, sheet::figure_names());
@@ -102,7 +102,7 @@ enum Format {
 }
 
 impl Format {
-    fn of(path: &PathBuf) -> Result<Self, Failure> {
+    fn of(path: &Path) -> Result<Self, Failure> {
         match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
             Some("svg") => Ok(Self::Svg),
             Some("png") => Ok(Self::Png),

@@ -30,7 +30,8 @@ pub(super) fn read(path: &Path) -> Result<(String, String), Failure> {
         return Err(Failure(format!("{file}: larger than {} MiB; not a scene", LARGEST_SCENE >> 20)));
     }
     let text = String::from_utf8(bytes).map_err(|error| {
-        let good = String::from_utf8_lossy(&error.as_bytes()[..error.utf8_error().valid_up_to()]).into_owned();
+        let good =
+            String::from_utf8_lossy(&error.as_bytes()[..error.utf8_error().valid_up_to()]).into_owned();
         let line = good.matches('\n').count() + 1;
         let column = good.rsplit('\n').next().map_or(1, |last| last.chars().count() + 1);
         Failure(format!("{file}:{line}:{column}: not UTF-8 text; save the file as UTF-8"))
@@ -92,8 +93,11 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), Fai
     if depth > DEEPEST_FOLDER {
         return Err(Failure(format!("{}: folders nested too deep", folder.display())));
     }
-    let mut entries: Vec<PathBuf> =
-        fs::read_dir(folder).map_err(failed)?.map(|e| e.map(|e| e.path())).collect::<Result<_, _>>().map_err(failed)?;
+    let mut entries: Vec<PathBuf> = fs::read_dir(folder)
+        .map_err(failed)?
+        .map(|e| e.map(|e| e.path()))
+        .collect::<Result<_, _>>()
+        .map_err(failed)?;
     entries.sort();
     for entry in entries {
         if entry.is_dir() {

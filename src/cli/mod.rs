@@ -147,8 +147,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn schema() -> Result<Ending, Failure> {
-    let text = serde_json::to_string_pretty(&crate::scene::schema())
-        .map_err(|error| Failure(error.to_string()))?;
+    let text =
+        serde_json::to_string_pretty(&crate::scene::schema()).map_err(|error| Failure(error.to_string()))?;
     print(&(text + "\n"))?;
     Ok(Ending::Fine)
 }

@@ -75,7 +75,8 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
             (
                 links.first().map_or(Subject::Scene, |&l| Subject::Link(l)),
                 format!("no graphical construction is known for the group of links {}", names.join(", ")),
-                "linkgram solves driven cranks, and groups RRR and RRP with straight guides on link 1".to_owned(),
+                "linkgram solves driven cranks, and groups RRR and RRP with straight guides on link 1"
+                    .to_owned(),
             )
         }
     }

@@ -18,8 +18,7 @@ pub(super) fn run(path: &Path, as_json: bool, explain: bool) -> Result<Ending, F
     let solved = crate::solve::solve(scene, Extent::Asked, crate::sheet::scale::for_scene)
         .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
-    let explanation =
-        explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
+    let explanation = explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
     let text = if as_json {
         let mut object = object(&file, scene, &solved, &agreement);
         if let (Some(explanation), Some(map)) = (&explanation, object.as_object_mut()) {

@@ -4,21 +4,25 @@
 //! 2. Lay off a′ of a driven point: Aⁿ = V²/l towards the centre, then Aᵗ = ε l perpendicular to the link.
 //! 3. From the image of each known point lay off the normal part Aⁿ = V²/l, parallel to the link, from the
 //!    pin towards the known point; its end is b′₁ (the first laid off) or b′₂.
+//!    On a guide that turns, Coriolis 2 V ω of the sliding velocity, turned by 90° in the sense of ω of the
+//!    link that carries the guide; on an arc also V²/R of the sliding towards the centre. Where the lever
+//!    is sought, the polygon is closed backwards: Coriolis has its head at the pin's known image.
 //! 4. From each foot a line perpendicular to the link (for a slider, from the pole a line parallel to the
 //!    guide). They meet in b′.
 //! 5. Read the tangential parts; ε = Aᵗ / l, with the sense that the vector shows.
 //! 6. Further points as in the velocity polygon.
 
-use crate::board::{Amount, Bench, Line, Mm, Point};
+use crate::board::{Amount, Bench, Direction, Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::GroupKind;
-use crate::mechanism::{Input, LinkId, PointId};
+use crate::mechanism::{Input, LinkId, Path, PointId};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{
     Act, Calculation, Claim, Equation, Label, Reference, Term, TermDirection, VectorKind,
 };
 use super::draughtsman::{Draughtsman, Foot};
+use super::velocity::{Target, Unknown, main_base, routes_of};
 
 /// Draws the steps of the acceleration polygon.
 pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
@@ -30,29 +34,30 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         let group = &d.structure.groups[step.group];
         match group.kind {
             GroupKind::Driver { base, input } => d.acceleration_of_driver(step, group.links[0], base, input),
-            GroupKind::Rrr { links, bases, pin } => d.acceleration_of_rrr(step, links, bases, pin),
-            GroupKind::Rrp { rod, base, pin, slide } => d.acceleration_of_rrp(step, rod, base, pin, slide),
-            GroupKind::Other => {}
+            kind => d.acceleration_of_group(step, kind),
         }
+        d.rates_of_blocks(Order::Acceleration, &group.links);
         for &link in &group.links {
             d.note_link_image(Order::Acceleration, link);
         }
     }
 }
 
-/// One side of a dyad after its normal part has been laid off.
-struct Arm<B: Bench> {
-    link: LinkId,
-    base: PointId,
+/// A way to the sought image after its known parts have been laid off.
+struct Route<B: Bench> {
+    /// Where the known parts end and the line of unknown length begins.
     foot: (Label, Point<B>),
     ray: Line<B>,
     claim: Claim,
+    unknown: Unknown,
 }
 
 impl<B: Bench> Draughtsman<'_, B> {
-    /// Aⁿ_B or Aⁿ_BA, as the reference moves or not.
-    fn normal_of(&self, point: PointId, base: PointId) -> Quantity {
-        if self.mechanism.is_fixed(base) {
+    /// Aⁿ_B or Aⁿ_BA, as the reference moves or not; of the link's own point under a pin of another.
+    fn normal_of(&self, link: LinkId, point: PointId, base: PointId) -> Quantity {
+        if !self.mechanism.link(link).points.contains(&point) {
+            Quantity::CoincidentNormal(point, link)
+        } else if self.mechanism.is_fixed(base) {
             Quantity::Normal(point)
         } else {
             Quantity::RelativeNormal(point, base)
@@ -77,24 +82,27 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// V of `point` against `base` of the same link, read off the velocity polygon.
-    pub(super) fn read_speed(&mut self, point: PointId, base: PointId) -> Amount<B> {
-        let scale = self.polygon_scale(Order::Velocity);
-        let (from, to) = (self.image(Order::Velocity, base), self.image(Order::Velocity, point));
-        let mm = self.board.distance(from, to);
-        self.board.read(mm, scale)
-    }
-
     /// Aⁿ = V² / l as a length on paper, with the calculation recorded.
     fn normal_length(&mut self, link: LinkId, point: PointId, base: PointId) -> (Mm<B>, f64) {
         let scale = self.polygon_scale(Order::Acceleration);
-        let length = self.length(link, base, point);
-        let speed = self.read_speed(point, base);
+        let length = self.length_to(link, base, point);
+        let own = self.mechanism.link(link).points.contains(&point);
+        let from = self.image(Order::Velocity, base);
+        let to = if own {
+            self.image(Order::Velocity, point)
+        } else {
+            self.image_under(Order::Velocity, point, link)
+        };
+        let mm = self.board.distance(from, to);
+        let velocity_scale = self.polygon_scale(Order::Velocity);
+        let speed = self.board.read(mm, velocity_scale);
+        let velocity =
+            if own { self.relative_velocity(point, base) } else { Quantity::CoincidentVelocity(point, link) };
         let reason = self.reason(&[link]);
         let normal = self.board.square_over(speed, length, reason);
         self.act(Act::Calculate(Calculation::Normal {
-            quantity: self.normal_of(point, base),
-            velocity: self.relative_velocity(point, base),
+            quantity: self.normal_of(link, point, base),
+            velocity,
             ends: [base, point],
             speed: speed.value(),
             length: length.value(),
@@ -120,7 +128,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let claim = Claim::Parallel(Reference::Points(base, point));
         let vector = self.note_vector(
             Order::Acceleration,
-            (VectorKind::Normal, self.normal_of(point, base), Some(claim)),
+            (VectorKind::Normal, self.normal_of(link, point, base), Some(claim)),
             (self.label(base), from),
             (label, foot),
         );
@@ -128,6 +136,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         if matches!(label, Label::Foot { .. }) {
             self.note_foot(Order::Acceleration, label, foot);
         }
+        self.note_part(self.normal_of(link, point, base), from, foot);
         self.feet.push(Foot { link, points: [point, base], tail: from, head: foot });
         foot
     }
@@ -191,168 +200,429 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act_read(Order::Acceleration, vector);
     }
 
-    fn absolute_acceleration(&mut self, point: PointId, image: Point<B>, claim: Option<Claim>) {
-        let pole = self.board.origin();
-        let vector = self.note_vector(
-            Order::Acceleration,
-            (VectorKind::Absolute, Quantity::Acceleration(point), claim),
-            (Label::Pole, pole),
-            (self.label(point), image),
-        );
-        self.act_read(Order::Acceleration, vector);
-    }
-
     /// Lays off the normal part, and from its end a line perpendicular to the link.
-    fn acceleration_arm(&mut self, link: LinkId, base: PointId, pin: PointId, index: u8) -> Arm<B> {
-        let label = Label::Foot { point: pin, link: None, index };
+    fn acceleration_arm(&mut self, link: LinkId, base: PointId, pin: PointId, index: u8) -> Route<B> {
+        let foot_of = if self.mechanism.link(link).points.contains(&pin) { None } else { Some(link) };
+        let label = Label::Foot { point: pin, link: foot_of, index };
         let foot = self.lay_off_normal(link, pin, base, label);
         let along = self.square_to(link, base, pin);
         let claim = Claim::Perpendicular(Reference::Points(base, pin));
         self.act(Act::DrawRay { from: label, claim });
-        Arm { link, base, foot: (label, foot), ray: Line { through: foot, along }, claim }
+        Route {
+            foot: (label, foot),
+            ray: Line { through: foot, along },
+            claim,
+            unknown: Unknown::Turn { link, base, to: pin },
+        }
     }
 
-    /// Two lines of unknown length from the feet meet in the image of the pin.
-    fn acceleration_of_rrr(
-        &mut self,
-        step: &GroupStep,
-        links: [LinkId; 2],
-        bases: [PointId; 2],
-        pin: PointId,
-    ) {
-        self.board.purpose("acceleration image of a pin");
-        let equation = self.acceleration_equation(pin, [(links[0], bases[0]), (links[1], bases[1])]);
-        self.step(Order::Acceleration, &links, vec![equation]);
-        // The part from the pole is laid off first, as b′₁.
-        let order: [usize; 2] = if self.mechanism.is_fixed(bases[1]) { [1, 0] } else { [0, 1] };
-        let arms = [
-            self.acceleration_arm(links[order[0]], bases[order[0]], pin, 1),
-            self.acceleration_arm(links[order[1]], bases[order[1]], pin, 2),
-        ];
-        let reason = self.reason(&links);
-        let meet = self.board.meet_lines(arms[0].ray, arms[1].ray, reason);
-        self.note_image(Order::Acceleration, pin, meet.at);
-        self.act(Act::MarkMeet { label: self.label(pin), crossing: meet.crossing });
-        for (arm, along) in arms.iter().zip(meet.along) {
-            self.read_alpha(arm, pin, meet.at, along);
-            self.whole_acceleration(pin, arm.base, meet.at);
+    /// Lays off Coriolis and, on an arc, the normal part of the sliding; from their end a line along the
+    /// guide. Backwards, they end at the rider's known image.
+    fn acceleration_slide(&mut self, slide: usize, back: bool, pin: PointId, index: u8) -> Route<B> {
+        let guide = self.mechanism.slides[slide].guide;
+        let rider = self.riding_point(slide, pin);
+        let (along, inward) = self.tangent(slide, pin);
+        let (mut label, mut at) = if back {
+            (self.label(pin), self.image(Order::Acceleration, pin))
+        } else {
+            (self.label_under(pin, guide.link), self.image_under(Order::Acceleration, pin, guide.link))
+        };
+        let slip = self.slips[slide];
+        if let (Some(slip), true) = (slip, guide.link != LinkId::FRAME) {
+            let coriolis = self.coriolis(slip, (rider, guide.link));
+            let left = self.board.quarter_turn(along);
+            let kind = (VectorKind::Coriolis, Quantity::Coriolis(rider, guide.link));
+            let foot = Label::Foot { point: pin, link: self.foot_link(slide, back), index };
+            (label, at) = self.lay_off_part(slide, kind, (label, at), (left, coriolis), (back, foot));
         }
-        if bases.iter().all(|&base| !self.mechanism.is_fixed(base)) {
-            self.absolute_acceleration(pin, meet.at, None);
+        if let (Some(slip), Some(inward), Path::Arc { radius, .. }) = (slip, inward, guide.path) {
+            let radius = self.board.amount(radius);
+            let reason = self.reason(&[guide.link]);
+            let normal = self.board.square_over(slip, radius, reason);
+            let quantity = Quantity::SlipNormal(rider, guide.link);
+            self.act(Act::Calculate(Calculation::SlipNormal {
+                quantity,
+                slip: Quantity::Slip(rider, guide.link),
+                speed: slip.value().abs(),
+                radius: radius.value(),
+                value: normal.value(),
+            }));
+            let kind = (VectorKind::Normal, quantity);
+            let foot = Label::Foot { point: pin, link: self.foot_link(slide, back), index: index + 1 };
+            (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, foot));
         }
-        self.acceleration_images(step, &[(links[0], bases[0]), (links[1], bases[1])], pin);
+        let claim = Claim::Parallel(Reference::Guide(slide));
+        self.act(Act::DrawRay { from: label, claim });
+        Route {
+            foot: (label, at),
+            ray: Line { through: at, along },
+            claim,
+            unknown: Unknown::Slide { slide, back },
+        }
     }
 
-    /// From the foot a line perpendicular to the rod, and from the pole a line parallel to the guide.
-    fn acceleration_of_rrp(
+    /// Feet of the sliding parts are named after the rider where the polygon is closed backwards, else
+    /// after the guide's link.
+    fn foot_link(&self, slide: usize, back: bool) -> Option<LinkId> {
+        let guide = self.mechanism.slides[slide].guide.link;
+        if back { None } else { Some(guide) }
+    }
+
+    /// Aᶜ = 2 V ω, signed along the guide's direction turned by +90°.
+    fn coriolis(&mut self, slip: Amount<B>, (rider, link): (PointId, LinkId)) -> Amount<B> {
+        let omega = self.rate(Order::Velocity, link);
+        let product = self.board.product(omega, slip);
+        let coriolis = self.board.sum(product, product);
+        self.act(Act::Calculate(Calculation::Coriolis {
+            quantity: Quantity::Coriolis(rider, link),
+            link,
+            slip: Quantity::Slip(rider, link),
+            speed: slip.value().abs(),
+            omega: omega.value(),
+            value: coriolis.value().abs(),
+        }));
+        coriolis
+    }
+
+    /// Lays off a known part from a point, or backwards so that its head is there.
+    fn lay_off_part(
         &mut self,
-        step: &GroupStep,
-        rod: LinkId,
-        base: PointId,
-        pin: PointId,
         slide: usize,
-    ) {
-        self.board.purpose("acceleration image of a slider");
-        let along_guide = Claim::Parallel(Reference::Guide(slide));
-        let left = vec![Term {
-            quantity: Quantity::Acceleration(pin),
-            magnitude: None,
-            direction: Some(TermDirection::Claim(along_guide)),
-        }];
-        let right = self.acceleration_route(pin, rod, base);
-        self.step(Order::Acceleration, &[rod], vec![Equation { left, right }]);
-        let arm = self.acceleration_arm(rod, base, pin, 1);
-        let line = self.guide_line(&self.mechanism.slides[slide].guide.clone());
-        let pole = self.board.origin();
-        self.act(Act::DrawRay { from: Label::Pole, claim: along_guide });
-        let reason = self.reason(&[rod]);
-        let guide = Line { through: pole, along: line.along };
-        let meet = self.board.meet_lines(arm.ray, guide, reason);
-        self.note_image(Order::Acceleration, pin, meet.at);
-        self.act(Act::MarkMeet { label: self.label(pin), crossing: meet.crossing });
-        self.note_ray(Order::Acceleration, pole, meet.at, along_guide);
-        self.absolute_acceleration(pin, meet.at, Some(along_guide));
-        self.read_alpha(&arm, pin, meet.at, meet.along[0]);
-        if !self.mechanism.is_fixed(base) {
-            self.whole_acceleration(pin, base, meet.at);
-        }
-        self.acceleration_images(step, &[(rod, base)], pin);
+        (kind, quantity): (VectorKind, Quantity),
+        (label, at): (Label, Point<B>),
+        (direction, amount): (Direction<B>, Amount<B>),
+        (back, end): (bool, Label),
+    ) -> (Label, Point<B>) {
+        let scale = self.polygon_scale(Order::Acceleration);
+        let mm = self.board.to_paper(amount, scale);
+        let way = if back { self.board.reverse(direction) } else { direction };
+        let foot = self.board.lay_off(at, way, mm);
+        let (tail, head) = if back { ((end, foot), (label, at)) } else { ((label, at), (end, foot)) };
+        let claim = Claim::Perpendicular(Reference::Guide(slide));
+        let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(claim)), tail, head);
+        let (value, mm) = (amount.value().abs(), mm.value().abs());
+        self.act(Act::LayOffVector { vector, value, mm });
+        self.note_foot(Order::Acceleration, end, foot);
+        self.note_part(quantity, tail.1, head.1);
+        (end, foot)
     }
 
-    /// Reads the tangential part along a ray and divides by the link's length.
-    fn read_alpha(&mut self, arm: &Arm<B>, pin: PointId, image: Point<B>, along: Mm<B>) {
+    /// Two lines of unknown length from the feet meet in the sought image.
+    fn acceleration_of_group(&mut self, step: &GroupStep, kind: GroupKind) {
+        let Some((target, unknowns)) = routes_of(kind) else { return };
+        self.board.purpose("acceleration image");
+        let pin = target.pin();
+        let links: Vec<LinkId> = self.structure.groups[step.group]
+            .links
+            .iter()
+            .copied()
+            .filter(|&l| !self.mechanism.link(l).block)
+            .collect();
+        self.step(Order::Acceleration, &links, Vec::new());
+        // What stands on the frame is laid off first.
+        let from_frame = |d: &Self, unknown: Unknown| match unknown {
+            Unknown::Turn { base, .. } => d.mechanism.is_fixed(base),
+            Unknown::Slide { .. } => false,
+        };
+        let swapped = !from_frame(self, unknowns[0]) && from_frame(self, unknowns[1]);
+        let unknowns = if swapped { [unknowns[1], unknowns[0]] } else { unknowns };
+        let mut index = 1;
+        let routes = unknowns.map(|unknown| match unknown {
+            Unknown::Turn { link, base, to } => {
+                index += 1;
+                self.acceleration_arm(link, base, to, index - 1)
+            }
+            Unknown::Slide { slide, back } => {
+                let first = if back { 1 } else { index };
+                index += 2;
+                self.acceleration_slide(slide, back, pin, first)
+            }
+        });
+        let equation = self.acceleration_equation(target, unknowns);
+        self.equation(equation);
+        let reason = self.reason(&links);
+        let meet = self.board.meet_lines(routes[0].ray, routes[1].ray, reason);
+        let label = match target {
+            Target::Pin(pin) => {
+                self.note_image(Order::Acceleration, pin, meet.at);
+                self.label(pin)
+            }
+            Target::Under(pin, link) => {
+                self.note_under(Order::Acceleration, pin, link, meet.at);
+                self.label_under(pin, link)
+            }
+        };
+        self.act(Act::MarkMeet { label, crossing: meet.crossing });
+        for (route, along) in routes.iter().zip(meet.along) {
+            self.note_ray(Order::Acceleration, route.foot.1, meet.at, route.claim);
+            match route.unknown {
+                Unknown::Turn { link, base, .. } => {
+                    self.read_alpha(route, target, (link, base), (label, meet.at), along);
+                }
+                Unknown::Slide { slide, back } => {
+                    self.read_sliding(route, target, (slide, back), (label, meet.at), along);
+                }
+            }
+        }
+        self.rates_by_riding(Order::Acceleration, kind);
+        self.whole_vectors(target, unknowns, label, meet.at);
+        self.further_accelerations(step, kind);
+    }
+
+    /// The thick vectors to the found image: from the pole, and from each moving base.
+    fn whole_vectors(&mut self, target: Target, unknowns: [Unknown; 2], label: Label, image: Point<B>) {
+        let drawn = |d: &Self, quantity: Quantity| {
+            d.polygon(Order::Acceleration).is_some_and(|p| p.vectors.iter().any(|v| v.quantity == quantity))
+        };
+        let quantity = match target {
+            Target::Pin(pin) => Quantity::Acceleration(pin),
+            Target::Under(pin, link) => Quantity::CoincidentAcceleration(pin, link),
+        };
+        if !drawn(self, quantity) {
+            self.absolute_vector(Order::Acceleration, quantity, label, image);
+        }
+        for unknown in unknowns {
+            if let (Unknown::Turn { base, .. }, Target::Pin(pin)) = (unknown, target)
+                && !self.mechanism.is_fixed(base)
+            {
+                self.whole_acceleration(pin, base, image);
+            }
+        }
+    }
+
+    /// Reads the tangential part along a route and divides by the link's length.
+    fn read_alpha(
+        &mut self,
+        route: &Route<B>,
+        target: Target,
+        (link, base): (LinkId, PointId),
+        (label, image): (Label, Point<B>),
+        along: Mm<B>,
+    ) {
         let scale = self.polygon_scale(Order::Acceleration);
-        let quantity = self.tangential_of(pin, arm.base);
-        self.note_ray(Order::Acceleration, arm.foot.1, image, arm.claim);
+        let pin = target.pin();
+        let quantity = match target {
+            Target::Pin(pin) => self.tangential_of(pin, base),
+            Target::Under(pin, link) => Quantity::CoincidentTangential(pin, link),
+        };
         let vector = self.note_vector(
             Order::Acceleration,
-            (VectorKind::Tangential, quantity, Some(arm.claim)),
-            arm.foot,
-            (self.label(pin), image),
+            (VectorKind::Tangential, quantity, Some(route.claim)),
+            route.foot,
+            (label, image),
         );
         self.act_read(Order::Acceleration, vector);
+        self.note_part(quantity, route.foot.1, image);
         let tangential = self.board.read(along, scale);
-        let length = self.length(arm.link, arm.base, pin);
-        let reason = self.reason(&[arm.link]);
+        let length = self.length_to(link, base, pin);
+        let reason = self.reason(&[link]);
         let alpha = self.board.quotient(tangential, length, reason);
-        self.alphas[arm.link.0] = Some(alpha);
+        self.alphas[link.0] = Some(alpha);
         self.act(Act::Calculate(Calculation::Alpha {
-            link: arm.link,
+            link,
             quantity,
-            ends: [arm.base, pin],
+            ends: [base, pin],
             tangential: tangential.value().abs(),
             length: length.value(),
             value: alpha.value(),
         }));
     }
 
-    /// A_A + Aⁿ_BA + Aᵗ_BA.
-    fn acceleration_route(&mut self, pin: PointId, link: LinkId, base: PointId) -> Vec<Term> {
-        let mut terms = Vec::new();
-        if !self.mechanism.is_fixed(base) {
-            let image = self.image(Order::Acceleration, base).value();
-            terms.push(Term {
-                quantity: Quantity::Acceleration(base),
-                magnitude: Some(libm::hypot(image[0], image[1]) * self.scales.acceleration),
-                direction: Some(TermDirection::Found),
-            });
+    /// Reads the apparent acceleration along a route.
+    fn read_sliding(
+        &mut self,
+        route: &Route<B>,
+        target: Target,
+        (slide, back): (usize, bool),
+        (label, image): (Label, Point<B>),
+        along: Mm<B>,
+    ) {
+        let guide = self.mechanism.slides[slide].guide;
+        let pin = target.pin();
+        let rider = self.riding_point(slide, pin);
+        let scale = self.polygon_scale(Order::Acceleration);
+        let read = self.board.read(along, scale);
+        let value = if back { self.board.opposite(read) } else { read };
+        self.sliding_accelerations[slide] = Some(value);
+        let (tail, head) = if back { ((label, image), route.foot) } else { (route.foot, (label, image)) };
+        let straight = matches!(guide.path, Path::Straight { .. });
+        let part = if straight {
+            Quantity::SlipAcceleration(rider, guide.link)
+        } else {
+            Quantity::SlipTangential(rider, guide.link)
+        };
+        let quantity = match target {
+            Target::Pin(pin) if straight && guide.link == LinkId::FRAME => Quantity::Acceleration(pin),
+            Target::Under(pin, link) if !back && guide.link == LinkId::FRAME => {
+                Quantity::CoincidentAcceleration(pin, link)
+            }
+            _ => part,
+        };
+        let kind = if route.foot.0 == Label::Pole { VectorKind::Absolute } else { VectorKind::Sliding };
+        let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(route.claim)), tail, head);
+        self.act_read(Order::Acceleration, vector);
+        self.note_part(part, tail.1, head.1);
+        if straight {
+            return;
         }
-        let line = Reference::Points(base, pin);
-        let [p, b] = [self.image(Order::Velocity, base), self.image(Order::Velocity, pin)].map(|x| x.value());
-        let speed = libm::hypot(b[0] - p[0], b[1] - p[1]) * self.scales.velocity;
-        let length = self.length(link, base, pin).value();
-        let normal = speed * speed / length;
-        terms.push(Term {
-            quantity: self.normal_of(pin, base),
-            magnitude: normal.is_finite().then_some(normal),
-            direction: Some(TermDirection::Claim(Claim::Parallel(line))),
-        });
-        terms.push(Term {
-            quantity: self.tangential_of(pin, base),
-            magnitude: None,
-            direction: Some(TermDirection::Claim(Claim::Perpendicular(line))),
-        });
+        // On an arc the whole apparent acceleration runs over both parts.
+        let normal = Quantity::SlipNormal(rider, guide.link);
+        if let Some(part) = self.parts.iter().find(|p| p.quantity == normal) {
+            let ends = if back { (image, part.head) } else { (part.tail, image) };
+            self.note_part(Quantity::SlipAcceleration(rider, guide.link), ends.0, ends.1);
+        }
+    }
+
+    /// A_A + Aⁿ_BA + Aᵗ_BA, or A_A4 + Aᶜ + A_slip, as one side of the equation.
+    fn acceleration_route(&mut self, target: Target, unknown: Unknown) -> Vec<Term> {
+        let known = |quantity: Quantity, magnitude: f64, direction: TermDirection| Term {
+            quantity,
+            magnitude: magnitude.is_finite().then_some(magnitude),
+            direction: Some(direction),
+        };
+        let size = |d: &Self, quantity: Quantity| {
+            d.polygon(Order::Acceleration)
+                .and_then(|p| p.vectors.iter().rev().find(|v| v.quantity == quantity))
+                .map(|v| libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]) * d.scales.acceleration)
+        };
+        let pin = target.pin();
+        let mut terms = Vec::new();
+        match unknown {
+            Unknown::Turn { link, base, .. } => {
+                if !self.mechanism.is_fixed(base) {
+                    let image = self.image(Order::Acceleration, base).value();
+                    let magnitude = libm::hypot(image[0], image[1]) * self.scales.acceleration;
+                    terms.push(known(Quantity::Acceleration(base), magnitude, TermDirection::Found));
+                }
+                let line = Reference::Points(base, pin);
+                let normal = self.normal_of(link, pin, base);
+                let magnitude = size(self, normal).unwrap_or(0.0);
+                terms.push(known(normal, magnitude, TermDirection::Claim(Claim::Parallel(line))));
+                let tangential = match target {
+                    Target::Pin(pin) => self.tangential_of(pin, base),
+                    Target::Under(pin, link) => Quantity::CoincidentTangential(pin, link),
+                };
+                terms.push(Term {
+                    quantity: tangential,
+                    magnitude: None,
+                    direction: Some(TermDirection::Claim(Claim::Perpendicular(line))),
+                });
+            }
+            Unknown::Slide { slide, back } => {
+                let guide = self.mechanism.slides[slide].guide;
+                let rider = self.riding_point(slide, pin);
+                let line = Reference::Guide(slide);
+                let moving = guide.link != LinkId::FRAME;
+                let straight = matches!(guide.path, Path::Straight { .. });
+                if moving && !back {
+                    let quantity = Quantity::CoincidentAcceleration(pin, guide.link);
+                    let image = self.image_under(Order::Acceleration, pin, guide.link).value();
+                    let magnitude = libm::hypot(image[0], image[1]) * self.scales.acceleration;
+                    terms.push(known(quantity, magnitude, TermDirection::Found));
+                }
+                let across = TermDirection::Claim(Claim::Perpendicular(line));
+                for quantity in
+                    [Quantity::Coriolis(rider, guide.link), Quantity::SlipNormal(rider, guide.link)]
+                {
+                    if let Some(magnitude) = size(self, quantity) {
+                        terms.push(known(quantity, magnitude, across));
+                    }
+                }
+                let quantity = match (target, moving, straight) {
+                    (Target::Pin(pin), false, true) => Quantity::Acceleration(pin),
+                    (Target::Under(pin, link), false, true) => Quantity::CoincidentAcceleration(pin, link),
+                    (.., true) => Quantity::SlipAcceleration(rider, guide.link),
+                    (.., false) => Quantity::SlipTangential(rider, guide.link),
+                };
+                let direction = Some(TermDirection::Claim(Claim::Parallel(line)));
+                terms.push(Term { quantity, magnitude: None, direction });
+            }
+        }
         terms
     }
 
-    fn acceleration_equation(&mut self, pin: PointId, arms: [(LinkId, PointId); 2]) -> Equation {
-        let [(la, a), (lb, b)] = if self.mechanism.is_fixed(arms[1].1) { [arms[1], arms[0]] } else { arms };
-        let left = self.acceleration_route(pin, la, a);
-        let right = self.acceleration_route(pin, lb, b);
-        Equation { left, right }
+    fn acceleration_equation(&mut self, target: Target, unknowns: [Unknown; 2]) -> Equation {
+        if let Target::Under(pin, _) = target {
+            let image = self.image(Order::Acceleration, pin).value();
+            let left = vec![Term {
+                quantity: Quantity::Acceleration(pin),
+                magnitude: Some(libm::hypot(image[0], image[1]) * self.scales.acceleration),
+                direction: Some(TermDirection::Found),
+            }];
+            let mut right = self.acceleration_route(target, unknowns[0]);
+            right.extend(self.acceleration_route(target, unknowns[1]));
+            return Equation { left, right };
+        }
+        let slides_on_frame = |d: &Self, unknown: Unknown| match unknown {
+            Unknown::Slide { slide, .. } => d.mechanism.slides[slide].guide.link == LinkId::FRAME,
+            Unknown::Turn { .. } => false,
+        };
+        let [a, b] = if slides_on_frame(self, unknowns[1]) { [unknowns[1], unknowns[0]] } else { unknowns };
+        Equation { left: self.acceleration_route(target, a), right: self.acceleration_route(target, b) }
+    }
+
+    /// Aⁿ = ω² l and Aᵗ = ε l about a point whose image is known.
+    pub(super) fn acceleration_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point<B> {
+        let scale = self.polygon_scale(Order::Acceleration);
+        let foot_of = if self.mechanism.link(link).points.contains(&point) { None } else { Some(link) };
+        let label = Label::Foot { point, link: foot_of, index: 1 };
+        let foot = self.lay_off_normal(link, point, base, label);
+        let alpha = self.rate(Order::Acceleration, link);
+        let length = self.length_to(link, base, point);
+        let tangential = self.board.product(alpha, length);
+        let quantity = if self.mechanism.link(link).points.contains(&point) {
+            self.tangential_of(point, base)
+        } else {
+            Quantity::CoincidentTangential(point, link)
+        };
+        let value = tangential.value().abs();
+        self.act(Act::Calculate(Calculation::Tangential {
+            quantity,
+            link,
+            ends: [base, point],
+            alpha: alpha.value(),
+            length: length.value(),
+            value,
+        }));
+        let square = self.square_to(link, base, point);
+        let mm = self.board.to_paper(tangential, scale);
+        let image = self.board.lay_off(foot, square, mm);
+        let claim = Claim::Perpendicular(Reference::Points(base, point));
+        let head = if self.mechanism.link(link).points.contains(&point) {
+            self.label(point)
+        } else {
+            self.label_under(point, link)
+        };
+        let vector = self.note_vector(
+            Order::Acceleration,
+            (VectorKind::Tangential, quantity, Some(claim)),
+            (label, foot),
+            (head, image),
+        );
+        self.act(Act::LayOffVector { vector, value, mm: mm.value().abs() });
+        self.note_part(quantity, foot, image);
+        image
     }
 
     /// Images of the further points of the group's links.
-    fn acceleration_images(&mut self, step: &GroupStep, main: &[(LinkId, PointId)], pin: PointId) {
+    fn further_accelerations(&mut self, step: &GroupStep, kind: GroupKind) {
         for &(link, point) in &step.points {
-            let Some(&(_, base)) = main.iter().find(|(l, _)| *l == link) else { continue };
             self.board.purpose("acceleration image of a further point");
-            let image = match self.straight_ratio(link, base, pin, point) {
-                Some(ratio) => self.divide_image(Order::Acceleration, (base, pin), point, ratio),
-                None => self.acceleration_corner(link, (base, pin), point),
+            let image = match (kind, main_base(kind, link)) {
+                (GroupKind::Rpr { lever, base, .. }, _) if link == lever => {
+                    self.acceleration_about(link, base, point)
+                }
+                (GroupKind::Rpr { pin, .. }, _) => self.acceleration_about(link, pin, point),
+                (GroupKind::Yoke { pin, .. }, _) => self.riding_image(Order::Acceleration, link, pin, point),
+                (_, Some((base, pin))) => match self.straight_ratio(link, base, pin, point) {
+                    Some(ratio) => self.divide_image(Order::Acceleration, (base, pin), point, ratio),
+                    None => self.acceleration_corner(link, (base, pin), point),
+                },
+                (_, None) => continue,
             };
             self.note_image(Order::Acceleration, point, image);
-            self.absolute_acceleration(point, image, None);
+            let label = self.label(point);
+            self.absolute_vector(Order::Acceleration, Quantity::Acceleration(point), label, image);
         }
     }
 
@@ -372,13 +642,15 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act(Act::MarkMeet { label: self.label(point), crossing: meet.crossing });
         for arm in &arms {
             self.note_ray(Order::Acceleration, arm.foot.1, meet.at, arm.claim);
-            let quantity = self.tangential_of(point, arm.base);
-            self.note_vector(
-                Order::Acceleration,
-                (VectorKind::Tangential, quantity, Some(arm.claim)),
-                arm.foot,
-                (self.label(point), meet.at),
-            );
+            if let Unknown::Turn { base, .. } = arm.unknown {
+                let quantity = self.tangential_of(point, base);
+                self.note_vector(
+                    Order::Acceleration,
+                    (VectorKind::Tangential, quantity, Some(arm.claim)),
+                    arm.foot,
+                    (self.label(point), meet.at),
+                );
+            }
         }
         meet.at
     }

@@ -431,6 +431,35 @@ pub enum Calculation {
         /// ε, signed, ccw positive.
         value: f64,
     },
+    /// Aᶜ = 2 V ω, V the sliding velocity, ω that of the link that carries the guide; V turned by 90° in
+    /// the sense of ω.
+    Coriolis {
+        /// The vector.
+        quantity: Quantity,
+        /// The link that carries the guide.
+        link: LinkId,
+        /// The sliding velocity.
+        slip: Quantity,
+        /// V, not negative.
+        speed: f64,
+        /// ω, signed.
+        omega: f64,
+        /// Aᶜ, not negative.
+        value: f64,
+    },
+    /// V² / R, the normal part of sliding along an arc.
+    SlipNormal {
+        /// The vector.
+        quantity: Quantity,
+        /// The sliding velocity.
+        slip: Quantity,
+        /// V, not negative.
+        speed: f64,
+        /// R.
+        radius: f64,
+        /// The normal part, not negative.
+        value: f64,
+    },
     /// A link that only translates: ω = 0, ε = 0.
     Translation {
         /// The link.

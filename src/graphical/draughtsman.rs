@@ -1,14 +1,16 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
-use crate::board::{Amount, Angle, Bench, Board, Point, Reason, Scale};
+use crate::board::{Amount, Bench, Board, Point, Reason, Scale};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
-use crate::mechanism::{LinkId, Mechanism, PointId};
+use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
+use crate::plan::home;
 
 use super::construction::{
-    Act, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon, Reading, Space,
-    Step, Vector, VectorKind,
+    Act, Calculation, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon,
+    Reading, Space, Step, Vector, VectorKind,
 };
+use super::pose::Pose;
 use super::{Scales, scale};
 
 /// Vectors shorter than this are drawn as points (millimetres).
@@ -26,6 +28,21 @@ pub(super) struct Foot<B: Bench> {
     pub(super) head: Point<B>,
 }
 
+/// The image of the point of a link that lies under a pin of another link.
+pub(super) struct Coincident<B: Bench> {
+    pub(super) order: Order,
+    pub(super) pin: PointId,
+    pub(super) link: LinkId,
+    pub(super) image: Point<B>,
+}
+
+/// A vector of a polygon that answers a quantity by itself.
+pub(super) struct Part<B: Bench> {
+    pub(super) quantity: Quantity,
+    pub(super) tail: Point<B>,
+    pub(super) head: Point<B>,
+}
+
 pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) mechanism: &'m Mechanism,
     pub(super) structure: &'m Structure,
@@ -35,10 +52,10 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) places: Vec<Option<Point<B>>>,
     /// Own figures, by link.
     pub(super) figures: Vec<Option<Vec<Point<B>>>>,
+    /// How the solved links stand, where that was needed.
+    pub(super) poses: Vec<Option<Pose<B>>>,
     /// Lengths already given or measured.
     pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount<B>)>,
-    /// Angles of driven links' first-to-second line.
-    pub(super) input_angles: Vec<Option<Angle<B>>>,
     /// Velocity images, by point.
     pub(super) velocities: Images<B>,
     /// Acceleration images, by point.
@@ -49,6 +66,15 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) alphas: Vec<Option<Amount<B>>>,
     /// The normal parts laid off so far.
     pub(super) feet: Vec<Foot<B>>,
+    /// Images of points of guide links under their riders.
+    pub(super) coincident: Vec<Coincident<B>>,
+    /// The sliding velocity in each pair, signed along the guide's direction under the rider, seen from the
+    /// guide's link; by index of the pair.
+    pub(super) slips: Vec<Option<Amount<B>>>,
+    /// The apparent acceleration along the guide in each pair, signed, by index of the pair.
+    pub(super) sliding_accelerations: Vec<Option<Amount<B>>>,
+    /// Sliding, Coriolis and coincident vectors drawn so far.
+    pub(super) parts: Vec<Part<B>>,
     reasons: Vec<Vec<u32>>,
     record: Construction,
 }
@@ -68,13 +94,17 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             scales,
             places: vec![None; points],
             figures: vec![None; links],
+            poses: vec![None; links],
             lengths: Vec::new(),
-            input_angles: vec![None; links],
             velocities: vec![None; points],
             accelerations: vec![None; points],
             omegas: vec![None; links],
             alphas: vec![None; links],
             feet: Vec::new(),
+            coincident: Vec::new(),
+            slips: vec![None; mechanism.slides.len()],
+            sliding_accelerations: vec![None; mechanism.slides.len()],
+            parts: Vec::new(),
             reasons: Vec::new(),
             record: Construction {
                 space: Space { metres_per_mm: scales.length, places: vec![None; points], lines: Vec::new() },
@@ -133,6 +163,21 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     /// Begins a numbered step.
     pub(super) fn step(&mut self, order: Order, links: &[LinkId], equations: Vec<Equation>) {
         self.record.steps.push(Step { order, links: links.to_vec(), equations, acts: Vec::new() });
+    }
+
+    /// Begins the step of the rubbing speeds, unless the present one is it.
+    pub(super) fn rubbing_step(&mut self) {
+        let is_rub = |act: &Act| matches!(act, Act::Calculate(Calculation::Rub { .. }));
+        if !self.record.steps.last().is_some_and(|step| step.acts.iter().any(is_rub)) {
+            self.step(Order::Velocity, &[], Vec::new());
+        }
+    }
+
+    /// Adds an equation to the present step.
+    pub(super) fn equation(&mut self, equation: Equation) {
+        if let Some(step) = self.record.steps.last_mut() {
+            step.equations.push(equation);
+        }
     }
 
     /// Records an act of the present step.
@@ -203,15 +248,45 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }
     }
 
-    /// The label of a point's image.
+    /// The label of a point's image; the link's number is told where other links have points under it.
     pub(super) fn label(&self, point: PointId) -> Label {
-        if self.mechanism.is_fixed(point) { Label::Pole } else { Label::Image { point, link: None } }
+        if self.mechanism.is_fixed(point) {
+            return Label::Pole;
+        }
+        let on_moving_guide = self.mechanism.slides.iter().any(|s| {
+            s.guide.link != LinkId::FRAME && matches!(s.rider, Rider::Pin { point: p, .. } if p == point)
+        });
+        let link = if on_moving_guide { home(self.mechanism, self.structure, point) } else { None };
+        Label::Image { point, link }
+    }
+
+    /// The label of the point of a link under a pin of another.
+    pub(super) fn label_under(&self, pin: PointId, link: LinkId) -> Label {
+        if link == LinkId::FRAME { Label::Pole } else { Label::Image { point: pin, link: Some(link) } }
+    }
+
+    /// Notes a vector that answers a quantity, for reading.
+    pub(super) fn note_part(&mut self, quantity: Quantity, tail: Point<B>, head: Point<B>) {
+        self.parts.push(Part { quantity, tail, head });
+    }
+
+    /// Notes the image of the point of a link under a pin.
+    pub(super) fn note_under(&mut self, order: Order, pin: PointId, link: LinkId, image: Point<B>) {
+        self.coincident.push(Coincident { order, pin, link, image });
+        let label = self.label_under(pin, link);
+        self.note_foot(order, label, image);
+        let pole = self.board.origin();
+        let quantity = match order {
+            Order::Acceleration => Quantity::CoincidentAcceleration(pin, link),
+            _ => Quantity::CoincidentVelocity(pin, link),
+        };
+        self.note_part(quantity, pole, image);
     }
 
     /// Notes the image of a point.
     pub(super) fn note_image(&mut self, order: Order, point: PointId, at: Point<B>) {
         self.images(order)[point.0] = Some(at);
-        let image = Image { label: Label::Image { point, link: None }, at: at.value() };
+        let image = Image { label: self.label(point), at: at.value() };
         if let Some(polygon) = self.polygon_mut(order) {
             polygon.images.push(image);
         }

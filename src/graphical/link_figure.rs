@@ -85,7 +85,8 @@ impl<B: Bench> Draughtsman<'_, B> {
                     board.prick(x, y)
                 })
                 .collect(),
-            Form::Placed | Form::Single => {
+            Form::Single => vec![origin],
+            Form::Placed => {
                 let points = &self.mechanism.link(link).points;
                 points.iter().map(|p| self.places[p.0].unwrap_or(origin)).collect()
             }

@@ -8,6 +8,7 @@ mod acceleration;
 pub mod construction;
 mod draughtsman;
 mod link_figure;
+mod pose;
 mod position;
 mod reading;
 mod velocity;

@@ -5,11 +5,12 @@ use crate::board::{Bench, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::GroupKind;
-use crate::mechanism::{Form, Guide, GuidePoint, Input, LinkId, Path, PointId};
+use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Claim, ConstructionLine, Reference};
 use super::draughtsman::Draughtsman;
+use super::pose::{Pose, Track};
 use super::{DrawError, Misfit};
 
 /// Draws the steps of the skeleton.
@@ -30,6 +31,14 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
             GroupKind::Driver { base, input } => d.driver(step, links[0], base, input),
             GroupKind::Rrr { links, bases, pin } => d.rrr(step, links, bases, pin)?,
             GroupKind::Rrp { rod, base, pin, slide } => d.rrp(step, rod, base, pin, slide)?,
+            GroupKind::Rpr { lever, base, pin, slide, rod } => {
+                d.rpr(step, lever, base, pin, slide)?;
+                if let Some(rod) = rod {
+                    d.ride_along(step, rod, slide, pin);
+                }
+            }
+            GroupKind::Prp { pin, slides } => d.prp(pin, slides)?,
+            GroupKind::Yoke { link, ride, pin, slot } => d.yoke(step, link, ride, pin, slot),
             GroupKind::Other => {
                 return Err(DrawError::NoConstruction { links });
             }
@@ -55,7 +64,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Pricks world coordinates onto the skeleton.
-    fn prick_world(&mut self, world: [Given; 2]) -> Point<B> {
+    pub(super) fn prick_world(&mut self, world: [Given; 2]) -> Point<B> {
         let origin = self.origin_of_space();
         let scale = self.length_scale();
         let coordinate = |d: &mut Self, axis: usize| {
@@ -99,7 +108,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         let along = match angle {
             Some(angle) => {
                 let angle = self.board.angle(angle);
-                self.input_angles[link.0] = Some(angle);
                 self.board.protractor(angle)
             }
             None => {
@@ -112,6 +120,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
         };
         let from = self.at(base);
+        let (a, b) = (self.own(link, first), self.own(link, second));
+        let reason = self.reason(&[link]);
+        let (own_along, _) = self.board.toward(a, b, reason);
+        let own_anchor = self.own(link, base);
+        self.poses[link.0] = Some(Pose { own_anchor, anchor: from, own_along, along });
         for &(_, point) in &step.points {
             if self.prick_given(point) {
                 self.act(Act::MarkPlaces);
@@ -221,25 +234,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.transfer_points(step, &main, pin);
             return Ok(());
         }
-        let line = self.guide_line(&self.mechanism.slides[slide].guide.clone());
+        let track = self.track(slide, Some(pin));
         let circle = self.circle(main[0], pin);
-        let reason = self.reason(&[rod]);
-        let pair = self.board.meet_line_circle(line, circle, reason).map_err(|_| {
-            let [_, distance] = self.board.square_off(line, circle.centre);
-            DrawError::CannotAssemble {
-                pin,
-                why: Box::new(Misfit {
-                    first: (
-                        self.mechanism.point(base).name.clone(),
-                        circle.radius.value() * self.scales.length,
-                    ),
-                    second: (String::new(), None),
-                    pin: self.mechanism.point(pin).name.clone(),
-                    distance: distance.value().abs() * self.scales.length,
-                }),
-                range: None,
-            }
-        })?;
+        let pair = self.meet_track(track, circle, (rod, base), (slide, pin))?;
         self.act(Act::DrawGuide { slide });
         let radius = circle.radius.value() * self.scales.length;
         self.act(Act::StrikeArc { centre: base, to: pin, radius });
@@ -248,55 +245,264 @@ impl<B: Bench> Draughtsman<'_, B> {
         let index = self.step_index();
         let (centre, radius) = (circle.centre.value(), circle.radius.value());
         self.space_line(ConstructionLine::Arc { centre, radius, at, step: index });
-        self.space_line(ConstructionLine::Ray {
-            from: line.through.value(),
-            to: at,
-            claim: Some(Claim::Parallel(Reference::Guide(slide))),
-            step: index,
+        self.space_line(match track {
+            Track::Straight(line) => ConstructionLine::Ray {
+                from: line.through.value(),
+                to: at,
+                claim: Some(Claim::Parallel(Reference::Guide(slide))),
+                step: index,
+            },
+            Track::Arc(arc) => ConstructionLine::Arc {
+                centre: arc.centre.value(),
+                radius: arc.radius.value(),
+                at,
+                step: index,
+            },
         });
         self.transfer_points(step, &main, pin);
         Ok(())
+    }
+
+    /// Where an arc about a base meets a guide.
+    fn meet_track(
+        &mut self,
+        track: Track<B>,
+        circle: Circle<B>,
+        (link, base): (LinkId, PointId),
+        (slide, pin): (usize, PointId),
+    ) -> Result<Pair<B>, DrawError> {
+        let reason = self.reason(&[link, self.mechanism.slides[slide].guide.link]);
+        let per_mm = self.scales.length;
+        let first = (self.mechanism.point(base).name.clone(), circle.radius.value() * per_mm);
+        let pin_name = self.mechanism.point(pin).name.clone();
+        let (met, second, distance) = match track {
+            Track::Straight(line) => {
+                let [_, across] = self.board.square_off(line, circle.centre);
+                let met = self.board.meet_line_circle(line, circle, reason);
+                (met, (String::new(), None), across.value().abs())
+            }
+            Track::Arc(arc) => {
+                let [dx, dy] = self.board.between(circle.centre, arc.centre).map(|d| d.value());
+                let met = self.board.meet_circles(circle, arc, reason);
+                let second = ("centre of the guide-".to_owned(), Some(arc.radius.value() * per_mm));
+                (met, second, libm::hypot(dx, dy))
+            }
+        };
+        met.map_err(|_| DrawError::CannotAssemble {
+            pin,
+            why: Box::new(Misfit { first, second, pin: pin_name, distance: distance * per_mm }),
+            range: None,
+        })
+    }
+
+    /// A lever whose guide must pass through a pin that stands already: in the lever's own figure an arc
+    /// about its base, with the distance of the pin, meets the guide; then the figure is laid on.
+    fn rpr(
+        &mut self,
+        step: &GroupStep,
+        lever: LinkId,
+        base: PointId,
+        pin: PointId,
+        slide: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("lever through a pin");
+        let (at_base, at_pin) = (self.at(base), self.at(pin));
+        let reason = self.reason(&[lever]);
+        let (along, distance) = self.board.toward(at_base, at_pin, reason);
+        self.act(Act::DrawGuide { slide });
+        let own_anchor = self.own(lever, base);
+        if matches!(self.mechanism.link(lever).form, Form::Placed) {
+            self.poses[lever.0] =
+                Some(Pose { own_anchor: at_base, anchor: at_base, own_along: along, along });
+        } else if self.stands_upright(lever, base, slide) {
+            let x = self.board.rightward();
+            self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along: x, along: x });
+        } else {
+            let track = self.own_track(slide, Some(pin));
+            let circle = Circle { centre: own_anchor, radius: distance };
+            let pair = self.meet_track(track, circle, (lever, base), (slide, pin))?;
+            let side = if pair.tangent {
+                Side::First
+            } else if matches!(self.mechanism.link(lever).form, Form::Single) {
+                // It turns until the guide meets its rider, x toward the rider.
+                let [first, second] = [Side::First, Side::Second].map(|side| self.board.look(&pair, side)[0]);
+                if first >= second { Side::First } else { Side::Second }
+            } else {
+                self.choose_lever(lever, (own_anchor, at_base), along, pin, pair)?
+            };
+            let own_pin = self.board.take(pair, side);
+            let (own_along, _) = self.board.toward(own_anchor, own_pin, reason);
+            self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along, along });
+        }
+        self.transfer_by_pose(step, lever);
+        Ok(())
+    }
+
+    /// Whether a link of one joint has the world's axes at this instant: unless its guide goes through that
+    /// joint and swivels to meet the rider.
+    fn stands_upright(&self, lever: LinkId, base: PointId, slide: usize) -> bool {
+        let swivels = matches!(
+            self.mechanism.slides[slide].guide.path,
+            Path::Straight { through: GuidePoint::Point(p), .. } if p == base
+        );
+        matches!(self.mechanism.link(lever).form, Form::Single) && !swivels
+    }
+
+    /// Chooses between the two ways in which a lever's guide can pass through a pin.
+    fn choose_lever(
+        &mut self,
+        lever: LinkId,
+        (own_anchor, anchor): (Point<B>, Point<B>),
+        along: Direction<B>,
+        pin: PointId,
+        pair: Pair<B>,
+    ) -> Result<Side, DrawError> {
+        let origin = self.origin_of_space().map(|g| g.value);
+        let per_mm = self.scales.length;
+        let reason = self.reason(&[lever]);
+        let mut score: [Option<f64>; 2] = [None; 2];
+        let mut shown = [[0.0; 2]; 2];
+        let mut named = pin;
+        for (index, side) in [Side::First, Side::Second].into_iter().enumerate() {
+            let own_pin = self.board.take(pair, side);
+            let (own_along, _) = self.board.toward(own_anchor, own_pin, reason);
+            self.poses[lever.0] = Some(Pose { own_anchor, anchor, own_along, along });
+            for point in self.mechanism.link(lever).points.clone() {
+                if self.mechanism.is_fixed(point) || self.places[point.0].is_some() {
+                    continue;
+                }
+                let own = self.own(lever, point);
+                let at = self.carried_point(lever, own).value();
+                let world = [0, 1].map(|k| origin[k] + at[k] * per_mm);
+                (shown[index], named) = (world, point);
+                if let Some(hint) = self.mechanism.point(point).place.hint() {
+                    let [dx, dy] = [0, 1].map(|k| world[k] - hint[k]);
+                    score[index] = Some(score[index].unwrap_or(0.0) + dx * dx + dy * dy);
+                }
+            }
+        }
+        self.poses[lever.0] = None;
+        match score {
+            [Some(a), Some(b)] if (a - b).abs() > HINT_TIE * (a + b) => {
+                Ok(if a < b { Side::First } else { Side::Second })
+            }
+            // A lever of which nothing else is named stands with its guide towards the pin.
+            [None, None] if named == pin => Ok(Side::First),
+            _ => Err(DrawError::Ambiguous { pin: named, first: shown[0], second: shown[1] }),
+        }
+    }
+
+    /// Transfers the wanted points of a link whose pose is known.
+    fn transfer_by_pose(&mut self, step: &GroupStep, link: LinkId) {
+        for &(of, point) in &step.points {
+            if of != link || self.prick_given(point) {
+                continue;
+            }
+            let own = self.own(link, point);
+            let at = self.carried_point(link, own);
+            self.place(point, at);
+            self.act(Act::TransferPoint { link, point });
+        }
+    }
+
+    /// The pose of a rod that slides without turning on a lever, and has a known pin.
+    fn ride_along(&mut self, step: &GroupStep, rod: LinkId, slide: usize, pin: PointId) {
+        let own_anchor = self.own(rod, pin);
+        let anchor = self.at(pin);
+        let (own_along, along) = self.ride_directions(slide);
+        self.poses[rod.0] = Some(Pose { own_anchor, anchor, own_along, along });
+        self.transfer_by_pose(step, rod);
+    }
+
+    /// Own x-axis of a rider link and where it points on the skeleton. A rider of placed points rides as
+    /// placed: its own axes are the world's.
+    fn ride_directions(&mut self, slide: usize) -> (Direction<B>, Direction<B>) {
+        let own_x = self.board.rightward();
+        let Rider::Link { turned: Some(turned), .. } = self.mechanism.slides[slide].rider else {
+            return (own_x, own_x);
+        };
+        let Track::Straight(guide) = self.track(slide, None) else { return (own_x, own_x) };
+        let by = self.board.angle(turned);
+        (own_x, self.board.turned(guide.along, by))
+    }
+
+    /// A pin on two guides.
+    fn prp(&mut self, pin: PointId, slides: [usize; 2]) -> Result<(), DrawError> {
+        self.board.purpose("pin on two guides");
+        if self.prick_given(pin) {
+            self.act(Act::MarkPlaces);
+            return Ok(());
+        }
+        let tracks = slides.map(|slide| self.track(slide, Some(pin)));
+        for slide in slides {
+            self.act(Act::DrawGuide { slide });
+        }
+        let links = slides.map(|slide| self.mechanism.slides[slide].guide.link);
+        let reason = self.reason(&links);
+        match tracks {
+            [Track::Straight(first), Track::Straight(second)] => {
+                let meet = self.board.meet_lines(first, second, reason);
+                self.place(pin, meet.at);
+                self.act(Act::MarkIntersection { point: pin, crossing: meet.crossing });
+                Ok(())
+            }
+            [Track::Arc(arc), other] | [other, Track::Arc(arc)] => {
+                let pair = match other {
+                    Track::Straight(line) => self.board.meet_line_circle(line, arc, reason),
+                    Track::Arc(second) => self.board.meet_circles(arc, second, reason),
+                };
+                let pair = pair.map_err(|_| DrawError::CannotAssemble {
+                    pin,
+                    why: Box::new(Misfit {
+                        first: ("radius of the guide-".to_owned(), arc.radius.value() * self.scales.length),
+                        second: (String::new(), None),
+                        pin: self.mechanism.point(pin).name.clone(),
+                        distance: 0.0,
+                    }),
+                    range: None,
+                })?;
+                self.take_hinted(&[], pin, pair)
+            }
+        }
+    }
+
+    /// A link that rides without turning, with a slot through a pin that stands already: a parallel to the
+    /// slot and the guide meet in its first joint.
+    fn yoke(&mut self, step: &GroupStep, link: LinkId, ride: usize, pin: PointId, slot: usize) {
+        self.board.purpose("yoke through a pin");
+        self.act(Act::DrawGuide { slide: ride });
+        self.act(Act::DrawGuide { slide: slot });
+        let Some(&first) = self.mechanism.link(link).points.first() else { return };
+        if matches!(self.mechanism.link(link).form, Form::Placed) {
+            let (anchor, x) = (self.at(pin), self.board.rightward());
+            self.poses[link.0] = Some(Pose { own_anchor: anchor, anchor, own_along: x, along: x });
+            self.transfer_by_pose(step, link);
+            return;
+        }
+        let (own_along, along) = self.ride_directions(ride);
+        let own_anchor = self.own(link, first);
+        // The slot's line carried over as if the first joint stood at the pin, then shifted so that it
+        // passes through the pin.
+        let at_pin = self.at(pin);
+        self.poses[link.0] = Some(Pose { own_anchor, anchor: at_pin, own_along, along });
+        let (Track::Straight(slot_line), Track::Straight(guide)) =
+            (self.track(slot, Some(pin)), self.track(ride, None))
+        else {
+            return;
+        };
+        let [_, across] = self.board.square_off(slot_line, at_pin);
+        let left = self.board.quarter_turn(slot_line.along);
+        let through = self.board.lay_off(at_pin, left, across);
+        let reason = self.reason(&[link]);
+        let meet = self.board.meet_lines(Line { through, along: slot_line.along }, guide, reason);
+        self.poses[link.0] = Some(Pose { own_anchor, anchor: meet.at, own_along, along });
+        self.transfer_by_pose(step, link);
     }
 
     fn circle(&mut self, (link, base): (LinkId, PointId), pin: PointId) -> Circle<B> {
         let length = self.length(link, base, pin);
         let scale = self.length_scale();
         Circle { centre: self.at(base), radius: self.board.to_paper(length, scale) }
-    }
-
-    /// A straight guide of the frame, as a line of the skeleton.
-    pub(super) fn guide_line(&mut self, guide: &Guide) -> Line<B> {
-        let Path::Straight { through, direction, turned, offset } = guide.path else {
-            let along = self.board.rightward();
-            return Line { through: self.board.origin(), along };
-        };
-        let start = match through {
-            GuidePoint::Point(p) => self.at(p),
-            GuidePoint::Own(world) => self.prick_world(world),
-        };
-        let mut along = match direction {
-            crate::mechanism::Direction::Angle(angle) => {
-                let angle = self.board.angle(angle);
-                self.board.protractor(angle)
-            }
-            crate::mechanism::Direction::Toward(p) => {
-                let to = self.at(p);
-                let reason = self.reason(&[LinkId::FRAME]);
-                self.board.toward(start, to, reason).0
-            }
-        };
-        if turned != Given::exact(0.0) {
-            let by = self.board.angle(turned);
-            along = self.board.turned(along, by);
-        }
-        if offset == Given::exact(0.0) {
-            return Line { through: start, along };
-        }
-        let scale = self.length_scale();
-        let offset = self.board.amount(offset);
-        let mm = self.board.to_paper(offset, scale);
-        let left = self.board.quarter_turn(along);
-        Line { through: self.board.lay_off(start, left, mm), along }
     }
 
     /// Takes the point of a pair that the scene's hints choose.
@@ -365,8 +571,18 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
+    /// Whether a link carries a guide, so that its pose will be needed.
+    fn carries_guide(&self, link: LinkId) -> bool {
+        self.mechanism.slides.iter().any(|s| s.guide.link == link)
+    }
+
     /// Transfers the further points of the group that are wanted.
     fn transfer_points(&mut self, step: &GroupStep, main: &[(LinkId, PointId)], pin: PointId) {
+        for &(link, base) in main {
+            if self.carries_guide(link) {
+                self.pose_by_points(link, base, pin);
+            }
+        }
         for &(link, point) in &step.points {
             if self.prick_given(point) {
                 continue;

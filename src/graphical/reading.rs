@@ -88,16 +88,21 @@ impl<B: Bench> Draughtsman<'_, B> {
             Quantity::Position(p) => self.read_position(p),
             Quantity::Angle(l) => Read::Angle(self.read_angle(l)),
             Quantity::Transmission(i, j) => self.read_transmission(i, j),
-            Quantity::Slip(..)
-            | Quantity::SlipAcceleration(..)
-            | Quantity::SlipNormal(..)
-            | Quantity::SlipTangential(..)
-            | Quantity::Coriolis(..)
-            | Quantity::Centre(..) => Read::Undefined("this quantity has no construction yet"),
+            Quantity::Slip(_, link) | Quantity::CoincidentVelocity(_, link) => {
+                self.read_part(Order::Velocity, quantity, link)
+            }
+            Quantity::SlipAcceleration(_, link)
+            | Quantity::SlipNormal(_, link)
+            | Quantity::SlipTangential(_, link)
+            | Quantity::Coriolis(_, link)
+            | Quantity::CoincidentAcceleration(_, link)
+            | Quantity::CoincidentNormal(_, link)
+            | Quantity::CoincidentTangential(_, link) => self.read_part(Order::Acceleration, quantity, link),
+            Quantity::Centre(..) => Read::Undefined("instant centres have no construction yet"),
         }
     }
 
-    fn rate(&mut self, order: Order, link: LinkId) -> Amount<B> {
+    pub(super) fn rate(&mut self, order: Order, link: LinkId) -> Amount<B> {
         let known = match order {
             Order::Acceleration => self.alphas[link.0],
             _ => self.omegas[link.0],
@@ -105,6 +110,17 @@ impl<B: Bench> Draughtsman<'_, B> {
         match known {
             Some(rate) => rate,
             None => self.rest(),
+        }
+    }
+
+    /// A sliding, Coriolis or coincident vector, where one was drawn.
+    fn read_part(&mut self, order: Order, quantity: &Quantity, link: LinkId) -> Read<B> {
+        let drawn = self.parts.iter().rev().find(|p| p.quantity == *quantity).map(|p| (p.tail, p.head));
+        match drawn {
+            Some((tail, head)) => self.read_vector(order, tail, head),
+            // A guide that stands still has no Coriolis acceleration, and no velocity of its own.
+            None if link == LinkId::FRAME => Read::Vector([self.rest(), self.rest()]),
+            None => Read::Undefined("no construction drew this vector"),
         }
     }
 
@@ -212,7 +228,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let relative = self.board.difference(first, second);
         let relative = self.board.magnitude(relative);
         let value = self.board.product(radius, relative);
-        self.step(Order::Velocity, &[i, j], Vec::new());
+        self.rubbing_step();
         self.act(Act::Calculate(Calculation::Rub {
             pin,
             links: [i, j],
@@ -241,22 +257,19 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// Angle of a link's own x-axis, by protractor.
     fn read_angle(&mut self, link: LinkId) -> Angle<B> {
-        let points = self.mechanism.link(link).points.clone();
-        let placed = matches!(self.mechanism.link(link).form, Form::Placed | Form::Single);
-        let known: Vec<PointId> = points.iter().copied().filter(|p| self.places[p.0].is_some()).collect();
-        let (&[p, q, ..], false) = (known.as_slice(), placed) else {
-            if let (Some(angle), false) = (self.input_angles[link.0], placed) {
-                let along = self.board.protractor(angle);
-                return self.board.measure_angle(along);
+        if self.poses[link.0].is_none() {
+            let points = self.mechanism.link(link).points.clone();
+            let known: Vec<PointId> = points.into_iter().filter(|p| self.places[p.0].is_some()).collect();
+            if let &[p, q, ..] = known.as_slice() {
+                self.pose_by_points(link, p, q);
             }
-            return self.board.angle(crate::given::Given::exact(0.0));
-        };
-        let along = self.outward(link, p, q);
-        let (a, b) = (self.own(link, p), self.own(link, q));
-        let reason = self.reason(&[link]);
-        let (own, _) = self.board.toward(a, b, reason);
-        // Both directions belong to one line of the link: the turn between them is the link's angle.
-        self.board.angle_between(own, along)
+        }
+        match self.poses[link.0] {
+            Some(pose) if !matches!(self.mechanism.link(link).form, Form::Placed) => {
+                self.board.angle_between(pose.own_along, pose.along)
+            }
+            _ => self.board.angle(crate::given::Given::exact(0.0)),
+        }
     }
 
     fn read_transmission(&mut self, i: LinkId, j: LinkId) -> Read<B> {

@@ -5,13 +5,16 @@
 //! 3. From the image of each known point a line perpendicular to the link (or, for a slider, from the pole
 //!    a line parallel to the guide). They meet in the image of the pin.
 //! 4. Read V and divide by the length: ω = V / l, with the sense that the vector shows.
+//!    A pin on the guide of a moving link has a point of that link under it (`s000-ch3a` 2.4): from the
+//!    image of that point a line parallel to the guide; and backwards from the pin's image where the lever
+//!    is sought. What is read along it is the sliding velocity.
 //! 5. Further points: divide the image line as the link is divided, or from two images perpendiculars to
 //!    the sides; the image has the link's own reading sense.
 
-use crate::board::{Amount, Bench, Line, Point, Ratio};
+use crate::board::{Amount, Bench, Line, Mm, Point, Ratio};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::GroupKind;
-use crate::mechanism::{Input, LinkId, PointId};
+use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{
@@ -33,23 +36,92 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         let group = &d.structure.groups[step.group];
         match group.kind {
             GroupKind::Driver { base, input } => d.velocity_of_driver(step, group.links[0], base, input),
-            GroupKind::Rrr { links, bases, pin } => d.velocity_of_rrr(step, links, bases, pin),
-            GroupKind::Rrp { rod, base, pin, slide } => d.velocity_of_rrp(step, rod, base, pin, slide),
-            GroupKind::Other => {}
+            kind => d.velocity_of_group(step, kind),
         }
+        d.rates_of_blocks(Order::Velocity, &group.links);
         for &link in &group.links {
             d.note_link_image(Order::Velocity, link);
         }
     }
 }
 
-/// One side of a dyad: a link, its pin on a solved link, and the line of its unknown velocity.
-pub(super) struct Arm<B: Bench> {
-    pub(super) link: LinkId,
-    pub(super) base: PointId,
-    pub(super) from: (Label, Point<B>),
-    pub(super) ray: Line<B>,
-    pub(super) claim: Claim,
+/// A way to the sought image: from a known image along a line of unknown length.
+struct Route<B: Bench> {
+    from: (Label, Point<B>),
+    ray: Line<B>,
+    claim: Claim,
+    unknown: Unknown,
+}
+
+/// What the length along a route tells.
+#[derive(Clone, Copy)]
+pub(super) enum Unknown {
+    /// A link turns about its base.
+    Turn {
+        link: LinkId,
+        base: PointId,
+        /// The point whose image the route leads to.
+        to: PointId,
+    },
+    /// A rider slides along its guide.
+    Slide {
+        slide: usize,
+        /// The image of the rider is known and that of the guide's point is sought.
+        back: bool,
+    },
+}
+
+/// The image that a group's two routes lead to.
+#[derive(Clone, Copy)]
+pub(super) enum Target {
+    /// That of the group's pin.
+    Pin(PointId),
+    /// That of the point of a link under a pin of a solved link.
+    Under(PointId, LinkId),
+}
+
+impl Target {
+    pub(super) fn pin(self) -> PointId {
+        match self {
+            Self::Pin(pin) | Self::Under(pin, _) => pin,
+        }
+    }
+}
+
+/// The image that a group is solved for, and the two unknowns that lead to it; those of the frame first.
+pub(super) fn routes_of(kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
+    Some(match kind {
+        GroupKind::Rrr { links, bases, pin } => {
+            (Target::Pin(pin), [0, 1].map(|i| Unknown::Turn { link: links[i], base: bases[i], to: pin }))
+        }
+        GroupKind::Rrp { rod, base, pin, slide } => (
+            Target::Pin(pin),
+            [Unknown::Turn { link: rod, base, to: pin }, Unknown::Slide { slide, back: false }],
+        ),
+        GroupKind::Prp { pin, slides } => {
+            (Target::Pin(pin), slides.map(|slide| Unknown::Slide { slide, back: false }))
+        }
+        GroupKind::Rpr { lever, base, pin, slide, .. } => (
+            Target::Under(pin, lever),
+            [Unknown::Turn { link: lever, base, to: pin }, Unknown::Slide { slide, back: true }],
+        ),
+        GroupKind::Yoke { link, ride, pin, slot } => (
+            Target::Under(pin, link),
+            [Unknown::Slide { slide: ride, back: false }, Unknown::Slide { slide: slot, back: true }],
+        ),
+        GroupKind::Driver { .. } | GroupKind::Other => return None,
+    })
+}
+
+/// Base and pin between which the images of a link's further points are found.
+pub(super) fn main_base(kind: GroupKind, link: LinkId) -> Option<(PointId, PointId)> {
+    match kind {
+        GroupKind::Rrr { links, bases, pin } => {
+            links.iter().position(|&l| l == link).map(|index| (bases[index], pin))
+        }
+        GroupKind::Rrp { rod, base, pin, .. } if rod == link => Some((base, pin)),
+        _ => None,
+    }
 }
 
 impl<B: Bench> Draughtsman<'_, B> {
@@ -135,118 +207,253 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// From the image of the base a line perpendicular to the link.
-    fn velocity_arm(&mut self, link: LinkId, base: PointId, pin: PointId) -> Arm<B> {
+    fn velocity_arm(&mut self, link: LinkId, base: PointId, to: PointId) -> Route<B> {
         let image = self.image(Order::Velocity, base);
-        let along = self.square_to(link, base, pin);
-        Arm {
-            link,
-            base,
+        let along = self.square_to(link, base, to);
+        Route {
             from: (self.label(base), image),
             ray: Line { through: image, along },
-            claim: Claim::Perpendicular(Reference::Points(base, pin)),
+            claim: Claim::Perpendicular(Reference::Points(base, to)),
+            unknown: Unknown::Turn { link, base, to },
         }
     }
 
-    /// Two lines of unknown length meet in the image of the pin.
-    fn velocity_of_rrr(&mut self, step: &GroupStep, links: [LinkId; 2], bases: [PointId; 2], pin: PointId) {
-        self.board.purpose("velocity image of a pin");
-        let equation = self.velocity_equation(pin, bases);
-        self.step(Order::Velocity, &links, vec![equation]);
-        let arms = [self.velocity_arm(links[0], bases[0], pin), self.velocity_arm(links[1], bases[1], pin)];
-        for arm in &arms {
-            self.act(Act::DrawRay { from: arm.from.0, claim: arm.claim });
+    /// From the image of the guide's point (or backwards from the rider's) a line along the guide.
+    fn velocity_slide(&mut self, slide: usize, back: bool, pin: PointId) -> Route<B> {
+        let link = self.mechanism.slides[slide].guide.link;
+        let (along, _) = self.tangent(slide, pin);
+        let from = if back {
+            (self.label(pin), self.image(Order::Velocity, pin))
+        } else {
+            (self.label_under(pin, link), self.image_under(Order::Velocity, pin, link))
+        };
+        Route {
+            from,
+            ray: Line { through: from.1, along },
+            claim: Claim::Parallel(Reference::Guide(slide)),
+            unknown: Unknown::Slide { slide, back },
+        }
+    }
+
+    /// Two lines of unknown length meet in the sought image.
+    fn velocity_of_group(&mut self, step: &GroupStep, kind: GroupKind) {
+        let Some((target, unknowns)) = routes_of(kind) else { return };
+        self.board.purpose("velocity image");
+        let pin = target.pin();
+        let links: Vec<LinkId> = self.structure.groups[step.group]
+            .links
+            .iter()
+            .copied()
+            .filter(|&l| !self.mechanism.link(l).block)
+            .collect();
+        self.step(Order::Velocity, &links, Vec::new());
+        let routes = unknowns.map(|unknown| match unknown {
+            Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
+            Unknown::Slide { slide, back } => self.velocity_slide(slide, back, pin),
+        });
+        let equation = self.velocity_equation(target, unknowns);
+        self.equation(equation);
+        for route in &routes {
+            self.act(Act::DrawRay { from: route.from.0, claim: route.claim });
         }
         let reason = self.reason(&links);
-        let meet = self.board.meet_lines(arms[0].ray, arms[1].ray, reason);
-        self.note_image(Order::Velocity, pin, meet.at);
-        self.act(Act::MarkMeet { label: self.label(pin), crossing: meet.crossing });
-        for (arm, along) in arms.iter().zip(meet.along) {
-            self.read_omega(arm, pin, meet.at, along);
+        let meet = self.board.meet_lines(routes[0].ray, routes[1].ray, reason);
+        let label = match target {
+            Target::Pin(pin) => {
+                self.note_image(Order::Velocity, pin, meet.at);
+                self.label(pin)
+            }
+            Target::Under(pin, link) => {
+                self.note_under(Order::Velocity, pin, link, meet.at);
+                self.label_under(pin, link)
+            }
+        };
+        self.act(Act::MarkMeet { label, crossing: meet.crossing });
+        for (route, along) in routes.iter().zip(meet.along) {
+            self.note_ray(Order::Velocity, route.from.1, meet.at, route.claim);
+            match route.unknown {
+                Unknown::Turn { link, base, .. } => {
+                    self.read_omega(route, target, (link, base), (label, meet.at), along);
+                }
+                Unknown::Slide { slide, back } => {
+                    self.read_slip(route, target, (slide, back), (label, meet.at), along);
+                }
+            }
         }
-        if bases.iter().all(|&base| !self.mechanism.is_fixed(base)) {
-            self.absolute_velocity(pin, bases[0], meet.at);
+        self.rates_by_riding(Order::Velocity, kind);
+        let reached_from_pole = routes.iter().any(|route| route.from.0 == Label::Pole);
+        if let (Target::Pin(pin), false) = (target, reached_from_pole) {
+            self.absolute_vector(Order::Velocity, Quantity::Velocity(pin), label, meet.at);
         }
-        self.velocity_images(step, &[(links[0], bases[0]), (links[1], bases[1])], pin);
+        if let (Target::Under(pin, link), false) = (target, reached_from_pole) {
+            let quantity = Quantity::CoincidentVelocity(pin, link);
+            self.absolute_vector(Order::Velocity, quantity, label, meet.at);
+        }
+        self.further_velocities(step, kind);
     }
 
-    /// A line perpendicular to the rod, and from the pole a line parallel to the guide.
-    fn velocity_of_rrp(&mut self, step: &GroupStep, rod: LinkId, base: PointId, pin: PointId, slide: usize) {
-        self.board.purpose("velocity image of a slider");
-        let relative = self.relative_velocity(pin, base);
-        let along_guide = Claim::Parallel(Reference::Guide(slide));
-        let mut right = Vec::new();
-        if !self.mechanism.is_fixed(base) {
-            right.push(self.found_velocity(base));
-        }
-        right.push(Term {
-            quantity: relative,
-            magnitude: None,
-            direction: Some(TermDirection::Claim(Claim::Perpendicular(Reference::Points(base, pin)))),
-        });
-        let left = vec![Term {
-            quantity: Quantity::Velocity(pin),
-            magnitude: None,
-            direction: Some(TermDirection::Claim(along_guide)),
-        }];
-        self.step(Order::Velocity, &[rod], vec![Equation { left, right }]);
-        let arm = self.velocity_arm(rod, base, pin);
-        let line = self.guide_line(&self.mechanism.slides[slide].guide.clone());
-        let pole = self.board.origin();
-        self.act(Act::DrawRay { from: arm.from.0, claim: arm.claim });
-        self.act(Act::DrawRay { from: Label::Pole, claim: along_guide });
-        let reason = self.reason(&[rod]);
-        let guide = Line { through: pole, along: line.along };
-        let meet = self.board.meet_lines(arm.ray, guide, reason);
-        self.note_image(Order::Velocity, pin, meet.at);
-        self.act(Act::MarkMeet { label: self.label(pin), crossing: meet.crossing });
-        self.note_ray(Order::Velocity, pole, meet.at, along_guide);
-        let vector = self.note_vector(
-            Order::Velocity,
-            (VectorKind::Absolute, Quantity::Velocity(pin), Some(along_guide)),
-            (Label::Pole, pole),
-            (self.label(pin), meet.at),
-        );
-        self.act_read(Order::Velocity, vector);
-        self.read_omega(&arm, pin, meet.at, meet.along[0]);
-        self.translating_blocks(slide);
-        self.velocity_images(step, &[(rod, base)], pin);
-    }
-
-    /// A block on a fixed straight guide does not turn.
-    fn translating_blocks(&mut self, slide: usize) {
-        if let crate::mechanism::Rider::Pin { block: Some(block), .. } = self.mechanism.slides[slide].rider {
-            let rest = self.rest();
-            self.omegas[block.0] = Some(rest);
-            self.alphas[block.0] = Some(rest);
-            self.act(Act::Calculate(Calculation::Translation { link: block }));
-        }
-    }
-
-    /// Reads V along a ray of a dyad and divides by the link's length.
-    fn read_omega(&mut self, arm: &Arm<B>, pin: PointId, image: Point<B>, along: crate::board::Mm<B>) {
+    /// Reads V along a route and divides by the link's length.
+    fn read_omega(
+        &mut self,
+        route: &Route<B>,
+        target: Target,
+        (link, base): (LinkId, PointId),
+        (label, image): (Label, Point<B>),
+        along: Mm<B>,
+    ) {
         let scale = self.polygon_scale(Order::Velocity);
-        let quantity = self.relative_velocity(pin, arm.base);
-        self.note_ray(Order::Velocity, arm.from.1, image, arm.claim);
+        let pin = target.pin();
+        let quantity = match target {
+            Target::Pin(pin) => self.relative_velocity(pin, base),
+            Target::Under(pin, link) => Quantity::CoincidentVelocity(pin, link),
+        };
+        let kind = self.kind_of(base);
         let vector = self.note_vector(
             Order::Velocity,
-            (self.kind_of(arm.base), quantity, Some(arm.claim)),
-            arm.from,
-            (self.label(pin), image),
+            (kind, quantity, Some(route.claim)),
+            route.from,
+            (label, image),
         );
         self.act_read(Order::Velocity, vector);
         let speed = self.board.read(along, scale);
-        let length = self.length(arm.link, arm.base, pin);
-        let reason = self.reason(&[arm.link]);
+        let length = self.length_to(link, base, pin);
+        let reason = self.reason(&[link]);
         let omega = self.board.quotient(speed, length, reason);
-        self.omegas[arm.link.0] = Some(omega);
+        self.omegas[link.0] = Some(omega);
         self.act(Act::Calculate(Calculation::Omega {
-            link: arm.link,
+            link,
             quantity,
-            ends: [arm.base, pin],
+            ends: [base, pin],
             speed: speed.value().abs(),
             length: length.value(),
             value: omega.value(),
         }));
+    }
+
+    /// Reads the sliding velocity along a route.
+    fn read_slip(
+        &mut self,
+        route: &Route<B>,
+        target: Target,
+        (slide, back): (usize, bool),
+        (label, image): (Label, Point<B>),
+        along: Mm<B>,
+    ) {
+        let pin = target.pin();
+        let guide = self.mechanism.slides[slide].guide.link;
+        let scale = self.polygon_scale(Order::Velocity);
+        let read = self.board.read(along, scale);
+        // Read from the guide's point to the rider: against the ray where it was drawn backwards.
+        let speed = if back { self.board.opposite(read) } else { read };
+        self.slips[slide] = Some(speed);
+        let (tail, head) = if back { ((label, image), route.from) } else { (route.from, (label, image)) };
+        let quantity = match (target, back) {
+            // A yoke on a fixed guide: its own velocity is the sliding velocity.
+            (Target::Under(pin, link), false) if guide == LinkId::FRAME => {
+                Quantity::CoincidentVelocity(pin, link)
+            }
+            _ if guide == LinkId::FRAME => Quantity::Velocity(pin),
+            (Target::Under(..), false) => Quantity::Slip(self.riding_point(slide, pin), guide),
+            _ => Quantity::Slip(pin, guide),
+        };
+        let kind = if guide == LinkId::FRAME { VectorKind::Absolute } else { VectorKind::Sliding };
+        let vector = self.note_vector(Order::Velocity, (kind, quantity, Some(route.claim)), tail, head);
+        self.act_read(Order::Velocity, vector);
+        self.note_part(Quantity::Slip(self.riding_point(slide, pin), guide), tail.1, head.1);
+    }
+
+    /// The point of a sliding pair's rider by which its sliding is named.
+    pub(super) fn riding_point(&self, slide: usize, pin: PointId) -> PointId {
+        match self.mechanism.slides[slide].rider {
+            Rider::Pin { point, .. } => point,
+            Rider::Link { link, .. } => self.mechanism.link(link).points.first().copied().unwrap_or(pin),
+        }
+    }
+
+    /// The distance of a point from a link's pin: the link's own length, or measured where the point is not
+    /// the link's.
+    pub(super) fn length_to(&mut self, link: LinkId, base: PointId, point: PointId) -> Amount<B> {
+        if self.mechanism.link(link).points.contains(&point) {
+            return self.length(link, base, point);
+        }
+        self.measured(base, point)
+    }
+
+    /// The distance of two points, measured on the skeleton and said so.
+    pub(super) fn measured(&mut self, from: PointId, to: PointId) -> Amount<B> {
+        let (a, b) = (self.at(from), self.at(to));
+        let mm = self.board.distance(a, b);
+        let scale = self.length_scale();
+        let value = self.board.read(mm, scale);
+        self.act(Act::MeasureLength { from, to, mm: mm.value(), value: value.value() });
+        value
+    }
+
+    /// ω or ε of the blocks of a group: a block turns with its guide, and on an arc with the radius.
+    pub(super) fn rates_of_blocks(&mut self, order: Order, links: &[LinkId]) {
+        for index in 0..self.mechanism.slides.len() {
+            let slide = self.mechanism.slides[index];
+            let Rider::Pin { block: Some(block), .. } = slide.rider else { continue };
+            if !links.contains(&block) {
+                continue;
+            }
+            let mut rate = self.rate(order, slide.guide.link);
+            if let Path::Arc { radius, .. } = slide.guide.path {
+                let along = match order {
+                    Order::Velocity => self.slips[index],
+                    _ => self.sliding_accelerations[index],
+                };
+                if let Some(along) = along {
+                    let radius = self.board.amount(radius);
+                    let reason = self.reason(&[slide.guide.link]);
+                    let turn = self.board.quotient(along, radius, reason);
+                    rate = self.board.sum(rate, turn);
+                }
+            } else if slide.guide.link == LinkId::FRAME && order == Order::Velocity {
+                self.act(Act::Calculate(Calculation::Translation { link: block }));
+            }
+            self.set_rate(order, block, rate);
+        }
+    }
+
+    /// ω or ε of links that slide without turning: that of the link they slide on.
+    pub(super) fn rates_by_riding(&mut self, order: Order, kind: GroupKind) {
+        match kind {
+            GroupKind::Rpr { lever, rod: Some(rod), .. } => {
+                let rate = self.rate(order, lever);
+                self.set_rate(order, rod, rate);
+            }
+            GroupKind::Yoke { link, ride, .. } => {
+                let rate = self.rate(order, self.mechanism.slides[ride].guide.link);
+                self.set_rate(order, link, rate);
+            }
+            _ => {}
+        }
+    }
+
+    fn set_rate(&mut self, order: Order, link: LinkId, rate: Amount<B>) {
+        match order {
+            Order::Acceleration => self.alphas[link.0] = Some(rate),
+            _ => self.omegas[link.0] = Some(rate),
+        }
+    }
+
+    /// The vector from the pole to an image.
+    pub(super) fn absolute_vector(
+        &mut self,
+        order: Order,
+        quantity: Quantity,
+        label: Label,
+        image: Point<B>,
+    ) {
+        let pole = self.board.origin();
+        let vector = self.note_vector(
+            order,
+            (VectorKind::Absolute, quantity, None),
+            (Label::Pole, pole),
+            (label, image),
+        );
+        self.act_read(order, vector);
     }
 
     /// The vector from the pole to an image that was reached from a moving base.
@@ -274,44 +481,200 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// V_B = V_A + V_BA, by both routes where both bases move.
-    fn velocity_equation(&mut self, pin: PointId, bases: [PointId; 2]) -> Equation {
-        let route = |d: &mut Self, base: PointId| {
-            let mut terms = Vec::new();
-            if !d.mechanism.is_fixed(base) {
-                terms.push(d.found_velocity(base));
-            }
-            terms.push(Term {
-                quantity: d.relative_velocity(pin, base),
+    /// V_B = V_A + V_BA, by both routes; for a lever V_A = V_A4 + V_AA4, with the pin's known velocity on
+    /// the left.
+    fn velocity_equation(&mut self, target: Target, unknowns: [Unknown; 2]) -> Equation {
+        let route = |d: &mut Self, unknown: Unknown| -> Vec<Term> {
+            let unknown_term = |quantity: Quantity, claim: Claim| Term {
+                quantity,
                 magnitude: None,
-                direction: Some(TermDirection::Claim(Claim::Perpendicular(Reference::Points(base, pin)))),
-            });
-            terms
+                direction: Some(TermDirection::Claim(claim)),
+            };
+            match unknown {
+                Unknown::Turn { base, to, .. } => {
+                    let claim = Claim::Perpendicular(Reference::Points(base, to));
+                    let quantity = match target {
+                        Target::Pin(pin) => d.relative_velocity(pin, base),
+                        Target::Under(pin, link) => Quantity::CoincidentVelocity(pin, link),
+                    };
+                    let mut terms = Vec::new();
+                    if !d.mechanism.is_fixed(base) {
+                        terms.push(d.found_velocity(base));
+                    }
+                    terms.push(unknown_term(quantity, claim));
+                    terms
+                }
+                Unknown::Slide { slide, back } => {
+                    let guide = d.mechanism.slides[slide].guide.link;
+                    let claim = Claim::Parallel(Reference::Guide(slide));
+                    let pin = target.pin();
+                    match (guide == LinkId::FRAME, target, back) {
+                        (true, Target::Under(pin, link), false) => {
+                            vec![unknown_term(Quantity::CoincidentVelocity(pin, link), claim)]
+                        }
+                        (true, ..) => vec![unknown_term(Quantity::Velocity(pin), claim)],
+                        (false, _, true) => vec![unknown_term(Quantity::Slip(pin, guide), claim)],
+                        (false, _, false) => {
+                            let under = d.found_under(pin, guide);
+                            vec![under, unknown_term(Quantity::Slip(pin, guide), claim)]
+                        }
+                    }
+                }
+            }
         };
+        if let Target::Under(pin, _) = target {
+            let mut right = route(self, unknowns[0]);
+            right.extend(route(self, unknowns[1]));
+            return Equation { left: vec![self.found_velocity(pin)], right };
+        }
         // The route from the frame, if there is one, stands on the left.
-        let [a, b] = if self.mechanism.is_fixed(bases[1]) { [bases[1], bases[0]] } else { bases };
+        let from_frame = |d: &Self, unknown: Unknown| match unknown {
+            Unknown::Turn { base, .. } => d.mechanism.is_fixed(base),
+            Unknown::Slide { slide, .. } => d.mechanism.slides[slide].guide.link == LinkId::FRAME,
+        };
+        let [a, b] = if from_frame(self, unknowns[1]) { [unknowns[1], unknowns[0]] } else { unknowns };
         Equation { left: route(self, a), right: route(self, b) }
     }
 
+    fn found_under(&mut self, pin: PointId, link: LinkId) -> Term {
+        let image = self.image_under(Order::Velocity, pin, link).value();
+        Term {
+            quantity: Quantity::CoincidentVelocity(pin, link),
+            magnitude: Some(libm::hypot(image[0], image[1]) * self.scales.velocity),
+            direction: Some(TermDirection::Found),
+        }
+    }
+
+    /// The image of the point of a solved link under a pin: V = ω l from a known image of the link.
+    pub(super) fn image_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Point<B> {
+        if link == LinkId::FRAME {
+            return self.board.origin();
+        }
+        if self.mechanism.link(link).points.contains(&pin) {
+            return self.image(order, pin);
+        }
+        let known = self.coincident.iter().find(|c| c.order == order && c.pin == pin && c.link == link);
+        if let Some(known) = known {
+            return known.image;
+        }
+        let image = match self.known_point_of(order, link) {
+            Some(base) if order == Order::Acceleration => {
+                self.board.purpose("acceleration of a point under a pin");
+                self.acceleration_about(link, base, pin)
+            }
+            Some(base) => {
+                self.board.purpose("velocity of a point under a pin");
+                self.velocity_about(link, base, pin)
+            }
+            None => self.translated_image(order, link),
+        };
+        self.note_under(order, pin, link, image);
+        let label = self.label_under(pin, link);
+        let quantity = match order {
+            Order::Acceleration => Quantity::CoincidentAcceleration(pin, link),
+            _ => Quantity::CoincidentVelocity(pin, link),
+        };
+        self.absolute_vector(order, quantity, label, image);
+        image
+    }
+
+    /// A point of a solved link whose image is known, a fixed one first.
+    fn known_point_of(&mut self, order: Order, link: LinkId) -> Option<PointId> {
+        let points = self.mechanism.link(link).points.clone();
+        let fixed = points.iter().copied().find(|&p| self.mechanism.is_fixed(p));
+        fixed.or_else(|| points.into_iter().find(|&p| self.images(order)[p.0].is_some()))
+    }
+
+    /// The image of a link of which no point has one: that under the pin by which it was solved. Only a link
+    /// that translates is solved without an image of its own.
+    fn translated_image(&mut self, order: Order, link: LinkId) -> Point<B> {
+        match self.coincident.iter().find(|c| c.order == order && c.link == link) {
+            Some(known) => known.image,
+            None => self.board.origin(),
+        }
+    }
+
+    /// V = ω l about a point whose image is known, laid off perpendicular in the sense of ω.
+    pub(super) fn velocity_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point<B> {
+        let scale = self.polygon_scale(Order::Velocity);
+        let omega = self.rate(Order::Velocity, link);
+        let length = self.length_to(link, base, point);
+        let speed = self.board.product(omega, length);
+        let quantity = if self.mechanism.link(link).points.contains(&point) {
+            self.relative_velocity(point, base)
+        } else {
+            Quantity::CoincidentVelocity(point, link)
+        };
+        let value = speed.value().abs();
+        self.act(Act::Calculate(Calculation::Speed {
+            quantity,
+            link,
+            ends: [base, point],
+            omega: omega.value(),
+            length: length.value(),
+            value,
+        }));
+        let square = self.square_to(link, base, point);
+        let mm = self.board.to_paper(speed, scale);
+        let from = self.image(Order::Velocity, base);
+        self.board.lay_off(from, square, mm)
+    }
+
     /// Images of the further points of the group's links.
-    fn velocity_images(&mut self, step: &GroupStep, main: &[(LinkId, PointId)], pin: PointId) {
+    fn further_velocities(&mut self, step: &GroupStep, kind: GroupKind) {
         for &(link, point) in &step.points {
-            let Some(&(_, base)) = main.iter().find(|(l, _)| *l == link) else { continue };
             self.board.purpose("velocity image of a further point");
-            let image = match self.straight_ratio(link, base, pin, point) {
-                Some(ratio) => self.divide_image(Order::Velocity, (base, pin), point, ratio),
-                None => self.velocity_corner(link, (base, pin), point),
+            let image = match (kind, main_base(kind, link)) {
+                (GroupKind::Rpr { lever, base, .. }, _) if link == lever => {
+                    self.velocity_about(link, base, point)
+                }
+                (GroupKind::Rpr { pin, .. }, _) => self.velocity_about(link, pin, point),
+                (GroupKind::Yoke { pin, .. }, _) => self.riding_image(Order::Velocity, link, pin, point),
+                (_, Some((base, pin))) => match self.straight_ratio(link, base, pin, point) {
+                    Some(ratio) => self.divide_image(Order::Velocity, (base, pin), point, ratio),
+                    None => self.velocity_corner(link, (base, pin), point),
+                },
+                (_, None) => continue,
             };
             self.note_image(Order::Velocity, point, image);
-            let pole = self.board.origin();
-            let vector = self.note_vector(
-                Order::Velocity,
-                (VectorKind::Absolute, Quantity::Velocity(point), None),
-                (Label::Pole, pole),
-                (self.label(point), image),
-            );
-            self.act_read(Order::Velocity, vector);
+            let label = self.label(point);
+            self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);
         }
+    }
+
+    /// A point of a link that slides without turning: the image under its pin, where the link it slides on
+    /// does not turn either; else V = ω l from there.
+    pub(super) fn riding_image(
+        &mut self,
+        order: Order,
+        link: LinkId,
+        pin: PointId,
+        point: PointId,
+    ) -> Point<B> {
+        let from = self.image_under(order, pin, link);
+        let omega = self.rate(Order::Velocity, link);
+        let alpha = self.rate(Order::Acceleration, link);
+        if omega.value() == 0.0 && (order == Order::Velocity || alpha.value() == 0.0) {
+            self.act(Act::SameImage { label: self.label(point), with: self.label_under(pin, link) });
+            return from;
+        }
+        let square = self.square_to(link, pin, point);
+        let length = self.measured(pin, point);
+        let scale = self.polygon_scale(order);
+        if order == Order::Velocity {
+            let speed = self.board.product(omega, length);
+            let mm = self.board.to_paper(speed, scale);
+            return self.board.lay_off(from, square, mm);
+        }
+        let outward = self.outward(link, pin, point);
+        let inward = self.board.reverse(outward);
+        let speed = self.board.product(omega, length);
+        let normal = self.board.product(omega, speed);
+        let tangential = self.board.product(alpha, length);
+        let mm = self.board.to_paper(normal, scale);
+        let foot = self.board.lay_off(from, inward, mm);
+        let mm = self.board.to_paper(tangential, scale);
+        self.board.lay_off(foot, square, mm)
     }
 
     /// base→point : base→pin on a straight link, signed; `None` for other links.

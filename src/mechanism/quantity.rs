@@ -41,6 +41,14 @@ pub enum Quantity {
     SlipTangential(PointId, LinkId),
     /// `coriolis(A/4)`: 2 ω₄ × slip. Vector.
     Coriolis(PointId, LinkId),
+    /// `v(A@4)`: velocity of the point of link 4 that lies under A. Vector.
+    CoincidentVelocity(PointId, LinkId),
+    /// `a(A@4)`: acceleration of the point of link 4 that lies under A. Vector.
+    CoincidentAcceleration(PointId, LinkId),
+    /// `an(A@4)`: its normal part about the link's fixed pivot. Vector.
+    CoincidentNormal(PointId, LinkId),
+    /// `at(A@4)`: its tangential part about the link's fixed pivot. Vector.
+    CoincidentTangential(PointId, LinkId),
     /// `I(1,3)`: instant centre. A place, or a direction where it is at infinity.
     Centre(LinkId, LinkId),
     /// `rub(B)`, `rub(B,3/4)`: rubbing speed at a pin, journal radius × |relative ω|. Scalar, not negative.
@@ -75,12 +83,9 @@ impl Quantity {
             | Self::Omega(_)
             | Self::RelativeOmega(..)
             | Self::Slip(..)
-            | Self::Coriolis(..)
             | Self::Centre(..)
             | Self::Rub(..)
-            | Self::RelativeNormal(..)
-            | Self::Normal(_)
-            | Self::SlipNormal(..) => Order::Velocity,
+            | Self::CoincidentVelocity(..) => Order::Velocity,
             Self::Acceleration(_)
             | Self::RelativeAcceleration(..)
             | Self::RelativeTangential(..)
@@ -88,7 +93,15 @@ impl Quantity {
             | Self::Alpha(_)
             | Self::RelativeAlpha(..)
             | Self::SlipAcceleration(..)
-            | Self::SlipTangential(..) => Order::Acceleration,
+            | Self::SlipTangential(..)
+            // These need velocities only, but they are vectors of the acceleration polygon.
+            | Self::RelativeNormal(..)
+            | Self::Normal(_)
+            | Self::SlipNormal(..)
+            | Self::Coriolis(..)
+            | Self::CoincidentAcceleration(..)
+            | Self::CoincidentNormal(..)
+            | Self::CoincidentTangential(..) => Order::Acceleration,
         }
     }
 }

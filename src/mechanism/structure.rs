@@ -9,7 +9,7 @@
 
 use std::fmt;
 
-use super::{Input, LinkId, Mechanism, Path, PointId, Rider, Roll};
+use super::{Guide, Input, LinkId, Mechanism, Path, PointId, Rider, Roll, Slide};
 
 /// A pair or an input, as a constraint between two links.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,7 +79,7 @@ pub enum GroupKind {
         /// The pin between them.
         pin: PointId,
     },
-    /// A rod whose pin rides on a straight guide of a solved link.
+    /// A rod whose pin rides on a guide of a solved link.
     Rrp {
         /// The rod.
         rod: LinkId,
@@ -89,6 +89,39 @@ pub enum GroupKind {
         pin: PointId,
         /// Index into [`Mechanism::slides`].
         slide: usize,
+    },
+    /// A lever that carries a guide for a pin of a solved link (slotted lever, Whitworth); or that
+    /// carries, or is carried by, a rod which slides against it without turning (oscillating cylinder).
+    Rpr {
+        /// The link about whose pin the group turns.
+        lever: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The pin on the solved link that rides on the guide.
+        pin: PointId,
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// The rod between the pin and the guide, where there is one.
+        rod: Option<LinkId>,
+    },
+    /// A pin that rides on guides of two solved links.
+    Prp {
+        /// The pin.
+        pin: PointId,
+        /// Indices into [`Mechanism::slides`].
+        slides: [usize; 2],
+    },
+    /// A link that slides without turning against a solved link and carries a guide for a pin of a
+    /// solved link (Scotch yoke).
+    Yoke {
+        /// The link.
+        link: LinkId,
+        /// Index into [`Mechanism::slides`]: the link on the solved link.
+        ride: usize,
+        /// The pin on the solved link.
+        pin: PointId,
+        /// Index into [`Mechanism::slides`]: the pin on the link.
+        slot: usize,
     },
     /// A group for which no construction is known yet.
     Other,
@@ -100,6 +133,9 @@ impl fmt::Display for GroupKind {
             Self::Driver { .. } => "driver",
             Self::Rrr { .. } => "RRR",
             Self::Rrp { .. } => "RRP",
+            Self::Rpr { .. } => "RPR",
+            Self::Prp { .. } => "PRP",
+            Self::Yoke { .. } => "PPR",
             Self::Other => "group without a construction",
         })
     }
@@ -613,16 +649,55 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             }
             _ => GroupKind::Other,
         },
-        (&[rod], &[pin], [], &[slide]) => {
-            let guide = mechanism.slides[slide].guide;
-            let straight_on_frame =
-                guide.link == LinkId::FRAME && matches!(guide.path, Path::Straight { .. });
-            let rides = matches!(mechanism.slides[slide].rider, Rider::Pin { point, .. } if point == pin);
-            match outer.as_slice() {
-                &[(_, base)] if straight_on_frame && rides => GroupKind::Rrp { rod, base, pin, slide },
+        (&[rod], &[pin], [], &[slide]) => match (outer.as_slice(), mechanism.slides[slide].rider) {
+            (&[(_, base)], Rider::Pin { point, .. }) if point == pin => {
+                GroupKind::Rrp { rod, base, pin, slide }
+            }
+            _ => GroupKind::Other,
+        },
+        ([], &[pin], [], &[first, second]) => GroupKind::Prp { pin, slides: [first, second] },
+        (&[lever], [], [], &[slide]) => {
+            let Slide { rider, guide } = mechanism.slides[slide];
+            match (outer.as_slice(), rider) {
+                (&[(_, base)], Rider::Pin { point, .. }) if guide.link == lever => {
+                    GroupKind::Rpr { lever, base, pin: point, slide, rod: None }
+                }
                 _ => GroupKind::Other,
             }
         }
+        (&[a, b], [], [], &[slide]) => {
+            let Slide { rider, guide } = mechanism.slides[slide];
+            let pins = [a, b].map(|link| outer.iter().find(|(l, _)| *l == link).map(|(_, p)| *p));
+            let lever_is_a = guide.link == a;
+            match (rider, pins, outer.len()) {
+                (Rider::Link { link, .. }, [Some(on_a), Some(on_b)], 2)
+                    if [a, b].contains(&guide.link) && [a, b].contains(&link) && is_straight(guide) =>
+                {
+                    let (lever, rod) = if lever_is_a { (a, b) } else { (b, a) };
+                    let (base, pin) = if lever_is_a { (on_a, on_b) } else { (on_b, on_a) };
+                    GroupKind::Rpr { lever, base, pin, slide, rod: Some(rod) }
+                }
+                _ => GroupKind::Other,
+            }
+        }
+        (&[link], [], [], &[first, second]) if outer.is_empty() => {
+            let pair = |ride: usize, slot: usize| {
+                let (ride_on, slot_on) = (mechanism.slides[ride], mechanism.slides[slot]);
+                match (ride_on.rider, slot_on.rider) {
+                    (Rider::Link { link: rider, .. }, Rider::Pin { point, .. })
+                        if rider == link && slot_on.guide.link == link && is_straight(slot_on.guide) =>
+                    {
+                        Some(GroupKind::Yoke { link, ride, pin: point, slot })
+                    }
+                    _ => None,
+                }
+            };
+            pair(first, second).or_else(|| pair(second, first)).unwrap_or(GroupKind::Other)
+        }
         _ => GroupKind::Other,
     }
+}
+
+fn is_straight(guide: Guide) -> bool {
+    matches!(guide.path, Path::Straight { .. })
 }

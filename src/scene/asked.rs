@@ -68,9 +68,11 @@ pub(super) fn asked(name: &str, at: usize, unit: Option<&Value<'_>>, draft: &Dra
 /// What a quantity measures.
 pub(super) fn measure(quantity: &Quantity) -> Measure {
     match quantity {
-        Quantity::Velocity(_) | Quantity::RelativeVelocity(..) | Quantity::Slip(..) | Quantity::Rub(..) => {
-            Measure::Velocity
-        }
+        Quantity::Velocity(_)
+        | Quantity::RelativeVelocity(..)
+        | Quantity::Slip(..)
+        | Quantity::CoincidentVelocity(..)
+        | Quantity::Rub(..) => Measure::Velocity,
         Quantity::Acceleration(_)
         | Quantity::RelativeAcceleration(..)
         | Quantity::RelativeNormal(..)
@@ -80,6 +82,9 @@ pub(super) fn measure(quantity: &Quantity) -> Measure {
         | Quantity::SlipAcceleration(..)
         | Quantity::SlipNormal(..)
         | Quantity::SlipTangential(..)
+        | Quantity::CoincidentAcceleration(..)
+        | Quantity::CoincidentNormal(..)
+        | Quantity::CoincidentTangential(..)
         | Quantity::Coriolis(..) => Measure::Acceleration,
         Quantity::Omega(_) | Quantity::RelativeOmega(..) => Measure::AngularVelocity,
         Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => Measure::AngularAcceleration,
@@ -153,6 +158,19 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
         Some((first, second)) => (first.trim(), Some(second.trim())),
         None => (inside, None),
     };
+    if let (None, Some((pin, link))) = (second, first.split_once('@')) {
+        let (pin, link) = (pin.trim(), link.trim());
+        let under = |quantity: fn(PointId, LinkId) -> Quantity| {
+            name.sliding(pin, link, false).map(|(p, l)| quantity(p, l))
+        };
+        return match head {
+            "v" => under(Quantity::CoincidentVelocity),
+            "a" => under(Quantity::CoincidentAcceleration),
+            "an" => under(Quantity::CoincidentNormal),
+            "at" => under(Quantity::CoincidentTangential),
+            _ => Err(unknown(head)),
+        };
+    }
     match (head, second) {
         ("v", None) => Ok(Quantity::Velocity(name.point(first)?)),
         ("a", None) => Ok(Quantity::Acceleration(name.point(first)?)),

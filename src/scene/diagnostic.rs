@@ -76,11 +76,26 @@ impl Fault {
             file: file.to_owned(),
             line: text[..at].matches('\n').count() + 1,
             column: text[line_start..at].chars().count() + 1,
-            path: root.map_or_else(String::new, |r| r.path_to(self.at)),
-            what: self.what,
-            mend: self.mend,
+            path: root.map_or_else(String::new, |r| printable(&r.path_to(self.at))),
+            what: printable(&self.what),
+            mend: self.mend.as_deref().map(printable),
         }
     }
+}
+
+/// One line whatever the names of a scene contain: control characters are escaped, and a name of
+/// thousands of letters is cut.
+fn printable(text: &str) -> String {
+    let longest = 400;
+    let mut line: String = text
+        .chars()
+        .take(longest)
+        .flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] })
+        .collect();
+    if text.chars().nth(longest).is_some() {
+        line.push('…');
+    }
+    line
 }
 
 /// The last character boundary that is not after `at`.
@@ -105,18 +120,23 @@ pub fn nearest<'n>(wrong: &str, known: &[&'n str]) -> Option<&'n str> {
         return None;
     }
     let lower = wrong.to_lowercase();
-    let allowed = |name: &str| (name.chars().count().max(lower.chars().count()) / 3).max(1);
+    let count = |text: &str| text.chars().count();
     known
         .iter()
-        .map(|&name| {
+        .filter_map(|&name| {
             let other = name.to_lowercase();
+            let longer = count(&lower).max(count(&other));
             // An abbreviation or a longer form (`deg`, `degrees`) is as near as one slip.
-            let stem = other.len() > 2 && (lower.starts_with(&other) || other.starts_with(&lower));
+            let stem = count(&lower).min(count(&other)) > 2
+                && (lower.starts_with(&other) || other.starts_with(&lower));
             let distance = strsim::damerau_levenshtein(&lower, &other);
-            (if stem && lower.len() > 2 { distance.min(1) } else { distance }, name)
+            let distance = if stem { distance.min(1) } else { distance };
+            // Two names without a letter in common are strangers, however short.
+            let near = distance <= (longer / 3).max(1) && (distance < longer);
+            let common = lower.chars().zip(other.chars()).take_while(|(a, b)| a == b).count();
+            near.then_some(((distance, usize::MAX - common), name))
         })
-        .filter(|(distance, name)| *distance <= allowed(name) && *distance < lower.chars().count().max(2))
-        .min_by_key(|(distance, _)| *distance)
+        .min_by_key(|(rank, _)| *rank)
         .map(|(_, name)| name)
 }
 
@@ -132,7 +152,9 @@ mod tests {
         assert_eq!(nearest("join", &keys), Some("joins"));
         assert_eq!(nearest("colour", &keys), None);
         assert_eq!(nearest("degrees", &["deg", "rad"]), Some("deg"));
-        assert_eq!(nearest("E", &["A", "B", "O2"]), Some("A"));
+        assert_eq!(nearest("E", &["A", "B", "O2"]), None);
+        assert_eq!(nearest("02", &["A", "B", "O2"]), Some("O2"));
+        assert_eq!(nearest("cmm", &["mm", "cm"]), Some("cm"));
     }
 
     #[test]

@@ -15,7 +15,12 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
             let fault = Fault::new(one.at.max(other.at), "`input` and `inputs` are given both");
             return Err(fault.mend("list all of them in `inputs`"));
         }
-        (Some(one), None) => std::slice::from_ref(&one.value),
+        (Some(one), None) => {
+            if matches!(one.value.kind, Kind::List(_)) {
+                return Err(Fault::new(one.at, "`input` is one input").mend("list several in `inputs`"));
+            }
+            std::slice::from_ref(&one.value)
+        }
         (None, Some(list)) => list.value.list("a list of inputs")?,
         (None, None) => &[],
     };

@@ -14,7 +14,7 @@ const DEEPEST: usize = 16;
 /// More entries in one list or object than any mechanism has.
 pub(super) const MOST: usize = 10_000;
 /// A larger text is not a scene (bytes).
-const LARGEST: usize = 16 << 20;
+const LARGEST: usize = 8 << 20;
 
 /// A value and its place.
 #[derive(Debug)]
@@ -44,8 +44,16 @@ pub(super) struct Entry<'a> {
     pub(super) value: Value<'a>,
 }
 
+/// A text that is JSON.
+#[derive(Debug)]
+pub(super) struct Document<'a> {
+    pub(super) root: Value<'a>,
+    /// What no scene may have although it is JSON: a key given twice, too many levels or entries.
+    pub(super) fault: Option<Fault>,
+}
+
 /// Reads a text.
-pub(super) fn parse(text: &str) -> Res<Value<'_>> {
+pub(super) fn parse(text: &str) -> Res<Document<'_>> {
     if text.len() > LARGEST {
         return Err(Fault::new(0, format!("the file is larger than {} MiB", LARGEST >> 20)));
     }
@@ -55,9 +63,11 @@ pub(super) fn parse(text: &str) -> Res<Value<'_>> {
         let before: usize =
             body.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
         let at = before + error.column().saturating_sub(1) + (text.len() - body.len());
-        syntax(at.min(text.len()), &error)
+        syntax(at, &error)
     })?;
-    Source { text }.value(raw.get(), 0)
+    let mut source = Source { text, fault: None };
+    let root = source.value(raw.get(), 0)?;
+    Ok(Document { root, fault: source.fault })
 }
 
 fn syntax(at: usize, error: &serde_json::Error) -> Fault {
@@ -68,6 +78,7 @@ fn syntax(at: usize, error: &serde_json::Error) -> Fault {
 
 struct Source<'a> {
     text: &'a str,
+    fault: Option<Fault>,
 }
 
 impl<'a> Source<'a> {
@@ -76,17 +87,25 @@ impl<'a> Source<'a> {
         (slice.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize)
     }
 
-    fn value(&self, raw: &'a str, depth: usize) -> Res<Value<'a>> {
+    /// Keeps the first fault; the rest of the text is read on, so that its path can be told.
+    fn blame(&mut self, fault: Fault) {
+        self.fault.get_or_insert(fault);
+    }
+
+    fn value(&mut self, raw: &'a str, depth: usize) -> Res<Value<'a>> {
         let raw = raw.trim_ascii();
         let at = self.offset(raw);
-        if depth > DEEPEST {
-            return Err(Fault::new(at, format!("nested more than {DEEPEST} levels deep")));
-        }
         let kind = match raw.as_bytes().first() {
+            Some(b'{' | b'[') if depth > DEEPEST => {
+                self.blame(Fault::new(at, format!("nested more than {DEEPEST} levels deep")));
+                Kind::Null
+            }
             Some(b'{') => Kind::Object(self.object(raw, at, depth)?),
             Some(b'[') => {
                 let Items(items) = serde_json::from_str(raw).map_err(|e| syntax(at, &e))?;
-                crowded(at, items.len())?;
+                if self.crowded(at, items.len()) {
+                    return Ok(Value { at, kind: Kind::Null });
+                }
                 let items = items.into_iter().map(|item| self.value(item.get(), depth + 1));
                 Kind::List(items.collect::<Res<_>>()?)
             }
@@ -99,28 +118,31 @@ impl<'a> Source<'a> {
         Ok(Value { at, kind })
     }
 
-    fn object(&self, raw: &'a str, at: usize, depth: usize) -> Res<Vec<Entry<'a>>> {
+    fn object(&mut self, raw: &'a str, at: usize, depth: usize) -> Res<Vec<Entry<'a>>> {
         let Pairs(pairs) = serde_json::from_str(raw).map_err(|e| syntax(at, &e))?;
-        crowded(at, pairs.len())?;
+        if self.crowded(at, pairs.len()) {
+            return Ok(Vec::new());
+        }
         let mut seen = HashSet::new();
         let mut entries = Vec::with_capacity(pairs.len());
         for (key, value) in pairs {
             let at = self.offset(key.get());
             let key: String = serde_json::from_str(key.get()).map_err(|e| syntax(at, &e))?;
             if !seen.insert(key.clone()) {
-                return Err(Fault::new(at, format!("`{key}` is given twice")).mend("keep one of the two"));
+                self.blame(Fault::new(at, format!("`{key}` is given twice")).mend("keep one of the two"));
             }
             entries.push(Entry { at, key, value: self.value(value.get(), depth + 1)? });
         }
         Ok(entries)
     }
-}
 
-fn crowded(at: usize, count: usize) -> Res<()> {
-    if count > MOST {
-        return Err(Fault::new(at, format!("{count} entries, more than {MOST}")));
+    /// A crowded list or object is blamed, and its entries are left unread.
+    fn crowded(&mut self, at: usize, count: usize) -> bool {
+        if count > MOST {
+            self.blame(Fault::new(at, format!("{count} entries, more than {MOST}")));
+        }
+        count > MOST
     }
-    Ok(())
 }
 
 /// The entries of an object as slices of the text, duplicates kept.
@@ -312,7 +334,8 @@ mod tests {
 
     fn fault(text: &str) -> String {
         match parse(text) {
-            Ok(_) => "fine".to_owned(),
+            Ok(Document { fault: None, .. }) => "fine".to_owned(),
+            Ok(Document { root, fault: Some(fault) }) => fault.locate("f", text, Some(&root)).to_string(),
             Err(fault) => fault.locate("f", text, None).to_string(),
         }
     }
@@ -320,7 +343,7 @@ mod tests {
     #[test]
     fn offsets_and_paths() {
         let text = "\u{feff}{\"a\": [1, {\"b\": \"x\"}],\n  \"c\": null}";
-        let root = parse(text).unwrap();
+        let root = parse(text).unwrap().root;
         let path = |needle: &str| root.path_to(text.find(needle).unwrap());
         assert_eq!(path("\"x\""), "a[1].b");
         assert_eq!(path("\"b\""), "a[1].b");
@@ -335,7 +358,7 @@ mod tests {
         assert_eq!(fault("{\n \"a\": }"), "f:2:7: not JSON: expected value");
         assert_eq!(
             fault("{\n \"a\": 1,\n \"a\": 2}"),
-            "f:3:2: `a` is given twice; help: keep one of the two"
+            "f:3:2: a: `a` is given twice; help: keep one of the two"
         );
         assert!(fault(&"[".repeat(100_000)).contains("not JSON"));
         assert!(fault(&("[".repeat(200) + &"]".repeat(200))).contains("levels deep"));

@@ -17,6 +17,8 @@ mod rolls;
 mod schema;
 mod sheet;
 mod source;
+#[cfg(test)]
+mod tests;
 mod units;
 
 pub use diagnostic::{Diagnostic, nearest};
@@ -50,7 +52,7 @@ use json::{Fields, Value};
 /// let error = linkgram::scene::read(&text.replace("length\": 45", "lenght\": 45"), "slider.json").unwrap_err();
 /// assert_eq!(
 ///     error.to_string(),
-///     "slider.json:6:32: links.3.lenght: unknown key `lenght`; help: did you mean `length`?",
+///     "slider.json:6:33: links.3.lenght: unknown key `lenght`; help: did you mean `length`?",
 /// );
 /// # Ok::<(), linkgram::scene::Diagnostic>(())
 /// ```
@@ -60,8 +62,9 @@ use json::{Fields, Value};
 /// The first and most fundamental thing that is wrong with the text, with its place and its mend.
 /// Whether the mechanism moves as it should, and whether it can be assembled, is not known here.
 pub fn read(text: &str, file: &str) -> Result<Scene, Diagnostic> {
-    let root = json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
-    scene(&root, text, file).map_err(|fault| fault.locate(file, text, Some(&root)))
+    let json::Document { root, fault } = json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
+    let scene = fault.map_or_else(|| scene(&root, text, file), Err);
+    scene.map_err(|fault| fault.locate(file, text, Some(&root)))
 }
 
 fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {

@@ -479,14 +479,12 @@ impl<'b, 's> Board<'b, 's> {
         let tolerance = ROUNDING * self.size;
         let mut claims = Vec::new();
         for &link in &self.draft.mechanism.point(point).links {
-            if let Some((claim, sign)) = self.angle_bond(point, link) {
-                if let Locus::Line { through, along: line } = claim.locus {
-                    let arm = minus(spot.xy, through);
-                    if dot(arm, line) * sign <= 0.0
-                        || claim.locus.miss(spot.xy).0.abs() > tolerance + claim.error
-                    {
-                        return Err(self.contradiction(point, spot.xy, &claim, tolerance));
-                    }
+            if let Some((claim, sign)) = self.angle_bond(point, link)
+                && let Locus::Line { through, along: line } = claim.locus
+            {
+                let opposite = dot(minus(spot.xy, through), line) * sign <= 0.0;
+                if opposite || claim.locus.miss(spot.xy).0.abs() > tolerance + claim.error {
+                    return Err(self.contradiction(point, spot.xy, &claim, tolerance));
                 }
             }
             if link != LinkId::FRAME && *self.form(link) != Form::Single {

@@ -124,6 +124,7 @@ impl Source {
             None => fault,
         };
         // The text was read before, so it is read again; should it fail, the path stays empty.
-        fault.locate(&self.file, &self.text, json::parse(&self.text).ok().as_ref())
+        let document = json::parse(&self.text).ok();
+        fault.locate(&self.file, &self.text, document.as_ref().map(|d| &d.root))
     }
 }

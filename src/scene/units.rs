@@ -13,6 +13,8 @@ use crate::mechanism::{Given, Sense};
 const HALF_ULP: f64 = f64::EPSILON / 2.0;
 /// No mechanism is larger or faster in SI units; below it, products of several quantities stay finite.
 const LARGEST: f64 = 1e60;
+/// No mechanism is smaller or slower, unless it is zero.
+const SMALLEST: f64 = 1e-60;
 
 /// Exponents of length, time and angle. Angles count as a dimension of their own, so that a frequency
 /// or a length cannot pass for one.
@@ -427,11 +429,11 @@ impl Scales {
         }
         // A negative zero would print as one.
         given.value += 0.0;
-        let size = given.value.abs();
-        if !given.error.is_finite() || size > LARGEST || (size < 1.0 / LARGEST && read.value != 0.0) {
+        // Before whole turns are taken off: they may leave nothing.
+        let size = (read.value * scale.si()).abs();
+        if size > LARGEST || (size < SMALLEST && read.value != 0.0) {
             let what = format!("`{}` is out of range", stated.digits);
-            let range =
-                format!("sizes from {:e} to {LARGEST:e} in SI units, and 0, can be solved", 1.0 / LARGEST);
+            let range = format!("sizes from {SMALLEST:e} to {LARGEST:e} in SI units, and 0, can be solved");
             return Err(Fault::new(value.at, what).mend(range));
         }
         Ok(Stated { given, scale, sense: stated.sense })
@@ -568,7 +570,7 @@ pub(super) fn drawing_scale(value: &Value<'_>, measure: Measure, scales: &Scales
         return Err(wrong());
     };
     let scale = world / paper;
-    if world > 0.0 && paper > 0.0 && (1.0 / LARGEST..=LARGEST).contains(&scale) {
+    if world > 0.0 && paper > 0.0 && (SMALLEST..=LARGEST).contains(&scale) {
         return Ok(scale);
     }
     Err(Fault::new(value.at, format!("the scale `{text}` must be greater than zero")).mend(example))

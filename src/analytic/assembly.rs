@@ -1,0 +1,510 @@
+//! Positions: damped Newton iterations group by group, from several starts, until the assembly nearest
+//! to the hints is found.
+//!
+//! Each group of equations ([`super::ordering`]) is solved from the hints and from evenly spread angles;
+//! its distinct solutions are the group's assemblies. A group whose solutions no hint tells apart is
+//! tried both ways, since a later group or a later hint may decide; if nothing does, the scene is
+//! ambiguous. Iteration: Levenberg 1944, Marquardt 1963, finished by Newton's.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::AnalyticError;
+use super::constraints::{Motion, Num, Row, Site};
+use super::model::{Model, REPEATED};
+use super::ordering::{Group, Ordering, order};
+use super::tape::{Leaf, Linear};
+use crate::mechanism::{Place, PointId};
+
+/// Two solutions closer than this (in mechanism sizes and radians) are one: near a dead centre Newton's
+/// iteration cannot separate them, and the Jacobian there is refused.
+const SAME: f64 = 1e-7;
+/// Hints closer to one solution than to another by less than this do not choose.
+const UNDECIDED: f64 = 1e-6;
+/// A residual this many times its own error is taken as zero.
+const AT_ROUNDING: f64 = 64.0;
+/// Smallest residual worth improving.
+const FLOOR: f64 = 4e-15;
+const MOST_ITERATIONS: usize = 80;
+const MOST_ASSEMBLIES: usize = 64;
+/// Groups solved in going back, beyond two rounds of all.
+const MOST_GROUPS: usize = 400;
+/// Floating-point operations that one group may cost, roughly.
+const WORK: f64 = 3e9;
+
+/// The position found.
+#[derive(Debug, Clone)]
+pub(super) struct Assembly {
+    /// Poses of all bodies, scaled.
+    pub(super) pose: Vec<f64>,
+    /// The order of solution.
+    pub(super) ordering: Ordering,
+}
+
+#[derive(Debug, Clone)]
+struct Solution {
+    values: Vec<f64>,
+    /// Distance to the hints of the points that it settles; `None` where there is no hint.
+    miss: Option<f64>,
+}
+
+struct Choice {
+    group: usize,
+    rest: Vec<Solution>,
+    decided: bool,
+}
+
+struct Assembler<'a> {
+    model: &'a Model,
+    groups: &'a [Group],
+    /// The group with which each body is complete.
+    ready: Vec<usize>,
+    /// Points with a rough place, by the group that settles them.
+    settled: Vec<Vec<(PointId, Site, [f64; 2])>>,
+    slot: Vec<usize>,
+}
+
+/// Finds the assembly nearest to the hints.
+pub(super) fn assemble(model: &Model) -> Result<Assembly, AnalyticError> {
+    let n = model.unknowns();
+    let pattern = model.pattern(&model.position, 0)?;
+    let ordering = order(&pattern, n);
+    let free: Vec<usize> = ordering.free.iter().map(|c| c / 3).filter(|b| *b != 0).collect();
+    if !free.is_empty() {
+        return Err(AnalyticError::Underdetermined { links: numbers(model, &free) });
+    }
+    let assembler = Assembler::new(model, &ordering);
+    let pose = assembler.search(&ordering)?;
+    Ok(Assembly { pose, ordering })
+}
+
+/// Link numbers of bodies, ascending, each once.
+pub(super) fn numbers(model: &Model, bodies: &[usize]) -> Vec<u32> {
+    let mut numbers: Vec<u32> =
+        bodies.iter().filter_map(|b| model.mechanism.links.get(*b)).map(|l| l.number).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    numbers
+}
+
+fn wrapped(angle: f64) -> f64 {
+    angle - (angle / std::f64::consts::TAU).round() * std::f64::consts::TAU
+}
+
+/// The tolerance of an equation: its rounding and what its parameters leave open.
+fn tolerance(model: &Model, linear: &Linear) -> f64 {
+    let open: f64 = linear
+        .terms
+        .iter()
+        .map(|(leaf, c)| match leaf {
+            Leaf::Param(at) => c.abs() * model.params[*at].error,
+            _ => 0.0,
+        })
+        .sum();
+    AT_ROUNDING * (linear.rounding + open) + FLOOR
+}
+
+impl<'a> Assembler<'a> {
+    fn new(model: &'a Model, ordering: &'a Ordering) -> Self {
+        let groups = &ordering.groups;
+        let mut ready = vec![0; model.bodies];
+        let mut slot = vec![usize::MAX; model.unknowns()];
+        for (index, group) in groups.iter().enumerate() {
+            for (local, column) in group.columns.iter().enumerate() {
+                ready[column / 3] = ready[column / 3].max(index);
+                slot[*column] = local;
+            }
+        }
+        let mut settled = vec![Vec::new(); groups.len()];
+        for (index, point) in model.mechanism.points.iter().enumerate() {
+            let Place::Near(near) = point.place else { continue };
+            let first = model.sites[index].iter().filter(|s| s.body != 0).min_by_key(|s| ready[s.body]);
+            if let Some(site) = first {
+                settled[ready[site.body]].push((PointId(index), *site, model.scaled(near)));
+            }
+        }
+        Self { model, groups, ready, settled, slot }
+    }
+
+    fn value(&self, num: Num) -> f64 {
+        match num {
+            Num::Exact(value) => value,
+            Num::Param(at) => self.model.params[at].value,
+        }
+    }
+
+    fn world(&self, site: &Site, pose: &[f64]) -> [f64; 2] {
+        let own = site.own.map(|c| self.value(c));
+        if site.body == 0 {
+            return own;
+        }
+        let (sin, cos) = libm::sincos(pose[3 * site.body + 2]);
+        let at = 3 * site.body;
+        [pose[at] + cos * own[0] - sin * own[1], pose[at + 1] + sin * own[0] + cos * own[1]]
+    }
+
+    fn linear(&self, row: &Row, pose: &[f64]) -> Option<Linear> {
+        row.linear(Motion { pose, rate: &[], accel: &[], params: &self.model.params }, 0)
+    }
+
+    // --- the search over assemblies ---
+
+    fn search(&self, ordering: &Ordering) -> Result<Vec<f64>, AnalyticError> {
+        let mut pose = vec![0.0; self.model.unknowns()];
+        let mut choices: Vec<Choice> = Vec::new();
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        let mut rival: Option<Vec<f64>> = None;
+        let mut failure: Option<(usize, f64)> = None;
+        let mut group = 0;
+        let mut complete = 0;
+        let mut budget = MOST_GROUPS + 2 * self.groups.len();
+        loop {
+            let mut stuck = None;
+            while group < self.groups.len() {
+                budget = budget.saturating_sub(1);
+                match self.solutions(group, &mut pose) {
+                    Err(residual) => {
+                        stuck = Some(residual);
+                        break;
+                    }
+                    Ok(mut found) => {
+                        found.reverse();
+                        let Some(first) = found.pop() else { break };
+                        self.take(group, &first, &mut pose);
+                        if let Some(next) = found.last() {
+                            let decided = match (first.miss, next.miss) {
+                                (Some(a), Some(b)) => b - a > UNDECIDED,
+                                _ => false,
+                            };
+                            choices.push(Choice { group, rest: found, decided });
+                        }
+                        group += 1;
+                    }
+                }
+            }
+            let residual = stuck.or_else(|| self.repeated_miss(ordering, &pose));
+            if let Some(residual) = residual {
+                if failure.is_none_or(|f| group > f.0 || (group == f.0 && residual < f.1)) {
+                    failure = Some((group, residual));
+                }
+            } else {
+                complete += 1;
+                let miss = self.miss(&pose);
+                match &best {
+                    Some((least, _)) if miss > least + UNDECIDED => {}
+                    Some((least, _)) if miss >= least - UNDECIDED => rival = Some(pose.clone()),
+                    _ => {
+                        best = Some((miss, pose.clone()));
+                        rival = None;
+                    }
+                }
+                // A draughtsman goes back only on what no hint decided.
+                choices.retain(|c| !c.decided);
+            }
+            let next = loop {
+                let Some(choice) = choices.last_mut() else { break None };
+                match choice.rest.pop() {
+                    Some(solution) => break Some((choice.group, solution)),
+                    None => {
+                        choices.pop();
+                    }
+                }
+            };
+            match next {
+                Some((at, solution)) if complete < MOST_ASSEMBLIES && budget > 0 => {
+                    self.take(at, &solution, &mut pose);
+                    group = at + 1;
+                }
+                _ => break,
+            }
+        }
+        match (best, rival) {
+            (Some((_, pose)), None) => Ok(pose),
+            (Some((_, one)), Some(other)) => Err(self.ambiguous(&one, &other)),
+            (None, _) => {
+                let (group, residual) = failure.unwrap_or((0, 0.0));
+                let bodies: Vec<usize> = match self.groups.get(group) {
+                    Some(group) => group.columns.iter().map(|c| c / 3).collect(),
+                    None => (1..self.model.bodies).collect(),
+                };
+                Err(AnalyticError::CannotAssemble {
+                    links: numbers(self.model, &bodies),
+                    residual: residual * self.model.length,
+                })
+            }
+        }
+    }
+
+    fn ambiguous(&self, one: &[f64], other: &[f64]) -> AnalyticError {
+        let m = &self.model.mechanism;
+        let points = (0..m.points.len())
+            .filter(|index| {
+                self.model.sites[*index].first().is_some_and(|site| {
+                    let (a, b) = (self.world(site, one), self.world(site, other));
+                    libm::hypot(a[0] - b[0], a[1] - b[1]) > SAME
+                })
+            })
+            .map(|index| m.points[index].name.clone())
+            .collect();
+        AnalyticError::Ambiguous { points }
+    }
+
+    /// Distance of an assembly to all hints.
+    fn miss(&self, pose: &[f64]) -> f64 {
+        self.settled.iter().flatten().map(|hint| self.square_miss(hint, pose)).sum::<f64>().sqrt()
+    }
+
+    fn square_miss(&self, (_, site, near): &(PointId, Site, [f64; 2]), pose: &[f64]) -> f64 {
+        let at = self.world(site, pose);
+        let d = [at[0] - near[0], at[1] - near[1]];
+        d[0] * d[0] + d[1] * d[1]
+    }
+
+    /// The worst of the equations that should hold by themselves, if it does not.
+    fn repeated_miss(&self, ordering: &Ordering, pose: &[f64]) -> Option<f64> {
+        let spare = ordering.spare.iter().map(|row| &self.model.position[*row]);
+        let worst = self
+            .model
+            .repeated
+            .iter()
+            .chain(spare)
+            .map(|row| self.linear(row, pose).map_or(f64::INFINITY, |l| l.value.abs()))
+            .fold(0.0, f64::max);
+        (worst > REPEATED).then_some(worst)
+    }
+
+    fn take(&self, group: usize, solution: &Solution, pose: &mut [f64]) {
+        for (column, value) in self.groups[group].columns.iter().zip(&solution.values) {
+            pose[*column] = *value;
+        }
+    }
+
+    // --- one group ---
+
+    /// All solutions of a group, the nearest to its hints first; the least residual where there is none.
+    fn solutions(&self, index: usize, pose: &mut [f64]) -> Result<Vec<Solution>, f64> {
+        let group = &self.groups[index];
+        let rows = || group.rows.iter().map(|r| &self.model.position[*r]);
+        let angles = group.columns.iter().filter(|c| *c % 3 == 2).count();
+        let single = (angles == group.columns.len() && rows().all(Row::is_simple))
+            || (angles == 0 && rows().all(Row::is_linear_in_places));
+        let wanted = match (single, angles) {
+            (true, _) => 1,
+            (false, 0 | 1) => 16,
+            (false, 2) => 40,
+            (false, _) => 80,
+        };
+        let n = group.columns.len() as f64;
+        let affordable = (WORK / (40.0 * (n * n * n + 300.0 * n))).max(2.0) as usize;
+
+        let mut found: Vec<Solution> = Vec::new();
+        let mut least = f64::INFINITY;
+        for start in 0..wanted.min(affordable) {
+            self.start(index, start, pose);
+            match self.iterate(group, pose) {
+                Err(residual) => least = least.min(residual),
+                Ok(()) => {
+                    let values: Vec<f64> = group.columns.iter().map(|c| pose[*c]).collect();
+                    let known = found.iter().any(|s| {
+                        group.columns.iter().zip(s.values.iter().zip(&values)).all(|(column, (a, b))| {
+                            let d = if column % 3 == 2 { wrapped(a - b) } else { a - b };
+                            d.abs() < SAME
+                        })
+                    });
+                    if !known && self.faces_riders(index, pose) {
+                        let hints = &self.settled[index];
+                        let miss = (!hints.is_empty())
+                            .then(|| hints.iter().map(|h| self.square_miss(h, pose)).sum::<f64>().sqrt());
+                        found.push(Solution { values, miss });
+                    }
+                }
+            }
+        }
+        if found.is_empty() {
+            return Err(if least.is_finite() { least } else { 1.0 });
+        }
+        found.sort_by(|a, b| a.miss.unwrap_or(0.0).total_cmp(&b.miss.unwrap_or(0.0)));
+        Ok(found)
+    }
+
+    /// Whether the swivelling guides that this group completes point towards their riders.
+    fn faces_riders(&self, index: usize, pose: &[f64]) -> bool {
+        self.model.swivels.iter().all(|swivel| {
+            let rider_ready = if swivel.rider.body == 0 { 0 } else { self.ready[swivel.rider.body] };
+            if self.ready[swivel.body].max(rider_ready) != index {
+                return true;
+            }
+            let rider = self.world(&swivel.rider, pose);
+            let at = 3 * swivel.body;
+            let (sin, cos) = libm::sincos(pose[at + 2] + swivel.ray);
+            cos * (rider[0] - pose[at]) + sin * (rider[1] - pose[at + 1]) > -FLOOR
+        })
+    }
+
+    /// The place of a point as far as it is known before this group, or hinted.
+    fn guess(&self, point: PointId, group: usize, pose: &[f64]) -> Option<[f64; 2]> {
+        if let Some(place) = self.model.places[point.0] {
+            return Some(place.map(|c| self.value(c)));
+        }
+        let solved = self.model.sites[point.0].iter().find(|s| s.body == 0 || self.ready[s.body] < group);
+        match (solved, self.model.mechanism.points[point.0].place) {
+            (Some(site), _) => Some(self.world(site, pose)),
+            (None, Place::Near(near)) => Some(self.model.scaled(near)),
+            _ => None,
+        }
+    }
+
+    /// Writes the start of this number into the unknowns of a group: the hints first, then angles and
+    /// places spread evenly (Weyl sequences of the square roots of primes).
+    fn start(&self, index: usize, start: usize, pose: &mut [f64]) {
+        let spread = |k: usize| {
+            const ROOTS: [f64; 8] = [
+                0.414_213_562_373_095,
+                0.732_050_807_568_877,
+                0.236_067_977_499_79,
+                0.645_751_311_064_591,
+                0.316_624_790_355_4,
+                0.605_551_275_463_989,
+                0.123_105_625_617_661,
+                0.358_898_943_540_674,
+            ];
+            let turn = (k / ROOTS.len()) as f64 * 0.377;
+            (start as f64 * ROOTS[k % ROOTS.len()] + turn + 0.05).fract()
+        };
+        let group = &self.groups[index];
+        let mut bodies: Vec<usize> = group.columns.iter().map(|c| c / 3).collect();
+        bodies.dedup();
+        let mut k = 0;
+        for body in bodies {
+            let hints: Vec<([f64; 2], [f64; 2])> = self
+                .model
+                .mechanism
+                .points
+                .iter()
+                .enumerate()
+                .flat_map(|(i, _)| self.model.sites[i].iter().map(move |s| (PointId(i), s)))
+                .filter(|(_, site)| site.body == body)
+                .filter_map(|(point, site)| {
+                    Some((site.own.map(|c| self.value(c)), self.guess(point, index, pose)?))
+                })
+                .collect();
+            let mine = |axis: usize| {
+                let column = 3 * body + axis;
+                group.columns.binary_search(&column).is_ok()
+            };
+            if mine(2) {
+                pose[3 * body + 2] = if start == 0 {
+                    direction(&hints).unwrap_or(0.0)
+                } else {
+                    k += 1;
+                    std::f64::consts::TAU * (spread(k - 1) - 0.5)
+                };
+            }
+            let (sin, cos) = libm::sincos(pose[3 * body + 2]);
+            for axis in [0, 1].into_iter().filter(|axis| mine(*axis)) {
+                let base = hints.first().map_or(0.0, |(own, at)| {
+                    at[axis]
+                        - if axis == 0 { cos * own[0] - sin * own[1] } else { sin * own[0] + cos * own[1] }
+                });
+                let shift = if start == 0 {
+                    0.0
+                } else {
+                    k += 1;
+                    1.5 * (spread(k - 1) - 0.5)
+                };
+                pose[3 * body + axis] = base + shift;
+            }
+        }
+    }
+
+    /// Residuals, tolerances and Jacobian of a group; `None` where an equation has no value here.
+    fn evaluate(&self, group: &Group, pose: &[f64]) -> Option<(DVector<f64>, Vec<f64>, DMatrix<f64>)> {
+        let n = group.rows.len();
+        let mut residuals = DVector::zeros(n);
+        let mut tolerances = vec![0.0; n];
+        let mut jacobian = DMatrix::zeros(n, n);
+        for (i, row) in group.rows.iter().enumerate() {
+            let linear = self.linear(&self.model.position[*row], pose)?;
+            residuals[i] = linear.value;
+            tolerances[i] = tolerance(self.model, &linear);
+            for (leaf, value) in &linear.terms {
+                if let Leaf::Pose(column) = leaf {
+                    let j = self.slot[*column];
+                    if group.columns.get(j) == Some(column) {
+                        jacobian[(i, j)] = *value;
+                    }
+                }
+            }
+        }
+        Some((residuals, tolerances, jacobian))
+    }
+
+    fn moved(group: &Group, pose: &[f64], step: &DVector<f64>) -> Vec<f64> {
+        let mut next = pose.to_vec();
+        for (column, d) in group.columns.iter().zip(step.iter()) {
+            let moved = next[*column] - d;
+            next[*column] = if column % 3 == 2 { wrapped(moved) } else { moved };
+        }
+        next
+    }
+
+    /// Damped Newton iterations on one group; the largest residual where they end elsewhere than at a
+    /// solution.
+    fn iterate(&self, group: &Group, pose: &mut [f64]) -> Result<(), f64> {
+        let Some((mut residuals, mut tolerances, mut jacobian)) = self.evaluate(group, pose) else {
+            return Err(f64::INFINITY);
+        };
+        let solved = |r: &DVector<f64>, t: &[f64]| r.iter().zip(t).all(|(r, t)| r.abs() <= *t);
+        let mut damping = 1e-3;
+        let mut idle = 0;
+        for _ in 0..MOST_ITERATIONS {
+            if solved(&residuals, &tolerances) || idle > 12 {
+                break;
+            }
+            let transposed = jacobian.transpose();
+            let mut normal = &transposed * &jacobian;
+            let largest = normal.diagonal().max();
+            for i in 0..normal.nrows() {
+                normal[(i, i)] += damping * normal[(i, i)].max(1e-14 * largest);
+            }
+            let step = normal.cholesky().map(|c| c.solve(&(&transposed * &residuals)));
+            let next = step.map(|step| Self::moved(group, pose, &step));
+            let tried = next.as_deref().and_then(|next| self.evaluate(group, next));
+            match (next, tried) {
+                (Some(next), Some((r, t, j))) if r.norm() < residuals.norm() => {
+                    idle = if r.norm() < 0.999 * residuals.norm() { 0 } else { idle + 1 };
+                    pose.copy_from_slice(&next);
+                    (residuals, tolerances, jacobian) = (r, t, j);
+                    damping = (damping * 0.1_f64).max(1e-15);
+                }
+                _ => {
+                    idle += 1;
+                    damping = (damping * 6.0_f64).max(1e-12);
+                }
+            }
+        }
+        // Newton's own steps reach the rounding level, which the normal equations may not.
+        for _ in 0..4 {
+            let Some(step) = jacobian.clone().lu().solve(&residuals) else { break };
+            if !step.iter().all(|d| d.is_finite()) {
+                break;
+            }
+            let next = Self::moved(group, pose, &step);
+            let Some((r, t, j)) = self.evaluate(group, &next) else { break };
+            if r.norm().is_nan() || r.norm() >= residuals.norm() {
+                break;
+            }
+            pose.copy_from_slice(&next);
+            (residuals, tolerances, jacobian) = (r, t, j);
+        }
+        if solved(&residuals, &tolerances) { Ok(()) } else { Err(residuals.amax()) }
+    }
+}
+
+/// Angle of a body's x-axis from the two of its hinted points that are farthest apart in it.
+fn direction(hints: &[([f64; 2], [f64; 2])]) -> Option<f64> {
+    let (from, rest) = hints.split_first()?;
+    let span = |h: &([f64; 2], [f64; 2])| libm::hypot(h.0[0] - from.0[0], h.0[1] - from.0[1]);
+    let to = rest.iter().max_by(|a, b| span(a).total_cmp(&span(b))).filter(|to| span(to) > 0.0)?;
+    let angle = |a: [f64; 2], b: [f64; 2]| libm::atan2(b[1] - a[1], b[0] - a[0]);
+    Some(wrapped(angle(from.1, to.1) - angle(from.0, to.0)))
+}

@@ -1,0 +1,90 @@
+//! The independent solver: constraint equations of all pairs in body coordinates, solved by Newton's
+//! iteration and by linear systems with one Jacobian.
+//!
+//! Each moving link has a pose (x, y, θ) of its own coordinates; each pair and each input gives equations
+//! between them. [`solve`] finds the assembly nearest to the hints, then velocities and accelerations;
+//! [`State::answer`] reads any quantity off, with a bound that covers the errors of the given numbers,
+//! rounding, residuals, and their way through every equation.
+//!
+//! - A link of two or more points of given place, or of [`crate::mechanism::Form::Placed`], is where these
+//!   points put it; pairs between such links need only hold to 2e-6 of the mechanism's size.
+//! - A wheel (one joint, not ridden, not driven to an angle) has θ = 0 at this instant; rolling has no
+//!   position equation but the contact, and that only where nothing else holds the distance.
+//! - A block on an arc has its x-axis along the tangent, ccw about the centre of curvature.
+//!
+//! Numbers near a dead centre are refused, not guessed: where the first-order error of the Jacobian passes
+//! an eighth of its distance from singularity (spectral radius of |J⁻¹| |δJ|), the group of links and all
+//! that follows from it is [`crate::mechanism::quantity::Indeterminate::Singular`]; what does not depend
+//! on it keeps its value. Positions there keep a bound of the order of the root of the rounding.
+//!
+//! **Architecture Invariant:** nothing here knows the board or the graphical method; the two solvers share
+//! the [`Mechanism`] and nothing else.
+
+mod assembly;
+mod constraints;
+mod linear;
+mod model;
+mod motion;
+mod ordering;
+mod quantities;
+mod state;
+mod tape;
+#[cfg(test)]
+mod tests;
+
+use thiserror::Error;
+
+use crate::mechanism::Mechanism;
+use crate::mechanism::quantity::Order;
+
+pub use state::{Spot, State};
+
+/// Why a mechanism has no solution.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum AnalyticError {
+    /// The links cannot be brought together.
+    #[error("links {} cannot be assembled: {residual:e} m are missing", list(links))]
+    CannotAssemble {
+        /// Numbers of the links in the first group that does not close, ascending; the links before it
+        /// close.
+        links: Vec<u32>,
+        /// Least miss of an equation, metres (for an equation of angles, radians times the mechanism's
+        /// size).
+        residual: f64,
+    },
+    /// Two assemblies, and no hint that tells them apart.
+    #[error("two assemblies fit: say near which place {} lies", points.join(" or "))]
+    Ambiguous {
+        /// Names of the points that lie elsewhere in the second assembly.
+        points: Vec<String>,
+    },
+    /// The inputs and places do not determine the position.
+    #[error("the position of links {} is not determined", list(links))]
+    Underdetermined {
+        /// Numbers of the links that are left free, ascending.
+        links: Vec<u32>,
+    },
+    /// A redundant pair or input contradicts the motion of the others.
+    #[error("the inputs contradict each other or the pairs")]
+    Contradictory,
+    /// The mechanism is not one: an index out of range, a dimension of zero, a point without coordinates.
+    #[error("not a mechanism: {what}")]
+    Malformed {
+        /// What is wrong.
+        what: String,
+    },
+}
+
+fn list(links: &[u32]) -> String {
+    links.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// Solves the mechanism at this instant up to the given order.
+///
+/// # Errors
+/// Where no position or more than one is found, or the mechanism contradicts itself: [`AnalyticError`]. A
+/// singular position is not an error: the quantities that depend on it are indeterminate.
+pub fn solve(mechanism: &Mechanism, order: Order) -> Result<State, AnalyticError> {
+    State::new(mechanism, order)
+}

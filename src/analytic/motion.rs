@@ -1,0 +1,288 @@
+//! Errors of the position, and the linear systems of velocities and accelerations.
+//!
+//! With the constraints `F(q, t) = 0` the motion follows from `J q̇ = −∂F/∂t` and `J q̈ = −(J̇ q̇ + …)`,
+//! both solved from the same Jacobian and refined on the residual of the full equations.
+
+use nalgebra::DMatrix;
+
+use super::AnalyticError;
+use super::assembly::Assembly;
+use super::constraints::{Motion, Param, Row};
+use super::linear::{Multipliers, System, entry_error};
+use super::model::Model;
+use super::ordering::order;
+use super::tape::{Leaf, Linear};
+
+/// Rounds of iterative refinement.
+const REFINEMENTS: usize = 3;
+/// Largest relative contradiction of a redundant equation of motion.
+const CONTRADICTION: f64 = 1e-6;
+/// Radius of a pose of which nothing is known; its products stay finite.
+const UNBOUNDED: f64 = 1e150;
+/// A second singular value below this leaves the width of a singular position unknown.
+const DOUBLY_SINGULAR: f64 = 1e-5;
+
+/// The position with the radii of all poses.
+#[derive(Debug, Clone)]
+pub(super) struct Located {
+    /// Poses, scaled.
+    pub(super) pose: Vec<f64>,
+    /// The equations at the position.
+    pub(super) rows: Vec<Linear>,
+    /// Their Jacobian.
+    pub(super) system: System,
+    /// First-order radius of each pose coordinate.
+    pub(super) error: Vec<f64>,
+}
+
+/// A motion.
+#[derive(Debug, Clone)]
+pub(super) struct Solved {
+    /// First derivatives of the poses.
+    pub(super) rate: Vec<f64>,
+    /// Second derivatives; empty where only velocities were asked.
+    pub(super) accel: Vec<f64>,
+    /// The velocity equations at the motion.
+    pub(super) velocity_rows: Vec<Linear>,
+    /// The acceleration equations at the motion.
+    pub(super) acceleration_rows: Vec<Linear>,
+    /// Their Jacobian.
+    pub(super) system: System,
+    /// Unknowns that are not determined here.
+    pub(super) undetermined: Vec<bool>,
+}
+
+fn no_value() -> AnalyticError {
+    AnalyticError::Malformed { what: "an equation divides by zero".into() }
+}
+
+/// Error of a number from its multipliers: what the residuals, their rounding and the parameters make of
+/// it, to first order.
+pub(super) fn error_of(multipliers: &Multipliers, rows: &[Linear], by_param: &mut [f64]) -> f64 {
+    let mut error = multipliers.slack;
+    for (row, weight) in &multipliers.rows {
+        let linear = &rows[*row];
+        error += weight.abs() * (linear.value.abs() + linear.rounding);
+        for (leaf, c) in &linear.terms {
+            if let Leaf::Param(at) = leaf {
+                by_param[*at] -= weight * c;
+            }
+        }
+    }
+    error
+}
+
+/// What the parameters' errors make of a number.
+pub(super) fn param_error(by_param: &[f64], params: &[Param]) -> f64 {
+    by_param.iter().zip(params).map(|(c, p)| c.abs() * p.error).filter(|e| *e > 0.0).sum()
+}
+
+/// The radii of an assembled position.
+pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, AnalyticError> {
+    let Assembly { pose, ordering } = assembly;
+    let motion = Motion { pose: &pose, rate: &[], accel: &[], params: &model.params };
+    let rows: Vec<Linear> = model
+        .position
+        .iter()
+        .map(|row| row.linear(motion, 0).ok_or_else(no_value))
+        .collect::<Result<_, _>>()?;
+    let n = model.unknowns();
+    let system = System::new(&ordering, &rows, n, |leaf| match leaf {
+        Leaf::Pose(at) => Some(at),
+        _ => None,
+    });
+    let mut located = Located { error: vec![0.0; n], pose, rows, system };
+    for index in 0..located.system.blocks.len() {
+        located.judge(model, index);
+    }
+    Ok(located)
+}
+
+impl Located {
+    /// Radii of one group's unknowns, and whether the group is regular.
+    fn judge(&mut self, model: &Model, index: usize) {
+        let columns = self.system.blocks[index].group.columns.clone();
+        if self.system.blocks[index].inverse.is_some() {
+            for column in &columns {
+                let mut gradient = vec![0.0; self.pose.len()];
+                gradient[*column] = 1.0;
+                let mut by_param = vec![0.0; model.params.len()];
+                let multipliers = self.system.adjoint(gradient);
+                let error = error_of(&multipliers, &self.rows, &mut by_param);
+                self.error[*column] = error + param_error(&by_param, &model.params);
+            }
+            let (pose, errors) = (&self.pose, &self.error);
+            let error = |row: usize, column: usize| {
+                entry_error(&model.position[row], pose, errors, &model.params, column)
+            };
+            if self.system.judge(index, error) {
+                return;
+            }
+        }
+        let widths = self.widths(model, index);
+        for (k, column) in columns.iter().enumerate() {
+            self.error[*column] = widths.as_ref().map_or(UNBOUNDED, |w| w[k]);
+        }
+        self.system.blocks[index].inverse = None;
+        self.system.blocks[index].widths = widths;
+    }
+
+    /// At a dead centre of the position itself the equations fix the singular direction v only to second
+    /// order, ½ h δ² ≤ residual: the radius is of the order of the root of the rounding.
+    fn widths(&self, model: &Model, index: usize) -> Option<Vec<f64>> {
+        let block = &self.system.blocks[index];
+        let columns = &block.group.columns;
+        let n = columns.len();
+        let svd = block.jacobian.clone().svd(true, true);
+        let (u, v_t) = (svd.u?, svd.v_t?);
+        let last = (0..n).min_by(|a, b| svd.singular_values[*a].total_cmp(&svd.singular_values[*b]))?;
+
+        let open: Vec<f64> = block
+            .group
+            .rows
+            .iter()
+            .map(|row| {
+                let linear = &self.rows[*row];
+                let spread: f64 = linear
+                    .terms
+                    .iter()
+                    .map(|(leaf, c)| match leaf {
+                        Leaf::Param(at) => c.abs() * model.params[*at].error,
+                        Leaf::Pose(at) if columns.binary_search(at).is_err() => c.abs() * self.error[*at],
+                        _ => 0.0,
+                    })
+                    .sum();
+                linear.value.abs() + linear.rounding + spread
+            })
+            .collect();
+        // Second difference of the equations along v.
+        let step = 1e-3;
+        let bent = |sign: f64| -> Option<Vec<f64>> {
+            let mut pose = self.pose.clone();
+            for (k, column) in columns.iter().enumerate() {
+                pose[*column] += sign * step * v_t[(last, k)];
+            }
+            let motion = Motion { pose: &pose, rate: &[], accel: &[], params: &model.params };
+            let rows = block.group.rows.iter();
+            rows.map(|row| model.position[*row].linear(motion, 0).map(|l| l.value)).collect()
+        };
+        let (ahead, behind) = (bent(1.0)?, bent(-1.0)?);
+        let curvature: Vec<f64> = (0..n)
+            .map(|i| {
+                let here = self.rows[block.group.rows[i]].value;
+                (ahead[i] + behind[i] - 2.0 * here) / (step * step)
+            })
+            .collect();
+        let along =
+            |k: usize, values: &[f64]| -> f64 { (0..n).map(|i| u[(i, k)] * values[i]).sum::<f64>().abs() };
+        let within = |k: usize| -> f64 { (0..n).map(|i| u[(i, k)].abs() * open[i]).sum() };
+        let bend = along(last, &curvature);
+        if bend.is_nan() || bend <= DOUBLY_SINGULAR {
+            return None;
+        }
+        let width = 2.0 * (2.0 * svd.singular_values[last] / bend + (2.0 * within(last) / bend).sqrt());
+        let mut widths: Vec<f64> = (0..n).map(|j| width * v_t[(last, j)].abs()).collect();
+        for k in (0..n).filter(|k| *k != last) {
+            let sigma = svd.singular_values[k];
+            if sigma < DOUBLY_SINGULAR {
+                return None;
+            }
+            let shift = (within(k) + 0.5 * along(k, &curvature) * width * width) / sigma;
+            for (j, w) in widths.iter_mut().enumerate() {
+                *w += shift * v_t[(k, j)].abs();
+            }
+        }
+        Some(widths)
+    }
+}
+
+/// Solves the velocities and, where asked, the accelerations.
+pub(super) fn solve_motion(
+    model: &Model,
+    equations: &[Row],
+    located: &Located,
+    accelerations: bool,
+) -> Result<Solved, AnalyticError> {
+    let n = model.unknowns();
+    let rest = vec![0.0; n];
+    let evaluate = |rate: &[f64], accel: &[f64], order: u8| -> Result<Vec<Linear>, AnalyticError> {
+        let motion = Motion { pose: &located.pose, rate, accel, params: &model.params };
+        equations.iter().map(|row| row.linear(motion, order).ok_or_else(no_value)).collect()
+    };
+    let residuals = |linears: &[Linear]| -> Vec<f64> { linears.iter().map(|l| -l.value).collect() };
+
+    let ordering = order(&model.pattern(equations, 1)?, n);
+    let at_rest = evaluate(&rest, &[], 1)?;
+    let mut system = System::new(&ordering, &at_rest, n, |leaf| match leaf {
+        Leaf::Rate(at) => Some(at),
+        _ => None,
+    });
+    let mut undetermined = vec![false; n];
+    for column in ordering.free.iter().filter(|c| **c >= 3) {
+        undetermined[*column] = true;
+    }
+    for index in 0..system.blocks.len() {
+        let error = |row: usize, column: usize| {
+            entry_error(&equations[row], &located.pose, &located.error, &model.params, column)
+        };
+        if !system.judge(index, error) || system.uses(index, &undetermined) {
+            for column in &system.blocks[index].group.columns {
+                undetermined[*column] = true;
+            }
+        }
+    }
+
+    let improve = |x: &mut Vec<f64>, linears: &[Linear]| {
+        for (x, d) in x.iter_mut().zip(system.solve(&residuals(linears), &undetermined)) {
+            *x += d;
+        }
+    };
+    let mut rate = rest.clone();
+    improve(&mut rate, &at_rest);
+    for _ in 0..REFINEMENTS {
+        let linears = evaluate(&rate, &[], 1)?;
+        improve(&mut rate, &linears);
+    }
+    let velocity_rows = evaluate(&rate, &[], 1)?;
+    let mut accel = Vec::new();
+    let mut acceleration_rows = Vec::new();
+    if accelerations {
+        accel = rest;
+        for _ in 0..=REFINEMENTS {
+            let linears = evaluate(&rate, &accel, 2)?;
+            improve(&mut accel, &linears);
+        }
+        acceleration_rows = evaluate(&rate, &accel, 2)?;
+    }
+    let fastest = rate.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
+    for row in &ordering.spare {
+        let determined = system.entries[*row].iter().all(|(c, _)| !undetermined[*c]);
+        if determined && velocity_rows[*row].value.abs() > CONTRADICTION * fastest {
+            return Err(AnalyticError::Contradictory);
+        }
+    }
+    Ok(Solved { rate, accel, velocity_rows, acceleration_rows, system, undetermined })
+}
+
+/// Singular values of a system, descending: of the whole Jacobian up to `most` unknowns, of its groups
+/// one by one beyond.
+pub(super) fn singular_values(system: &System, most: usize) -> Vec<f64> {
+    let columns: Vec<usize> = system.blocks.iter().flat_map(|b| b.group.columns.iter().copied()).collect();
+    let mut values: Vec<f64> = if columns.len() <= most {
+        let rows = system.blocks.iter().flat_map(|b| b.group.rows.iter());
+        let mut jacobian = DMatrix::zeros(columns.len(), columns.len());
+        for (i, row) in rows.enumerate() {
+            for (column, value) in &system.entries[*row] {
+                if let Some(j) = columns.iter().position(|c| c == column) {
+                    jacobian[(i, j)] = *value;
+                }
+            }
+        }
+        jacobian.singular_values().iter().copied().collect()
+    } else {
+        let blocks = system.blocks.iter();
+        blocks.flat_map(|b| b.jacobian.singular_values().iter().copied().collect::<Vec<_>>()).collect()
+    };
+    values.sort_by(|a, b| b.total_cmp(a));
+    values
+}

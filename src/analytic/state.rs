@@ -1,0 +1,181 @@
+//! A solved mechanism, and the bound of a number read off it.
+
+use super::AnalyticError;
+use super::assembly::assemble;
+use super::constraints::{Motion, Scope};
+use super::model::Model;
+use super::motion::{Located, Solved, error_of, locate, param_error, singular_values, solve_motion};
+use super::tape::{Leaf, Tape, Var};
+use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
+use crate::mechanism::{Mechanism, PointId};
+
+/// Up to this many unknowns the singular values are those of the whole Jacobian.
+const WHOLE: usize = 240;
+
+/// The first-order bound is doubled, for the terms of higher order.
+const SAFETY: f64 = 2.0;
+
+/// A point's place with its bound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spot {
+    /// x to the right and y up, metres.
+    pub at: [f64; 2],
+    /// The true place is no farther away, metres.
+    pub bound: f64,
+}
+
+/// A mechanism solved at one instant.
+#[derive(Debug, Clone)]
+pub struct State {
+    pub(super) model: Model,
+    pub(super) located: Located,
+    pub(super) order: Order,
+    /// The motion that the inputs drive; `None` where only the position was asked.
+    pub(super) solved: Option<Solved>,
+    /// The motion under a unit rate of the only input, where that input rests: centres need no speed.
+    pub(super) unit: Option<Solved>,
+}
+
+/// A number in scaled units with its bound.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Measured {
+    pub(super) value: f64,
+    pub(super) bound: f64,
+}
+
+impl State {
+    /// Solves a mechanism up to the given order.
+    pub(super) fn new(mechanism: &Mechanism, order: Order) -> Result<Self, AnalyticError> {
+        let model = Model::new(mechanism)?;
+        let assembly = assemble(&model)?;
+        let located = locate(&model, assembly)?;
+        let mut state = Self { model, located, order, solved: None, unit: None };
+        if order >= Order::Velocity {
+            let (model, located) = (&state.model, &state.located);
+            let accelerations = order >= Order::Acceleration;
+            let solved = solve_motion(model, &model.motion, located, accelerations)?;
+            let unit = match &model.unit_motion {
+                Some(rows) => Some(solve_motion(model, rows, located, false)?),
+                None => None,
+            };
+            state.solved = Some(solved);
+            state.unit = unit;
+        }
+        Ok(state)
+    }
+
+    /// Place of a point, metres. A fixed or placed point is where the scene puts it.
+    ///
+    /// # Errors
+    /// [`Indeterminate::Undefined`] for a point that is in no link and on no guide,
+    /// [`Indeterminate::Singular`] where the position cannot be bounded.
+    pub fn pose(&self, point: PointId) -> Result<Spot, Indeterminate> {
+        match self.answer(&Quantity::Position(point)) {
+            Answer::Vector { value, bound } => Ok(Spot { at: value, bound }),
+            Answer::Indeterminate(why) => Err(why),
+            Answer::Scalar { .. } | Answer::AtInfinity { .. } => Err(Indeterminate::Singular),
+        }
+    }
+
+    /// Singular values of the scaled Jacobian, descending: lengths in units near the mechanism's size,
+    /// angles in radians. Of the velocity equations where these were asked, else of the position's. Beyond
+    /// 240 unknowns they are those of the groups of equations, one by one.
+    #[must_use]
+    pub fn singular_values(&self) -> Vec<f64> {
+        singular_values(self.solved.as_ref().map_or(&self.located.system, |s| &s.system), WHOLE)
+    }
+
+    /// Numbers by a formula over the motion, with their bounds: rounding, residuals and the errors of all
+    /// given numbers, each followed through every equation by one sweep back, so that they keep their
+    /// correlation. `order` is the highest derivative in the formula.
+    pub(super) fn read<const N: usize>(
+        &self,
+        order: u8,
+        solved: Option<&Solved>,
+        formula: impl for<'t> Fn(&Scope<'t>) -> [Var<'t>; N],
+    ) -> Result<[Measured; N], Indeterminate> {
+        let (rate, accel): (&[f64], &[f64]) = match (order, solved) {
+            (0, _) => (&[], &[]),
+            (_, Some(solved)) => (&solved.rate, &solved.accel),
+            (_, None) => return Err(self.not_solved()),
+        };
+        if order >= 2 && accel.is_empty() {
+            return Err(self.not_solved());
+        }
+        let tape = Tape::new(order);
+        let motion = Motion { pose: &self.located.pose, rate, accel, params: &self.model.params };
+        let scope = Scope { tape: &tape, motion };
+        let out = formula(&scope);
+        if tape.broken() {
+            return Err(Indeterminate::Undefined { why: "it divides by a length of zero".into() });
+        }
+        let mut measured = [Measured::default(); N];
+        for (slot, var) in measured.iter_mut().zip(out) {
+            *slot = self.measure(&tape, var, solved)?;
+        }
+        Ok(measured)
+    }
+
+    fn not_solved(&self) -> Indeterminate {
+        let solved = match self.order {
+            Order::Position => "positions",
+            Order::Velocity => "velocities",
+            Order::Acceleration => "accelerations",
+        };
+        Indeterminate::Undefined { why: format!("only {solved} were solved") }
+    }
+
+    fn measure(&self, tape: &Tape, var: Var<'_>, solved: Option<&Solved>) -> Result<Measured, Indeterminate> {
+        let linear = tape.sweep(var);
+        let n = self.model.unknowns();
+        let mut gradients = [vec![0.0; n], vec![0.0; n], vec![0.0; n]];
+        let mut by_param = vec![0.0; self.model.params.len()];
+        for (leaf, c) in &linear.terms {
+            match leaf {
+                Leaf::Pose(at) => gradients[0][*at] += c,
+                Leaf::Rate(at) => gradients[1][*at] += c,
+                Leaf::Accel(at) => gradients[2][*at] += c,
+                Leaf::Param(at) => by_param[*at] += c,
+            }
+        }
+        let mut error = linear.rounding;
+        let [mut poses, mut rates, accels] = gradients;
+        if let Some(solved) = solved {
+            let lost = |gradient: &[f64]| {
+                gradient.iter().zip(&solved.undetermined).any(|(g, undetermined)| *undetermined && *g != 0.0)
+            };
+            if lost(&rates) || lost(&accels) {
+                return Err(Indeterminate::Singular);
+            }
+            let multipliers = solved.system.adjoint(accels);
+            error += error_of(&multipliers, &solved.acceleration_rows, &mut by_param);
+            for (row, weight) in &multipliers.rows {
+                for (leaf, c) in &solved.acceleration_rows[*row].terms {
+                    match leaf {
+                        Leaf::Pose(at) => poses[*at] -= weight * c,
+                        Leaf::Rate(at) => rates[*at] -= weight * c,
+                        Leaf::Accel(_) | Leaf::Param(_) => {}
+                    }
+                }
+            }
+            let multipliers = solved.system.adjoint(rates);
+            error += error_of(&multipliers, &solved.velocity_rows, &mut by_param);
+            for (row, weight) in &multipliers.rows {
+                for (leaf, c) in &solved.velocity_rows[*row].terms {
+                    if let Leaf::Pose(at) = leaf {
+                        poses[*at] -= weight * c;
+                    }
+                }
+            }
+        }
+        let multipliers = self.located.system.adjoint(poses);
+        error += error_of(&multipliers, &self.located.rows, &mut by_param);
+        error += param_error(&by_param, &self.model.params);
+        let bound = SAFETY * error;
+        if linear.value.is_finite() && bound.is_finite() {
+            Ok(Measured { value: linear.value, bound })
+        } else {
+            Err(Indeterminate::Singular)
+        }
+    }
+}

@@ -1,0 +1,460 @@
+//! A recording of the arithmetic behind one number.
+//!
+//! Every constraint and every asked quantity is written once, as a formula over [`Jet`]s: a value with
+//! its first and second time derivative. The arithmetic is recorded, and one sweep back over the record
+//! gives at once the partial derivatives towards every pose, rate and parameter, and the bound of the
+//! rounding errors made on the way (Linnainmaa 1976: running error analysis by the adjoint method).
+
+use std::cell::{Cell, RefCell};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Unit roundoff of double precision.
+pub(super) const U: f64 = f64::EPSILON / 2.0;
+
+/// Error of a function of `libm`, in units of the roundoff of its result (its own tests allow 1 ulp).
+const LIBM: f64 = 2.0;
+
+/// No node: an exact constant.
+const EXACT: u32 = u32::MAX;
+
+/// What a recorded number depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Leaf {
+    /// A coordinate of a body: index 3·body + {0: x, 1: y, 2: θ}.
+    Pose(usize),
+    /// Its first time derivative.
+    Rate(usize),
+    /// Its second time derivative.
+    Accel(usize),
+    /// A parameter of the model.
+    Param(usize),
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    parents: [u32; 2],
+    partials: [f64; 2],
+    rounding: f64,
+    leaf: Option<Leaf>,
+}
+
+/// The record of one evaluation.
+#[derive(Debug)]
+pub(super) struct Tape {
+    nodes: RefCell<Vec<Node>>,
+    order: u8,
+    broken: Cell<bool>,
+}
+
+/// A number, its rounding error and its partial derivatives, to first order.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Linear {
+    /// The computed number.
+    pub(super) value: f64,
+    /// Bound of the rounding errors made in computing it, first order.
+    pub(super) rounding: f64,
+    /// Partial derivatives, each leaf once, ascending.
+    pub(super) terms: Vec<(Leaf, f64)>,
+}
+
+impl Tape {
+    /// A record of values (0), of values and rates (1) or of accelerations too (2).
+    pub(super) fn new(order: u8) -> Self {
+        Self { nodes: RefCell::new(Vec::with_capacity(64)), order, broken: Cell::new(false) }
+    }
+
+    /// Whether something was divided by zero.
+    pub(super) fn broken(&self) -> bool {
+        self.broken.get()
+    }
+
+    fn push(&self, value: f64, node: Node) -> Var<'_> {
+        let mut nodes = self.nodes.borrow_mut();
+        let at = u32::try_from(nodes.len()).unwrap_or(EXACT);
+        nodes.push(node);
+        Var { tape: self, at, value }
+    }
+
+    fn unary(&self, value: f64, x: Var<'_>, partial: f64, rounding: f64) -> Var<'_> {
+        self.push(value, Node { parents: [x.at, EXACT], partials: [partial, 0.0], rounding, leaf: None })
+    }
+
+    /// An exact constant.
+    pub(super) fn constant(&self, value: f64) -> Var<'_> {
+        Var { tape: self, at: EXACT, value }
+    }
+
+    /// A constant that is itself rounded.
+    pub(super) fn rounded(&self, value: f64, rounding: f64) -> Var<'_> {
+        self.push(value, Node { parents: [EXACT; 2], partials: [0.0; 2], rounding, leaf: None })
+    }
+
+    /// Something that the number depends on.
+    pub(super) fn leaf(&self, leaf: Leaf, value: f64) -> Var<'_> {
+        self.push(value, Node { parents: [EXACT; 2], partials: [0.0; 2], rounding: 0.0, leaf: Some(leaf) })
+    }
+
+    /// A number that does not change in time.
+    pub(super) fn steady<'t>(&'t self, value: Var<'t>) -> Jet<'t> {
+        Jet { v: value, d: self.constant(0.0), a: self.constant(0.0) }
+    }
+
+    /// An exact constant that does not change in time.
+    pub(super) fn number(&self, value: f64) -> Jet<'_> {
+        self.steady(self.constant(value))
+    }
+
+    /// The sweep back from `out`.
+    pub(super) fn sweep(&self, out: Var<'_>) -> Linear {
+        let nodes = self.nodes.borrow();
+        let mut linear = Linear { value: out.value, ..Linear::default() };
+        if out.at == EXACT {
+            return linear;
+        }
+        let last = out.at as usize;
+        let mut adjoint = vec![0.0_f64; last + 1];
+        adjoint[last] = 1.0;
+        for at in (0..=last).rev() {
+            let weight = adjoint[at];
+            if weight == 0.0 {
+                continue;
+            }
+            let node = &nodes[at];
+            linear.rounding += weight.abs() * node.rounding;
+            if let Some(leaf) = node.leaf {
+                linear.terms.push((leaf, weight));
+            }
+            for (parent, partial) in node.parents.iter().zip(node.partials) {
+                if *parent != EXACT {
+                    adjoint[*parent as usize] += weight * partial;
+                }
+            }
+        }
+        linear.terms.sort_by_key(|term| term.0);
+        linear.terms.dedup_by(|later, kept| {
+            let same = later.0 == kept.0;
+            if same {
+                kept.1 += later.1;
+            }
+            same
+        });
+        linear
+    }
+}
+
+/// A recorded number.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Var<'t> {
+    tape: &'t Tape,
+    at: u32,
+    /// The number.
+    pub(super) value: f64,
+}
+
+impl<'t> Var<'t> {
+    fn is(self, value: f64) -> bool {
+        self.at == EXACT && self.value == value
+    }
+
+    /// Square root; zero, without a derivative, where it does not exist.
+    pub(super) fn sqrt(self) -> Self {
+        if self.value <= 0.0 {
+            self.tape.broken.set(true);
+            return self.tape.constant(0.0);
+        }
+        let root = self.value.sqrt();
+        self.tape.unary(root, self, 0.5 / root, U * root)
+    }
+
+    /// Sine.
+    pub(super) fn sin(self) -> Self {
+        if self.is(0.0) {
+            return self;
+        }
+        let (sin, cos) = libm::sincos(self.value);
+        self.tape.unary(sin, self, cos, LIBM * U * sin.abs())
+    }
+
+    /// Cosine.
+    pub(super) fn cos(self) -> Self {
+        if self.is(0.0) {
+            return self.tape.constant(1.0);
+        }
+        let (sin, cos) = libm::sincos(self.value);
+        self.tape.unary(cos, self, -sin, LIBM * U * cos.abs())
+    }
+
+    /// Direction of the vector (x, `self`).
+    pub(super) fn atan2(self, x: Self) -> Self {
+        if self.is(0.0) && x.at == EXACT && x.value > 0.0 {
+            return self;
+        }
+        let square = self.value * self.value + x.value * x.value;
+        if square <= 0.0 {
+            self.tape.broken.set(true);
+            return self.tape.constant(0.0);
+        }
+        let angle = libm::atan2(self.value, x.value);
+        self.tape.push(
+            angle,
+            Node {
+                parents: [self.at, x.at],
+                partials: [x.value / square, -self.value / square],
+                rounding: LIBM * U * angle.abs(),
+                leaf: None,
+            },
+        )
+    }
+
+    /// Magnitude.
+    pub(super) fn abs(self) -> Self {
+        if self.value < 0.0 { -self } else { self }
+    }
+
+    /// The same angle in (−π, π].
+    pub(super) fn wrapped(self) -> Self {
+        let turns = (self.value / std::f64::consts::TAU).round();
+        let shift = turns * std::f64::consts::TAU;
+        if shift == 0.0 { self } else { self - self.tape.rounded(shift, 2.0 * U * shift.abs()) }
+    }
+}
+
+impl Add for Var<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        if self.is(0.0) {
+            return other;
+        }
+        if other.is(0.0) {
+            return self;
+        }
+        let value = self.value + other.value;
+        self.tape.push(
+            value,
+            Node {
+                parents: [self.at, other.at],
+                partials: [1.0, 1.0],
+                rounding: U * value.abs(),
+                leaf: None,
+            },
+        )
+    }
+}
+
+impl Neg for Var<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        if self.at == EXACT {
+            return self.tape.constant(-self.value);
+        }
+        self.tape.unary(-self.value, self, -1.0, 0.0)
+    }
+}
+
+impl Sub for Var<'_> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        if other.is(0.0) {
+            return self;
+        }
+        if self.is(0.0) {
+            return -other;
+        }
+        let value = self.value - other.value;
+        self.tape.push(
+            value,
+            Node {
+                parents: [self.at, other.at],
+                partials: [1.0, -1.0],
+                rounding: U * value.abs(),
+                leaf: None,
+            },
+        )
+    }
+}
+
+impl Mul for Var<'_> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        if self.is(0.0) || other.is(1.0) {
+            return self;
+        }
+        if other.is(0.0) || self.is(1.0) {
+            return other;
+        }
+        let value = self.value * other.value;
+        let partials = [other.value, self.value];
+        // A product with ±2 or ½ is exact.
+        let exact = [self, other].iter().any(|x| x.is(2.0) || x.is(-1.0) || x.is(0.5));
+        let rounding = if exact { 0.0 } else { U * value.abs() };
+        self.tape.push(value, Node { parents: [self.at, other.at], partials, rounding, leaf: None })
+    }
+}
+
+impl Div for Var<'_> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        if other.value == 0.0 {
+            self.tape.broken.set(true);
+            return self.tape.constant(0.0);
+        }
+        if self.is(0.0) || other.is(1.0) {
+            return self;
+        }
+        let value = self.value / other.value;
+        self.tape.push(
+            value,
+            Node {
+                parents: [self.at, other.at],
+                partials: [1.0 / other.value, -value / other.value],
+                rounding: U * value.abs(),
+                leaf: None,
+            },
+        )
+    }
+}
+
+/// A number with its first (`d`) and second (`a`) time derivative; those beyond the order of the tape
+/// are zero and cost nothing.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Jet<'t> {
+    /// Value.
+    pub(super) v: Var<'t>,
+    /// First time derivative.
+    pub(super) d: Var<'t>,
+    /// Second time derivative.
+    pub(super) a: Var<'t>,
+}
+
+impl<'t> Jet<'t> {
+    fn build(v: Var<'t>, d: impl FnOnce() -> Var<'t>, a: impl FnOnce(Var<'t>) -> Var<'t>) -> Self {
+        let zero = v.tape.constant(0.0);
+        let d = if v.tape.order >= 1 { d() } else { zero };
+        let a = if v.tape.order >= 2 { a(d) } else { zero };
+        Self { v, d, a }
+    }
+
+    fn two(self) -> Var<'t> {
+        self.v.tape.constant(2.0)
+    }
+
+    /// The derivative of this order: 0, 1 or 2.
+    pub(super) fn at(self, order: u8) -> Var<'t> {
+        match order {
+            0 => self.v,
+            1 => self.d,
+            _ => self.a,
+        }
+    }
+
+    /// Sine.
+    pub(super) fn sin(self) -> Self {
+        let (sin, cos) = (self.v.sin(), self.v.cos());
+        Self::build(sin, || cos * self.d, |_| cos * self.a - sin * (self.d * self.d))
+    }
+
+    /// Cosine.
+    pub(super) fn cos(self) -> Self {
+        let (sin, cos) = (self.v.sin(), self.v.cos());
+        Self::build(cos, || -(sin * self.d), |_| -(sin * self.a) - cos * (self.d * self.d))
+    }
+
+    /// Square root.
+    pub(super) fn sqrt(self) -> Self {
+        let root = self.v.sqrt();
+        let twice = root * self.two();
+        Self::build(root, || self.d / twice, |d| (self.a - self.two() * (d * d)) / twice)
+    }
+
+    /// Direction of the vector (x, `self`).
+    pub(super) fn atan2(self, x: Self) -> Self {
+        let y = self;
+        let square = || x.v * x.v + y.v * y.v;
+        let half_rise = || x.v * x.d + y.v * y.d;
+        Self::build(
+            y.v.atan2(x.v),
+            || (x.v * y.d - y.v * x.d) / square(),
+            |d| (x.v * y.a - y.v * x.a - self.two() * d * half_rise()) / square(),
+        )
+    }
+
+    /// The same angle in (−π, π].
+    pub(super) fn wrapped(self) -> Self {
+        Self { v: self.v.wrapped(), ..self }
+    }
+}
+
+impl Add for Jet<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::build(self.v + other.v, || self.d + other.d, |_| self.a + other.a)
+    }
+}
+
+impl Sub for Jet<'_> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::build(self.v - other.v, || self.d - other.d, |_| self.a - other.a)
+    }
+}
+
+impl Neg for Jet<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::build(-self.v, || -self.d, |_| -self.a)
+    }
+}
+
+#[expect(clippy::suspicious_arithmetic_impl, reason = "Leibniz's rule")]
+impl Mul for Jet<'_> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::build(
+            self.v * other.v,
+            || self.d * other.v + self.v * other.d,
+            |_| self.a * other.v + self.two() * (self.d * other.d) + self.v * other.a,
+        )
+    }
+}
+
+#[expect(clippy::suspicious_arithmetic_impl, reason = "the derivatives of a quotient")]
+impl Div for Jet<'_> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let quotient = self.v / other.v;
+        Self::build(
+            quotient,
+            || (self.d - quotient * other.d) / other.v,
+            |d| (self.a - self.two() * (d * other.d) - quotient * other.a) / other.v,
+        )
+    }
+}
+
+/// A plane vector of jets.
+pub(super) type Vector<'t> = [Jet<'t>; 2];
+
+/// Sum of two vectors.
+pub(super) fn plus<'t>(a: Vector<'t>, b: Vector<'t>) -> Vector<'t> {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+/// Difference of two vectors.
+pub(super) fn minus<'t>(a: Vector<'t>, b: Vector<'t>) -> Vector<'t> {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Scalar product.
+pub(super) fn dot<'t>(a: Vector<'t>, b: Vector<'t>) -> Jet<'t> {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// A vector turned by a quarter turn, ccw.
+pub(super) fn quarter<'t>(a: Vector<'t>) -> Vector<'t> {
+    [-a[1], a[0]]
+}
+
+/// A vector turned by an angle, ccw.
+pub(super) fn turned<'t>(a: Vector<'t>, angle: Jet<'t>) -> Vector<'t> {
+    let (sin, cos) = (angle.sin(), angle.cos());
+    [cos * a[0] - sin * a[1], sin * a[0] + cos * a[1]]
+}

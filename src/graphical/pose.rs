@@ -1,0 +1,196 @@
+//! How a solved link stands on the skeleton, and its guides with it.
+
+use crate::board::{Bench, Circle, Direction, Line, Point};
+use crate::given::Given;
+use crate::mechanism::{Form, GuidePoint, LinkId, Path, PointId, Rider};
+
+use super::draughtsman::Draughtsman;
+
+/// A link's own figure laid on the skeleton: one point of it, and one direction.
+pub(super) struct Pose<B: Bench> {
+    pub(super) own_anchor: Point<B>,
+    pub(super) anchor: Point<B>,
+    pub(super) own_along: Direction<B>,
+    pub(super) along: Direction<B>,
+}
+
+impl<B: Bench> Clone for Pose<B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<B: Bench> Copy for Pose<B> {}
+
+/// A guide on the skeleton.
+pub(super) enum Track<B: Bench> {
+    Straight(Line<B>),
+    Arc(Circle<B>),
+}
+
+impl<B: Bench> Clone for Track<B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<B: Bench> Copy for Track<B> {}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    /// Whether a link's own coordinates are the world's at this instant.
+    fn stands_in_world(&self, link: LinkId) -> bool {
+        link == LinkId::FRAME || matches!(self.mechanism.link(link).form, Form::Placed)
+    }
+
+    /// Notes the pose of a link two of whose points stand on the skeleton.
+    pub(super) fn pose_by_points(&mut self, link: LinkId, p: PointId, q: PointId) {
+        let (own_anchor, own_other) = (self.own(link, p), self.own(link, q));
+        let (anchor, other) = (self.at(p), self.at(q));
+        let reason = self.reason(&[link]);
+        let (own_along, _) = self.board.toward(own_anchor, own_other, reason);
+        let (along, _) = self.board.toward(anchor, other, reason);
+        self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+    }
+
+    /// Carries a direction of a link's own figure over to the skeleton, by protractor.
+    pub(super) fn carried(&mut self, link: LinkId, own: Direction<B>) -> Direction<B> {
+        match self.poses[link.0] {
+            Some(pose) if !self.stands_in_world(link) => {
+                let turn = self.board.angle_between(pose.own_along, own);
+                self.board.turned(pose.along, turn)
+            }
+            _ => own,
+        }
+    }
+
+    /// Carries a point of a link's own figure over to the skeleton, with the set square.
+    pub(super) fn carried_point(&mut self, link: LinkId, own: Point<B>) -> Point<B> {
+        match self.poses[link.0] {
+            Some(pose) if !self.stands_in_world(link) => {
+                let line = Line { through: pose.own_anchor, along: pose.own_along };
+                let [forward, left] = self.board.square_off(line, own);
+                let foot = self.board.lay_off(pose.anchor, pose.along, forward);
+                let square = self.board.quarter_turn(pose.along);
+                self.board.lay_off(foot, square, left)
+            }
+            _ => own,
+        }
+    }
+
+    /// A point of a guide in the own figure of its link.
+    fn own_guide_point(&mut self, link: LinkId, point: GuidePoint) -> Point<B> {
+        match point {
+            GuidePoint::Point(p) => self.own(link, p),
+            GuidePoint::Own(world) if self.stands_in_world(link) => self.prick_world(world),
+            GuidePoint::Own([x, y]) => {
+                let scale = self.length_scale();
+                let [x, y] = [x, y].map(|given| {
+                    let amount = self.board.amount(given);
+                    self.board.to_paper(amount, scale)
+                });
+                self.board.prick(x, y)
+            }
+        }
+    }
+
+    /// A guide in the own figure of its link. A rider link whose pin stands off the guide moves on a
+    /// parallel to it: `of` is the point whose track is wanted.
+    pub(super) fn own_track(&mut self, slide: usize, of: Option<PointId>) -> Track<B> {
+        let guide = self.mechanism.slides[slide].guide;
+        match guide.path {
+            Path::Arc { centre, radius } => {
+                let centre = self.own_guide_point(guide.link, centre);
+                let scale = self.length_scale();
+                let radius = self.board.amount(radius);
+                Track::Arc(Circle { centre, radius: self.board.to_paper(radius, scale) })
+            }
+            Path::Straight { through, direction, turned, offset } => {
+                let start = self.own_guide_point(guide.link, through);
+                let mut along = match direction {
+                    crate::mechanism::Direction::Angle(angle) => {
+                        let angle = self.board.angle(angle);
+                        self.board.protractor(angle)
+                    }
+                    crate::mechanism::Direction::Toward(p) => {
+                        let to = self.own(guide.link, p);
+                        let reason = self.reason(&[guide.link]);
+                        self.board.toward(start, to, reason).0
+                    }
+                };
+                if turned != Given::exact(0.0) {
+                    let by = self.board.angle(turned);
+                    along = self.board.turned(along, by);
+                }
+                let mut line = Line { through: start, along };
+                if offset != Given::exact(0.0) {
+                    let scale = self.length_scale();
+                    let offset = self.board.amount(offset);
+                    let mm = self.board.to_paper(offset, scale);
+                    let left = self.board.quarter_turn(along);
+                    line.through = self.board.lay_off(start, left, mm);
+                }
+                if let (Rider::Link { link, turned }, Some(of)) = (self.mechanism.slides[slide].rider, of) {
+                    line.through = self.beside_guide(line, link, turned, of);
+                }
+                Track::Straight(line)
+            }
+        }
+    }
+
+    /// The parallel to a guide on which a point of the rider link moves, through the place it has when the
+    /// rider's first joint stands at the guide's start.
+    fn beside_guide(&mut self, line: Line<B>, rider: LinkId, turned: Option<Given>, of: PointId) -> Point<B> {
+        let Some(&first) = self.mechanism.link(rider).points.first() else { return line.through };
+        if first == of {
+            return line.through;
+        }
+        let Some(turned) = turned else {
+            // A rider of placed points rides as placed: its points stand where they stand.
+            return self.own(rider, of);
+        };
+        let (from, to) = (self.own(rider, first), self.own(rider, of));
+        let own_x = self.board.rightward();
+        let [forward, left] = self.board.square_off(Line { through: from, along: own_x }, to);
+        let by = self.board.angle(turned);
+        let x = self.board.turned(line.along, by);
+        let y = self.board.quarter_turn(x);
+        let foot = self.board.lay_off(line.through, x, forward);
+        self.board.lay_off(foot, y, left)
+    }
+
+    /// A guide of a solved link, on the skeleton.
+    pub(super) fn track(&mut self, slide: usize, of: Option<PointId>) -> Track<B> {
+        let link = self.mechanism.slides[slide].guide.link;
+        let own = self.own_track(slide, of);
+        if self.stands_in_world(link) {
+            return own;
+        }
+        match own {
+            Track::Straight(line) => {
+                let through = self.carried_point(link, line.through);
+                let along = self.carried(link, line.along);
+                Track::Straight(Line { through, along })
+            }
+            Track::Arc(circle) => {
+                let centre = self.carried_point(link, circle.centre);
+                Track::Arc(Circle { centre, radius: circle.radius })
+            }
+        }
+    }
+
+    /// The direction of a guide under a point of the skeleton: along a straight guide; on an arc the
+    /// radius turned by +90°. With it, on an arc, the direction from the point to the centre.
+    pub(super) fn tangent(&mut self, slide: usize, under: PointId) -> (Direction<B>, Option<Direction<B>>) {
+        match self.track(slide, Some(under)) {
+            Track::Straight(line) => (line.along, None),
+            Track::Arc(circle) => {
+                let at = self.at(under);
+                let link = self.mechanism.slides[slide].guide.link;
+                let reason = self.reason(&[link]);
+                let (outward, _) = self.board.toward(circle.centre, at, reason);
+                let inward = self.board.reverse(outward);
+                (self.board.quarter_turn(outward), Some(inward))
+            }
+        }
+    }
+}

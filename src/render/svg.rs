@@ -1,0 +1,187 @@
+//! A figure as SVG 1.1: millimetres, real text, no scripts, nothing from outside.
+
+use kurbo::Point;
+use svg::Document;
+use svg::node::Blob;
+use svg::node::element::{Circle, Element, Group as GroupElement, Path};
+
+use super::number::decimal;
+use crate::sheet::figure::{Dash, Figure, Group, Mark, Node, Pen, Shape, Text, Tone, on_circle};
+use crate::sheet::font::{FAMILIES, Face};
+
+/// Decimals of a millimetre for ink that only has to look right.
+const LAYOUT: usize = 3;
+/// Decimals of a millimetre for ink whose length is a quantity.
+const PRECISE: usize = 6;
+
+/// The figure as an SVG document.
+#[must_use]
+pub fn write(figure: &Figure) -> String {
+    let width = decimal(figure.width, LAYOUT);
+    let height = decimal(figure.height, LAYOUT);
+    let mut document = Document::new()
+        .set("width", format!("{width}mm"))
+        .set("height", format!("{height}mm"))
+        .set("viewBox", format!("0 0 {width} {height}"))
+        .set("xml:lang", figure.language)
+        .set("role", "img")
+        .set("font-family", FAMILIES)
+        .set("stroke-linejoin", "round")
+        .add(element_with_text("title", &figure.title));
+    if !figure.description.is_empty() {
+        document = document.add(element_with_text("desc", &figure.description));
+    }
+    let mut text = document.add(group(&figure.root)).to_string();
+    text.push('\n');
+    text
+}
+
+fn element_with_text(name: &str, text: &str) -> Blob {
+    Blob::new(format!("<{name}>{}</{name}>", escape(text)))
+}
+
+fn group(group: &Group) -> GroupElement {
+    let mut element = GroupElement::new();
+    if !group.class.is_empty() {
+        element = element.set("class", group.class.as_str());
+    }
+    if let Some(id) = &group.id {
+        element = element.set("id", id.as_str());
+    }
+    for (name, value) in &group.data {
+        element = element.set(format!("data-{name}"), printable(value));
+    }
+    if let Some(title) = &group.title {
+        element = element.add(element_with_text("title", title));
+    }
+    for child in &group.children {
+        element = match child {
+            Node::Group(child) => element.add(self::group(child)),
+            Node::Mark(child) => element.add(mark(child)),
+            Node::Text(child) => element.add(text(child)),
+        };
+    }
+    element
+}
+
+fn mark(mark: &Mark) -> Element {
+    let decimals = if mark.precise { PRECISE } else { LAYOUT };
+    let n = |value: f64| decimal(value, decimals);
+    let at = |p: Point| format!("{} {}", n(p.x), n(p.y));
+    let mut element: Element = match &mark.shape {
+        Shape::Line(a, b) => Path::new().set("d", format!("M{} L{}", at(*a), at(*b))).into(),
+        Shape::Polyline(points) => Path::new().set("d", through(points, at)).into(),
+        Shape::Polygon(points) => Path::new().set("d", format!("{} Z", through(points, at))).into(),
+        Shape::Circle { centre, radius } => {
+            Circle::new().set("cx", n(centre.x)).set("cy", n(centre.y)).set("r", n(*radius)).into()
+        }
+        Shape::Arc { centre, radius, start, sweep } => {
+            let large = i32::from(sweep.abs() > std::f64::consts::PI);
+            let clockwise = i32::from(*sweep < 0.0);
+            let from = on_circle(*centre, *radius, *start);
+            let to = on_circle(*centre, *radius, start + sweep);
+            let r = n(*radius);
+            Path::new().set("d", format!("M{} A{r} {r} 0 {large} {clockwise} {}", at(from), at(to))).into()
+        }
+    };
+    let attributes = element.get_attributes_mut();
+    let mut set = |name: &str, value: String| {
+        attributes.insert(name.to_owned(), value.into());
+    };
+    if !mark.class.is_empty() {
+        set("class", mark.class.to_owned());
+    }
+    set("fill", mark.fill.map_or("none", colour).to_owned());
+    if let Some(pen) = mark.pen {
+        set("stroke", colour(Tone::Ink).to_owned());
+        set("stroke-width", decimal(pen.width, LAYOUT));
+        if let Some(dashes) = dashes(pen) {
+            set("stroke-dasharray", dashes);
+        }
+    }
+    element
+}
+
+fn through(points: &[Point], at: impl Fn(Point) -> String) -> String {
+    let places: Vec<String> = points.iter().map(|p| at(*p)).collect();
+    format!("M{}", places.join(" L"))
+}
+
+fn colour(tone: Tone) -> &'static str {
+    match tone {
+        Tone::Ink => "#000000",
+        Tone::Paper => "#ffffff",
+        Tone::Tint => "#e4ebf2",
+    }
+}
+
+fn dashes(pen: Pen) -> Option<String> {
+    let lengths: &[f64] = match pen.dash {
+        Dash::Solid => return None,
+        Dash::Dashed => &[2.0, 1.0],
+        Dash::Chain => &[5.0, 0.9, 0.4, 0.9],
+    };
+    let lengths: Vec<String> = lengths.iter().map(|l| decimal(*l, LAYOUT)).collect();
+    Some(lengths.join(" "))
+}
+
+/// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs.
+fn text(text: &Text) -> Blob {
+    let mut out = String::from("<text");
+    if !text.class.is_empty() {
+        out.push_str(&format!(" class=\"{}\"", text.class));
+    }
+    out.push('>');
+    for run in &text.runs {
+        let face = match run.face {
+            Face::Upright => "",
+            Face::Italic => " font-style=\"italic\"",
+            Face::Bold => " font-weight=\"bold\"",
+        };
+        out.push_str(&format!(
+            "<tspan x=\"{}\" y=\"{}\" font-size=\"{}\"{face}>{}</tspan>",
+            decimal(run.at.x, LAYOUT),
+            decimal(run.at.y, LAYOUT),
+            decimal(run.size, LAYOUT),
+            escape(&run.text),
+        ));
+    }
+    out.push_str("</text>");
+    Blob::new(out)
+}
+
+/// Characters that XML cannot hold become the replacement character.
+fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| match c {
+            '\t' | '\n' | '\r' => ' ',
+            '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
+            c => c,
+        })
+        .collect()
+}
+
+fn escape(text: &str) -> String {
+    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_from_outside_cannot_break_the_document() {
+        let figure = Figure {
+            width: 10.0,
+            height: 10.0,
+            title: "a < b & \u{0} \"c\"".to_owned(),
+            description: String::new(),
+            language: "en",
+            root: Group::new("x").data("name", "\u{1}<\"'&>"),
+        };
+        let svg = write(&figure);
+        assert!(svg.contains("<title>a &lt; b &amp; \u{fffd} \"c\"</title>"), "{svg}");
+        let document = svg.split("data-name=").nth(1).unwrap();
+        assert!(document.starts_with("\"\u{fffd}&lt;&quot;&apos;&amp;&gt;\""), "{document}");
+    }
+}

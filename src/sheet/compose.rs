@@ -1,0 +1,473 @@
+//! The page: panels with captions, tables and steps, on as many A4 pages as they need.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::figure::{Figure, Group, Mark, Pen, Shape};
+use super::notation::Notation;
+use super::rich::Rich;
+use super::steps::{self, Item};
+use super::table::{Block, Table};
+use super::words::{Language, Words};
+use super::{polygon, results, skeleton};
+use crate::graphical::construction::Construction;
+use crate::mechanism::quantity::Order;
+use crate::scene::Scene;
+
+/// Blank around the page.
+const MARGIN: f64 = 17.0;
+/// Blank around a single figure.
+const EDGE: f64 = 4.0;
+/// Type size of running text.
+const TEXT: f64 = 3.5;
+/// From base line to base line of running text.
+const LEADING: f64 = 4.9;
+/// The result table stands beside the skeleton if it is no taller than this.
+const TALLEST_BESIDE: f64 = 112.0;
+/// Everything.
+const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
+/// Blank between panels and between columns.
+const GUTTER: f64 = 8.0;
+
+/// The names of the figures.
+#[must_use]
+pub const fn figure_names() -> &'static [&'static str] {
+    &["skeleton", "velocity", "acceleration", "results", "steps"]
+}
+
+/// The solution sheet: panels, results and steps, paged.
+#[must_use]
+pub fn solution(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    let words = language.words();
+    let notation = Notation { scene, words };
+    let (width, height) = paper(scene);
+    let mut pager = Pager::new(width, height, title(scene, words), words);
+    pager.heading(&results::given(&notation));
+
+    let drawn = |name| panel(name, construction, &notation);
+    let skeleton = drawn(Name::Skeleton);
+    let beside = pager.width() - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
+    // All results beside the skeleton, or those of velocity there and the others below the panels.
+    let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
+    let fits = |table: &Table| {
+        !table.rows.is_empty() && table.width() <= beside && table.rows.len() <= table.rows_in(TALLEST_BESIDE)
+    };
+    let whole = of(&ORDERS);
+    let (first, rest) = if fits(&whole) {
+        (Some(whole), None)
+    } else {
+        let (slow, fast) = (of(&[Order::Position, Order::Velocity]), of(&[Order::Acceleration]));
+        if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
+    };
+    let first = first.map(|table| table.draw("results", 0, table.rows.len()));
+    let blocks = [skeleton, first, drawn(Name::Velocity), drawn(Name::Acceleration)];
+    pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
+    if let Some(table) = rest {
+        pager.results(&table.fitted(pager.column()));
+    }
+    pager.steps(&steps::items(construction, &notation));
+    let (pages, count) = pager.finish();
+    Figure {
+        width,
+        height: height * count as f64,
+        title: title(scene, words),
+        description: description(construction, words),
+        language: words.tag,
+        root: pages,
+    }
+}
+
+/// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
+#[must_use]
+pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
+    let words = language.words();
+    let notation = Notation { scene, words };
+    let (block, heading) = match name {
+        "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
+        "velocity" => (panel(Name::Velocity, construction, &notation)?, words.velocity_diagram),
+        "acceleration" => (panel(Name::Acceleration, construction, &notation)?, words.acceleration_diagram),
+        "results" => {
+            let table = results::table(construction, &notation, &ORDERS, TEXT);
+            (table.draw("results", 0, table.rows.len()), words.results)
+        }
+        "steps" => (column(&steps::items(construction, &notation), 90.0), words.steps),
+        _ => return None,
+    };
+    let mut root = block.group;
+    let ink = root.bounds().unwrap_or(Rect::ZERO);
+    root.translate(Vec2::new(EDGE - ink.x0, EDGE - ink.y0));
+    Some(Figure {
+        width: ink.width() + 2.0 * EDGE,
+        height: ink.height() + 2.0 * EDGE,
+        title: format!("{}: {heading}", title(scene, words)),
+        description: String::new(),
+        language: words.tag,
+        root,
+    })
+}
+
+/// Several figures below each other as one.
+#[must_use]
+pub fn stack(figures: &[Figure]) -> Figure {
+    let mut root = Group::new("figures");
+    let mut y = 0.0;
+    let width = figures.iter().map(|f| f.width).fold(0.0, f64::max);
+    for figure in figures {
+        let mut group = figure.root.clone();
+        group.translate(Vec2::new((width - figure.width) / 2.0, y));
+        root.group(group);
+        y += figure.height;
+    }
+    let titles: Vec<&str> = figures.iter().map(|f| f.title.as_str()).collect();
+    Figure {
+        width,
+        height: y,
+        title: titles.join("; "),
+        description: String::new(),
+        language: figures.first().map_or("en", |f| f.language),
+        root,
+    }
+}
+
+fn title(scene: &Scene, words: &Words) -> String {
+    scene.title.in_language(words.tag).unwrap_or(words.untitled).to_owned()
+}
+
+fn description(construction: &Construction, words: &Words) -> String {
+    let mut what = vec![words.skeleton];
+    if construction.velocity.is_some() {
+        what.push(words.velocity_diagram);
+    }
+    if construction.acceleration.is_some() {
+        what.push(words.acceleration_diagram);
+    }
+    words.description.replace("{what}", &what.join(", ").to_lowercase())
+}
+
+/// Width and height of the paper, upright.
+fn paper(scene: &Scene) -> (f64, f64) {
+    match scene.sheet.paper.as_deref().map(str::to_ascii_uppercase).as_deref() {
+        Some("A3") => (297.0, 420.0),
+        Some("LETTER") => (215.9, 279.4),
+        _ => (210.0, 297.0),
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Name {
+    Skeleton,
+    Velocity,
+    Acceleration,
+}
+
+/// A drawing with its caption and scale below, upper left corner at the origin.
+fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
+    let words = notation.words;
+    let (drawing, letter, caption, scale) = match name {
+        Name::Skeleton => {
+            let scale = notation.length_scale(construction.space.metres_per_mm);
+            (skeleton::draw(construction, notation), "a", words.skeleton, scale)
+        }
+        Name::Velocity => {
+            let p = construction.velocity.as_ref()?;
+            (polygon::draw(p, notation), "b", words.velocity_diagram, notation.scale(p.si_per_mm, p.order))
+        }
+        Name::Acceleration => {
+            let p = construction.acceleration.as_ref()?;
+            (
+                polygon::draw(p, notation),
+                "c",
+                words.acceleration_diagram,
+                notation.scale(p.si_per_mm, p.order),
+            )
+        }
+    };
+    let mut group = Group::new("panel");
+    group.group(drawing);
+    let ink = group.bounds().unwrap_or(Rect::ZERO);
+    let scale = Rich::fill(words.scale, &[("scale", scale)]);
+    let caption = Rich::bold(format!("({letter})")).up(" ").up(caption).up(",\u{2002}").then(&scale);
+    let line = caption.set(TEXT);
+    let width = ink.width().max(line.width);
+    group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
+    let base = ink.height() + 7.0;
+    line.put(&mut group, Point::new((width - line.width) / 2.0, base), "caption");
+    Some(Block { group, width, height: base + 1.5 })
+}
+
+/// The lines of a column, with what may not be parted from the next line.
+struct Strip {
+    group: Group,
+    height: f64,
+    /// Blank above, left out on top of a column.
+    blank: f64,
+    keep: bool,
+}
+
+/// How many chunks go into the first column of this height and how many into the second; at least one,
+/// so that a chunk too tall for any column does not stop the sheet.
+fn split(chunks: &[Vec<Strip>], height: f64) -> (usize, usize) {
+    let fill = |chunks: &[Vec<Strip>]| {
+        let mut used = -chunks.first().and_then(|c| c.first()).map_or(0.0, |s| s.blank);
+        let mut count = 0;
+        for chunk in chunks {
+            used += chunk.iter().map(|s| s.height).sum::<f64>();
+            if used > height && count > 0 {
+                break;
+            }
+            count += 1;
+        }
+        count
+    };
+    let first = fill(chunks);
+    (first, fill(&chunks[first..]))
+}
+
+/// The items of the steps as strips of this width.
+fn strips(items: &[Item], width: f64) -> Vec<Strip> {
+    let mut all = Vec::new();
+    for (i, item) in items.iter().enumerate() {
+        match item {
+            Item::Head(text) => {
+                for (k, line) in text.wrap(TEXT, width).iter().enumerate() {
+                    let mut group = Group::new("step-head");
+                    let above = if k == 0 { 3.2 } else { 0.0 };
+                    line.set(TEXT).put(&mut group, Point::new(0.0, above + TEXT), "heading");
+                    all.push(Strip { group, height: above + LEADING + 0.4, blank: above, keep: true });
+                }
+            }
+            Item::Terms(table) => {
+                let table = table.clone().fitted(width);
+                let block = table.draw("terms", 0, table.rows.len());
+                let mut group = block.group;
+                group.translate(Vec2::new(0.0, 1.2));
+                let keep = matches!(items.get(i + 1), Some(Item::Sentence(_)));
+                all.push(Strip { group, height: block.height + 3.2, blank: 0.0, keep });
+            }
+            Item::Sentence(text) => {
+                let lines = text.wrap(TEXT, width - 4.0);
+                for (k, line) in lines.iter().enumerate() {
+                    let mut group = Group::new("sentence");
+                    if k == 0 {
+                        Rich::upright("–").set(TEXT).put(&mut group, Point::new(0.0, TEXT), "mark");
+                    }
+                    line.set(TEXT).put(&mut group, Point::new(4.0, TEXT), "sentence");
+                    all.push(Strip { group, height: LEADING, blank: 0.0, keep: k + 1 < lines.len() });
+                }
+            }
+        }
+    }
+    all
+}
+
+/// All strips below each other.
+fn column(items: &[Item], width: f64) -> Block {
+    let mut group = Group::new("steps");
+    let mut y = 0.0;
+    for mut strip in strips(items, width) {
+        strip.group.translate(Vec2::new(0.0, y));
+        y += strip.height;
+        group.group(strip.group);
+    }
+    Block { group, width, height: y }
+}
+
+struct Pager {
+    paper: (f64, f64),
+    title: String,
+    words: &'static Words,
+    pages: Vec<Group>,
+    /// Next free height on the last page, below its top.
+    y: f64,
+}
+
+impl Pager {
+    fn new(width: f64, height: f64, title: String, words: &'static Words) -> Self {
+        Self { paper: (width, height), title, words, pages: vec![Group::new("page")], y: MARGIN }
+    }
+
+    fn width(&self) -> f64 {
+        self.paper.0 - 2.0 * MARGIN
+    }
+
+    fn column(&self) -> f64 {
+        (self.width() - GUTTER) / 2.0
+    }
+
+    fn bottom(&self) -> f64 {
+        self.paper.1 - MARGIN - 3.0
+    }
+
+    fn page(&mut self) {
+        self.pages.push(Group::new("page"));
+        self.y = MARGIN + 7.0;
+    }
+
+    fn add(&mut self, mut group: Group, x: f64, y: f64) {
+        group.translate(Vec2::new(x, y));
+        if let Some(page) = self.pages.last_mut() {
+            page.group(group);
+        }
+    }
+
+    /// Title and given data on top of the first page.
+    fn heading(&mut self, given: &Rich) {
+        let mut group = Group::new("heading");
+        let mut y = 0.0;
+        for line in Rich::bold(self.title.clone()).wrap(5.6, self.width()) {
+            y += 6.2;
+            line.set(5.6).put(&mut group, Point::new(0.0, y), "title");
+        }
+        y += 1.0;
+        for line in given.wrap(TEXT, self.width()) {
+            y += LEADING;
+            line.set(TEXT).put(&mut group, Point::new(0.0, y), "given");
+        }
+        y += 2.6;
+        let rule = Shape::Line(Point::new(0.0, y), Point::new(self.width(), y));
+        group.mark(Mark::stroke(rule, Pen::solid(0.35)).class("rule"));
+        let top = self.y - 4.0;
+        self.add(group, MARGIN, top);
+        self.y = top + y + 6.0;
+    }
+
+    /// Panels in their order, side by side where they fit, each row centred.
+    fn rows(&mut self, blocks: &[Block]) {
+        let mut rows: Vec<Vec<&Block>> = Vec::new();
+        for block in blocks {
+            let used = |row: &Vec<&Block>| row.iter().map(|b| b.width + GUTTER).sum::<f64>();
+            match rows.last_mut() {
+                Some(row) if used(row) + block.width <= self.width() => row.push(block),
+                _ => rows.push(vec![block]),
+            }
+        }
+        for row in rows {
+            let height = row.iter().map(|b| b.height).fold(0.0, f64::max);
+            if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
+                self.page();
+            }
+            let blank = self.width() - row.iter().map(|b| b.width).sum::<f64>();
+            let between = blank / (row.len() as f64 + 1.0);
+            let mut x = MARGIN + between;
+            let y = self.y;
+            for block in row {
+                self.add(block.group.clone(), x, y + (height - block.height) / 2.0);
+                x += block.width + between;
+            }
+            self.y += height + 6.0;
+        }
+    }
+
+    /// The result table in two columns of even height, on as many pages as it needs.
+    fn results(&mut self, table: &Table) {
+        let rows = table.rows.len();
+        let mut from = 0;
+        while from < rows {
+            let fit = table.rows_in(self.bottom() - self.y);
+            if fit < 3.min(rows - from) && self.y > MARGIN + 30.0 {
+                self.page();
+                continue;
+            }
+            let here = (rows - from).min(2 * fit.max(1));
+            let left = here.div_ceil(2);
+            let mut deepest = self.y;
+            for (column, (a, b)) in [(from, from + left), (from + left, from + here)].into_iter().enumerate()
+            {
+                if a < b {
+                    let block = table.draw("results", a, b);
+                    let blank = (self.column() - block.width) / 2.0;
+                    let x = MARGIN + column as f64 * (self.column() + GUTTER) + blank.max(0.0);
+                    let y = self.y;
+                    deepest = deepest.max(y + block.height);
+                    self.add(block.group, x, y);
+                }
+            }
+            self.y = deepest + 8.0;
+            from += here;
+        }
+    }
+
+    /// The steps in two columns, the last pair of them balanced.
+    fn steps(&mut self, items: &[Item]) {
+        let width = self.column();
+        let mut chunks: Vec<Vec<Strip>> = vec![Vec::new()];
+        for strip in strips(items, width) {
+            let keep = strip.keep;
+            if let Some(chunk) = chunks.last_mut() {
+                chunk.push(strip);
+            }
+            if !keep {
+                chunks.push(Vec::new());
+            }
+        }
+        chunks.retain(|chunk| !chunk.is_empty());
+        if chunks.is_empty() {
+            return;
+        }
+        if self.bottom() - self.y < 55.0 {
+            self.page();
+        }
+        let mut rest = &chunks[..];
+        while !rest.is_empty() {
+            let free = self.bottom() - self.y;
+            let (mut first, mut second) = split(rest, free);
+            if first + second == rest.len() {
+                // The last pair of columns: as low as both fit.
+                let mut height = free;
+                while height > LEADING {
+                    let lower = split(rest, height - LEADING / 2.0);
+                    if lower.0 + lower.1 < rest.len() {
+                        break;
+                    }
+                    (first, second) = lower;
+                    height -= LEADING / 2.0;
+                }
+            }
+            let top = self.y;
+            for (column, chunks) in [&rest[..first], &rest[first..first + second]].into_iter().enumerate() {
+                let x = MARGIN + column as f64 * (width + GUTTER);
+                let mut y = top;
+                for strip in chunks.iter().flatten() {
+                    let lift = if y == top { strip.blank } else { 0.0 };
+                    self.add(strip.group.clone(), x, y - lift);
+                    y += strip.height - lift;
+                }
+                self.y = self.y.max(y);
+            }
+            rest = &rest[first + second..];
+            if !rest.is_empty() {
+                self.page();
+            }
+        }
+    }
+
+    /// Running title and page number, and the pages below each other.
+    fn finish(mut self) -> (Group, usize) {
+        let count = self.pages.len();
+        let mut root = Group::new("sheet");
+        let pages = std::mem::take(&mut self.pages);
+        for (i, mut page) in pages.into_iter().enumerate() {
+            page = page.data("page", (i + 1).to_string());
+            let number = Rich::fill(
+                self.words.page,
+                &[("page", Rich::upright((i + 1).to_string())), ("pages", Rich::upright(count.to_string()))],
+            );
+            let line = number.set(3.0);
+            let at = Point::new(self.paper.0 - MARGIN - line.width, self.paper.1 - 10.0);
+            line.put(&mut page, at, "page-number");
+            if i > 0 {
+                let title = Rich::italic(self.title.clone());
+                if let Some(line) = title.wrap(3.2, self.width()).first() {
+                    line.set(3.2).put(&mut page, Point::new(MARGIN, MARGIN - 3.0), "running-title");
+                }
+                let rule = Shape::Line(
+                    Point::new(MARGIN, MARGIN - 0.8),
+                    Point::new(self.paper.0 - MARGIN, MARGIN - 0.8),
+                );
+                page.mark(Mark::stroke(rule, Pen::solid(0.18)).class("rule"));
+            }
+            page.translate(Vec2::new(0.0, i as f64 * self.paper.1));
+            root.group(page);
+        }
+        (root, count)
+    }
+}

@@ -1,0 +1,155 @@
+//! Numbers as a person writes them: three or four significant figures, a true minus, units upright.
+
+use super::rich::Rich;
+use crate::mechanism::quantity::Unit;
+
+/// Three significant figures, four from a thousand on; powers of ten beyond six digits. What is exactly
+/// a shorter number is written as one: 45, not 45.0.
+#[must_use]
+pub fn number(value: f64) -> Rich {
+    let size = value.abs();
+    let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    if (short - value).abs() <= 1e-9 * size {
+        return figures(value, 3, true);
+    }
+    let digits = if size >= 1000.0 { 4 } else { 3 };
+    figures(value, digits, false)
+}
+
+/// A stated number: as many of its figures as it needs, at most six.
+#[must_use]
+pub fn stated(value: f64) -> Rich {
+    figures(value, 6, true)
+}
+
+/// A reading on paper: tenths of a millimetre.
+#[must_use]
+pub fn millimetres(value: f64) -> Rich {
+    with_unit(&Rich::upright(fixed(value, 1)), "mm")
+}
+
+/// An angle in degrees, one decimal at most.
+#[must_use]
+pub fn degrees(radians: f64) -> Rich {
+    let text = fixed(radians.to_degrees(), 1);
+    let text = text.strip_suffix(".0").unwrap_or(&text);
+    let text = if text == "−0" { "0" } else { text };
+    Rich::upright(text).up("°")
+}
+
+/// A number with its unit.
+#[must_use]
+pub fn with_unit(number: &Rich, symbol: &str) -> Rich {
+    match pretty(symbol).as_str() {
+        "" => number.clone(),
+        "°" => number.clone().up("°"),
+        unit => number.clone().up("\u{a0}").up(unit),
+    }
+}
+
+/// `cm/s^2` as `cm/s²`.
+#[must_use]
+pub fn pretty(symbol: &str) -> String {
+    symbol.replace("^2", "²").replace("^3", "³").replace('*', "·").replace("deg", "°")
+}
+
+/// A value in a unit.
+#[must_use]
+pub fn quantity(si: f64, unit: &Unit) -> Rich {
+    with_unit(&number(si / unit.si), &unit.symbol)
+}
+
+/// A stated value in a unit.
+#[must_use]
+pub fn stated_quantity(si: f64, unit: &Unit) -> Rich {
+    with_unit(&stated(si / unit.si), &unit.symbol)
+}
+
+/// The length of a speed's unit: mm of mm/s.
+#[must_use]
+pub fn length_of(speed: &Unit) -> Option<Unit> {
+    let lengths: [(&str, f64); 8] = [
+        ("nm", 1e-9),
+        ("um", 1e-6),
+        ("mm", 1e-3),
+        ("cm", 1e-2),
+        ("m", 1.0),
+        ("km", 1e3),
+        ("in", 0.0254),
+        ("ft", 0.3048),
+    ];
+    let (symbol, _) = speed.symbol.split_once('/')?;
+    let (_, si) = lengths.into_iter().find(|(name, _)| *name == symbol)?;
+    Some(Unit { symbol: symbol.to_owned(), si })
+}
+
+fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    let text = if zero { text.trim_start_matches('-').to_owned() } else { text };
+    text.replace('-', "−")
+}
+
+fn figures(value: f64, digits: usize, trim: bool) -> Rich {
+    if value == 0.0 || !value.is_finite() {
+        return Rich::upright("0");
+    }
+    // `{:e}` rounds correctly and says the exponent after rounding (9.996 → 1.00e1).
+    let scientific = format!("{value:.*e}", digits - 1);
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return Rich::upright(scientific) };
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let tidy = |text: String| {
+        let short = text.trim_end_matches('0').trim_end_matches('.');
+        let text = if trim && text.contains('.') { short.to_owned() } else { text };
+        text.replace('-', "−")
+    };
+    if (-3..6).contains(&exponent) {
+        // Whole numbers are not cut below their last digit's place: 12 346 stays 12350 at four figures.
+        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+        let rounded: f64 = scientific.parse().unwrap_or(value);
+        Rich::upright(tidy(format!("{rounded:.decimals$}")))
+    } else {
+        let power = exponent.to_string().replace('-', "−");
+        Rich::upright(tidy(mantissa.to_owned())).up("\u{a0}×\u{a0}10").sup(&power)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(rich: &Rich) -> String {
+        rich.set(4.0).text.content()
+    }
+
+    #[test]
+    fn significant_figures() {
+        for (value, text) in [
+            (175.309, "175"),
+            (4.397, "4.40"),
+            (-43.427, "−43.4"),
+            (1442.943, "1443"),
+            (999.6, "1000"),
+            (0.0538, "0.0538"),
+            (12_345.6, "12350"),
+            (1.26e6, "1.26\u{a0}×\u{a0}106"),
+            (-2.511e-7, "−2.51\u{a0}×\u{a0}10−7"),
+            (-2.51154e-7, "−2.51\u{a0}×\u{a0}10−7"),
+            (45.0, "45"),
+            (0.3 / 0.01, "30"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(plain(&number(value)), text);
+        }
+        assert_eq!(plain(&stated(15.0)), "15");
+        assert_eq!(plain(&stated(37.5)), "37.5");
+        assert_eq!(plain(&stated(0.15 / 0.01)), "15");
+    }
+
+    #[test]
+    fn units_are_upright_and_angles_have_no_blank() {
+        assert_eq!(plain(&with_unit(&number(2.0), "cm/s^2")), "2\u{a0}cm/s²");
+        assert_eq!(plain(&degrees(std::f64::consts::FRAC_PI_6)), "30°");
+        assert_eq!(plain(&degrees(-1e-9)), "0°");
+    }
+}

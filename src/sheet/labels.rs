@@ -1,0 +1,478 @@
+//! Label placement: candidates with costs, a greedy pass in a fixed order, then repair passes.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::figure::{Group, Mark, Node, Pen, Shape, Tone, on_circle};
+use super::overlap::clip;
+use super::rich::{Line, Rich};
+
+/// Clear space kept around a label.
+const CLEARANCE: f64 = 0.55;
+/// Cost of touching ink or another label: more than any preference.
+const TOUCH: f64 = 1000.0;
+/// Passes of repair; each label moves to its best place given all others.
+const PASSES: usize = 8;
+
+/// Where a label may stand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Site {
+    /// Around a point, outside a disc of this radius.
+    Around {
+        /// The point.
+        at: Point,
+        /// What the point's own symbol covers.
+        radius: f64,
+        /// Preferred direction, radians counter-clockwise from the right, if any.
+        toward: Option<f64>,
+    },
+    /// Beside a straight piece of ink.
+    Along {
+        /// One end.
+        from: Point,
+        /// Other end.
+        to: Point,
+    },
+}
+
+/// A label to be placed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// The text.
+    pub text: Rich,
+    /// Size of the type.
+    pub size: f64,
+    /// Where it may stand; the first is preferred.
+    pub sites: Vec<Site>,
+    /// Class of the text.
+    pub class: &'static str,
+    /// Radius of a circle around the text, for link numbers.
+    pub ring: Option<f64>,
+    /// Left out where no free place is found.
+    pub optional: bool,
+    /// May be tied to its point by a leader.
+    pub leader: bool,
+}
+
+impl Request {
+    /// The same with a further place where it may stand.
+    #[must_use]
+    pub fn or(mut self, site: Site) -> Self {
+        self.sites.push(site);
+        self
+    }
+
+    /// A label that must be placed.
+    #[must_use]
+    pub fn new(text: Rich, size: f64, site: Site, class: &'static str) -> Self {
+        Self { text, size, sites: vec![site], class, ring: None, optional: false, leader: false }
+    }
+}
+
+#[derive(Debug, Clone)]
+struct Candidate {
+    at: Point,
+    boxes: Vec<Rect>,
+    leader: Option<(Point, Point)>,
+    /// Preference plus what the fixed ink costs.
+    cost: f64,
+    touches_ink: bool,
+}
+
+/// Ink that labels keep away from.
+#[derive(Debug, Default)]
+pub struct Obstacles {
+    strokes: Vec<(Point, Point, f64)>,
+    areas: Vec<Vec<Point>>,
+    boxes: Vec<Rect>,
+}
+
+impl Obstacles {
+    /// The ink of a group.
+    #[must_use]
+    pub fn of(group: &Group) -> Self {
+        let mut all = Self::default();
+        group.walk(&mut |node| match node {
+            Node::Mark(mark) => all.add(mark),
+            Node::Text(text) => all.boxes.extend(text.boxes()),
+            Node::Group(_) => {}
+        });
+        all
+    }
+
+    fn add(&mut self, mark: &Mark) {
+        if mark.backdrop {
+            return;
+        }
+        let half = mark.pen.map_or(0.0, |pen| pen.width / 2.0);
+        self.strokes.extend(mark.shape.outline().into_iter().map(|(a, b)| (a, b, half)));
+        if let (Some(Tone::Ink), Shape::Polygon(points)) = (mark.fill, &mark.shape) {
+            self.areas.push(points.clone());
+        }
+    }
+
+    /// What a box costs: 0 where it is free, a little where it is tight, much where it touches; and
+    /// whether it touches.
+    #[must_use]
+    pub fn cost(&self, own: Rect) -> (f64, bool) {
+        let mut cost = 0.0;
+        let mut touch = false;
+        let tight = own.inflate(CLEARANCE, CLEARANCE);
+        for (a, b, half) in &self.strokes {
+            let grown = tight.inflate(*half, *half);
+            if a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1 {
+                continue;
+            }
+            if let Some((t0, t1)) = clip(*a, *b, grown) {
+                let inside = (t1 - t0) * a.distance(*b);
+                if clip(*a, *b, own.inflate(half + 0.08, half + 0.08)).is_some() {
+                    touch = true;
+                    cost += TOUCH * (1.0 + inside);
+                } else {
+                    cost += 12.0 + 4.0 * inside;
+                }
+            }
+        }
+        for area in &self.areas {
+            if area.iter().any(|p| tight.contains(*p)) {
+                cost += TOUCH;
+                touch = true;
+            }
+        }
+        for other in &self.boxes {
+            let (c, t) = between(own, *other);
+            cost += c;
+            touch |= t;
+        }
+        (cost, touch)
+    }
+}
+
+fn between(a: Rect, b: Rect) -> (f64, bool) {
+    if !a.inflate(0.08, 0.08).intersect(b).is_zero_area() {
+        let common = a.intersect(b).area().max(0.1);
+        (TOUCH * (1.0 + common), true)
+    } else if !a.inflate(CLEARANCE, CLEARANCE).intersect(b).is_zero_area() {
+        (15.0, false)
+    } else {
+        (0.0, false)
+    }
+}
+
+/// Places the labels clear of the ink in `group` and of each other, and draws them in a group of their
+/// own. Returns that group; a label that must stand and finds no free place stands where it costs least.
+#[must_use]
+pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group {
+    let obstacles = Obstacles::of(group);
+    let lines: Vec<Line> = requests.iter().map(|r| r.text.set(r.size)).collect();
+    let anchors: Vec<(usize, Point)> = requests
+        .iter()
+        .enumerate()
+        .filter_map(|(i, r)| match r.sites[..] {
+            [Site::Around { at, .. }] => Some((i, at)),
+            _ => None,
+        })
+        .collect();
+    let lines_named: Vec<(usize, Point, Point)> = requests
+        .iter()
+        .enumerate()
+        .filter_map(|(i, r)| match r.sites[..] {
+            [Site::Along { from, to }, ..] => Some((i, from, to)),
+            _ => None,
+        })
+        .collect();
+    let strangers = Strangers { points: anchors, lines: lines_named };
+    let candidates: Vec<Vec<Candidate>> = requests
+        .iter()
+        .zip(&lines)
+        .enumerate()
+        .map(|(i, (request, line))| {
+            let mut all = Vec::new();
+            for (rank, site) in request.sites.iter().enumerate() {
+                for mut candidate in candidates(request, *site, line) {
+                    candidate.cost += 5.0 * rank as f64;
+                    price(&mut candidate, *site, i, &obstacles, &strangers, within);
+                    all.push(candidate);
+                }
+            }
+            all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+            all.truncate(240);
+            all
+        })
+        .collect();
+
+    // Those with the fewest free places choose first; among equals, those that must stand, then order.
+    let mut order: Vec<usize> = (0..requests.len()).collect();
+    let free = |i: usize| candidates[i].iter().filter(|c| c.cost < TOUCH).count();
+    order.sort_by_key(|i| (requests[*i].optional, free(*i), *i));
+    let mut chosen: Vec<Option<usize>> = vec![None; requests.len()];
+    for pass in 0..=PASSES {
+        let mut moved = false;
+        for &i in &order {
+            let best = best(i, &candidates, &chosen, requests[i].optional);
+            moved |= best != chosen[i];
+            chosen[i] = best;
+        }
+        if pass > 0 && !moved {
+            break;
+        }
+    }
+
+    let mut out = Group::new("labels");
+    for (i, request) in requests.iter().enumerate() {
+        let Some(candidate) = chosen[i].map(|c| &candidates[i][c]) else { continue };
+        if let Some((from, to)) = candidate.leader {
+            out.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.13)).class("leader"));
+        }
+        if let Some(radius) = request.ring {
+            let centre = lines[i].ink_at(candidate.at).center();
+            out.mark(Mark::stroke(Shape::Circle { centre, radius }, Pen::solid(0.18)).class("ring"));
+        }
+        lines[i].put(&mut out, candidate.at, request.class);
+    }
+    out
+}
+
+fn best(i: usize, all: &[Vec<Candidate>], chosen: &[Option<usize>], optional: bool) -> Option<usize> {
+    let mut best: Option<(f64, usize)> = None;
+    for (c, candidate) in all[i].iter().enumerate() {
+        if best.is_some_and(|(cost, _)| candidate.cost >= cost) {
+            break; // sorted by cost: none of the rest can be better
+        }
+        let mut cost = candidate.cost;
+        let mut touch = candidate.touches_ink;
+        for (j, other) in chosen.iter().enumerate() {
+            let Some(other) = other.filter(|_| j != i).map(|o| &all[j][o]) else { continue };
+            let (c, t) = conflict(candidate, other);
+            cost += c;
+            touch |= t;
+        }
+        if optional && (touch || cost > 60.0) {
+            continue;
+        }
+        if best.is_none_or(|(least, _)| cost < least) {
+            best = Some((cost, c));
+        }
+    }
+    best.map(|(_, c)| c)
+}
+
+fn conflict(a: &Candidate, b: &Candidate) -> (f64, bool) {
+    let mut cost = 0.0;
+    let mut touch = false;
+    for x in &a.boxes {
+        for y in &b.boxes {
+            let (c, t) = between(*x, *y);
+            cost += c;
+            touch |= t;
+        }
+    }
+    for (p, q) in [(a, b), (b, a)] {
+        if let Some((from, to)) = p.leader {
+            for r in &q.boxes {
+                if clip(from, to, r.inflate(0.3, 0.3)).is_some() {
+                    cost += TOUCH;
+                    touch = true;
+                }
+            }
+            if let Some((c, d)) = q.leader
+                && crossing(from, to, c, d)
+            {
+                cost += 100.0;
+            }
+        }
+    }
+    (cost, touch)
+}
+
+fn crossing(a: Point, b: Point, c: Point, d: Point) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p) > 0.0;
+    side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b)
+}
+
+/// Adds what ink, strangers and the edge cost.
+fn price(
+    candidate: &mut Candidate,
+    site: Site,
+    index: usize,
+    obstacles: &Obstacles,
+    strangers: &Strangers,
+    within: Option<Rect>,
+) {
+    for own in &candidate.boxes {
+        let (cost, touch) = obstacles.cost(*own);
+        candidate.cost += cost;
+        candidate.touches_ink |= touch;
+        if within.is_some_and(|w| !w.contains_rect(*own)) {
+            candidate.cost += TOUCH;
+            candidate.touches_ink = true;
+        }
+    }
+    if let Some((from, to)) = candidate.leader {
+        // A leader may leave its own point, so only what it crosses further out counts.
+        let start = from.lerp(to, (1.5 / from.distance(to).max(1.5)).min(1.0));
+        for (a, b, _) in &obstacles.strokes {
+            if crossing(start, to, *a, *b) {
+                candidate.cost += 40.0;
+            }
+        }
+    }
+    if let (Site::Around { at, .. }, Some(own)) = (site, candidate.boxes.first()) {
+        let near = distance(*own, at);
+        for (_, stranger) in strangers.points.iter().filter(|(j, p)| *j != index && p.distance(at) > 0.2) {
+            let far = distance(*own, *stranger);
+            if candidate.leader.is_none() && far < near + 1.0 {
+                candidate.cost += 25.0 + 10.0 * (near + 1.0 - far);
+            }
+        }
+    }
+    if let (Site::Along { from, to }, Some(own)) = (site, candidate.boxes.first()) {
+        let near = to_line(own.center(), from, to);
+        for (_, a, b) in strangers.lines.iter().filter(|(j, ..)| *j != index) {
+            let far = to_line(own.center(), *a, *b);
+            if far < near + 2.0 {
+                candidate.cost += 4.0 + 6.0 * (near + 2.0 - far).min(4.0);
+            }
+        }
+    }
+}
+
+/// What else is named: a name nearer to a stranger would be read as the stranger's.
+struct Strangers {
+    points: Vec<(usize, Point)>,
+    lines: Vec<(usize, Point, Point)>,
+}
+
+fn to_line(p: Point, a: Point, b: Point) -> f64 {
+    let d = b - a;
+    let t = ((p - a).dot(d) / d.hypot2().max(1e-12)).clamp(0.0, 1.0);
+    a.lerp(b, t).distance(p)
+}
+
+fn distance(r: Rect, p: Point) -> f64 {
+    let dx = (r.x0 - p.x).max(p.x - r.x1).max(0.0);
+    let dy = (r.y0 - p.y).max(p.y - r.y1).max(0.0);
+    libm::hypot(dx, dy)
+}
+
+fn candidates(request: &Request, site: Site, line: &Line) -> Vec<Candidate> {
+    let half = match request.ring {
+        Some(radius) => Vec2::new(radius, radius),
+        None => Vec2::new(line.ink.width() / 2.0, line.ink.height() / 2.0),
+    };
+    let middle = line.ink.center().to_vec2();
+    let stand = |centre: Point, cost: f64, leader: Option<Point>| {
+        let at = centre - middle;
+        let boxes = match request.ring {
+            Some(_) => vec![Rect::from_center_size(centre, (2.0 * half.x, 2.0 * half.y))],
+            None => line.boxes_at(at),
+        };
+        let leader = leader.map(|from| {
+            let to = if let Some(radius) = request.ring {
+                let d = from - centre;
+                centre + d * (radius / d.hypot().max(1e-9)).min(1.0)
+            } else {
+                let own = Rect::from_center_size(centre, (2.0 * half.x + 0.8, 2.0 * half.y + 0.8));
+                clip(from, centre, own).map_or(centre, |(t, _)| from.lerp(centre, t))
+            };
+            (from, to)
+        });
+        Candidate { at, boxes, leader, cost, touches_ink: false }
+    };
+    let mut all = Vec::new();
+    match site {
+        Site::Around { at, radius, toward } => {
+            for (ring, gap) in [0.6, 1.1, 1.8, 2.8, 4.2].into_iter().enumerate() {
+                for k in 0..24 {
+                    let angle = f64::from(k) * (std::f64::consts::TAU / 24.0);
+                    let wanted = toward.unwrap_or(std::f64::consts::FRAC_PI_4);
+                    let away = 1.0 - libm::cos(angle - wanted);
+                    let weight = if toward.is_some() { 2.0 } else { 0.6 };
+                    let cost = 3.5 * ring as f64 + weight * away;
+                    all.push(stand(beside(at, angle, radius + gap, half), cost, None));
+                }
+            }
+            if request.leader {
+                for (ring, gap) in [5.0, 7.0, 9.5, 12.0, 15.0].into_iter().enumerate() {
+                    for k in 0..24 {
+                        let angle = f64::from(k) * (std::f64::consts::TAU / 24.0);
+                        let centre = beside(at, angle, radius + gap, half);
+                        let from = on_circle(at, radius + 0.3, angle);
+                        all.push(stand(centre, 30.0 + 4.0 * ring as f64, Some(from)));
+                    }
+                }
+            }
+        }
+        Site::Along { from, to } => {
+            let d = to - from;
+            let length = d.hypot().max(1e-9);
+            let normal = Vec2::new(d.y, -d.x) / length;
+            let reach = (normal.x * half.x).abs() + (normal.y * half.y).abs();
+            let reach = if let Some(radius) = request.ring { radius } else { reach };
+            for (i, t) in [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73, 0.2, 0.8].into_iter().enumerate() {
+                for side in [1.0, -1.0] {
+                    let up = if side * normal.y < 0.0 { 0.0 } else { 0.4 };
+                    let taste = 0.8 * i as f64 + up;
+                    for (ring, gap) in [0.8, 1.5, 2.5].into_iter().enumerate() {
+                        let centre = from + d * t + normal * (side * (reach + gap));
+                        all.push(stand(centre, taste + 3.0 * ring as f64, None));
+                    }
+                    if request.leader {
+                        for (ring, gap) in [4.0, 6.0, 8.5, 11.0].into_iter().enumerate() {
+                            let foot = from + d * t;
+                            let centre = foot + normal * (side * (reach + gap));
+                            let start = foot + normal * (side * 0.4);
+                            all.push(stand(centre, 30.0 + taste + 4.0 * ring as f64, Some(start)));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Centre of a box that stands in this direction from a point with a clear gap between them.
+fn beside(at: Point, angle: f64, gap: f64, half: Vec2) -> Point {
+    let (sin, cos) = libm::sincos(angle);
+    let x = half.x * (cos * std::f64::consts::SQRT_2).clamp(-1.0, 1.0);
+    let y = half.y * (sin * std::f64::consts::SQRT_2).clamp(-1.0, 1.0);
+    Point::new(at.x + gap * cos + x, at.y - gap * sin - y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sheet::overlap::overlaps_in;
+
+    #[test]
+    fn labels_of_a_crowd_of_points_stay_clear_of_ink_and_of_each_other() {
+        let mut ink = Group::default();
+        let mut requests = Vec::new();
+        for i in 0..12 {
+            let at = on_circle(Point::new(0.0, 0.0), 9.0, f64::from(i) * 0.53);
+            ink.mark(Mark::stroke(Shape::Line(Point::new(0.0, 0.0), at), Pen::solid(0.5)));
+            let site = Site::Around { at, radius: 0.5, toward: None };
+            requests.push(Request::new(Rich::italic("a").sub("24"), 4.0, site, "label"));
+        }
+        let labels = place(&ink, &requests, None);
+        ink.group(labels);
+        assert_eq!(overlaps_in(&ink, None), vec![]);
+        let mut texts = 0;
+        ink.walk(&mut |node| texts += usize::from(matches!(node, Node::Text(_))));
+        assert_eq!(texts, 12);
+    }
+
+    #[test]
+    fn an_optional_label_gives_way() {
+        let mut ink = Group::default();
+        for i in -40..40 {
+            let y = f64::from(i) * 0.8;
+            let line = Shape::Line(Point::new(-40.0, y), Point::new(40.0, y));
+            ink.mark(Mark::stroke(line, Pen::solid(0.25)));
+        }
+        let site = Site::Around { at: Point::new(0.0, 0.0), radius: 0.5, toward: None };
+        let mut request = Request::new(Rich::italic("a"), 4.0, site, "label");
+        request.optional = true;
+        assert!(place(&ink, &[request], None).children.is_empty());
+    }
+}

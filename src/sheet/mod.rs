@@ -1,0 +1,31 @@
+//! The page: skeleton symbols, polygons, equation tables, steps, label placement. Its result is a
+//! [`Figure`](figure::Figure), ink in millimetres with semantic classes.
+//!
+//! **Architecture Invariant:** nothing here solves; every length and every number comes from the
+//! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
+//! and nowhere else.
+
+mod compose;
+pub mod figure;
+pub mod font;
+mod human;
+mod ink;
+mod labels;
+mod notation;
+pub mod overlap;
+mod polygon;
+mod pose;
+mod results;
+mod rich;
+pub mod scale;
+mod skeleton;
+mod steps;
+mod table;
+mod words;
+
+pub use compose::{figure_names, single, solution, stack};
+pub use figure::Figure;
+pub use words::Language;
+
+#[cfg(test)]
+mod tests;

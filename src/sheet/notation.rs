@@ -1,0 +1,321 @@
+//! How the field writes points, images, vectors and directions.
+
+use super::human;
+use super::rich::Rich;
+use super::words::Words;
+use crate::graphical::construction::{Claim, Label, Reference};
+use crate::mechanism::quantity::{Order, Quantity, Unit};
+use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
+use crate::scene::{AngularAcceleration, Scene};
+use crate::sheet::font::Face;
+
+/// The notation of one scene in one language.
+#[derive(Debug, Clone, Copy)]
+pub struct Notation<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The words.
+    pub words: &'static Words,
+}
+
+impl<'a> Notation<'a> {
+    /// The mechanism.
+    #[must_use]
+    pub fn mechanism(&self) -> &'a Mechanism {
+        &self.scene.mechanism
+    }
+
+    /// The name of a point as the scene writes it; a point that is not there has none.
+    #[must_use]
+    pub fn point_name(&self, point: PointId) -> &'a str {
+        self.mechanism().points.get(point.0).map_or("", |p| p.name.as_str())
+    }
+
+    /// The number of a link.
+    #[must_use]
+    pub fn number(&self, link: LinkId) -> String {
+        self.mechanism().links.get(link.0).map_or_else(String::new, |l| l.number.to_string())
+    }
+
+    /// A point on the skeleton and in text: O₂, A.
+    #[must_use]
+    pub fn point(&self, point: PointId) -> Rich {
+        let (letters, index) = split(self.point_name(point));
+        Rich::italic(letters).sub(index)
+    }
+
+    /// A length by its ends: O₂A.
+    #[must_use]
+    pub fn length(&self, from: PointId, to: PointId) -> Rich {
+        self.point(from).then(&self.point(to))
+    }
+
+    /// Links in a sentence: link 3; links 3 and 4.
+    #[must_use]
+    pub fn links(&self, links: &[LinkId]) -> Rich {
+        let numbers: Vec<Rich> = links.iter().map(|l| Rich::upright(self.number(*l))).collect();
+        let template = if links.len() == 1 { self.words.link } else { self.words.links };
+        let list = match numbers.split_last() {
+            Some((last, rest)) if !rest.is_empty() => {
+                Rich::join(rest, &Rich::upright(", ")).up(self.words.and).then(last)
+            }
+            _ => Rich::join(&numbers, &Rich::default()),
+        };
+        Rich::fill(template, &[("links", list)])
+    }
+
+    /// An image point in a polygon of this order: o, b, a₄, b′₁.
+    #[must_use]
+    pub fn image(&self, label: Label, order: Order) -> Rich {
+        let prime = if order == Order::Acceleration { "′" } else { "" };
+        let (letters, sub) = self.image_parts(label);
+        Rich::italic(letters).scripts(prime, Face::Italic, &sub)
+    }
+
+    /// The same as plain characters, for data attributes: o, b, a4, b'1.
+    #[must_use]
+    pub fn image_name(&self, label: Label, order: Order) -> String {
+        let prime = if order == Order::Acceleration { "'" } else { "" };
+        let (letters, sub) = self.image_parts(label);
+        format!("{letters}{prime}{sub}")
+    }
+
+    fn image_parts(&self, label: Label) -> (String, String) {
+        let (point, link, index) = match label {
+            Label::Pole => return ("o".to_owned(), String::new()),
+            Label::Image { point, link } => (point, link, None),
+            Label::Foot { point, link, index } => (point, link, Some(index)),
+        };
+        let (letters, own) = split(self.point_name(point));
+        let indices: Vec<String> = [
+            (!own.is_empty()).then(|| own.to_owned()),
+            link.map(|l| self.number(l)),
+            index.map(|i| i.to_string()),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        (letters.to_lowercase(), indices.join(","))
+    }
+
+    /// Two images as the name of a vector's line: ab, o′a′.
+    #[must_use]
+    pub fn image_line(&self, from: Label, to: Label, order: Order) -> Rich {
+        self.image(from, order).then(&self.image(to, order))
+    }
+
+    /// Letter of angular acceleration.
+    #[must_use]
+    pub fn alpha(&self) -> &'static str {
+        match self.scene.sheet.angular_acceleration {
+            Some(AngularAcceleration::Epsilon) => "ε",
+            Some(AngularAcceleration::Alpha) | None => "α",
+        }
+    }
+
+    /// The symbol of a quantity; `arrow` sets the letter of a vector with an arrow over it.
+    #[must_use]
+    pub fn symbol(&self, quantity: Quantity, arrow: bool) -> Rich {
+        let letter = |l: &str| if arrow { Rich::vector(l) } else { Rich::italic(l) };
+        let of = |p: PointId| self.point_name(p).to_owned();
+        let two = |p, q| format!("{}{}", self.point_name(p), self.point_name(q));
+        let numbers = |a, b| {
+            let (a, b) = (self.number(a), self.number(b));
+            let comma = if a.len() > 1 || b.len() > 1 { "," } else { "" };
+            format!("{a}{comma}{b}")
+        };
+        let n = |sup: &'static str, sub: String| letter("A").scripts(sup, Face::Upright, &sub);
+        match quantity {
+            Quantity::Velocity(p) => letter("V").sub(&of(p)),
+            Quantity::RelativeVelocity(p, q) => letter("V").sub(&two(p, q)),
+            Quantity::Acceleration(p) => letter("A").sub(&of(p)),
+            Quantity::RelativeAcceleration(p, q) => letter("A").sub(&two(p, q)),
+            Quantity::RelativeNormal(p, q) => n("n", two(p, q)),
+            Quantity::RelativeTangential(p, q) => n("t", two(p, q)),
+            Quantity::Normal(p) => n("n", of(p)),
+            Quantity::Tangential(p) => n("t", of(p)),
+            Quantity::Omega(l) => Rich::italic("ω").sub(&self.number(l)),
+            Quantity::RelativeOmega(a, b) => Rich::italic("ω").sub(&numbers(a, b)),
+            Quantity::Alpha(l) => Rich::italic(self.alpha()).sub(&self.number(l)),
+            Quantity::RelativeAlpha(a, b) => Rich::italic(self.alpha()).sub(&numbers(a, b)),
+            Quantity::Slip(p, l) => letter("V").sub(&self.coincident(p, l)),
+            Quantity::SlipAcceleration(p, l) => letter("A").sub(&self.coincident(p, l)),
+            Quantity::SlipNormal(p, l) => n("n", self.coincident(p, l)),
+            Quantity::SlipTangential(p, l) => n("t", self.coincident(p, l)),
+            Quantity::Coriolis(p, l) => n("c", self.coincident(p, l)),
+            Quantity::CoincidentVelocity(p, l) => letter("V").sub(&self.under(p, l)),
+            Quantity::CoincidentAcceleration(p, l) => letter("A").sub(&self.under(p, l)),
+            Quantity::CoincidentNormal(p, l) => n("n", self.under(p, l)),
+            Quantity::CoincidentTangential(p, l) => n("t", self.under(p, l)),
+            Quantity::Centre(a, b) => Rich::italic("I").sub(&numbers(a, b)),
+            Quantity::Rub(p, ..) => Rich::italic("V").sub(&format!("{},{}", self.words.rubbing_mark, of(p))),
+            Quantity::Position(p) => self.point(p),
+            Quantity::Angle(l) => Rich::italic("θ").sub(&self.number(l)),
+            Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
+        }
+    }
+
+    /// A4: the point of link 4 under pin A.
+    fn under(&self, point: PointId, link: LinkId) -> String {
+        format!("{}{}", self.point_name(point), self.number(link))
+    }
+
+    /// A2A4: the pin as a point of its own link, and the point of the guide's link under it.
+    fn coincident(&self, point: PointId, guide: LinkId) -> String {
+        let name = self.point_name(point);
+        let own = self.mechanism().points.get(point.0);
+        let own = own.and_then(|p| p.links.iter().copied().find(|l| *l != guide && *l != LinkId::FRAME));
+        let own = own.map_or_else(String::new, |l| self.number(l));
+        format!("{name}{own}{name}{}", self.number(guide))
+    }
+
+    /// The name of a quantity as a scene writes it: `v(B/A)`.
+    #[must_use]
+    pub fn quantity_name(&self, quantity: Quantity) -> String {
+        let p = |p| self.point_name(p);
+        let l = |l| self.number(l);
+        match quantity {
+            Quantity::Velocity(a) => format!("v({})", p(a)),
+            Quantity::RelativeVelocity(a, b) => format!("v({}/{})", p(a), p(b)),
+            Quantity::Acceleration(a) => format!("a({})", p(a)),
+            Quantity::RelativeAcceleration(a, b) => format!("a({}/{})", p(a), p(b)),
+            Quantity::RelativeNormal(a, b) => format!("an({}/{})", p(a), p(b)),
+            Quantity::RelativeTangential(a, b) => format!("at({}/{})", p(a), p(b)),
+            Quantity::Normal(a) => format!("an({})", p(a)),
+            Quantity::Tangential(a) => format!("at({})", p(a)),
+            Quantity::Omega(a) => format!("omega({})", l(a)),
+            Quantity::RelativeOmega(a, b) => format!("omega({}/{})", l(a), l(b)),
+            Quantity::Alpha(a) => format!("alpha({})", l(a)),
+            Quantity::RelativeAlpha(a, b) => format!("alpha({}/{})", l(a), l(b)),
+            Quantity::Slip(a, b) => format!("slip({}/{})", p(a), l(b)),
+            Quantity::SlipAcceleration(a, b) => format!("aslip({}/{})", p(a), l(b)),
+            Quantity::SlipNormal(a, b) => format!("aslipn({}/{})", p(a), l(b)),
+            Quantity::SlipTangential(a, b) => format!("aslipt({}/{})", p(a), l(b)),
+            Quantity::Coriolis(a, b) => format!("coriolis({}/{})", p(a), l(b)),
+            Quantity::CoincidentVelocity(a, b) => format!("v({}@{})", p(a), l(b)),
+            Quantity::CoincidentAcceleration(a, b) => format!("a({}@{})", p(a), l(b)),
+            Quantity::CoincidentNormal(a, b) => format!("an({}@{})", p(a), l(b)),
+            Quantity::CoincidentTangential(a, b) => format!("at({}@{})", p(a), l(b)),
+            Quantity::Centre(a, b) => format!("I({},{})", l(a), l(b)),
+            Quantity::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
+            Quantity::Position(a) => format!("x({})", p(a)),
+            Quantity::Angle(a) => format!("angle({})", l(a)),
+            Quantity::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),
+        }
+    }
+
+    /// The scene's unit of velocity or acceleration; of length for positions.
+    #[must_use]
+    pub fn unit(&self, order: Order) -> Unit {
+        let units = &self.scene.units;
+        let (power, times) = match order {
+            Order::Position => return units.length.clone(),
+            Order::Velocity => ("", units.time.si),
+            Order::Acceleration => ("^2", units.time.si * units.time.si),
+        };
+        Unit {
+            symbol: format!("{}/{}{power}", units.length.symbol, units.time.symbol),
+            si: units.length.si / times,
+        }
+    }
+
+    /// The unit of ω or of angular acceleration: radians and the scene's time.
+    #[must_use]
+    pub fn angular_unit(&self, order: Order) -> Unit {
+        let time = &self.scene.units.time;
+        match order {
+            Order::Acceleration => {
+                Unit { symbol: format!("rad/{}^2", time.symbol), si: 1.0 / (time.si * time.si) }
+            }
+            _ => Unit { symbol: format!("rad/{}", time.symbol), si: 1.0 / time.si },
+        }
+    }
+
+    /// A signed rotation: its size, its unit, its sense after it.
+    #[must_use]
+    pub fn rotation(&self, si: f64, unit: &Unit) -> Rich {
+        let sense = self.sense(si);
+        let value = human::quantity(si.abs(), unit);
+        if sense.is_empty() { value } else { value.up("\u{a0}").up(sense) }
+    }
+
+    /// ccw, cw, or nothing for zero.
+    #[must_use]
+    pub fn sense(&self, value: f64) -> &'static str {
+        if value > 0.0 {
+            self.words.ccw
+        } else if value < 0.0 {
+            self.words.cw
+        } else {
+            ""
+        }
+    }
+
+    /// The guide of a sliding pair in words.
+    #[must_use]
+    pub fn guide(&self, slide: usize) -> Rich {
+        match self.mechanism().slides.get(slide).map(|s| s.rider) {
+            Some(Rider::Pin { point, .. }) => {
+                Rich::fill(self.words.guide_of, &[("point", self.point(point))])
+            }
+            Some(Rider::Link { link, .. }) => {
+                Rich::fill(self.words.guide_of_link, &[("link", Rich::upright(self.number(link)))])
+            }
+            None => Rich::default(),
+        }
+    }
+
+    /// ∥ AB, ⊥ O₄B.
+    #[must_use]
+    pub fn claim(&self, claim: Claim) -> Rich {
+        let (sign, reference) = match claim {
+            Claim::Parallel(reference) => ("∥\u{a0}", reference),
+            Claim::Perpendicular(reference) => ("⊥\u{a0}", reference),
+        };
+        let line = match reference {
+            Reference::Points(a, b) => self.length(a, b),
+            Reference::Guide(slide) => self.guide(slide),
+        };
+        Rich::upright(sign).then(&line)
+    }
+
+    /// A claim as a data attribute: its name, and the line by its points or its guide's rider.
+    #[must_use]
+    pub fn claim_data(&self, claim: Claim) -> (&'static str, String) {
+        let (name, reference) = match claim {
+            Claim::Parallel(reference) => ("parallel", reference),
+            Claim::Perpendicular(reference) => ("perpendicular", reference),
+        };
+        let line = match reference {
+            Reference::Points(a, b) => format!("{} {}", self.point_name(a), self.point_name(b)),
+            Reference::Guide(slide) => format!("guide {slide}"),
+        };
+        (name, line)
+    }
+
+    /// A scale of a polygon: 50 cm/s ≡ 1 cm.
+    #[must_use]
+    pub fn scale(&self, si_per_mm: f64, order: Order) -> Rich {
+        let unit = self.unit(order);
+        let value = human::with_unit(&human::stated(si_per_mm * 10.0 / unit.si), &unit.symbol);
+        value.up("\u{a0}≡\u{a0}1\u{a0}cm")
+    }
+
+    /// The scale of the skeleton: 1 : 10, or 5 : 1 where it is enlarged.
+    #[must_use]
+    pub fn length_scale(&self, metres_per_mm: f64) -> Rich {
+        let ratio = metres_per_mm * 1000.0;
+        let colon = "\u{a0}:\u{a0}";
+        if ratio >= 1.0 {
+            Rich::upright("1").up(colon).then(&human::stated(ratio))
+        } else {
+            human::stated(1.0 / ratio).up(colon).up("1")
+        }
+    }
+}
+
+/// The letters of a name and the digits after them.
+fn split(name: &str) -> (&str, &str) {
+    let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    if letters.is_empty() { (name, "") } else { name.split_at(letters.len()) }
+}

@@ -1,0 +1,223 @@
+//! A velocity or acceleration polygon as ink.
+
+use kurbo::{Point, Vec2};
+
+use super::figure::{Group, Mark, Pen, Shape, Tone};
+use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, hull, page, right_angle};
+use super::labels::{Request, Site, place};
+use super::notation::Notation;
+use super::rich::Rich;
+use crate::graphical::construction::{ConstructionLine, Image, Label, Polygon, Vector, VectorKind};
+use crate::mechanism::quantity::Order;
+
+/// Images closer than this on paper are one dot and share a label.
+const COINCIDENT: f64 = 0.05;
+/// Vectors shorter than this have no room for their name beside them; the steps name them.
+const SHORTEST_NAMED: f64 = 4.0;
+/// How far a line of unknown length runs past the intersection that ends its use.
+const PAST: f64 = 4.0;
+
+/// The polygon with its pole at the origin of the group.
+#[must_use]
+pub fn draw(polygon: &Polygon, notation: &Notation<'_>) -> Group {
+    let (class, figure_name) = match polygon.order {
+        Order::Acceleration => ("acceleration polygon", notation.words.acceleration_diagram),
+        _ => ("velocity polygon", notation.words.velocity_diagram),
+    };
+    let unit = notation.unit(polygon.order);
+    let mut group = Group::new(class)
+        .data("scale", number(polygon.si_per_mm / unit.si))
+        .data("unit", format!("{} per mm", unit.symbol));
+    group.title = Some(figure_name.to_owned());
+
+    group.group(link_images(polygon, notation));
+    group.group(construction(polygon, notation));
+    // Whole vectors over their parts, so that a thick line is never cut by a thin one's head.
+    let whole = |v: &Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
+    for vector in polygon.vectors.iter().filter(|v| !whole(v)) {
+        group.group(draw_vector(vector, polygon, notation));
+    }
+    for vector in polygon.vectors.iter().filter(|v| whole(v)) {
+        group.group(draw_vector(vector, polygon, notation));
+    }
+    group.group(right_angles(polygon));
+    group.group(images(polygon, notation));
+
+    let requests = labels(polygon, notation);
+    let labels = place(&group, &requests, None);
+    group.group(labels);
+    group
+}
+
+fn number(value: f64) -> String {
+    format!("{value}")
+}
+
+fn link_images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
+    let mut all = Group::new("images");
+    for image in &polygon.link_images {
+        let corners: Vec<Point> = image.corners.iter().map(|(_, at)| page(*at)).collect();
+        let corners = hull(&corners);
+        if corners.len() < 3 {
+            continue;
+        }
+        let mut own = Group::new("image link-image").data("link", notation.number(image.link));
+        own.mark(Mark::area(Shape::Polygon(corners), Tone::Tint).precise());
+        all.group(own);
+    }
+    all
+}
+
+fn construction(polygon: &Polygon, notation: &Notation<'_>) -> Group {
+    let mut all = Group::new("construction");
+    for line in &polygon.lines {
+        if let ConstructionLine::Ray { from, to, claim, step } = line {
+            let (from, to) = (page(*from), page(*to));
+            let d = to - from;
+            if d.hypot() < 1e-9 {
+                continue;
+            }
+            let past = to + d.normalize() * PAST;
+            let mut own = Group::new("ray").data("step", (step + 1).to_string());
+            if let Some(claim) = claim {
+                let (name, value) = notation.claim_data(*claim);
+                own = own.data(name, value);
+            }
+            own.mark(Mark::stroke(Shape::Line(from, past), Pen::solid(FINE)).precise());
+            all.group(own);
+        } else if let Some(arc) = short_arc(line) {
+            all.mark(arc);
+        }
+    }
+    all
+}
+
+/// An arc of the compass, some millimetres to both sides of the intersection it helped to find.
+pub(super) fn short_arc(line: &ConstructionLine) -> Option<Mark> {
+    let ConstructionLine::Arc { centre, radius, at, .. } = line else { return None };
+    let (centre, at, radius) = (page(*centre), page(*at), *radius);
+    if radius < 0.5 {
+        return None;
+    }
+    let d = at - centre;
+    let middle = libm::atan2(-d.y, d.x);
+    let half = (PAST / radius).min(0.6);
+    let shape = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
+    Some(Mark::stroke(shape, Pen::solid(FINE)).class("arc").precise())
+}
+
+fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>) -> Group {
+    let kind = match vector.kind {
+        VectorKind::Absolute => "absolute",
+        VectorKind::Relative => "relative",
+        VectorKind::Normal => "normal",
+        VectorKind::Tangential => "tangential",
+        VectorKind::Sliding => "sliding",
+        VectorKind::Coriolis => "coriolis",
+    };
+    let (from, to) = (page(vector.from), page(vector.to));
+    let length = (to - from).hypot();
+    let unit = notation.unit(polygon.order);
+    let name = notation.quantity_name(vector.quantity);
+    let mut group = Group::new(format!("vector {kind}"))
+        .data("quantity", name)
+        .data("value", number(length * polygon.si_per_mm / unit.si))
+        .data("from", notation.image_name(vector.tail, polygon.order))
+        .data("to", notation.image_name(vector.head, polygon.order))
+        .data("step", (vector.step + 1).to_string());
+    if let Some(claim) = vector.claim {
+        let (name, value) = notation.claim_data(claim);
+        group = group.data(name, value);
+    }
+    if vector.as_point {
+        group = group.data("as-point", "true");
+        group.mark(dot(to, 0.55).precise());
+        return group;
+    }
+    let width = if matches!(vector.kind, VectorKind::Absolute | VectorKind::Relative) { THICK } else { THIN };
+    arrow(&mut group, from, to, width);
+    group
+}
+
+/// A mark in the corner where a normal part ends and the tangential part begins.
+fn right_angles(polygon: &Polygon) -> Group {
+    let mut all = Group::new("right-angles");
+    for normal in polygon.vectors.iter().filter(|v| v.kind == VectorKind::Normal && !v.as_point) {
+        let tangential = polygon
+            .vectors
+            .iter()
+            .find(|t| t.kind == VectorKind::Tangential && !t.as_point && t.tail == normal.head);
+        let Some(tangential) = tangential else { continue };
+        let corner = page(normal.to);
+        let back = page(normal.from) - corner;
+        let on = page(tangential.to) - corner;
+        let room = back.hypot().min(on.hypot());
+        // Clear of the normal part's own head where there is room for both.
+        let size = if back.hypot() > 2.5 * HEAD { HEAD * 0.85 } else { room * 0.3 };
+        if room > 2.5 {
+            right_angle(&mut all, corner, back, on, size.min(room * 0.4));
+        }
+    }
+    all
+}
+
+fn images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
+    let mut all = Group::new("points");
+    let mut pole = Group::new("image pole").data("point", notation.image_name(Label::Pole, polygon.order));
+    let circle = Shape::Circle { centre: Point::ORIGIN, radius: 0.75 };
+    pole.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Paper).precise());
+    all.group(pole);
+    for image in &polygon.images {
+        let name = notation.image_name(image.label, polygon.order);
+        let mut own = Group::new("image").data("point", name);
+        own.mark(dot(page(image.at), THICK / 2.0).precise());
+        all.group(own);
+    }
+    all
+}
+
+fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
+    let pole = Image { label: Label::Pole, at: [0.0, 0.0] };
+    let mut groups: Vec<(Point, Vec<Label>)> = Vec::new();
+    for image in std::iter::once(&pole).chain(&polygon.images) {
+        let at = page(image.at);
+        match groups.iter_mut().find(|(p, _)| p.distance(at) < COINCIDENT) {
+            Some((_, labels)) if labels.contains(&image.label) => {}
+            Some((_, labels)) => labels.push(image.label),
+            None => groups.push((at, vec![image.label])),
+        }
+    }
+    let mut requests = Vec::new();
+    for (at, labels) in groups {
+        let names: Vec<Rich> = labels.iter().map(|l| notation.image(*l, polygon.order)).collect();
+        let text = Rich::join(&names, &Rich::upright(","));
+        let radius = if labels.contains(&Label::Pole) { 0.9 } else { 0.4 };
+        let site = Site::Around { at, radius, toward: outward(at, polygon) };
+        let mut request = Request::new(text, LABEL, site, "label image-name");
+        request.leader = true;
+        requests.push(request);
+    }
+    let long = |v: &&Vector| page(v.from).distance(page(v.to)) > SHORTEST_NAMED;
+    for vector in polygon.vectors.iter().filter(long) {
+        let site = Site::Along { from: page(vector.from), to: page(vector.to) };
+        let text = notation.symbol(vector.quantity, false);
+        let mut request = Request::new(text, SMALL, site, "label vector-name");
+        request.optional = true;
+        requests.push(request);
+    }
+    requests
+}
+
+/// The direction away from all lines that end in a point: there its name is out of the way.
+fn outward(at: Point, polygon: &Polygon) -> Option<f64> {
+    let mut sum = Vec2::ZERO;
+    for vector in &polygon.vectors {
+        let (from, to) = (page(vector.from), page(vector.to));
+        for (own, other) in [(from, to), (to, from)] {
+            if own.distance(at) < COINCIDENT && own.distance(other) > COINCIDENT {
+                sum += (other - own).normalize();
+            }
+        }
+    }
+    (sum.hypot() > 0.2).then(|| libm::atan2(sum.y, -sum.x))
+}

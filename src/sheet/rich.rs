@@ -1,0 +1,408 @@
+//! Formula text: italic quantities, upright units, stacked sub- and superscripts, ticks, set on a base
+//! line and measured.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::figure::{Group, Mark, Pen, Run, Shape, Text};
+use super::font::Face;
+
+/// Size of a sub- or superscript, per size of its base.
+const SCRIPT: f64 = 0.7;
+/// How far a subscript hangs below the base line.
+const DROP: f64 = 0.20;
+/// How far a superscript stands above the base line.
+const RAISE: f64 = 0.36;
+
+/// A piece of formula text.
+#[derive(Debug, Clone, PartialEq)]
+enum Piece {
+    /// Characters on the base line.
+    Run(String, Face),
+    /// A letter with a small arrow over it: a vector.
+    Vector(String),
+    /// Superscript and subscript, one above the other.
+    Scripts { sup: Vec<(String, Face)>, sub: Vec<(String, Face)> },
+    /// A tick: known.
+    Tick,
+    /// A blank of so many em that no line breaks at.
+    Gap(f64),
+}
+
+/// Formula text, built piece by piece.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Rich {
+    pieces: Vec<Piece>,
+}
+
+/// Formula text set at the origin: base line at y = 0, start at x = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// The runs of characters.
+    pub text: Text,
+    /// Ticks and arrows drawn as strokes.
+    pub marks: Vec<Mark>,
+    /// Advance width.
+    pub width: f64,
+    /// Box of the ink.
+    pub ink: Rect,
+}
+
+impl Rich {
+    /// Upright text.
+    #[must_use]
+    pub fn upright(text: impl AsRef<str>) -> Self {
+        Self::default().with(text.as_ref(), Face::Upright)
+    }
+
+    /// Italic text.
+    #[must_use]
+    pub fn italic(text: impl AsRef<str>) -> Self {
+        Self::default().with(text.as_ref(), Face::Italic)
+    }
+
+    /// Bold text.
+    #[must_use]
+    pub fn bold(text: impl AsRef<str>) -> Self {
+        Self::default().with(text.as_ref(), Face::Bold)
+    }
+
+    /// A tick.
+    #[must_use]
+    pub fn tick() -> Self {
+        Self { pieces: vec![Piece::Tick] }
+    }
+
+    /// A letter with an arrow over it.
+    #[must_use]
+    pub fn vector(letter: &str) -> Self {
+        Self { pieces: vec![Piece::Vector(letter.to_owned())] }
+    }
+
+    /// Whether nothing is in it.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.pieces.is_empty()
+    }
+
+    /// The same with characters after it. A character that the face lacks is set upright.
+    #[must_use]
+    pub fn with(mut self, text: &str, face: Face) -> Self {
+        for c in text.chars() {
+            let face = if c == ' ' || face.has(c) { face } else { Face::Upright };
+            match self.pieces.last_mut() {
+                Some(Piece::Run(run, last)) if *last == face => run.push(c),
+                // A blank never needs a run of its own.
+                Some(Piece::Run(run, _)) if c == ' ' => run.push(c),
+                _ => self.pieces.push(Piece::Run(c.to_string(), face)),
+            }
+        }
+        self
+    }
+
+    /// The same with more text after it.
+    #[must_use]
+    pub fn then(mut self, more: &Self) -> Self {
+        for piece in &more.pieces {
+            match piece {
+                Piece::Run(text, face) => self = self.with(text, *face),
+                other => self.pieces.push(other.clone()),
+            }
+        }
+        self
+    }
+
+    /// The same with upright text after it.
+    #[must_use]
+    pub fn up(self, text: &str) -> Self {
+        self.with(text, Face::Upright)
+    }
+
+    /// The same with italic text after it.
+    #[must_use]
+    pub fn it(self, text: &str) -> Self {
+        self.with(text, Face::Italic)
+    }
+
+    /// The same with a blank of so many em, at which no line breaks.
+    #[must_use]
+    pub fn gap(mut self, em: f64) -> Self {
+        self.pieces.push(Piece::Gap(em));
+        self
+    }
+
+    /// The same with an upright subscript.
+    #[must_use]
+    pub fn sub(self, text: &str) -> Self {
+        self.scripts("", Face::Upright, text)
+    }
+
+    /// The same with an upright superscript.
+    #[must_use]
+    pub fn sup(self, text: &str) -> Self {
+        self.scripts(text, Face::Upright, "")
+    }
+
+    /// The same with a superscript over an upright subscript.
+    #[must_use]
+    pub fn scripts(mut self, sup: &str, sup_face: Face, sub: &str) -> Self {
+        let part = |text: &str, face| {
+            if text.is_empty() { Vec::new() } else { vec![(text.to_owned(), face)] }
+        };
+        if !(sup.is_empty() && sub.is_empty()) {
+            self.pieces.push(Piece::Scripts { sup: part(sup, sup_face), sub: part(sub, Face::Upright) });
+        }
+        self
+    }
+
+    /// Fills the named places (`{vector}`) of a template of words.
+    #[must_use]
+    pub fn fill(template: &str, parts: &[(&str, Self)]) -> Self {
+        let mut out = Self::default();
+        let mut rest = template;
+        while let Some(open) = rest.find('{') {
+            out = out.up(&rest[..open]);
+            let Some(length) = rest[open..].find('}') else { break };
+            let name = &rest[open + 1..open + length];
+            if let Some((_, part)) = parts.iter().find(|(n, _)| *n == name) {
+                out = out.then(part);
+            }
+            rest = &rest[open + length + 1..];
+        }
+        out.up(rest)
+    }
+
+    /// The same with its upright characters bold.
+    #[must_use]
+    pub fn bolder(mut self) -> Self {
+        for piece in &mut self.pieces {
+            if let Piece::Run(_, face @ Face::Upright) = piece {
+                *face = Face::Bold;
+            }
+        }
+        self
+    }
+
+    /// Joins texts with a separator.
+    #[must_use]
+    pub fn join(parts: &[Self], separator: &Self) -> Self {
+        let mut out = Self::default();
+        for (i, part) in parts.iter().enumerate() {
+            if i > 0 {
+                out = out.then(separator);
+            }
+            out = out.then(part);
+        }
+        out
+    }
+
+    /// Sets the text at `size` mm.
+    #[must_use]
+    pub fn set(&self, size: f64) -> Line {
+        self.run_through(size).finish()
+    }
+
+    fn run_through(&self, size: f64) -> Setter {
+        let mut setter = Setter::new(size);
+        for piece in &self.pieces {
+            setter.piece(piece);
+        }
+        setter
+    }
+
+    /// Advance width at `size` mm.
+    #[must_use]
+    pub fn width(&self, size: f64) -> f64 {
+        // Without the boxes of the ink, which cost far more than the advance.
+        self.run_through(size).pen
+    }
+
+    /// The words between which a line may break.
+    fn words(&self) -> Vec<Self> {
+        let mut words = vec![Self::default()];
+        for piece in &self.pieces {
+            if let Piece::Run(text, face) = piece {
+                for (i, part) in text.split(' ').enumerate() {
+                    if i > 0 {
+                        words.push(Self::default());
+                    }
+                    if let Some(last) = words.pop() {
+                        words.push(last.with(part, *face));
+                    }
+                }
+            } else if let Some(last) = words.last_mut() {
+                last.pieces.push(piece.clone());
+            }
+        }
+        words.retain(|w| !w.is_empty());
+        words
+    }
+
+    /// Breaks the text into lines no wider than `width`, where its words allow.
+    #[must_use]
+    pub fn wrap(&self, size: f64, width: f64) -> Vec<Self> {
+        let mut lines: Vec<Self> = Vec::new();
+        let mut line = Self::default();
+        for word in self.words() {
+            let longer = if line.is_empty() { word.clone() } else { line.clone().up(" ").then(&word) };
+            if longer.width(size) <= width || line.is_empty() {
+                line = longer;
+            } else {
+                lines.push(std::mem::replace(&mut line, word));
+            }
+        }
+        if !line.is_empty() {
+            lines.push(line);
+        }
+        lines
+    }
+}
+
+impl Line {
+    /// Adds the line to a group with the start of its base line at `at`.
+    pub fn put(&self, group: &mut Group, at: Point, class: &'static str) {
+        let mut own = Group::default();
+        own.text(Text { class, runs: self.text.runs.clone() });
+        own.children.extend(self.marks.iter().cloned().map(super::figure::Node::Mark));
+        own.translate(at.to_vec2());
+        group.children.append(&mut own.children);
+    }
+
+    /// The box of the ink when set at `at`.
+    #[must_use]
+    pub fn ink_at(&self, at: Point) -> Rect {
+        self.ink + at.to_vec2()
+    }
+
+    /// The boxes of runs and marks when set at `at`: tighter than the one box.
+    #[must_use]
+    pub fn boxes_at(&self, at: Point) -> Vec<Rect> {
+        let by: Vec2 = at.to_vec2();
+        let marks = self.marks.iter().map(Mark::bounds);
+        self.text.boxes().into_iter().chain(marks).map(|r| r + by).collect()
+    }
+}
+
+struct Setter {
+    size: f64,
+    pen: f64,
+    runs: Vec<Run>,
+    marks: Vec<Mark>,
+}
+
+impl Setter {
+    fn new(size: f64) -> Self {
+        Self { size, pen: 0.0, runs: Vec::new(), marks: Vec::new() }
+    }
+
+    /// Sets characters at height `y`; returns where the pen ends. Leading blanks move the pen and go to
+    /// the end of the run before: some viewers drop a blank at the start of a run.
+    fn run(&mut self, text: &str, face: Face, size: f64, x: f64, y: f64) -> f64 {
+        let trimmed = text.trim_start_matches(' ');
+        let blank = face.advance(&text[..text.len() - trimmed.len()], size);
+        if blank > 0.0
+            && let Some(last) = self.runs.last_mut()
+            && !last.text.ends_with(' ')
+        {
+            last.text.push(' ');
+        }
+        if !trimmed.is_empty() {
+            self.runs.push(Run { text: trimmed.to_owned(), face, size, at: Point::new(x + blank, y) });
+        }
+        x + face.advance(text, size)
+    }
+
+    fn piece(&mut self, piece: &Piece) {
+        let em = self.size;
+        match piece {
+            Piece::Run(text, face) => self.pen = self.run(text, *face, em, self.pen, 0.0),
+            Piece::Gap(width) => self.pen += width * em,
+            Piece::Vector(letter) => {
+                let start = self.pen;
+                self.pen = self.run(letter, Face::Italic, em, start, 0.0);
+                if let Some(ink) = Face::Italic.ink(letter, em) {
+                    let y = ink.y0 - 0.17 * em;
+                    let (x0, x1) = (start + ink.x0 + 0.06 * em, start + ink.x1 + 0.06 * em);
+                    let tip = Point::new(x1, y);
+                    let barb = |dy: f64| Point::new(x1 - 0.14 * em, y + dy * em);
+                    let pen = Pen::solid(0.035 * em);
+                    let shaft = Shape::Line(Point::new(x0, y), tip);
+                    self.marks.push(Mark::stroke(shaft, pen).class("arrow-over"));
+                    let head = Shape::Polyline(vec![barb(-0.07), tip, barb(0.07)]);
+                    self.marks.push(Mark::stroke(head, pen).class("arrow-over"));
+                }
+            }
+            Piece::Scripts { sup, sub } => {
+                let start = self.pen;
+                let small = SCRIPT * em;
+                let mut end = start;
+                let mut x = start + 0.04 * em;
+                for (text, face) in sup {
+                    // Primes are raised in the font itself.
+                    let prime = text.chars().all(|c| c == '′' || c == '″');
+                    x = if prime {
+                        self.run(text, *face, em, x - 0.09 * em, 0.0)
+                    } else {
+                        self.run(text, *face, small, x, -RAISE * em)
+                    };
+                }
+                end = end.max(if sup.is_empty() { start } else { x });
+                let mut x = start + 0.01 * em;
+                for (text, face) in sub {
+                    x = self.run(text, *face, small, x, DROP * em);
+                }
+                self.pen = end.max(if sub.is_empty() { start } else { x + 0.02 * em });
+            }
+            Piece::Tick => {
+                let x = self.pen + 0.08 * em;
+                let at = |dx: f64, dy: f64| Point::new(x + dx * em, -dy * em);
+                let shape = Shape::Polyline(vec![at(0.0, 0.26), at(0.16, 0.02), at(0.50, 0.62)]);
+                self.marks.push(Mark::stroke(shape, Pen::solid(0.07 * em)).class("tick"));
+                self.pen += 0.66 * em;
+            }
+        }
+    }
+
+    fn finish(self) -> Line {
+        let text = Text { class: "", runs: self.runs };
+        let ink = text.bounds().into_iter().chain(self.marks.iter().map(Mark::bounds));
+        let ink = ink.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
+        Line { text, marks: self.marks, width: self.pen, ink }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scripts_stand_one_above_the_other() {
+        let line = Rich::italic("A").scripts("n", Face::Upright, "BA").set(10.0);
+        let [_, n, ba] = &line.text.runs[..] else { panic!("{line:?}") };
+        assert!((n.at.x - ba.at.x).abs() < 0.5 && n.at.y < 0.0 && ba.at.y > 0.0);
+        assert_eq!(line.text.content(), "AnBA");
+    }
+
+    #[test]
+    fn lines_break_at_blanks_and_stay_inside() {
+        let text = Rich::fill(
+            "From {o} lay off {v} and draw a line",
+            &[("o", Rich::italic("o")), ("v", Rich::italic("V").sub("A"))],
+        );
+        let lines = text.wrap(3.5, 24.0);
+        assert!(lines.len() > 1);
+        let mut words = String::new();
+        for line in &lines {
+            let set = line.set(3.5);
+            assert!(set.width <= 24.0);
+            words.push_str(&set.text.content());
+            words.push(' ');
+        }
+        assert_eq!(words.trim(), "From o lay off VA and draw a line");
+    }
+
+    #[test]
+    fn what_italics_lack_is_set_upright() {
+        let line = Rich::italic("a⊥b").set(4.0);
+        assert!(line.text.runs.iter().any(|r| r.text == "⊥" && r.face == Face::Upright));
+    }
+}

@@ -1,0 +1,746 @@
+//! The kinematic skeleton as ink.
+
+use std::collections::BTreeMap;
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::figure::{Group, Mark, Pen, Shape, Tone, on_circle};
+use super::human;
+use super::ink::{
+    FINE, HEAD, LABEL, SMALL, THICK, THIN, arc_arrow, dot, hatch_below, hatch_inside, head, hull, page,
+    turned_rect,
+};
+use super::labels::{Obstacles, Request, Site, place};
+use super::notation::Notation;
+use super::polygon::short_arc;
+use super::pose::{GuideLine, Pose};
+use super::rich::Rich;
+use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
+use crate::mechanism::quantity::{Answer, Order, Quantity};
+use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll};
+
+/// Radius of a pin's circle.
+const PIN: f64 = 1.1;
+/// Half length and half width of a slider.
+const BLOCK: (f64, f64) = (4.4, 2.5);
+/// Half length and half width of a block in a slot.
+const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
+/// How far a guide reaches beyond its rider.
+const GUIDE: f64 = 13.0;
+
+/// The skeleton with the first fixed point at the origin of the group.
+#[must_use]
+pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
+    let space = &construction.space;
+    let unit = &notation.scene.units.length;
+    let mut group = Group::new("skeleton")
+        .data("scale", format!("{}", space.metres_per_mm / unit.si))
+        .data("unit", format!("{} per mm", unit.symbol));
+    group.title = Some(notation.words.skeleton.to_owned());
+    let mut artist = Artist {
+        construction,
+        notation: *notation,
+        pose: Pose::new(notation.mechanism(), space),
+        bars: Vec::new(),
+        labels: Vec::new(),
+    };
+    artist.bars = artist.all_bars();
+    group.group(artist.ground());
+    // Blocks cover their slots, and the bar of a rod runs on to the pin inside its block.
+    group.group(artist.slots());
+    group.group(artist.slides());
+    group.group(artist.links());
+    group.group(artist.rolls());
+    group.group(artist.construction_lines());
+    group.group(artist.joints());
+    group.group(artist.crank_angles());
+    artist.rotations(&mut group);
+    artist.number_links();
+    let labels = place(&group, &artist.labels, None);
+    group.group(labels);
+    group
+}
+
+struct Artist<'a> {
+    construction: &'a Construction,
+    notation: Notation<'a>,
+    pose: Pose<'a>,
+    /// The straight strokes of all links, for keeping symbols away from them.
+    bars: Vec<(LinkId, Point, Point)>,
+    labels: Vec<Request>,
+}
+
+/// How the points of a link lie.
+enum Body {
+    /// Nothing, or one point.
+    Point,
+    /// All on one line: its two extreme points, and those between.
+    Straight(Point, Point, Vec<Point>),
+    /// A polygon.
+    Polygon(Vec<Point>),
+}
+
+impl Artist<'_> {
+    fn body(&self, link: LinkId) -> Body {
+        let places: Vec<Point> = self.pose.places(link).into_iter().map(|(_, p)| p).collect();
+        let mut widest: Option<(Point, Point)> = None;
+        for (i, a) in places.iter().enumerate() {
+            for b in &places[i + 1..] {
+                if widest.is_none_or(|(p, q)| a.distance(*b) > p.distance(q)) {
+                    widest = Some((*a, *b));
+                }
+            }
+        }
+        let Some((a, b)) = widest.filter(|(a, b)| a.distance(*b) > 1e-6) else { return Body::Point };
+        let d = (b - a).normalize();
+        let off = |p: &Point| (*p - a).cross(d).abs();
+        // Closer to the line than half its width: drawn as on it.
+        if places.iter().all(|p| off(p) < THIN) {
+            let between = places.iter().copied().filter(|p| p.distance(a) > 0.3 && p.distance(b) > 0.3);
+            Body::Straight(a, b, between.collect())
+        } else {
+            Body::Polygon(hull(&places))
+        }
+    }
+
+    fn all_bars(&self) -> Vec<(LinkId, Point, Point)> {
+        let mut bars = Vec::new();
+        for link in self.notation.mechanism().moving() {
+            match self.body(link) {
+                Body::Point => {}
+                Body::Straight(a, b, _) => bars.push((link, a, b)),
+                Body::Polygon(corners) => {
+                    let next = corners.iter().cycle().skip(1);
+                    bars.extend(corners.iter().zip(next).map(|(a, b)| (link, *a, *b)));
+                }
+            }
+        }
+        bars
+    }
+
+    fn construction_lines(&self) -> Group {
+        let mut all = Group::new("construction");
+        for line in &self.construction.space.lines {
+            if let Some(arc) = short_arc(line) {
+                all.mark(arc);
+            } else if let ConstructionLine::Ray { from, to, claim, .. } = line {
+                let (from, to) = (page(*from), page(*to));
+                let d = to - from;
+                if d.hypot() > 1e-9 {
+                    // The line of a guide is an axis.
+                    let axis = matches!(claim, Some(Claim::Parallel(Reference::Guide(_))));
+                    let pen = if axis { Pen::chain(FINE) } else { Pen::solid(FINE) };
+                    let shape = Shape::Line(from, to + d.normalize() * 4.0);
+                    all.mark(Mark::stroke(shape, pen).class(if axis { "axis" } else { "ray" }).precise());
+                }
+            }
+        }
+        all
+    }
+
+    /// The fixed points that carry a moving link.
+    fn pivots(&self) -> Vec<(PointId, Point)> {
+        let mechanism = self.notation.mechanism();
+        (0..mechanism.points.len())
+            .map(PointId)
+            .filter(|p| mechanism.is_fixed(*p))
+            .filter(|p| mechanism.points[p.0].links.iter().any(|l| *l != LinkId::FRAME))
+            .filter_map(|p| Some((p, self.pose.place(p)?)))
+            .collect()
+    }
+
+    /// Which way a support hangs from its pivot: down where links leave room, else to a side.
+    fn support_direction(&self, at: Point) -> Vec2 {
+        let ways = [(0.0, 1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0)];
+        let mut best = (f64::INFINITY, Vec2::new(0.0, 1.0));
+        for (rank, (x, y)) in ways.into_iter().enumerate() {
+            let way = Vec2::new(x, y);
+            let ground = at + way * 6.5;
+            let seat = Rect::from_center_size(at + way * 4.2, (9.0, 9.0));
+            let mut cost = [0.0, 3.0, 3.0, 5.0][rank];
+            for (_, a, b) in &self.bars {
+                if super::overlap::clip(*a, *b, seat).is_some() {
+                    let d = nearest(*a, *b, ground).distance(ground);
+                    cost += 10.0 + (6.0 - d).max(0.0) * 4.0;
+                }
+            }
+            if cost < best.0 {
+                best = (cost, way);
+            }
+        }
+        best.1
+    }
+
+    fn ground(&mut self) -> Group {
+        let mut all = Group::new("frame");
+        for (point, at) in self.pivots() {
+            let way = self.support_direction(at);
+            let side = Vec2::new(-way.y, way.x);
+            let mut own = Group::new("support").data("point", self.notation.point_name(point));
+            let (left, right) = (at + way * 4.6 - side * 2.6, at + way * 4.6 + side * 2.6);
+            own.mark(Mark::stroke(Shape::Polyline(vec![left, at, right]), Pen::solid(THIN)));
+            let (a, b) = (at + way * 4.6 + side * 4.2, at + way * 4.6 - side * 4.2);
+            own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)));
+            // Hatching lies on the far side of the base line, whichever way that is.
+            hatch_below(&mut own, a, b);
+            all.group(own);
+            self.frame_number(at + way * 5.4, 2.2, way);
+        }
+        for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link == LinkId::FRAME) {
+            if let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) {
+                all.group(self.fixed_guide(at, along));
+            } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide) {
+                all.group(fixed_arc(at, centre));
+                let out = (at - centre).normalize();
+                self.frame_number(at + out * 3.5 + Vec2::new(-out.y, out.x) * GUIDE, 0.5, out);
+            }
+        }
+        all
+    }
+
+    fn frame_number(&mut self, at: Point, radius: f64, way: Vec2) {
+        let toward = Some(libm::atan2(-way.x, -way.y));
+        let site = Site::Around { at, radius, toward };
+        self.labels.push(Request::new(Rich::upright("1"), SMALL, site, "label link-number"));
+    }
+
+    /// A straight guide of the frame: its surface under the slider, hatched away from the links.
+    fn fixed_guide(&mut self, at: Point, along: Vec2) -> Group {
+        let mut own = Group::new("guide");
+        let mut across = Vec2::new(-along.y, along.x);
+        // The frame is on the side where fewer links are.
+        let inclination: f64 = self
+            .bars
+            .iter()
+            .flat_map(|(_, a, b)| [(a, b), (b, a)])
+            .filter(|(near, _)| near.distance(at) < 0.5)
+            .map(|(_, far)| (*far - at).dot(across))
+            .sum();
+        if inclination > 0.0 || (inclination == 0.0 && across.y < 0.0) {
+            across = -across;
+        }
+        let foot = at + across * (BLOCK.1 + THICK / 2.0);
+        let (a, b) = (foot - along * GUIDE, foot + along * GUIDE);
+        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)));
+        let (a, b) = if Vec2::new(-along.y, along.x).dot(across) > 0.0 { (a, b) } else { (b, a) };
+        hatch_below(&mut own, a, b);
+        self.frame_number(b, 0.6, -(b - a).normalize());
+        own
+    }
+
+    fn links(&mut self) -> Group {
+        let mut all = Group::new("links");
+        for link in self.notation.mechanism().moving() {
+            if self.notation.mechanism().links[link.0].block {
+                continue;
+            }
+            let mut own = Group::new("link").data("link", self.notation.number(link));
+            let slotted = self.is_slotted(link);
+            match self.body(link) {
+                Body::Point => {}
+                Body::Straight(a, b, between) => {
+                    if !slotted {
+                        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).class("bar").precise());
+                    }
+                    for joint in between.into_iter().filter(|joint| self.is_pinned(*joint)) {
+                        self.continuity(link, joint, (b - a).normalize(), &mut own);
+                    }
+                }
+                Body::Polygon(corners) => self.plate(link, &corners, &mut own),
+            }
+            if !own.children.is_empty() {
+                all.group(own);
+            }
+        }
+        all
+    }
+
+    /// Whether a turning pair is at this place.
+    fn is_pinned(&self, at: Point) -> bool {
+        let pins = &self.notation.mechanism().pins;
+        pins.iter().filter_map(|pin| self.pose.place(pin.point)).any(|p| p.distance(at) < 0.3)
+    }
+
+    /// A link of three or more points: outlined and lightly hatched; a bell crank as two arms with a web.
+    fn plate(&self, link: LinkId, corners: &[Point], own: &mut Group) {
+        let places = self.pose.places(link);
+        if let (Form::Arms { .. }, [(_, vertex), (_, one), (_, other)]) =
+            (&self.notation.mechanism().links[link.0].form, &places[..])
+        {
+            let arms = Shape::Polyline(vec![*one, *vertex, *other]);
+            own.mark(Mark::stroke(arms, Pen::solid(THICK)).class("bar").precise());
+            let (u, v) = ((*one - *vertex).normalize(), (*other - *vertex).normalize());
+            let reach = 4.5_f64.min(one.distance(*vertex) / 2.0).min(other.distance(*vertex) / 2.0);
+            let web = Shape::Polygon(vec![*vertex, *vertex + u * reach, *vertex + v * reach]);
+            own.mark(Mark::area(web, Tone::Ink).class("web"));
+            return;
+        }
+        hatch_inside(own, corners, 2.6);
+        let outline = Shape::Polygon(corners.to_vec());
+        own.mark(Mark::stroke(outline, Pen::solid(THICK)).class("bar").precise());
+        // Points inside the outline hang on it by an arm.
+        for (_, p) in places {
+            let on_corner = corners.iter().any(|c| c.distance(p) < 0.3);
+            if !on_corner
+                && let Some(near) = corners.iter().min_by(|a, b| a.distance(p).total_cmp(&b.distance(p)))
+            {
+                own.mark(Mark::stroke(Shape::Line(p, *near), Pen::solid(THIN)).class("arm"));
+            }
+        }
+    }
+
+    /// A small bridge over a middle joint: the link runs on there.
+    fn continuity(&self, link: LinkId, joint: Point, along: Vec2, own: &mut Group) {
+        let mut side = Vec2::new(along.y, -along.x);
+        let others: f64 = self
+            .bars
+            .iter()
+            .filter(|(l, ..)| *l != link)
+            .flat_map(|(_, a, b)| [(a, b), (b, a)])
+            .filter(|(near, _)| near.distance(joint) < 0.5)
+            .map(|(_, far)| (*far - joint).normalize().dot(side))
+            .sum();
+        let support = if self.pivots().iter().any(|(_, p)| p.distance(joint) < 0.5) {
+            self.support_direction(joint).dot(side)
+        } else {
+            0.0
+        };
+        if others + support > 0.0 {
+            side = -side;
+        }
+        let start = libm::atan2(-along.y, along.x);
+        let ccw = along.cross(side) < 0.0;
+        let sweep = if ccw { std::f64::consts::PI } else { -std::f64::consts::PI };
+        let arc = Shape::Arc { centre: joint, radius: 2.3, start, sweep };
+        own.mark(Mark::stroke(arc, Pen::solid(THICK)).class("continuity"));
+    }
+
+    /// Whether a slot runs along a link's own line: then it stands for the bar.
+    fn is_slotted(&self, link: LinkId) -> bool {
+        self.notation.mechanism().slides.iter().filter(|s| s.guide.link == link).any(|slide| {
+            let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) else { return false };
+            let places = self.pose.places(link);
+            places.iter().filter(|(_, p)| (*p - at).cross(along).abs() < THIN).count() >= 2
+        })
+    }
+
+    /// The slots in moving links: two parallel lines, closed at their ends.
+    fn slots(&self) -> Group {
+        let mut all = Group::new("slots");
+        for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link != LinkId::FRAME) {
+            let link = slide.guide.link;
+            let mut own = Group::new("link slot").data("link", self.notation.number(link));
+            match self.pose.guide(slide) {
+                Some(GuideLine::Straight { at, along }) => {
+                    let mut reach = (-8.0_f64, 8.0_f64);
+                    for (_, p) in self.pose.places(link) {
+                        if (p - at).cross(along).abs() < THIN {
+                            let position = (p - at).dot(along);
+                            reach = (reach.0.min(position), reach.1.max(position));
+                        }
+                    }
+                    let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
+                    let (a, b) = (at + along * reach.0, at + along * reach.1);
+                    let outline = Shape::Polygon(vec![a + across, b + across, b - across, a - across]);
+                    own.mark(Mark::stroke(outline, Pen::solid(THICK)));
+                }
+                Some(GuideLine::Arc { at, centre }) => {
+                    let radius = at.distance(centre);
+                    let d = at - centre;
+                    let middle = libm::atan2(-d.y, d.x);
+                    let half = (GUIDE / radius.max(1.0)).min(1.2);
+                    for offset in [-SLOT_BLOCK.1, SLOT_BLOCK.1] {
+                        let radius = (radius + offset).max(0.1);
+                        let shape = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
+                        own.mark(Mark::stroke(shape, Pen::solid(THICK)));
+                    }
+                }
+                None => continue,
+            }
+            all.group(own);
+        }
+        all
+    }
+
+    fn slides(&mut self) -> Group {
+        let mut all = Group::new("sliders");
+        for slide in &self.notation.mechanism().slides {
+            let block = match slide.rider {
+                Rider::Pin { block: Some(block), .. } => Some(block),
+                Rider::Pin { block: None, .. } => None,
+                Rider::Link { link, .. } => Some(link),
+            };
+            let (at, along) = match self.pose.guide(slide) {
+                Some(GuideLine::Straight { at, along }) => (at, along),
+                Some(GuideLine::Arc { at, centre }) if at.distance(centre) > 0.0 => {
+                    let out = (at - centre).normalize();
+                    (at, Vec2::new(-out.y, out.x))
+                }
+                _ => continue,
+            };
+            let Some(block) = block else { continue };
+            let size = if slide.guide.link == LinkId::FRAME { BLOCK } else { SLOT_BLOCK };
+            let number = self.notation.number(block);
+            let mut own = Group::new("link slider").data("link", number.clone());
+            let corners = turned_rect(at, along, size.0, size.1);
+            own.mark(Mark::outlined(Shape::Polygon(corners.clone()), Pen::solid(THICK * 0.8), Tone::Paper));
+            // A rider that is a link of its own is welded to its block.
+            if matches!(slide.rider, Rider::Link { .. }) {
+                own.mark(dot(at, 0.6));
+            }
+            all.group(own);
+            if !matches!(slide.rider, Rider::Link { .. }) {
+                let radius = libm::hypot(size.0, size.1) * 0.8;
+                let site = Site::Around { at, radius, toward: None };
+                self.labels.push(ringed(&number, site));
+            }
+        }
+        all
+    }
+
+    fn rolls(&mut self) -> Group {
+        let mut all = Group::new("pitch-circles");
+        for roll in &self.notation.mechanism().rolls {
+            match roll {
+                Roll::Circles { centres, radii, internal, .. } => {
+                    let places = centres.map(|c| self.pose.place(c));
+                    for (centre, radius) in places.iter().zip(radii) {
+                        if let Some(centre) = centre {
+                            all.mark(pitch_circle(*centre, self.pose.paper(radius.value)));
+                        }
+                    }
+                    if let [Some(a), Some(b)] = places
+                        && a.distance(b) > 0.0
+                    {
+                        let r = self.pose.paper(radii[0].value);
+                        // Inside a ring the contact is beyond the smaller wheel's centre.
+                        let outward = if *internal && radii[0].value < radii[1].value { -1.0 } else { 1.0 };
+                        all.mark(dot(a + (b - a).normalize() * (r * outward), 0.6).class("tangency"));
+                    }
+                }
+                Roll::Line { guide, centre, radius, .. } => {
+                    let Some(centre) = self.pose.place(*centre) else { continue };
+                    let r = self.pose.paper(radius.value);
+                    all.mark(pitch_circle(centre, r));
+                    let Some((on, along)) = self.pose.track(*guide) else { continue };
+                    let foot = on + along * (centre - on).dot(along);
+                    let (a, b) = (foot - along * (r + 5.0), foot + along * (r + 5.0));
+                    all.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).class("rack"));
+                    all.mark(dot(foot, 0.6).class("tangency"));
+                    if guide.link == LinkId::FRAME {
+                        let below = Vec2::new(-along.y, along.x).dot(foot - centre) > 0.0;
+                        let (a, b) = if below { (a, b) } else { (b, a) };
+                        hatch_below(&mut all, a, b);
+                        self.frame_number(b, 0.6, -(b - a).normalize());
+                    }
+                }
+            }
+        }
+        all
+    }
+
+    fn joints(&mut self) -> Group {
+        let mut all = Group::new("joints");
+        let mechanism = self.notation.mechanism();
+        for (i, point) in mechanism.points.iter().enumerate() {
+            let id = PointId(i);
+            let Some(at) = self.pose.place(id) else { continue };
+            let pinned = mechanism.pins.iter().any(|p| p.point == id);
+            let rides =
+                mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point, .. } if point == id));
+            let in_use = point.links.iter().any(|l| *l != LinkId::FRAME);
+            let mut own = Group::new("joint").data("point", point.name.clone());
+            let radius = if pinned || rides {
+                let circle = Shape::Circle { centre: at, radius: PIN };
+                own.mark(Mark::outlined(circle, Pen::solid(THIN * 1.4), Tone::Paper).precise());
+                PIN
+            } else {
+                own.mark(dot(at, 0.5).precise());
+                0.5
+            };
+            if !in_use && !rides {
+                own.class = "joint reference".to_owned();
+            }
+            all.group(own);
+            let site = Site::Around { at, radius: radius + 0.2, toward: self.outward(at) };
+            let mut request = Request::new(self.notation.point(id), LABEL, site, "label point-name");
+            request.leader = true;
+            self.labels.push(request);
+        }
+        all
+    }
+
+    fn outward(&self, at: Point) -> Option<f64> {
+        let sum: Vec2 = self
+            .bars
+            .iter()
+            .flat_map(|(_, a, b)| [(a, b), (b, a)])
+            .filter(|(near, _)| near.distance(at) < 0.5)
+            .map(|(_, far)| (*far - at).normalize())
+            .fold(Vec2::ZERO, |s, d| s + d);
+        (sum.hypot() > 0.3).then(|| libm::atan2(sum.y, -sum.x))
+    }
+
+    /// θ₂ from the horizontal, with its arc.
+    fn crank_angles(&mut self) -> Group {
+        let mut all = Group::new("angles");
+        for input in &self.notation.mechanism().inputs {
+            let (Input::Angle { link, angle: Some(angle), .. }
+            | Input::Speed { link, angle: Some(angle), .. }) = input
+            else {
+                continue;
+            };
+            let [(_, from), (_, to), ..] = self.pose.places(*link)[..] else { continue };
+            let turn = libm::remainder(angle.value, std::f64::consts::TAU);
+            let radius = (from.distance(to) * 0.75).clamp(6.0, 11.0);
+            let end = from + Vec2::new(radius + 3.0, 0.0);
+            all.mark(Mark::stroke(Shape::Line(from + Vec2::new(PIN, 0.0), end), Pen::solid(FINE)));
+            if turn.abs() * radius > 1.5 {
+                arc_arrow(&mut all, from, radius, 0.0, turn, FINE);
+            }
+            let middle = on_circle(from, radius, turn / 2.0);
+            let site = Site::Around { at: middle, radius: 0.3, toward: Some(turn / 2.0) };
+            let text = self.notation.symbol(Quantity::Angle(*link), false).up("\u{a0}=\u{a0}");
+            let text = text.then(&human::degrees(angle.value));
+            let beyond = Site::Around { at: end, radius: 0.3, toward: Some(0.0) };
+            let quarter = on_circle(from, radius, turn / 4.0);
+            let quarter = Site::Around { at: quarter, radius: 0.3, toward: Some(turn / 4.0) };
+            let mut request = Request::new(text, SMALL, site, "label angle").or(quarter).or(beyond);
+            request.leader = true;
+            self.labels.push(request);
+        }
+        all
+    }
+
+    /// ω and α of every link for which they are known.
+    fn known_rotations(&self) -> BTreeMap<(LinkId, bool), f64> {
+        let mut known = BTreeMap::new();
+        for input in &self.notation.mechanism().inputs {
+            if let Input::Angle { link, omega, alpha, .. } = input {
+                known.insert((*link, false), omega.value);
+                known.insert((*link, true), alpha.value);
+            }
+        }
+        for act in self.construction.steps.iter().flat_map(|s| &s.acts) {
+            match act {
+                Act::Calculate(Calculation::Omega { link, value, .. }) => {
+                    known.insert((*link, false), *value);
+                }
+                Act::Calculate(Calculation::Alpha { link, value, .. }) => {
+                    known.insert((*link, true), *value);
+                }
+                Act::Calculate(Calculation::Speed { link, omega, .. }) => {
+                    known.insert((*link, false), *omega);
+                }
+                _ => {}
+            }
+        }
+        let asked = &self.notation.mechanism().asked;
+        for (asked, reading) in asked.iter().zip(&self.construction.answers) {
+            if let Answer::Scalar { value, .. } = reading.answer {
+                match asked.quantity {
+                    Quantity::Omega(link) => known.insert((link, false), value),
+                    Quantity::Alpha(link) => known.insert((link, true), value),
+                    _ => None,
+                };
+            }
+        }
+        known.retain(|_, value| *value != 0.0);
+        known
+    }
+
+    fn rotations(&mut self, group: &mut Group) {
+        let mut all = Group::new("rotations");
+        for ((link, second), value) in self.known_rotations() {
+            let Some((arc, cost)) = self.best_arc(&Obstacles::of(group), &Obstacles::of(&all), link, second)
+            else {
+                continue;
+            };
+            if cost > 400.0 {
+                continue;
+            }
+            let quantity = if second { Quantity::Alpha(link) } else { Quantity::Omega(link) };
+            let unit = self.notation.angular_unit(if second { Order::Acceleration } else { Order::Velocity });
+            let mut own = Group::new(if second { "rotation second" } else { "rotation" })
+                .data("quantity", self.notation.quantity_name(quantity))
+                .data("value", format!("{}", value / unit.si));
+            let Turn { centre, radius, middle, half } = arc;
+            let (start, sweep) =
+                if value > 0.0 { (middle - half, 2.0 * half) } else { (middle + half, -2.0 * half) };
+            arc_arrow(&mut own, centre, radius, start, sweep, THIN);
+            if second {
+                // Two barbs tell the angular acceleration from the angular velocity.
+                let sign = value.signum();
+                let back = (HEAD * 0.9) / radius;
+                let angle = start + sweep - sign * back;
+                let tip = on_circle(centre, radius, angle);
+                let (sin, cos) = libm::sincos(angle - sign * back / 2.0);
+                own.mark(head(tip, Vec2::new(-sin, -cos) * sign, HEAD * 0.9));
+            }
+            all.group(own);
+            let at = on_circle(centre, radius, middle);
+            let site = Site::Around { at, radius: 0.2, toward: Some(middle) };
+            let text = self.notation.symbol(quantity, false);
+            self.labels.push(Request::new(text, SMALL, site, "label rotation-name"));
+        }
+        group.group(all);
+    }
+
+    /// Where a link's curved arrow disturbs least.
+    fn best_arc(&self, ink: &Obstacles, arcs: &Obstacles, link: LinkId, second: bool) -> Option<(Turn, f64)> {
+        let mut best: Option<(Turn, f64)> = None;
+        for (turn, taste) in self.arcs(link, second) {
+            let mut cost = taste;
+            let pieces = 9;
+            for i in 0..=pieces {
+                let angle = turn.middle + turn.half * (f64::from(i) / f64::from(pieces) * 2.0 - 1.0);
+                let at = on_circle(turn.centre, turn.radius, angle);
+                let own = Rect::from_center_size(at, (1.0, 1.0));
+                cost += (ink.cost(own).0 + arcs.cost(own).0).min(60.0);
+            }
+            // Room for its name.
+            let name = on_circle(turn.centre, turn.radius + 3.4, turn.middle);
+            let own = Rect::from_center_size(name, (4.6, 3.0));
+            cost += (ink.cost(own).0 + arcs.cost(own).0).min(80.0);
+            if best.as_ref().is_none_or(|(_, least)| cost < *least) {
+                best = Some((turn, cost));
+            }
+        }
+        best
+    }
+
+    fn arcs(&self, link: LinkId, second: bool) -> Vec<(Turn, f64)> {
+        let mut all = Vec::new();
+        let Some((_, a, b)) = self.bars.iter().find(|(l, ..)| *l == link).copied() else { return all };
+        let places = self.pose.places(link);
+        let pivot = places.iter().find(|(p, _)| self.notation.mechanism().is_fixed(*p));
+        if let Some((_, centre)) = pivot {
+            for (i, radius) in [6.5, 8.0, 9.5, 11.5, 14.0].into_iter().enumerate() {
+                for k in 0..36 {
+                    let middle = f64::from(k) * (std::f64::consts::TAU / 36.0);
+                    let near = places
+                        .iter()
+                        .filter(|(_, p)| p.distance(*centre) > 0.5)
+                        .map(|(_, p)| {
+                            let d = *p - *centre;
+                            let own = libm::atan2(-d.y, d.x);
+                            libm::remainder(middle - own, std::f64::consts::TAU).abs()
+                        })
+                        .fold(std::f64::consts::PI, f64::min);
+                    let turn = Turn { centre: *centre, radius, middle, half: 5.0 / radius };
+                    all.push((turn, 1.5 * i as f64 + 3.0 * near));
+                }
+            }
+            return all;
+        }
+        let along = (b - a).normalize();
+        let normal = libm::atan2(-along.x, -along.y);
+        for (i, t) in [0.35, 0.65, 0.25, 0.75, 0.5].into_iter().enumerate() {
+            for side in [0.0, std::f64::consts::PI] {
+                for (j, radius) in [4.0, 5.0, 6.5].into_iter().enumerate() {
+                    let middle = normal + side;
+                    let turn = Turn { centre: a.lerp(b, t), radius, middle, half: 4.4 / radius };
+                    all.push((turn, 0.5 * i as f64 + 1.0 * j as f64 + if second { 0.2 } else { 0.0 }));
+                }
+            }
+        }
+        all
+    }
+
+    fn number_links(&mut self) {
+        let mut requests = Vec::new();
+        for link in self.notation.mechanism().moving() {
+            let number = self.notation.number(link);
+            let blocked = self.notation.mechanism().links[link.0].block;
+            let longest = self
+                .bars
+                .iter()
+                .filter(|(l, ..)| *l == link)
+                .max_by(|x, y| x.1.distance(x.2).total_cmp(&y.1.distance(y.2)));
+            match longest {
+                Some((_, a, b)) => {
+                    // A straight link with a middle joint is numbered on its longer piece.
+                    let (from, to) = self.longest_piece(link, *a, *b);
+                    let mut request = ringed(&number, Site::Along { from, to });
+                    for (_, a, b) in self.bars.iter().filter(|(l, ..)| *l == link).skip(1) {
+                        request = request.or(Site::Along { from: *a, to: *b });
+                    }
+                    requests.push(request);
+                }
+                None if !blocked => {
+                    if let Some((_, at)) = self.pose.places(link).first() {
+                        let slides = &self.notation.mechanism().slides;
+                        let rides = slides
+                            .iter()
+                            .any(|s| matches!(s.rider, Rider::Link { link: l, .. } if l == link));
+                        let radius = if rides { 5.0 } else { 2.0 };
+                        requests.push(ringed(&number, Site::Around { at: *at, radius, toward: None }));
+                    }
+                }
+                None => {}
+            }
+        }
+        self.labels.append(&mut requests);
+    }
+
+    fn longest_piece(&self, link: LinkId, a: Point, b: Point) -> (Point, Point) {
+        let d = b - a;
+        let mut stops: Vec<f64> = self
+            .pose
+            .places(link)
+            .into_iter()
+            .filter(|(_, p)| (*p - a).cross(d).abs() < THIN * d.hypot())
+            .map(|(_, p)| (p - a).dot(d) / d.hypot2())
+            .chain([0.0, 1.0])
+            .filter(|t| (-1e-9..=1.0 + 1e-9).contains(t))
+            .collect();
+        stops.sort_by(f64::total_cmp);
+        let longest = stops.windows(2).max_by(|x, y| (x[1] - x[0]).total_cmp(&(y[1] - y[0] + 1e-9)));
+        longest.map_or((a, b), |w| (a.lerp(b, w[0]), a.lerp(b, w[1])))
+    }
+}
+
+/// A curved arrow's place.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    centre: Point,
+    radius: f64,
+    middle: f64,
+    half: f64,
+}
+
+fn ringed(number: &str, site: Site) -> Request {
+    let mut request = Request::new(Rich::upright(number), SMALL * 0.95, site, "label link-number");
+    request.ring = Some(if number.len() > 1 { 2.6 } else { 2.1 });
+    request.leader = true;
+    request
+}
+
+fn pitch_circle(centre: Point, radius: f64) -> Mark {
+    Mark::stroke(Shape::Circle { centre, radius }, Pen::chain(THIN)).class("pitch-circle").precise()
+}
+
+fn fixed_arc(at: Point, centre: Point) -> Group {
+    let mut own = Group::new("guide");
+    let radius = at.distance(centre);
+    let d = at - centre;
+    let middle = libm::atan2(-d.y, d.x);
+    let half = (GUIDE / radius.max(1.0)).min(1.2);
+    let outer = radius + BLOCK.1;
+    let surface = Shape::Arc { centre, radius: outer, start: middle - half, sweep: 2.0 * half };
+    own.mark(Mark::stroke(surface, Pen::solid(THICK)));
+    let strokes = (2.0 * half * outer / 1.5).floor();
+    for i in 0..strokes as usize {
+        let angle = middle - half + (i as f64 + 0.5) * (2.0 * half / strokes);
+        let from = on_circle(centre, outer, angle);
+        let to = on_circle(centre, outer + 1.5, angle - 1.5 / outer);
+        own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("hatch"));
+    }
+    own
+}
+
+fn nearest(a: Point, b: Point, p: Point) -> Point {
+    let d = b - a;
+    let t = ((p - a).dot(d) / d.hypot2().max(1e-12)).clamp(0.0, 1.0);
+    a.lerp(b, t)
+}

@@ -1,0 +1,446 @@
+//! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
+
+use super::human;
+use super::notation::Notation;
+use super::rich::Rich;
+use super::table::{Align, Table};
+use crate::graphical::construction::{
+    Act, Calculation, Claim, Construction, Equation, Label, Polygon, Reference, Step, Term, TermDirection,
+    Vector, VectorKind,
+};
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::{LinkId, PointId};
+
+/// Flatter crossings than this are badly readable by hand.
+const FLAT: f64 = 3.0;
+
+/// A piece of the text of the steps.
+#[derive(Debug, Clone)]
+pub enum Item {
+    /// The head of a step; stays with what follows.
+    Head(Rich),
+    /// The table of terms of an equation; stays with what follows.
+    Terms(Table),
+    /// A sentence.
+    Sentence(Rich),
+}
+
+/// All steps in order.
+#[must_use]
+pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
+    let mut all = Vec::new();
+    let mut rubbing = false;
+    for (i, step) in construction.steps.iter().enumerate() {
+        let teller = Teller { construction, notation, step };
+        // Rubbing speeds of several pins stand under one head.
+        let rubs = only_rubs(step);
+        let same = rubs && rubbing;
+        rubbing = rubs;
+        if same {
+            all.extend(step.acts.iter().filter_map(|act| teller.act(act)).map(Item::Sentence));
+            continue;
+        }
+        all.push(Item::Head(Rich::bold(format!("{}.", i + 1)).up("\u{a0}\u{a0}").then(&teller.head())));
+        for equation in &step.equations {
+            all.push(Item::Terms(teller.terms(equation)));
+        }
+        for act in &step.acts {
+            all.extend(teller.act(act).map(Item::Sentence));
+        }
+    }
+    all
+}
+
+fn only_rubs(step: &Step) -> bool {
+    let rub = |act: &Act| matches!(act, Act::Calculate(Calculation::Rub { .. }));
+    !step.acts.is_empty() && step.acts.iter().all(rub)
+}
+
+struct Teller<'a> {
+    construction: &'a Construction,
+    notation: &'a Notation<'a>,
+    step: &'a Step,
+}
+
+impl Teller<'_> {
+    fn head(&self) -> Rich {
+        let words = self.notation.words;
+        if only_rubs(self.step) {
+            return Rich::bold(words.step_rubbing);
+        }
+        let template = match (self.step.order, self.step.links.is_empty()) {
+            (Order::Position, true) => words.step_frame,
+            (Order::Position, false) => words.step_place,
+            (Order::Velocity, true) => words.step_velocity_pole,
+            (Order::Velocity, false) => words.step_velocity,
+            (Order::Acceleration, true) => words.step_acceleration_pole,
+            (Order::Acceleration, false) => words.step_acceleration,
+        };
+        Rich::fill(template, &[("links", self.notation.links(&self.step.links))]).bolder()
+    }
+
+    /// One column per term, the signs between them in columns of their own.
+    fn terms(&self, equation: &Equation) -> Table {
+        let words = self.notation.words;
+        let unit = self.notation.unit(self.step.order);
+        let label = |word: &str| Rich::italic(word);
+        let mut table = Table {
+            columns: vec![Align::Left],
+            head: vec![Rich::default()],
+            rows: vec![
+                vec![label(words.magnitude).up(", ").up(&human::pretty(&unit.symbol))],
+                vec![label(words.direction)],
+            ],
+            size: 3.3,
+            gap: 2.2,
+        };
+        let sides = [&equation.left, &equation.right];
+        for (side, terms) in sides.into_iter().enumerate() {
+            for (i, term) in terms.iter().enumerate() {
+                if i > 0 || side > 0 {
+                    table.columns.push(Align::Middle);
+                    table.head.push(Rich::upright(if i > 0 { "+" } else { "=" }));
+                    table.rows.iter_mut().for_each(|row| row.push(Rich::default()));
+                }
+                let (magnitude, direction) = self.term(term, unit.si);
+                table.columns.push(Align::Middle);
+                table.head.push(self.notation.symbol(term.quantity, true));
+                for (row, cell) in table.rows.iter_mut().zip([magnitude, direction]) {
+                    row.push(cell);
+                }
+            }
+        }
+        table
+    }
+
+    fn term(&self, term: &Term, unit: f64) -> (Rich, Rich) {
+        let unknown = || Rich::upright(self.notation.words.unknown);
+        let magnitude = match term.magnitude {
+            Some(value) => Rich::tick().gap(0.15).then(&human::number(value / unit)),
+            None => unknown(),
+        };
+        let direction = match term.direction {
+            Some(TermDirection::Found) => Rich::tick(),
+            Some(TermDirection::Claim(claim)) => self.notation.claim(claim),
+            None => unknown(),
+        };
+        (magnitude, direction)
+    }
+
+    fn polygon(&self) -> Option<&Polygon> {
+        match self.step.order {
+            Order::Acceleration => self.construction.acceleration.as_ref(),
+            _ => self.construction.velocity.as_ref(),
+        }
+    }
+
+    fn vector(&self, index: usize) -> Option<&Vector> {
+        self.polygon()?.vectors.get(index)
+    }
+
+    /// The sentence of an act; none where it refers to what is not there.
+    fn act(&self, act: &Act) -> Option<Rich> {
+        let n = self.notation;
+        let words = n.words;
+        let order = self.step.order;
+        let length_unit = &n.scene.units.length;
+        let per_mm = self.construction.space.metres_per_mm;
+        let metres = |si: f64| human::quantity(si, length_unit);
+        let image = |label| n.image(label, order);
+        let sentence = match act {
+            Act::MarkPlaces => {
+                let points: Vec<Rich> = (0..n.mechanism().points.len())
+                    .map(PointId)
+                    .filter(|p| n.mechanism().point(*p).place.exact().is_some())
+                    .map(|p| n.point(p))
+                    .collect();
+                Rich::fill(
+                    words.mark_places,
+                    &[
+                        ("points", Rich::join(&points, &Rich::upright(", "))),
+                        ("scale", n.length_scale(per_mm)),
+                    ],
+                )
+            }
+            Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(
+                words.lay_off_link,
+                &[
+                    ("from", n.point(*from)),
+                    ("to", n.point(*to)),
+                    ("length", n.length(*from, *to)),
+                    ("value", metres(*length)),
+                    ("mm", human::millimetres(length / per_mm)),
+                    ("angle", human::degrees(*angle)),
+                ],
+            ),
+            Act::StrikeArc { centre, to, radius } => Rich::fill(
+                words.strike_arc,
+                &[
+                    ("centre", n.point(*centre)),
+                    ("length", n.length(*centre, *to)),
+                    ("value", metres(*radius)),
+                    ("mm", human::millimetres(radius / per_mm)),
+                ],
+            ),
+            Act::DrawGuide { slide } => Rich::fill(words.draw_guide, &[("guide", n.guide(*slide))]),
+            Act::MarkIntersection { point, crossing } => {
+                let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
+                self.warned(met, *crossing)
+            }
+            Act::TransferPoint { link, point } => Rich::fill(
+                words.transfer_point,
+                &[("point", n.point(*point)), ("link", Rich::upright(n.number(*link)))],
+            ),
+            Act::MeasureLength { from, to, mm, value } => Rich::fill(
+                words.measure_length,
+                &[
+                    ("length", n.length(*from, *to)),
+                    ("mm", human::millimetres(*mm)),
+                    ("value", metres(*value)),
+                ],
+            ),
+            Act::MarkPole => Rich::fill(words.mark_pole, &[("pole", n.image(Label::Pole, order))]),
+            Act::Calculate(calculation) => return self.calculation(calculation),
+            Act::LayOffVector { vector, mm, .. } => {
+                let vector = self.vector(*vector)?;
+                let parts = [
+                    ("vector", n.symbol(vector.quantity, false)),
+                    ("image", n.image_line(vector.tail, vector.head, order)),
+                    ("mm", human::millimetres(*mm)),
+                    ("tail", image(vector.tail)),
+                    ("head", image(vector.head)),
+                    ("direction", self.direction_of(vector)),
+                ];
+                let template = if vector.as_point { words.vector_as_point } else { words.lay_off_vector };
+                Rich::fill(template, &parts)
+            }
+            Act::DrawRay { from, claim } => {
+                Rich::fill(words.draw_ray, &[("from", image(*from)), ("direction", n.claim(*claim))])
+            }
+            Act::MarkMeet { label, crossing } => {
+                let met = Rich::fill(words.mark_meet, &[("label", image(*label))]);
+                self.warned(met, *crossing)
+            }
+            Act::DivideImage { label, from, to, ratio } => Rich::fill(
+                words.divide_image,
+                &[
+                    ("image", n.image_line(*from, *to, order)),
+                    ("part", n.image_line(*from, *label, order)),
+                    ("ratio", human::number(*ratio)),
+                    ("label", image(*label)),
+                ],
+            ),
+            Act::CompleteImage { label, link, base } => Rich::fill(
+                words.complete_image,
+                &[
+                    ("base", n.image_line(base[0], base[1], order)),
+                    ("link", Rich::upright(n.number(*link))),
+                    ("label", image(*label)),
+                ],
+            ),
+            Act::SameImage { label, with } => {
+                Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(*with))])
+            }
+            Act::ReadVector { vector, mm, value } => {
+                let vector = self.vector(*vector)?;
+                let unit = n.unit(order);
+                let factor = self.polygon()?.si_per_mm / unit.si;
+                let reading = human::millimetres(*mm)
+                    .up("\u{a0}×\u{a0}")
+                    .then(&human::stated(factor))
+                    .up("\u{a0}=\u{a0}")
+                    .then(&human::quantity(*value, &unit));
+                Rich::fill(
+                    words.read_vector,
+                    &[
+                        ("vector", n.symbol(vector.quantity, false)),
+                        ("image", n.image_line(vector.tail, vector.head, order)),
+                        ("reading", reading),
+                    ],
+                )
+            }
+        };
+        Some(sentence)
+    }
+
+    /// The direction in which a vector is laid off, with its sense.
+    fn direction_of(&self, vector: &Vector) -> Rich {
+        let n = self.notation;
+        let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.up(", ").then(&b) };
+        let Some(claim) = vector.claim else { return Rich::default() };
+        if vector.kind == VectorKind::Coriolis {
+            let head = ("head", n.image(vector.head, self.step.order));
+            return comma(n.claim(claim), Rich::fill(n.words.head_first, &[head]));
+        }
+        match claim {
+            Claim::Parallel(Reference::Points(p, q)) => {
+                let places = &self.construction.space.places;
+                let place = |p: PointId| places.get(p.0).copied().flatten();
+                let (Some(a), Some(b)) = (place(p), place(q)) else { return n.claim(claim) };
+                let along = (b[0] - a[0]) * (vector.to[0] - vector.from[0])
+                    + (b[1] - a[1]) * (vector.to[1] - vector.from[1]);
+                let (p, q) = if along < 0.0 { (q, p) } else { (p, q) };
+                Rich::upright("∥\u{a0}").then(&n.point(p)).up("\u{2009}→\u{2009}").then(&n.point(q))
+            }
+            Claim::Perpendicular(Reference::Points(p, q)) => {
+                let carries = |l: &LinkId| {
+                    let points = &n.mechanism().link(*l).points;
+                    points.contains(&p) && points.contains(&q)
+                };
+                let Some(link) = n.mechanism().moving().find(carries) else { return n.claim(claim) };
+                let rotation = match vector.kind {
+                    VectorKind::Tangential => Quantity::Alpha(link),
+                    _ => Quantity::Omega(link),
+                };
+                let sense = Rich::fill(n.words.in_sense_of, &[("rotation", n.symbol(rotation, false))]);
+                comma(n.claim(claim), sense)
+            }
+            _ => n.claim(claim),
+        }
+    }
+
+    fn warned(&self, sentence: Rich, crossing: f64) -> Rich {
+        if crossing.to_degrees() >= FLAT {
+            return sentence;
+        }
+        let angle = ("angle", human::degrees(crossing));
+        sentence.up(" ").then(&Rich::fill(self.notation.words.flat_crossing, &[angle]))
+    }
+
+    fn calculation(&self, calculation: &Calculation) -> Option<Rich> {
+        let n = self.notation;
+        let equals = "\u{a0}= ";
+        let length = &n.scene.units.length;
+        let (v, a) = (n.unit(Order::Velocity), n.unit(Order::Acceleration));
+        let (w, e) = (n.angular_unit(Order::Velocity), n.angular_unit(Order::Acceleration));
+        let number = |si: f64, unit: f64| human::number(si / unit);
+        let times = "\u{a0}·\u{a0}";
+        let cross = "\u{a0}×\u{a0}";
+        let over = "\u{a0}/\u{a0}";
+        let text = match calculation {
+            Calculation::Speed { quantity, link, ends, omega, length: l, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .then(&n.symbol(Quantity::Omega(*link), false))
+                .up(times)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(omega.abs(), w.si))
+                .up(cross)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&human::quantity(*value, &v)),
+            Calculation::Omega { link, quantity, ends, speed, length: l, value } => n
+                .symbol(Quantity::Omega(*link), false)
+                .up(equals)
+                .then(&n.symbol(*quantity, false))
+                .up(over)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(*speed, v.si))
+                .up(over)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&n.rotation(*value, &w)),
+            Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .then(&n.symbol(*velocity, false))
+                .up("²")
+                .up(over)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(*speed, v.si))
+                .up("²")
+                .up(over)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&human::quantity(*value, &a)),
+            Calculation::Tangential { quantity, link, ends, alpha, length: l, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .then(&n.symbol(Quantity::Alpha(*link), false))
+                .up(times)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(alpha.abs(), e.si))
+                .up(cross)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&human::quantity(*value, &a)),
+            Calculation::Alpha { link, quantity, ends, tangential, length: l, value } => n
+                .symbol(Quantity::Alpha(*link), false)
+                .up(equals)
+                .then(&n.symbol(*quantity, false))
+                .up(over)
+                .then(&n.length(ends[0], ends[1]))
+                .up(equals)
+                .then(&number(*tangential, a.si))
+                .up(over)
+                .then(&number(*l, length.si))
+                .up(equals)
+                .then(&n.rotation(*value, &e)),
+            Calculation::Coriolis { quantity, link, slip, speed, omega, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .up("2")
+                .up(times)
+                .then(&n.symbol(*slip, false))
+                .up(times)
+                .then(&n.symbol(Quantity::Omega(*link), false))
+                .up(equals)
+                .up("2")
+                .up(cross)
+                .then(&number(*speed, v.si))
+                .up(cross)
+                .then(&number(omega.abs(), w.si))
+                .up(equals)
+                .then(&human::quantity(*value, &a)),
+            Calculation::SlipNormal { quantity, slip, speed, radius, value } => n
+                .symbol(*quantity, false)
+                .up(equals)
+                .then(&n.symbol(*slip, false))
+                .up("²")
+                .up(over)
+                .it("R")
+                .up(equals)
+                .then(&number(*speed, v.si))
+                .up("²")
+                .up(over)
+                .then(&number(*radius, length.si))
+                .up(equals)
+                .then(&human::quantity(*value, &a)),
+            Calculation::Translation { link } => {
+                let omega = match self.step.order {
+                    Order::Acceleration => Quantity::Alpha(*link),
+                    _ => Quantity::Omega(*link),
+                };
+                Rich::fill(
+                    n.words.translation,
+                    &[("link", Rich::upright(n.number(*link))), ("omega", n.symbol(omega, false))],
+                )
+            }
+            Calculation::Rub { pin, links, radius, first, second, value } => {
+                let quantity = Quantity::Rub(*pin, links[0], links[1]);
+                let unit = n.mechanism().asked.iter().find(|q| q.quantity == quantity);
+                let unit = unit.map_or_else(|| v.clone(), |asked| asked.unit.clone());
+                let length = human::length_of(&unit).unwrap_or_else(|| length.clone());
+                n.symbol(quantity, false)
+                    .up(equals)
+                    .it("r")
+                    .up("\u{a0}|")
+                    .then(&n.symbol(Quantity::Omega(links[0]), false))
+                    .up("\u{a0}−\u{a0}")
+                    .then(&n.symbol(Quantity::Omega(links[1]), false))
+                    .up("|")
+                    .up(equals)
+                    .then(&human::stated_quantity(*radius, &length))
+                    .up(cross)
+                    .then(&number((first - second).abs(), w.si))
+                    .up(equals)
+                    .then(&human::quantity(*value, &unit))
+            }
+        };
+        Some(text)
+    }
+}

@@ -1,0 +1,123 @@
+//! Tables: columns as wide as their cells, three rules, no boxes.
+
+use kurbo::Point;
+
+use super::figure::{Group, Mark, Pen, Shape};
+use super::rich::Rich;
+
+/// How the cells of a column stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Align {
+    /// At the left edge.
+    Left,
+    /// In the middle.
+    Middle,
+    /// At the right edge.
+    Right,
+}
+
+/// A table. All rows have as many cells as there are columns; missing cells are empty.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// Alignment of each column.
+    pub columns: Vec<Align>,
+    /// Cells of the head.
+    pub head: Vec<Rich>,
+    /// Cells of each row.
+    pub rows: Vec<Vec<Rich>>,
+    /// Size of the type.
+    pub size: f64,
+    /// Blank between columns.
+    pub gap: f64,
+}
+
+/// A drawn piece of the page with its upper left corner at the origin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// The ink.
+    pub group: Group,
+    /// Width, mm.
+    pub width: f64,
+    /// Height, mm.
+    pub height: f64,
+}
+
+impl Table {
+    fn widths(&self) -> Vec<f64> {
+        (0..self.columns.len())
+            .map(|c| {
+                let cells = std::iter::once(&self.head).chain(&self.rows).filter_map(|row| row.get(c));
+                cells.map(|cell| cell.width(self.size)).fold(0.0, f64::max)
+            })
+            .collect()
+    }
+
+    /// Width of the whole.
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        let columns = self.columns.len() as f64;
+        self.widths().iter().sum::<f64>() + self.gap * columns
+    }
+
+    /// The same with smaller type until it is no wider than `width`, or the type is 2.2 mm.
+    #[must_use]
+    pub fn fitted(mut self, width: f64) -> Self {
+        while self.width() > width && self.size > 2.3 {
+            self.size -= 0.1;
+            self.gap = (self.gap - 0.1).max(1.2);
+        }
+        self
+    }
+
+    /// Height of a row.
+    fn pitch(&self) -> f64 {
+        self.size * 1.62
+    }
+
+    /// Draws rows `from..to` under the head.
+    #[must_use]
+    pub fn draw(&self, class: &str, from: usize, to: usize) -> Block {
+        let widths = self.widths();
+        let width = self.width();
+        let pitch = self.pitch();
+        let mut group = Group::new(class);
+        let rule = |y: f64, pen: f64| {
+            Mark::stroke(Shape::Line(Point::new(0.0, y), Point::new(width, y)), Pen::solid(pen)).class("rule")
+        };
+        // Arrows over the letters of the head need more room than capitals.
+        let head = pitch + 0.12 * self.size;
+        group.mark(rule(0.0, 0.35));
+        self.row(&mut group, &self.head, &widths, head - 0.5 * self.size);
+        group.mark(rule(head, 0.18));
+        let mut y = head;
+        for row in self.rows.iter().take(to).skip(from) {
+            self.row(&mut group, row, &widths, y + pitch - 0.5 * self.size);
+            y += pitch;
+        }
+        let bottom = y + 0.12 * self.size;
+        group.mark(rule(bottom, 0.35));
+        Block { group, width, height: bottom }
+    }
+
+    /// How many rows fit under the head in this height.
+    #[must_use]
+    pub fn rows_in(&self, height: f64) -> usize {
+        let left = height - self.pitch() - 0.3 * self.size;
+        (left / self.pitch()).floor().max(0.0) as usize
+    }
+
+    fn row(&self, group: &mut Group, cells: &[Rich], widths: &[f64], base: f64) {
+        let mut x = self.gap / 2.0;
+        for ((cell, width), align) in cells.iter().zip(widths).zip(&self.columns) {
+            let line = cell.set(self.size);
+            let free = width - line.width;
+            let shift = match align {
+                Align::Left => 0.0,
+                Align::Middle => free / 2.0,
+                Align::Right => free,
+            };
+            line.put(group, Point::new(x + shift, base), "cell");
+            x += width + self.gap;
+        }
+    }
+}

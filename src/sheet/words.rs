@@ -1,0 +1,175 @@
+//! Every word of the sheet, one table per language, complete in each by construction.
+//!
+//! `{names}` in braces are filled with formulas; their order is the language's own.
+
+/// A language of the sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Language {
+    /// English.
+    #[default]
+    English,
+}
+
+impl Language {
+    /// All languages.
+    pub const ALL: [Self; 1] = [Self::English];
+
+    /// The language of a tag (`en`, `en-GB`).
+    #[must_use]
+    pub fn from_tag(tag: &str) -> Option<Self> {
+        let exact = Self::ALL.into_iter().find(|l| l.words().tag.eq_ignore_ascii_case(tag));
+        let primary = tag.split('-').next().unwrap_or(tag);
+        exact.or_else(|| Self::ALL.into_iter().find(|l| l.words().tag.eq_ignore_ascii_case(primary)))
+    }
+
+    /// The tags of all languages.
+    #[must_use]
+    pub fn tags() -> Vec<&'static str> {
+        Self::ALL.iter().map(|l| l.words().tag).collect()
+    }
+
+    /// Its words.
+    #[must_use]
+    pub const fn words(self) -> &'static Words {
+        match self {
+            Self::English => &ENGLISH,
+        }
+    }
+}
+
+/// The words of one language.
+#[derive(Debug)]
+#[allow(missing_docs, reason = "each field is named after the sentence it holds")]
+pub struct Words {
+    /// Language tag.
+    pub tag: &'static str,
+
+    // Titles and captions.
+    pub untitled: &'static str,
+    pub description: &'static str,
+    pub skeleton: &'static str,
+    pub velocity_diagram: &'static str,
+    pub acceleration_diagram: &'static str,
+    pub steps: &'static str,
+    pub results: &'static str,
+    pub given: &'static str,
+    pub scale: &'static str,
+    pub page: &'static str,
+
+    // Heads of tables, senses and places.
+    pub quantity: &'static str,
+    pub value: &'static str,
+    pub sense: &'static str,
+    pub magnitude: &'static str,
+    pub direction: &'static str,
+    pub unknown: &'static str,
+    pub cw: &'static str,
+    pub ccw: &'static str,
+    pub at_infinity: &'static str,
+    pub guide_of: &'static str,
+    pub guide_of_link: &'static str,
+    pub rubbing_mark: &'static str,
+
+    // Why something is not determined.
+    pub dead_centre: &'static str,
+    pub not_determined: &'static str,
+    pub undefined: &'static str,
+
+    // Heads of steps.
+    pub link: &'static str,
+    pub links: &'static str,
+    pub and: &'static str,
+    pub step_frame: &'static str,
+    pub step_place: &'static str,
+    pub step_velocity_pole: &'static str,
+    pub step_velocity: &'static str,
+    pub step_acceleration_pole: &'static str,
+    pub step_acceleration: &'static str,
+    pub step_rubbing: &'static str,
+
+    // Acts.
+    pub mark_places: &'static str,
+    pub lay_off_link: &'static str,
+    pub strike_arc: &'static str,
+    pub draw_guide: &'static str,
+    pub mark_intersection: &'static str,
+    pub flat_crossing: &'static str,
+    pub transfer_point: &'static str,
+    pub measure_length: &'static str,
+    pub mark_pole: &'static str,
+    pub lay_off_vector: &'static str,
+    pub vector_as_point: &'static str,
+    pub head_first: &'static str,
+    pub in_sense_of: &'static str,
+    pub draw_ray: &'static str,
+    pub mark_meet: &'static str,
+    pub divide_image: &'static str,
+    pub complete_image: &'static str,
+    pub same_image: &'static str,
+    pub read_vector: &'static str,
+    pub translation: &'static str,
+}
+
+const ENGLISH: Words = Words {
+    tag: "en",
+
+    untitled: "Planar mechanism",
+    description: "Graphical solution of a planar mechanism: {what}.",
+    skeleton: "Kinematic skeleton",
+    velocity_diagram: "Velocity diagram",
+    acceleration_diagram: "Acceleration diagram",
+    steps: "Steps",
+    results: "Results",
+    given: "Given:",
+    scale: "scale {scale}",
+    page: "page {page} of {pages}",
+
+    quantity: "quantity",
+    value: "value",
+    sense: "sense, direction",
+    magnitude: "magnitude",
+    direction: "direction",
+    unknown: "?",
+    cw: "cw",
+    ccw: "ccw",
+    at_infinity: "at infinity",
+    guide_of: "guide of {point}",
+    guide_of_link: "guide of link {link}",
+    rubbing_mark: "rub",
+
+    dead_centre: "dead centre",
+    not_determined: "not determined here",
+    undefined: "does not exist here",
+
+    link: "link {links}",
+    links: "links {links}",
+    and: " and ",
+    step_frame: "Frame and input",
+    step_place: "Position of {links}",
+    step_velocity_pole: "Velocity: the pole and the input",
+    step_velocity: "Velocity of {links}",
+    step_acceleration_pole: "Acceleration: the pole and the input",
+    step_acceleration: "Acceleration of {links}",
+    step_rubbing: "Rubbing speeds",
+
+    mark_places: "Mark the given points {points} to the scale {scale}.",
+    lay_off_link: "At {from} lay off {length} = {value} ({mm}) at {angle} to the horizontal: {to}.",
+    strike_arc: "About {centre} strike an arc with the radius {length} = {value} ({mm}).",
+    draw_guide: "Draw the {guide}.",
+    mark_intersection: "The lines meet in {point}.",
+    flat_crossing: "They cross at only {angle}: badly readable by hand.",
+    transfer_point: "Transfer {point} of link {link}.",
+    measure_length: "Measured: {length} = {mm}, that is {value}.",
+    mark_pole: "Choose the pole {pole}; it is the image of the whole frame.",
+    lay_off_vector: "Lay off {vector} = {image} = {mm}, {direction}.",
+    vector_as_point: "{vector} measures {mm} on paper: drawn as a point, {tail} and {head} coincide.",
+    head_first: "its head at {head}",
+    in_sense_of: "in the sense of {rotation}",
+    draw_ray: "Through {from} draw a line {direction}.",
+    mark_meet: "The lines meet in {label}.",
+    divide_image: "Divide {image} as the link is divided: {part} : {image} = {ratio} gives {label}.",
+    complete_image: "On {base} complete the image of link {link}, similar and of the same reading sense: {label}.",
+    same_image: "{label} falls on {with}.",
+    read_vector: "Read {vector} = {image}: {reading}.",
+    translation: "Link {link} only translates: {omega} = 0.",
+};
