@@ -162,6 +162,7 @@ impl Teller<'_> {
                     ],
                 )
             }
+            Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(
                 words.lay_off_link,
                 &[
