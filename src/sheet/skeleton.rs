@@ -186,10 +186,14 @@ impl Artist<'_> {
             all.group(own);
             self.frame_number(at + way * 5.4, 2.2, way);
         }
-        for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link == LinkId::FRAME) {
+        let slides = self.notation.mechanism().slides.iter().enumerate();
+        for (index, slide) in slides.filter(|(_, s)| s.guide.link == LinkId::FRAME) {
             if let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) {
-                all.group(self.fixed_guide(at, along));
-            } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide) {
+                let own = self.fixed_guide(at, along);
+                all.group(own.data("guide", index.to_string()));
+            } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide)
+                && at.distance(centre) > BLOCK.1
+            {
                 all.group(fixed_arc(at, centre));
                 let out = (at - centre).normalize();
                 self.frame_number(at + out * 3.5 + Vec2::new(-out.y, out.x) * GUIDE, 0.5, out);
@@ -221,7 +225,7 @@ impl Artist<'_> {
         }
         let foot = at + across * (BLOCK.1 + THICK / 2.0);
         let (a, b) = (foot - along * GUIDE, foot + along * GUIDE);
-        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)));
+        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).precise());
         let (a, b) = if Vec2::new(-along.y, along.x).dot(across) > 0.0 { (a, b) } else { (b, a) };
         hatch_below(&mut own, a, b);
         self.frame_number(b, 0.6, -(b - a).normalize());
@@ -266,6 +270,8 @@ impl Artist<'_> {
         let places = self.pose.places(link);
         if let (Form::Arms { .. }, [(_, vertex), (_, one), (_, other)]) =
             (&self.notation.mechanism().links[link.0].form, &places[..])
+            && one.distance(*vertex) > PIN
+            && other.distance(*vertex) > PIN
         {
             let arms = Shape::Polyline(vec![*one, *vertex, *other]);
             own.mark(Mark::stroke(arms, Pen::solid(THICK)).class("bar").precise());
@@ -327,22 +333,27 @@ impl Artist<'_> {
     /// The slots in moving links: two parallel lines, closed at their ends.
     fn slots(&self) -> Group {
         let mut all = Group::new("slots");
-        for slide in self.notation.mechanism().slides.iter().filter(|s| s.guide.link != LinkId::FRAME) {
+        let slides = self.notation.mechanism().slides.iter().enumerate();
+        for (index, slide) in slides.filter(|(_, s)| s.guide.link != LinkId::FRAME) {
             let link = slide.guide.link;
-            let mut own = Group::new("link slot").data("link", self.notation.number(link));
+            let mut own = Group::new("link slot")
+                .data("link", self.notation.number(link))
+                .data("guide", index.to_string());
             match self.pose.guide(slide) {
                 Some(GuideLine::Straight { at, along }) => {
                     let mut reach = (-8.0_f64, 8.0_f64);
                     for (_, p) in self.pose.places(link) {
                         if (p - at).cross(along).abs() < THIN {
                             let position = (p - at).dot(along);
-                            reach = (reach.0.min(position), reach.1.max(position));
+                            // The slot ends around its joints, not on them.
+                            let end = PIN + 0.9;
+                            reach = (reach.0.min(position - end), reach.1.max(position + end));
                         }
                     }
                     let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
                     let (a, b) = (at + along * reach.0, at + along * reach.1);
                     let outline = Shape::Polygon(vec![a + across, b + across, b - across, a - across]);
-                    own.mark(Mark::stroke(outline, Pen::solid(THICK)));
+                    own.mark(Mark::stroke(outline, Pen::solid(THICK)).precise());
                 }
                 Some(GuideLine::Arc { at, centre }) => {
                     let radius = at.distance(centre);
@@ -353,6 +364,23 @@ impl Artist<'_> {
                         let radius = (radius + offset).max(0.1);
                         let shape = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
                         own.mark(Mark::stroke(shape, Pen::solid(THICK)));
+                    }
+                    let ends = [middle - half, middle + half].map(|a| {
+                        let end = |offset: f64| on_circle(centre, (radius + offset).max(0.1), a);
+                        own.mark(Mark::stroke(
+                            Shape::Line(end(-SLOT_BLOCK.1), end(SLOT_BLOCK.1)),
+                            Pen::solid(THICK),
+                        ));
+                        on_circle(centre, radius, a)
+                    });
+                    // The slot is of one piece with its link: an arm runs to the link's first joint.
+                    if let Some((_, joint)) = self.pose.places(link).first()
+                        && let Some(near) =
+                            ends.iter().min_by(|a, b| a.distance(*joint).total_cmp(&b.distance(*joint)))
+                        && near.distance(*joint) > SLOT_BLOCK.1
+                    {
+                        let arm = Shape::Line(*joint, *near);
+                        own.mark(Mark::stroke(arm, Pen::solid(THICK)).class("arm"));
                     }
                 }
                 None => continue,

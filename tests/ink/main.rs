@@ -1,0 +1,340 @@
+//! The ink is the computation: from the finished SVG alone, the ends of its vectors and its printed
+//! scales, every asked quantity comes back within its bound and the last decimal of the drawing.
+//!
+//! What is taken from the scene is only what a reader of the exam question knows: which points belong to
+//! which link, the dimensions of a straight link's own axis, the radius of a pin.
+
+mod reader;
+#[path = "../sheets/mod.rs"]
+mod sheets;
+
+use linkgram::mechanism::quantity::{Answer, Order, Quantity};
+use linkgram::mechanism::{Form, LinkId, Mechanism, Path, PointId, Rider};
+use linkgram::plan::transmission_points;
+use reader::{Claim, Mm2, Polygon, Sheet, minus};
+
+/// Both ends of a stroke are written to 6 decimals of a millimetre: each coordinate of their difference
+/// errs by at most this.
+const LAST: f64 = 1e-6;
+/// The same for the length of the difference.
+const DIAGONAL: f64 = std::f64::consts::SQRT_2 * LAST;
+
+/// A quantity as read off the sheet.
+enum Read {
+    /// SI components and the reading error of each.
+    Vector(Mm2, f64),
+    /// SI value and reading error.
+    Scalar(f64, f64),
+    /// Cannot be read, and why that is in order.
+    Exempt(String),
+}
+
+/// What stands in one sheet, with the mechanism's list of parts.
+struct Reading<'a> {
+    sheet: &'a Sheet,
+    mechanism: &'a Mechanism,
+}
+
+impl Reading<'_> {
+    fn name(&self, point: PointId) -> &str {
+        &self.mechanism.point(point).name
+    }
+
+    fn joint(&self, point: PointId) -> Mm2 {
+        let name = self.name(point);
+        *self.sheet.joints.get(name).unwrap_or_else(|| panic!("the skeleton has no {name}"))
+    }
+
+    fn polygon(&self, order: Order) -> &Polygon {
+        let polygon = match order {
+            Order::Acceleration => &self.sheet.acceleration,
+            _ => &self.sheet.velocity,
+        };
+        polygon.as_ref().expect("the polygon is drawn")
+    }
+
+    /// A vector of a polygon by the name of its quantity.
+    fn vector(&self, order: Order, name: &str) -> Read {
+        let polygon = self.polygon(order);
+        let vector = polygon.vector(name).unwrap_or_else(|| panic!("no vector stands for {name}"));
+        match vector.along() {
+            Some(along) => Read::Vector(along.map(|mm| mm * polygon.scale), LAST * polygon.scale),
+            None => Read::Exempt(format!("{name} is drawn as a point")),
+        }
+    }
+
+    fn read(&self, quantity: Quantity) -> Read {
+        let n = |p| self.name(p);
+        let (first, second) = (Order::Velocity, Order::Acceleration);
+        match quantity {
+            Quantity::Velocity(b) => self.vector(first, &format!("v({})", n(b))),
+            Quantity::RelativeVelocity(b, a) => self.vector(first, &format!("v({}/{})", n(b), n(a))),
+            Quantity::Acceleration(b) => self.vector(second, &format!("a({})", n(b))),
+            Quantity::RelativeAcceleration(b, a) => self.vector(second, &format!("a({}/{})", n(b), n(a))),
+            Quantity::Normal(b) => self.vector(second, &format!("an({})", n(b))),
+            Quantity::Tangential(b) => self.vector(second, &format!("at({})", n(b))),
+            Quantity::RelativeNormal(b, a) => self.vector(second, &format!("an({}/{})", n(b), n(a))),
+            Quantity::RelativeTangential(b, a) => self.vector(second, &format!("at({}/{})", n(b), n(a))),
+            Quantity::Omega(link) => self.rate(first, link),
+            Quantity::Alpha(link) => self.rate(second, link),
+            Quantity::RelativeOmega(i, j) => difference(self.rate(first, i), self.rate(first, j)),
+            Quantity::RelativeAlpha(i, j) => difference(self.rate(second, i), self.rate(second, j)),
+            Quantity::Rub(pin, i, j) => self.rub(pin, i, j),
+            Quantity::Position(p) => self.position(p),
+            Quantity::Angle(link) => self.angle(link),
+            Quantity::Transmission(i, j) => self.transmission(i, j),
+            other => panic!("{other:?} is not read off sheets yet"),
+        }
+    }
+
+    /// ω = V / l or α = Aᵗ / l with its sense: r × V / r², from the first pair of the link's points whose
+    /// vector is drawn long enough, the tangential part where there is one.
+    fn rate(&self, order: Order, link: LinkId) -> Read {
+        if link == LinkId::FRAME || self.rides_on_frame(link) {
+            return Read::Scalar(0.0, 0.0);
+        }
+        let points = &self.mechanism.link(link).points;
+        let letters: &[&str] = if order == Order::Acceleration { &["at", "a"] } else { &["v"] };
+        let polygon = self.polygon(order);
+        let mut as_point = None;
+        for letter in letters {
+            for &a in points {
+                for &b in points.iter().filter(|&&b| b != a) {
+                    let name = if self.mechanism.is_fixed(a) {
+                        format!("{letter}({})", self.name(b))
+                    } else {
+                        format!("{letter}({}/{})", self.name(b), self.name(a))
+                    };
+                    let Some(vector) = polygon.vector(&name) else { continue };
+                    let Some(along) = vector.along() else {
+                        as_point = Some(name);
+                        continue;
+                    };
+                    let arm = minus(self.joint(b), self.joint(a));
+                    return self.turn(arm, along, polygon.scale);
+                }
+            }
+        }
+        match as_point {
+            Some(name) => Read::Exempt(format!("{name} is drawn as a point")),
+            None => panic!("no vector tells how link {} turns", self.mechanism.link(link).number),
+        }
+    }
+
+    /// r × v / r² and what the last decimals can do to it.
+    fn turn(&self, arm: Mm2, along: Mm2, scale: f64) -> Read {
+        let r = libm::hypot(arm[0], arm[1]) * self.sheet.length;
+        let v = libm::hypot(along[0], along[1]) * scale;
+        let value = (arm[0] * along[1] - arm[1] * along[0]) * self.sheet.length * scale / (r * r);
+        let by_vector = DIAGONAL * scale / r;
+        let by_arm = (v / r + 2.0 * value.abs()) * DIAGONAL * self.sheet.length / r;
+        Read::Scalar(value, by_vector + by_arm)
+    }
+
+    fn rub(&self, pin: PointId, i: LinkId, j: LinkId) -> Read {
+        let radius = self.mechanism.point(pin).journal.expect("a rubbing pin has a radius").value;
+        match difference(self.rate(Order::Velocity, i), self.rate(Order::Velocity, j)) {
+            Read::Scalar(value, slack) => Read::Scalar(radius * value.abs(), radius * slack),
+            other => other,
+        }
+    }
+
+    /// A block on a straight guide of the frame does not turn.
+    fn rides_on_frame(&self, link: LinkId) -> bool {
+        self.mechanism.slides.iter().any(|s| {
+            let rider = match s.rider {
+                Rider::Pin { block, .. } => block,
+                Rider::Link { link, .. } => Some(link),
+            };
+            rider == Some(link)
+                && s.guide.link == LinkId::FRAME
+                && matches!(s.guide.path, Path::Straight { .. })
+        })
+    }
+
+    fn position(&self, p: PointId) -> Read {
+        let exact = |p: PointId| self.mechanism.point(p).place.exact().map(|at| at.map(|g| g.value));
+        let all = (0..self.mechanism.points.len()).map(PointId);
+        let (base, at) = all
+            .filter(|&p| self.sheet.joints.contains_key(self.name(p)))
+            .find_map(|p| Some((p, exact(p)?)))
+            .expect("one point of the skeleton has coordinates");
+        let [x, y] = minus(self.joint(p), self.joint(base)).map(|mm| mm * self.sheet.length);
+        Read::Vector([at[0] + x, at[1] + y], LAST * self.sheet.length)
+    }
+
+    /// Angle of the link's own x-axis: along rising positions of a straight link, else from its first
+    /// joint to its second.
+    fn angle(&self, link: LinkId) -> Read {
+        let link = self.mechanism.link(link);
+        let (from, to) = match &link.form {
+            Form::Line(positions) => {
+                let order = |a: &usize, b: &usize| positions[*a].value.total_cmp(&positions[*b].value);
+                ((0..positions.len()).min_by(order).unwrap(), (0..positions.len()).max_by(order).unwrap())
+            }
+            Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } => (0, 1),
+            other => panic!("the own axis of {other:?} is not read off sheets"),
+        };
+        let axis = minus(self.joint(link.points[to]), self.joint(link.points[from]));
+        Read::Scalar(libm::atan2(axis[1], axis[0]), DIAGONAL / libm::hypot(axis[0], axis[1]))
+    }
+
+    fn transmission(&self, i: LinkId, j: LinkId) -> Read {
+        let [pin, p, q] = transmission_points(self.mechanism, i, j).map(|p| self.joint(p.unwrap()));
+        let (a, b) = (minus(p, pin), minus(q, pin));
+        let value = libm::atan2((a[0] * b[1] - a[1] * b[0]).abs(), a[0] * b[0] + a[1] * b[1]);
+        Read::Scalar(value, DIAGONAL / libm::hypot(a[0], a[1]) + DIAGONAL / libm::hypot(b[0], b[1]))
+    }
+}
+
+fn difference(a: Read, b: Read) -> Read {
+    match (a, b) {
+        (Read::Scalar(a, error_a), Read::Scalar(b, error_b)) => Read::Scalar(a - b, error_a + error_b),
+        (Read::Exempt(why), _) | (_, Read::Exempt(why)) => Read::Exempt(why),
+        _ => unreachable!("rates are scalars"),
+    }
+}
+
+/// How far a reading is from an answer, as a part of what it may be: the answer's bound and the reading's
+/// own error.
+fn ratio(read: &Read, answer: &Answer) -> f64 {
+    // What double arithmetic in this test itself may add.
+    let part = |off: f64, bound: f64, slack: f64, size: f64| {
+        if off == 0.0 { 0.0 } else { off / (bound + slack + 1e-15 * size) }
+    };
+    match (read, answer) {
+        (Read::Vector(read, slack), Answer::Vector { value, bound }) => {
+            let of = |k: usize| part((read[k] - value[k]).abs(), *bound, *slack, value[k].abs());
+            of(0).max(of(1))
+        }
+        (Read::Scalar(read, slack), Answer::Scalar { value, bound }) => {
+            part((read - value).abs(), *bound, *slack, value.abs())
+        }
+        _ => f64::INFINITY,
+    }
+}
+
+#[test]
+fn the_sheet_gives_back_every_asked_quantity() {
+    let mut failures = Vec::new();
+    let (mut recovered, mut exempt) = (0, 0);
+    for example in sheets::examples() {
+        let (scene, solved, svg) = sheets::draw(&example);
+        let sheet = Sheet::read(&svg);
+        let reading = Reading { sheet: &sheet, mechanism: &scene.mechanism };
+        let state = linkgram::solve::solve_analytically(&scene).unwrap();
+        for (asked, drawn) in scene.mechanism.asked.iter().zip(&solved.solution.construction.answers) {
+            let read = reading.read(asked.quantity);
+            if let Read::Exempt(why) = &read {
+                println!("{}: {} is exempt: {why}", example.name, asked.name);
+                exempt += 1;
+                continue;
+            }
+            recovered += 1;
+            // The drawing itself, and the solver that never saw it.
+            for (by, answer) in [("drawn", &drawn.answer), ("analytic", &state.answer(&asked.quantity))] {
+                let ratio = ratio(&read, answer);
+                if !(ratio <= 1.0) {
+                    failures.push(format!("{}: {} is {ratio} bounds off ({by})", example.name, asked.name));
+                }
+            }
+        }
+    }
+    println!("{recovered} quantities recovered, {exempt} exempt");
+    assert!(recovered > 200, "{recovered}");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn every_claimed_direction_is_true() {
+    let mut failures = Vec::new();
+    let mut claims = 0;
+    for example in sheets::examples() {
+        let (_, _, svg) = sheets::draw(&example);
+        let sheet = Sheet::read(&svg);
+        let mut check = |what: &str, along: Mm2, claim: &Claim| {
+            claims += 1;
+            let line = sheet.line(&claim.line);
+            let (cross, dot) =
+                (line[0] * along[1] - line[1] * along[0], line[0] * along[0] + line[1] * along[1]);
+            let off = if claim.perpendicular { libm::atan2(dot, cross) } else { libm::atan2(cross, dot) };
+            // A direction and its opposite are one.
+            let off = libm::remainder(off, std::f64::consts::PI).abs();
+            let allowed = 1e-6 + LAST / libm::hypot(along[0], along[1]);
+            if !(off <= allowed) {
+                failures.push(format!("{}: {what} is {off:e} rad off {claim:?}", example.name));
+            }
+        };
+        for polygon in [&sheet.velocity, &sheet.acceleration].into_iter().flatten() {
+            for vector in &polygon.vectors {
+                match (&vector.claim, vector.along()) {
+                    (Some(claim), Some(along)) => check(&vector.quantity, along, claim),
+                    (Some(_), None) => println!("{}: {} is drawn as a point", example.name, vector.quantity),
+                    (None, _) => assert!(
+                        vector.kind != "normal" && vector.kind != "tangential",
+                        "{}: the part {} claims no direction",
+                        example.name,
+                        vector.quantity
+                    ),
+                }
+            }
+            for ray in &polygon.rays {
+                let claim = ray.claim.as_ref().expect("a line of unknown length has a known direction");
+                check("a construction line", minus(ray.ends[1], ray.ends[0]), claim);
+            }
+        }
+    }
+    println!("{claims} claimed directions measured");
+    assert!(claims > 200, "{claims}");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Polygons close: every vector begins and ends in the image points that it names, and every image point
+/// is the end of a vector or named by a step (divided, completed).
+#[test]
+fn vectors_join_the_points_they_name() {
+    for example in sheets::examples() {
+        let (_, _, svg) = sheets::draw(&example);
+        let sheet = Sheet::read(&svg);
+        for polygon in [&sheet.velocity, &sheet.acceleration].into_iter().flatten() {
+            for vector in &polygon.vectors {
+                let Some(ends) = vector.ends else { continue };
+                for (name, end) in [&vector.tail, &vector.head].into_iter().zip(ends) {
+                    let image = polygon.images.get(name);
+                    let image = image.unwrap_or_else(|| panic!("{}: no image {name}", example.name));
+                    let [x, y] = minus(end, *image);
+                    assert!(
+                        x.abs() <= LAST && y.abs() <= LAST,
+                        "{}: {} does not meet {name} by {x}, {y} mm",
+                        example.name,
+                        vector.quantity
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// A reader that cannot see an error proves nothing: a vector moved by 0.01 mm, a wrong printed scale and
+/// a turned line are found.
+#[test]
+fn a_wrong_sheet_is_not_accepted() {
+    let example = sheets::examples().into_iter().find(|e| e.name == "s000-ch3a-1").unwrap();
+    let (scene, solved, svg) = sheets::draw(&example);
+    let worst = |svg: &str| {
+        let sheet = Sheet::read(svg);
+        let reading = Reading { sheet: &sheet, mechanism: &scene.mechanism };
+        let asked = scene.mechanism.asked.iter().zip(&solved.solution.construction.answers);
+        asked.map(|(a, r)| ratio(&reading.read(a.quantity), &r.answer)).fold(0.0, f64::max)
+    };
+    assert!(worst(&svg) <= 1.0);
+    let scaled = svg.replace("50\u{a0}cm/s\u{a0}≡", "49\u{a0}cm/s\u{a0}≡");
+    assert!(scaled != svg && worst(&scaled) > 1e3, "{}", worst(&scaled));
+    // The tip of v(B): the head's first corner.
+    let at = svg.find("data-quantity=\"v(B)\"").unwrap();
+    let head = at + svg[at..].find("class=\"head\" d=\"M").unwrap() + "class=\"head\" d=\"M".len();
+    let end = head + svg[head..].find(' ').unwrap();
+    let x: f64 = svg[head..end].parse().unwrap();
+    let moved = format!("{}{:.6}{}", &svg[..head], x + 0.01, &svg[end..]);
+    assert!(worst(&moved) > 1e3, "{}", worst(&moved));
+}

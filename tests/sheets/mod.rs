@@ -1,0 +1,47 @@
+//! The finished sheets of the examples, for the tests that look at them from outside.
+
+use std::path::{Path, PathBuf};
+
+use linkgram::plan::Extent;
+use linkgram::scene::Scene;
+use linkgram::sheet::{self, Language};
+use linkgram::solve::Solved;
+
+/// An example that has a sheet.
+pub struct Example {
+    /// Its file name without the extension: the name of its golden.
+    pub name: String,
+    /// Its file.
+    pub path: PathBuf,
+}
+
+/// The root of the repository.
+pub fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Every scene that is to be solved, sorted by name: the examples and the errata, not the refusals.
+pub fn examples() -> Vec<Example> {
+    let mut all: Vec<Example> = ["examples", "examples/errata"]
+        .iter()
+        .flat_map(|folder| std::fs::read_dir(root().join(folder)).unwrap())
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|e| e == "json"))
+        .map(|path| Example { name: path.file_stem().unwrap().to_str().unwrap().to_owned(), path })
+        .collect();
+    all.sort_by(|a, b| a.name.cmp(&b.name));
+    assert!(all.len() >= 15, "the examples are there");
+    assert!(all.windows(2).all(|w| w[0].name != w[1].name), "two examples of one name would share a golden");
+    all
+}
+
+/// Reads, solves and draws an example in English, as `linkgram draw` does.
+pub fn draw(example: &Example) -> (Scene, Solved, String) {
+    let text = std::fs::read_to_string(&example.path).unwrap();
+    let scene = linkgram::scene::read(&text, &example.name).unwrap();
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene)
+        .unwrap_or_else(|error| panic!("{}: {error}", example.name));
+    let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+    let svg = linkgram::render::svg::write(&figure);
+    (scene, solved, svg)
+}
