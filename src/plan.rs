@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{GroupKind, Structure};
-use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Slide};
+use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// How much of the skeleton is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -144,6 +144,7 @@ impl Wanted<'_> {
             | Quantity::CoincidentAcceleration(p, link)
             | Quantity::CoincidentNormal(p, link)
             | Quantity::CoincidentTangential(p, link)
+            | Quantity::ContactNormal(p, link, _)
             | Quantity::Coriolis(p, link) => {
                 self.point(p, order);
                 self.link(link, order);
@@ -170,6 +171,21 @@ impl Wanted<'_> {
         }
     }
 
+    /// The body on which a wheel rolls, and its centre where it has one.
+    fn rolled_on(&mut self, roll: usize, wheel: LinkId, order: Order) {
+        match self.mechanism.rolls[roll] {
+            Roll::Circles { links, centres, .. } => {
+                let other = usize::from(links[0] == wheel);
+                self.link(links[other], order);
+                self.point(centres[other], order);
+            }
+            Roll::Line { guide, wheel: own, centre, .. } => {
+                self.link(if own == wheel { guide.link } else { own }, order);
+                self.point(centre, order);
+            }
+        }
+    }
+
     fn link(&mut self, link: LinkId, order: Order) {
         let Some(group) = self.structure.group_of(link) else { return };
         for &lower in lower_orders(order) {
@@ -180,6 +196,9 @@ impl Wanted<'_> {
             let kind = self.structure.groups[group].kind;
             for base in bases(kind).into_iter().flatten() {
                 self.point(base, lower);
+            }
+            if let GroupKind::Wheel { wheel, roll, .. } = kind {
+                self.rolled_on(roll, wheel, lower);
             }
             for slide in slides_of(kind).into_iter().flatten() {
                 let slide = self.mechanism.slides[slide];
@@ -209,7 +228,8 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
         GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
         GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin)],
         GroupKind::Yoke { pin, .. } => [Some(pin), None],
-        GroupKind::Prp { .. } | GroupKind::Other => [None, None],
+        GroupKind::Wheel { centre, .. } => [Some(centre), None],
+        GroupKind::Prp { .. } | GroupKind::DrivenSlide { .. } | GroupKind::Other => [None, None],
     }
 }
 
@@ -219,7 +239,10 @@ fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
         GroupKind::Rrp { slide, .. } | GroupKind::Rpr { slide, .. } => [Some(slide), None],
         GroupKind::Prp { slides: [a, b], .. } => [Some(a), Some(b)],
         GroupKind::Yoke { ride, slot, .. } => [Some(ride), Some(slot)],
-        GroupKind::Driver { .. } | GroupKind::Rrr { .. } | GroupKind::Other => [None, None],
+        GroupKind::DrivenSlide { slide, .. } => [Some(slide), None],
+        GroupKind::Wheel { .. } | GroupKind::Driver { .. } | GroupKind::Rrr { .. } | GroupKind::Other => {
+            [None, None]
+        }
     }
 }
 
@@ -237,7 +260,8 @@ fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
         GroupKind::Rrr { bases: [a, b], pin, .. } => [Some(a), Some(b), Some(pin)],
         GroupKind::Rrp { base, pin, .. } | GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin), None],
         GroupKind::Prp { pin, .. } | GroupKind::Yoke { pin, .. } => [Some(pin), None, None],
-        GroupKind::Other => [None, None, None],
+        GroupKind::Wheel { centre: base, .. } => [Some(base), None, None],
+        GroupKind::DrivenSlide { .. } | GroupKind::Other => [None, None, None],
     }
 }
 

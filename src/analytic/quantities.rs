@@ -82,6 +82,7 @@ impl State {
             }
             Quantity::CoincidentNormal(p, link) => self.coincident_part(p, link, true),
             Quantity::CoincidentTangential(p, link) => self.coincident_part(p, link, false),
+            Quantity::ContactNormal(..) => undefined("it is drawn, not asked"),
             Quantity::Centre(a, b) => self.centre(a, b),
             Quantity::Rub(p, a, b) => self.rubbing(p, a, b),
             Quantity::Position(p) => self.position(p),
@@ -115,6 +116,7 @@ impl State {
             | Quantity::CoincidentAcceleration(p, l)
             | Quantity::CoincidentNormal(p, l)
             | Quantity::CoincidentTangential(p, l)
+            | Quantity::ContactNormal(p, l, _)
             | Quantity::Coriolis(p, l) => (vec![p], vec![l]),
             Quantity::Rub(p, a, b) => (vec![p], vec![a, b]),
         };

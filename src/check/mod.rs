@@ -144,7 +144,7 @@ fn wrong_branch(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
     let &(first, at_first) = places.first()?;
     let from = state.pose(PointId(first)).ok()?.at;
     places.iter().find_map(|&(index, at)| {
-        let world = state.pose(PointId(index)).ok()?.at;
+        let Ok(crate::analytic::Spot { at: world, .. }) = state.pose(PointId(index)) else { return None };
         let drawn = [0, 1].map(|k| (at[k] - at_first[k]) * space.metres_per_mm);
         let solved = [0, 1].map(|k| world[k] - from[k]);
         let apart = libm::hypot(drawn[0] - solved[0], drawn[1] - solved[1]);

@@ -15,7 +15,7 @@
 use crate::board::{Amount, Bench, Direction, Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::GroupKind;
-use crate::mechanism::{Input, LinkId, Path, PointId};
+use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{
@@ -34,6 +34,8 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         let group = &d.structure.groups[step.group];
         match group.kind {
             GroupKind::Driver { base, input } => d.acceleration_of_driver(step, group.links[0], base, input),
+            GroupKind::DrivenSlide { slide, input } => d.acceleration_of_slide(step, slide, input),
+            GroupKind::Wheel { wheel, centre, roll } => d.acceleration_of_wheel(step, wheel, centre, roll),
             kind => d.acceleration_of_group(step, kind),
         }
         d.rates_of_blocks(Order::Acceleration, &group.links);
@@ -143,7 +145,9 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// Aⁿ towards the base, Aᵗ perpendicular to the link in the sense of ε.
     fn acceleration_of_driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
-        let Input::Angle { alpha, .. } = self.mechanism.inputs[input] else { return };
+        let (Input::Angle { alpha, .. } | Input::Speed { alpha, .. }) = self.mechanism.inputs[input] else {
+            return;
+        };
         self.board.purpose("acceleration of a driven point");
         self.step(Order::Acceleration, &[link], Vec::new());
         let uniform = alpha.value == 0.0;
@@ -186,6 +190,88 @@ impl<B: Bench> Draughtsman<'_, B> {
             );
             self.act(Act::LayOffVector { vector, value, mm: mm.value().abs() });
             self.whole_acceleration(point, base, image);
+        }
+    }
+
+    /// Coriolis where the guide turns, then the given apparent acceleration along the guide.
+    fn acceleration_of_slide(&mut self, step: &GroupStep, slide: usize, input: usize) {
+        let Input::Slide { acceleration, .. } = self.mechanism.inputs[input] else { return };
+        let (rider, guide) = (self.mechanism.slides[slide].rider, self.mechanism.slides[slide].guide.link);
+        let first = self.riding_point(slide, PointId(0));
+        self.board.purpose("acceleration of a driven slide");
+        self.step(Order::Acceleration, &self.structure.groups[step.group].links.clone(), Vec::new());
+        let fixed = guide == LinkId::FRAME;
+        let (along, _) = self.tangent(slide, first);
+        let mut from = (self.label_under(first, guide), self.image_under(Order::Acceleration, first, guide));
+        if let (Some(slip), false) = (self.slips[slide], fixed) {
+            let coriolis = self.coriolis(slip, (first, guide));
+            let left = self.board.quarter_turn(along);
+            let kind = (VectorKind::Coriolis, Quantity::Coriolis(first, guide));
+            let foot = Label::Foot { point: first, link: Some(guide), index: 1 };
+            from = self.lay_off_part(slide, kind, from, (left, coriolis), (false, foot));
+        }
+        let scale = self.polygon_scale(Order::Acceleration);
+        let given = self.board.amount(acceleration);
+        let mm = self.board.to_paper(given, scale);
+        let image = self.board.lay_off(from.1, along, mm);
+        self.sliding_accelerations[slide] = Some(given);
+        self.note_image(Order::Acceleration, first, image);
+        let (kind, quantity) = if fixed {
+            (VectorKind::Absolute, Quantity::Acceleration(first))
+        } else {
+            (VectorKind::Sliding, Quantity::SlipAcceleration(first, guide))
+        };
+        let claim = Claim::Parallel(Reference::Guide(slide));
+        let head = (self.label(first), image);
+        let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(claim)), from, head);
+        self.act(Act::LayOffVector { vector, value: given.value().abs(), mm: mm.value().abs() });
+        self.note_part(Quantity::SlipAcceleration(first, guide), from.1, image);
+        if !fixed {
+            self.absolute_vector(Order::Acceleration, Quantity::Acceleration(first), head.0, image);
+        }
+        if let Rider::Link { link, .. } = rider {
+            let rate = self.rate(Order::Acceleration, guide);
+            self.set_rate(Order::Acceleration, link, rate);
+            self.riding_points(Order::Acceleration, step, link, first);
+        }
+    }
+
+    /// At a rolling contact the tangential parts are equal, so the images of both contact points lie on a
+    /// parallel to the common normal; the wheel's own lies where that meets the line of its tangential part.
+    fn acceleration_of_wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
+        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        self.board.purpose("acceleration of a contact point");
+        self.step(Order::Acceleration, &[wheel], Vec::new());
+        let other = self.rolled_on(roll, wheel);
+        let known = self.contact_image(Order::Acceleration, roll, other);
+        let arm = self.acceleration_arm(wheel, centre, contact, 1);
+        let normal = self.outward(wheel, centre, contact);
+        let label_other = self.label_under(contact, other);
+        let along_normal = Claim::Parallel(Reference::Points(centre, contact));
+        self.act(Act::DrawRay { from: label_other, claim: along_normal });
+        let reason = self.reason(&[wheel]);
+        let ray = Line { through: known, along: normal };
+        let meet = self.board.meet_lines(arm.ray, ray, reason);
+        self.note_under(Order::Acceleration, contact, wheel, meet.at);
+        let label = self.label_under(contact, wheel);
+        self.act(Act::MarkMeet { label, crossing: meet.crossing });
+        self.note_ray(Order::Acceleration, arm.foot.1, meet.at, arm.claim);
+        self.note_ray(Order::Acceleration, known, meet.at, along_normal);
+        let target = Target::Under(contact, wheel);
+        self.read_alpha(&arm, target, (wheel, centre), (label, meet.at), meet.along[0]);
+        let relative = Quantity::ContactNormal(contact, other, wheel);
+        let vector = self.note_vector(
+            Order::Acceleration,
+            (VectorKind::Normal, relative, Some(along_normal)),
+            (label, meet.at),
+            (label_other, known),
+        );
+        self.act_read(Order::Acceleration, vector);
+        for &(_, point) in &step.points {
+            let image = self.acceleration_about(wheel, centre, point);
+            self.note_image(Order::Acceleration, point, image);
+            let label = self.label(point);
+            self.absolute_vector(Order::Acceleration, Quantity::Acceleration(point), label, image);
         }
     }
 

@@ -288,6 +288,11 @@ pub enum Act {
         /// Length in metres.
         value: f64,
     },
+    /// Mark the contact point of a rolling pair.
+    MarkContact {
+        /// The contact point.
+        contact: PointId,
+    },
     /// Choose the pole.
     MarkPole,
     /// Calculate a magnitude that the next acts lay off.

@@ -2,7 +2,7 @@
 
 use crate::board::{Bench, Circle, Direction, Line, Point};
 use crate::given::Given;
-use crate::mechanism::{Form, GuidePoint, LinkId, Path, PointId, Rider};
+use crate::mechanism::{Form, Guide, GuidePoint, LinkId, Path, PointId, Rider};
 
 use super::draughtsman::Draughtsman;
 
@@ -93,10 +93,35 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
+    /// The straight line of a rack or plane, on the skeleton.
+    pub(super) fn line_of(&mut self, guide: &Guide) -> Line<B> {
+        let own = match self.own_line(guide) {
+            Track::Straight(line) => line,
+            Track::Arc(arc) => Line { through: arc.centre, along: self.board.rightward() },
+        };
+        if self.stands_in_world(guide.link) {
+            return own;
+        }
+        let through = self.carried_point(guide.link, own.through);
+        let along = self.carried(guide.link, own.along);
+        Line { through, along }
+    }
+
     /// A guide in the own figure of its link. A rider link whose pin stands off the guide moves on a
     /// parallel to it: `of` is the point whose track is wanted.
     pub(super) fn own_track(&mut self, slide: usize, of: Option<PointId>) -> Track<B> {
         let guide = self.mechanism.slides[slide].guide;
+        let track = self.own_line(&guide);
+        if let (Track::Straight(mut line), Rider::Link { link, turned }, Some(of)) =
+            (track, self.mechanism.slides[slide].rider, of)
+        {
+            line.through = self.beside_guide(line, link, turned, of);
+            return Track::Straight(line);
+        }
+        track
+    }
+
+    fn own_line(&mut self, guide: &Guide) -> Track<B> {
         match guide.path {
             Path::Arc { centre, radius } => {
                 let centre = self.own_guide_point(guide.link, centre);
@@ -128,9 +153,6 @@ impl<B: Bench> Draughtsman<'_, B> {
                     let mm = self.board.to_paper(offset, scale);
                     let left = self.board.quarter_turn(along);
                     line.through = self.board.lay_off(start, left, mm);
-                }
-                if let (Rider::Link { link, turned }, Some(of)) = (self.mechanism.slides[slide].rider, of) {
-                    line.through = self.beside_guide(line, link, turned, of);
                 }
                 Track::Straight(line)
             }

@@ -5,7 +5,7 @@ use crate::board::{Bench, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::GroupKind;
-use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider};
+use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Claim, ConstructionLine, Reference};
@@ -39,6 +39,8 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
             }
             GroupKind::Prp { pin, slides } => d.prp(pin, slides)?,
             GroupKind::Yoke { link, ride, pin, slot } => d.yoke(step, link, ride, pin, slot),
+            GroupKind::DrivenSlide { slide, input } => d.driven_slide(step, slide, input),
+            GroupKind::Wheel { wheel, roll, .. } => d.wheel(step, wheel, roll),
             GroupKind::Other => {
                 return Err(DrawError::NoConstruction { links });
             }
@@ -138,6 +140,67 @@ impl<B: Bench> Draughtsman<'_, B> {
             let angle = libm::atan2(to[1] - from[1], to[0] - from[0]);
             self.act(Act::LayOffLink { link, from: base, to: point, angle, length });
         }
+    }
+
+    /// A slide whose place along its guide is given.
+    fn driven_slide(&mut self, step: &GroupStep, slide: usize, input: usize) {
+        self.board.purpose("driven slide");
+        let rider = self.mechanism.slides[slide].rider;
+        let first = match rider {
+            Rider::Pin { point, .. } => Some(point),
+            Rider::Link { link, .. } => self.mechanism.link(link).points.first().copied(),
+        };
+        let Some(first) = first else { return };
+        self.act(Act::DrawGuide { slide });
+        if !self.prick_given(first)
+            && let (Input::Slide { at: Some(at), .. }, Track::Straight(line)) =
+                (self.mechanism.inputs[input], self.track(slide, None))
+        {
+            let at = self.board.amount(at);
+            let scale = self.length_scale();
+            let mm = self.board.to_paper(at, scale);
+            let place = self.board.lay_off(line.through, line.along, mm);
+            self.place(first, place);
+        }
+        self.act(Act::MarkPlaces);
+        if let Rider::Link { link, .. } = rider {
+            let own_anchor = self.own(link, first);
+            let anchor = self.at(first);
+            let (own_along, along) = self.ride_directions(slide);
+            self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+            self.transfer_by_pose(step, link);
+        }
+    }
+
+    /// The contact point of a wheel: on the line of centres, or the foot of the centre on the line.
+    fn wheel(&mut self, step: &GroupStep, wheel: LinkId, roll: usize) {
+        self.board.purpose("contact point");
+        for &(_, point) in &step.points {
+            self.prick_given(point);
+        }
+        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        let scale = self.length_scale();
+        let at = match self.mechanism.rolls[roll] {
+            Roll::Circles { centres, radii, internal, .. } => {
+                let [a, b] = centres.map(|c| self.at(c));
+                let reason = self.reason(&[wheel]);
+                let (along, _) = self.board.toward(a, b, reason);
+                let radius = self.board.amount(radii[0]);
+                let mm = self.board.to_paper(radius, scale);
+                // Inside a ring the contact lies beyond the smaller circle's centre.
+                let ring_is_second = internal && radii[1].value > radii[0].value;
+                let outward = if ring_is_second { self.board.reverse(along) } else { along };
+                self.board.lay_off(a, outward, mm)
+            }
+            Roll::Line { guide, centre, .. } => {
+                let line = self.line_of(&guide);
+                let at = self.at(centre);
+                let [along, _] = self.board.square_off(line, at);
+                self.board.lay_off(line.through, line.along, along)
+            }
+        };
+        self.place(contact, at);
+        self.act(Act::MarkContact { contact });
     }
 
     /// A point of a driven link whose first-to-second line points `along`.

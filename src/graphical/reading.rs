@@ -95,6 +95,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             | Quantity::SlipNormal(_, link)
             | Quantity::SlipTangential(_, link)
             | Quantity::Coriolis(_, link)
+            | Quantity::ContactNormal(_, link, _)
             | Quantity::CoincidentAcceleration(_, link)
             | Quantity::CoincidentNormal(_, link)
             | Quantity::CoincidentTangential(_, link) => self.read_part(Order::Acceleration, quantity, link),

@@ -12,9 +12,10 @@
 //!    the sides; the image has the link's own reading sense.
 
 use crate::board::{Amount, Bench, Line, Mm, Point, Ratio};
+use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::GroupKind;
-use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
+use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{
@@ -36,6 +37,8 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         let group = &d.structure.groups[step.group];
         match group.kind {
             GroupKind::Driver { base, input } => d.velocity_of_driver(step, group.links[0], base, input),
+            GroupKind::DrivenSlide { slide, input } => d.velocity_of_slide(step, slide, input),
+            GroupKind::Wheel { wheel, centre, roll } => d.velocity_of_wheel(step, wheel, centre, roll),
             kind => d.velocity_of_group(step, kind),
         }
         d.rates_of_blocks(Order::Velocity, &group.links);
@@ -109,7 +112,10 @@ pub(super) fn routes_of(kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
             Target::Under(pin, link),
             [Unknown::Slide { slide: ride, back: false }, Unknown::Slide { slide: slot, back: true }],
         ),
-        GroupKind::Driver { .. } | GroupKind::Other => return None,
+        GroupKind::Driver { .. }
+        | GroupKind::DrivenSlide { .. }
+        | GroupKind::Wheel { .. }
+        | GroupKind::Other => return None,
     })
 }
 
@@ -146,10 +152,28 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// V = ω l, laid off perpendicular to the link in the sense of ω.
     fn velocity_of_driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
-        let Input::Angle { omega, .. } = self.mechanism.inputs[input] else { return };
         self.board.purpose("velocity of a driven point");
         self.step(Order::Velocity, &[link], Vec::new());
-        let omega = self.board.amount(omega);
+        let omega = match self.mechanism.inputs[input] {
+            Input::Angle { omega, .. } => self.board.amount(omega),
+            Input::Speed { point, speed, .. } => {
+                let Some(&first) = self.mechanism.link(link).points.first() else { return };
+                let length = self.length(link, first, point);
+                let speed = self.board.amount(speed);
+                let reason = self.reason(&[link]);
+                let omega = self.board.quotient(speed, length, reason);
+                self.act(Act::Calculate(Calculation::Omega {
+                    link,
+                    quantity: self.relative_velocity(point, first),
+                    ends: [first, point],
+                    speed: speed.value().abs(),
+                    length: length.value(),
+                    value: omega.value(),
+                }));
+                omega
+            }
+            Input::Slide { .. } => return,
+        };
         self.omegas[link.0] = Some(omega);
         let scale = self.polygon_scale(Order::Velocity);
         for &(_, point) in &step.points {
@@ -204,6 +228,131 @@ impl<B: Bench> Draughtsman<'_, B> {
         let (from, to) = (self.at(base), self.at(point));
         let reason = self.reason(&[link]);
         self.board.toward(from, to, reason).0
+    }
+
+    /// The given sliding velocity, laid off along the guide from the image of the guide's point.
+    fn velocity_of_slide(&mut self, step: &GroupStep, slide: usize, input: usize) {
+        let Input::Slide { velocity, .. } = self.mechanism.inputs[input] else { return };
+        let (rider, guide) = (self.mechanism.slides[slide].rider, self.mechanism.slides[slide].guide.link);
+        let first = self.riding_point(slide, PointId(0));
+        self.board.purpose("velocity of a driven slide");
+        self.step(Order::Velocity, &self.structure.groups[step.group].links.clone(), Vec::new());
+        let (along, _) = self.tangent(slide, first);
+        let scale = self.polygon_scale(Order::Velocity);
+        let speed = self.board.amount(velocity);
+        let mm = self.board.to_paper(speed, scale);
+        let from = self.image_under(Order::Velocity, first, guide);
+        let image = self.board.lay_off(from, along, mm);
+        self.slips[slide] = Some(speed);
+        self.note_image(Order::Velocity, first, image);
+        let fixed = guide == LinkId::FRAME;
+        let (kind, quantity) = if fixed {
+            (VectorKind::Absolute, Quantity::Velocity(first))
+        } else {
+            (VectorKind::Sliding, Quantity::Slip(first, guide))
+        };
+        let claim = Claim::Parallel(Reference::Guide(slide));
+        let (tail, head) = ((self.label_under(first, guide), from), (self.label(first), image));
+        let vector = self.note_vector(Order::Velocity, (kind, quantity, Some(claim)), tail, head);
+        self.act(Act::LayOffVector { vector, value: speed.value().abs(), mm: mm.value().abs() });
+        self.note_part(Quantity::Slip(first, guide), from, image);
+        if !fixed {
+            let label = self.label(first);
+            self.absolute_vector(Order::Velocity, Quantity::Velocity(first), label, image);
+        }
+        if let Rider::Link { link, .. } = rider {
+            let rate = self.rate(Order::Velocity, guide);
+            self.set_rate(Order::Velocity, link, rate);
+            self.riding_points(Order::Velocity, step, link, first);
+        }
+    }
+
+    /// Images of the further points of a driven link that slides without turning.
+    pub(super) fn riding_points(&mut self, order: Order, step: &GroupStep, link: LinkId, first: PointId) {
+        for &(of, point) in &step.points {
+            if of != link || point == first {
+                continue;
+            }
+            let image = self.riding_image(order, link, first, point);
+            self.note_image(order, point, image);
+            let label = self.label(point);
+            let quantity = match order {
+                Order::Acceleration => Quantity::Acceleration(point),
+                _ => Quantity::Velocity(point),
+            };
+            self.absolute_vector(order, quantity, label, image);
+        }
+    }
+
+    /// The contact points of both bodies have one velocity; ω of the wheel is that velocity, seen from its
+    /// centre, over its radius.
+    fn velocity_of_wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
+        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        self.board.purpose("velocity of a contact point");
+        self.step(Order::Velocity, &[wheel], Vec::new());
+        let other = self.rolled_on(roll, wheel);
+        let image = self.contact_image(Order::Velocity, roll, other);
+        self.note_under(Order::Velocity, contact, wheel, image);
+        let labels = (self.label_under(contact, wheel), self.label_under(contact, other));
+        self.act(Act::SameImage { label: labels.0, with: labels.1 });
+        let from = self.image(Order::Velocity, centre);
+        let quantity = Quantity::CoincidentVelocity(contact, wheel);
+        let claim = Claim::Perpendicular(Reference::Points(centre, contact));
+        let vector = self.note_vector(
+            Order::Velocity,
+            (self.kind_of(centre), quantity, Some(claim)),
+            (self.label(centre), from),
+            (labels.0, image),
+        );
+        self.act_read(Order::Velocity, vector);
+        let square = self.square_to(wheel, centre, contact);
+        let [along, _] = self.board.square_off(Line { through: from, along: square }, image);
+        let scale = self.polygon_scale(Order::Velocity);
+        let speed = self.board.read(along, scale);
+        let radius = self.length_to(wheel, centre, contact);
+        let reason = self.reason(&[wheel]);
+        let omega = self.board.quotient(speed, radius, reason);
+        self.omegas[wheel.0] = Some(omega);
+        self.act(Act::Calculate(Calculation::Omega {
+            link: wheel,
+            quantity,
+            ends: [centre, contact],
+            speed: speed.value().abs(),
+            length: radius.value(),
+            value: omega.value(),
+        }));
+        for &(_, point) in &step.points {
+            let image = self.velocity_about(wheel, centre, point);
+            self.note_image(Order::Velocity, point, image);
+            let label = self.label(point);
+            self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);
+        }
+    }
+
+    /// The body on which a wheel rolls.
+    pub(super) fn rolled_on(&self, roll: usize, wheel: LinkId) -> LinkId {
+        match self.mechanism.rolls[roll] {
+            Roll::Circles { links: [a, b], .. } => {
+                if a == wheel {
+                    b
+                } else {
+                    a
+                }
+            }
+            Roll::Line { guide, wheel: own, .. } => {
+                if own == wheel {
+                    guide.link
+                } else {
+                    own
+                }
+            }
+        }
+    }
+
+    /// The image of the contact point as a point of a solved body: about its own centre where it is a wheel.
+    pub(super) fn contact_image(&mut self, order: Order, roll: usize, body: LinkId) -> Point<B> {
+        let Some(&contact) = self.mechanism.contacts.get(roll) else { return self.board.origin() };
+        self.image_under(order, contact, body)
     }
 
     /// From the image of the base a line perpendicular to the link.
@@ -376,7 +525,22 @@ impl<B: Bench> Draughtsman<'_, B> {
         if self.mechanism.link(link).points.contains(&point) {
             return self.length(link, base, point);
         }
+        if let Some(radius) = self.contact_radius(link, base, point) {
+            return self.board.amount(radius);
+        }
         self.measured(base, point)
+    }
+
+    /// The given radius of a wheel from its centre to its contact point.
+    fn contact_radius(&self, link: LinkId, centre: PointId, contact: PointId) -> Option<Given> {
+        match self.mechanism.rolls[self.mechanism.roll_at(contact)?] {
+            Roll::Circles { links, centres, radii, .. } => {
+                (0..2).find(|&i| links[i] == link && centres[i] == centre).map(|i| radii[i])
+            }
+            Roll::Line { wheel, centre: its, radius, .. } => {
+                (wheel == link && its == centre).then_some(radius)
+            }
+        }
     }
 
     /// The distance of two points, measured on the skeleton and said so.
@@ -431,7 +595,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    fn set_rate(&mut self, order: Order, link: LinkId, rate: Amount<B>) {
+    pub(super) fn set_rate(&mut self, order: Order, link: LinkId, rate: Amount<B>) {
         match order {
             Order::Acceleration => self.alphas[link.0] = Some(rate),
             _ => self.omegas[link.0] = Some(rate),
@@ -557,7 +721,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         if let Some(known) = known {
             return known.image;
         }
-        let image = match self.known_point_of(order, link) {
+        let image = match self.base_for(order, pin, link) {
             Some(base) if order == Order::Acceleration => {
                 self.board.purpose("acceleration of a point under a pin");
                 self.acceleration_about(link, base, pin)
@@ -576,6 +740,15 @@ impl<B: Bench> Draughtsman<'_, B> {
         };
         self.absolute_vector(order, quantity, label, image);
         image
+    }
+
+    /// The point about which the image under a pin is laid off: the centre of a wheel for its contact point.
+    fn base_for(&mut self, order: Order, pin: PointId, link: LinkId) -> Option<PointId> {
+        let centre = self.mechanism.roll_at(pin).and_then(|roll| match self.mechanism.rolls[roll] {
+            Roll::Circles { links, centres, .. } => (0..2).find(|&i| links[i] == link).map(|i| centres[i]),
+            Roll::Line { wheel, centre, .. } => (wheel == link).then_some(centre),
+        });
+        centre.or_else(|| self.known_point_of(order, link))
     }
 
     /// A point of a solved link whose image is known, a fixed one first.

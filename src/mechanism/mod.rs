@@ -305,6 +305,9 @@ pub struct Mechanism {
     pub slides: Vec<Slide>,
     /// The rolling pairs.
     pub rolls: Vec<Roll>,
+    /// The contact point of each rolling pair, by index of the pair: a named point of no link, under which
+    /// both bodies have one.
+    pub contacts: Vec<PointId>,
     /// The inputs.
     pub inputs: Vec<Input>,
     /// What is asked, in order.
@@ -334,6 +337,12 @@ impl Mechanism {
     #[must_use]
     pub fn point_named(&self, name: &str) -> Option<PointId> {
         self.points.iter().position(|p| p.name == name).map(PointId)
+    }
+
+    /// The rolling pair whose contact point this is.
+    #[must_use]
+    pub fn roll_at(&self, contact: PointId) -> Option<usize> {
+        self.contacts.iter().position(|&c| c == contact)
     }
 
     /// Every link but the frame.

@@ -49,6 +49,9 @@ pub enum Quantity {
     CoincidentNormal(PointId, LinkId),
     /// `at(A@4)`: its tangential part about the link's fixed pivot. Vector.
     CoincidentTangential(PointId, LinkId),
+    /// Acceleration of the point of the second link at a rolling contact relative to that of the third:
+    /// along the common normal, never zero where the bodies are curved. Vector; drawn, not asked.
+    ContactNormal(PointId, LinkId, LinkId),
     /// `I(1,3)`: instant centre. A place, or a direction where it is at infinity.
     Centre(LinkId, LinkId),
     /// `rub(B)`, `rub(B,3/4)`: rubbing speed at a pin, journal radius × |relative ω|. Scalar, not negative.
@@ -100,6 +103,7 @@ impl Quantity {
             | Self::SlipNormal(..)
             | Self::Coriolis(..)
             | Self::CoincidentAcceleration(..)
+            | Self::ContactNormal(..)
             | Self::CoincidentNormal(..)
             | Self::CoincidentTangential(..) => Order::Acceleration,
         }

@@ -123,6 +123,22 @@ pub enum GroupKind {
         /// Index into [`Mechanism::slides`]: the pin on the link.
         slot: usize,
     },
+    /// A slide that is driven: its pin, or the link that rides without turning.
+    DrivenSlide {
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// Index into [`Mechanism::inputs`].
+        input: usize,
+    },
+    /// A wheel pivoted to a solved link and rolling on another.
+    Wheel {
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre, pinned to a solved link.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
     /// A group for which no construction is known yet.
     Other,
 }
@@ -136,6 +152,8 @@ impl fmt::Display for GroupKind {
             Self::Rpr { .. } => "RPR",
             Self::Prp { .. } => "PRP",
             Self::Yoke { .. } => "PPR",
+            Self::DrivenSlide { .. } => "driven slide",
+            Self::Wheel { .. } => "wheel",
             Self::Other => "group without a construction",
         })
     }
@@ -625,6 +643,7 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     let rods: Vec<LinkId> = links.iter().copied().filter(|&l| !mechanism.link(l).block).collect();
     let mut inputs = Vec::new();
     let mut slides = Vec::new();
+    let mut rolls = Vec::new();
     let mut outer = Vec::new();
     for joint in joints {
         match *joint {
@@ -634,14 +653,29 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             Joint::Pin(..) => {}
             Joint::Slide(index) => slides.push(index),
             Joint::Input(index) => inputs.push(index),
-            Joint::Roll(_) | Joint::Contact(_) => return GroupKind::Other,
+            Joint::Roll(index) => rolls.push(index),
+            Joint::Contact(_) => return GroupKind::Other,
         }
+    }
+    if let &[roll] = rolls.as_slice() {
+        return match (rods.as_slice(), outer.as_slice(), slides.is_empty() && inputs.is_empty()) {
+            (&[wheel], &[(_, centre)], true) if turns_about(&mechanism.rolls[roll], wheel, centre) => {
+                GroupKind::Wheel { wheel, centre, roll }
+            }
+            _ => GroupKind::Other,
+        };
     }
     match (rods.as_slice(), points, inputs.as_slice(), slides.as_slice()) {
         ([_], [], &[input], []) => match (outer.as_slice(), mechanism.inputs[input]) {
-            (&[(_, base)], Input::Angle { .. }) => GroupKind::Driver { base, input },
+            (&[(_, base)], Input::Angle { .. } | Input::Speed { .. }) => GroupKind::Driver { base, input },
             _ => GroupKind::Other,
         },
+        ([], _, &[input], &[slide]) | ([_], [], &[input], &[slide])
+            if outer.is_empty()
+                && matches!(mechanism.inputs[input], Input::Slide { slide: s, .. } if s == slide) =>
+        {
+            GroupKind::DrivenSlide { slide, input }
+        }
         (&[first, second], &[pin], [], []) => match outer.as_slice() {
             &[(a, base_a), (b, base_b)] if a != b => {
                 let bases = if a == first { [base_a, base_b] } else { [base_b, base_a] };
@@ -700,4 +734,14 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
 
 fn is_straight(guide: Guide) -> bool {
     matches!(guide.path, Path::Straight { .. })
+}
+
+/// Whether the wheel's circle in a rolling pair has this centre.
+fn turns_about(roll: &Roll, wheel: LinkId, centre: PointId) -> bool {
+    match roll {
+        Roll::Circles { links, centres, .. } => {
+            (0..2).any(|side| links[side] == wheel && centres[side] == centre)
+        }
+        Roll::Line { wheel: own, centre: its, .. } => *own == wheel && *its == centre,
+    }
 }

@@ -1,4 +1,12 @@
 //! A figure as SVG 1.1: millimetres, real text, no scripts, nothing from outside.
+//!
+//! What a reader of the file may rely on: coordinates are millimetres of the page, y down, without
+//! transforms. A `vector` group holds a `shaft`, whose first point is the vector's tail, and a `head`,
+//! whose first point is its tip; `data-quantity`, `data-value` (in the unit of its polygon's `data-unit`),
+//! `data-from`, `data-to` and, where a direction is claimed, `data-parallel` or `data-perpendicular` (two
+//! points, or `guide` and its rider). A vector too short to draw is a circle with `data-as-point`. The
+//! polygon's and the skeleton's `data-scale` is its unit per millimetre; images and joints carry
+//! `data-point`.
 
 use kurbo::Point;
 use svg::Document;

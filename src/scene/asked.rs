@@ -83,6 +83,7 @@ pub(super) fn measure(quantity: &Quantity) -> Measure {
         | Quantity::SlipNormal(..)
         | Quantity::SlipTangential(..)
         | Quantity::CoincidentAcceleration(..)
+        | Quantity::ContactNormal(..)
         | Quantity::CoincidentNormal(..)
         | Quantity::CoincidentTangential(..)
         | Quantity::Coriolis(..) => Measure::Acceleration,

@@ -31,6 +31,7 @@ impl<'s> Draft<'s> {
                 pins: Vec::new(),
                 slides: Vec::new(),
                 rolls: Vec::new(),
+                contacts: Vec::new(),
                 inputs: Vec::new(),
                 asked: Vec::new(),
             },

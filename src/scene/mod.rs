@@ -84,7 +84,8 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let expect = published::expect(fields.get("expect"))?;
     let sheet = sheet::read(fields.get("sheet"), &scales)?;
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
-    let mechanism = draft.mechanism;
+    let mut mechanism = draft.mechanism;
+    rolls::name_contacts(&mut mechanism);
     Ok(Scene { title, units: scales.units(), mechanism, published, errata, expect, sheet, source })
 }
 

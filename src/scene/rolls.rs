@@ -5,7 +5,7 @@ use super::draft::{Draft, is_straight};
 use super::guides::guide;
 use super::json::{Fields, Value};
 use super::keys;
-use crate::mechanism::{Given, LinkId, PointId, Roll};
+use crate::mechanism::{Given, LinkId, Mechanism, Place, Point, PointId, Roll};
 
 /// More teeth than any wheel has.
 const MOST_TEETH: u32 = 1_000_000;
@@ -30,6 +30,19 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
         draft.anchors.rolls.push(item.at);
     }
     Ok(())
+}
+
+/// Names the contact point of each rolling pair P, or P′, P″ … where P is taken. It belongs to no link, so
+/// nothing can be asked of it by mistake.
+pub(super) fn name_contacts(mechanism: &mut Mechanism) {
+    for _ in 0..mechanism.rolls.len() {
+        let mut name = "P".to_owned();
+        while mechanism.points.iter().any(|p| p.name == name) {
+            name.push('′');
+        }
+        mechanism.contacts.push(PointId(mechanism.points.len()));
+        mechanism.points.push(Point { name, place: Place::Unknown, links: Vec::new(), journal: None });
+    }
 }
 
 fn pair<'v, 'a>(value: &'v Value<'a>, expected: &str) -> Res<[&'v Value<'a>; 2]> {

@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::figure::{Figure, Group, Mark, Pen, Shape};
+use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
 use super::notation::Notation;
 use super::rich::Rich;
 use super::steps::{self, Item};
@@ -39,12 +39,17 @@ pub const fn figure_names() -> &'static [&'static str] {
 pub fn solution(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation { scene, words };
+    let drawn = |name| panel(name, construction, &notation);
+    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration].map(drawn);
+    // Scales stated in the scene may outgrow the paper: then the paper grows, and nothing is clipped.
+    let largest = |side: fn(&Block) -> f64| panels.iter().flatten().map(side).fold(0.0, f64::max);
     let (width, height) = paper(scene);
+    let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
+    let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
+    let [skeleton, velocity, acceleration] = panels;
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&results::given(&notation));
 
-    let drawn = |name| panel(name, construction, &notation);
-    let skeleton = drawn(Name::Skeleton);
     let beside = pager.width() - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
     // All results beside the skeleton, or those of velocity there and the others below the panels.
     let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
@@ -59,7 +64,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    let blocks = [skeleton, first, drawn(Name::Velocity), drawn(Name::Acceleration)];
+    let blocks = [skeleton, first, velocity, acceleration];
     pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
@@ -92,6 +97,11 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "steps" => (column(&steps::items(construction, &notation), 90.0), words.steps),
         _ => return None,
     };
+    let mut description = String::new();
+    block.group.walk(&mut |node| match node {
+        Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
+        _ => {}
+    });
     let mut root = block.group;
     let ink = root.bounds().unwrap_or(Rect::ZERO);
     root.translate(Vec2::new(EDGE - ink.x0, EDGE - ink.y0));
@@ -99,7 +109,7 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         width: ink.width() + 2.0 * EDGE,
         height: ink.height() + 2.0 * EDGE,
         title: format!("{}: {heading}", title(scene, words)),
-        description: String::new(),
+        description,
         language: words.tag,
         root,
     })
@@ -330,7 +340,7 @@ impl Pager {
         self.y = top + y + 6.0;
     }
 
-    /// Panels in their order, side by side where they fit, each row centred.
+    /// Panels in their order, side by side where they fit.
     fn rows(&mut self, blocks: &[Block]) {
         let mut rows: Vec<Vec<&Block>> = Vec::new();
         for block in blocks {
@@ -350,32 +360,39 @@ impl Pager {
             let mut x = MARGIN + between;
             let y = self.y;
             for block in row {
-                self.add(block.group.clone(), x, y + (height - block.height) / 2.0);
+                // Captions of a row stand on one line; a table stands in the middle.
+                let free = height - block.height;
+                let down = if block.group.class == "panel" { free } else { free / 2.0 };
+                self.add(block.group.clone(), x, y + down);
                 x += block.width + between;
             }
             self.y += height + 6.0;
         }
     }
 
-    /// The result table in two columns of even height, on as many pages as it needs.
+    /// The result table in columns of even height, on as many pages as it needs: two columns, or three
+    /// where that keeps it on the page.
     fn results(&mut self, table: &Table) {
         let rows = table.rows.len();
         let mut from = 0;
         while from < rows {
             let fit = table.rows_in(self.bottom() - self.y);
-            if fit < 3.min(rows - from) && self.y > MARGIN + 30.0 {
+            let left = rows - from;
+            if fit < 3.min(left) && self.y > MARGIN + 30.0 {
                 self.page();
                 continue;
             }
-            let here = (rows - from).min(2 * fit.max(1));
-            let left = here.div_ceil(2);
+            let three = 3.0 * table.width() + 2.0 * GUTTER <= self.width();
+            let columns = if left > 2 * fit && left <= 3 * fit && three { 3 } else { 2 };
+            let here = left.min(columns * fit.max(1));
+            let each = here.div_ceil(columns);
+            let pitch = self.width() / columns as f64;
             let mut deepest = self.y;
-            for (column, (a, b)) in [(from, from + left), (from + left, from + here)].into_iter().enumerate()
-            {
+            for column in 0..columns {
+                let (a, b) = (from + column * each, from + here.min((column + 1) * each));
                 if a < b {
                     let block = table.draw("results", a, b);
-                    let blank = (self.column() - block.width) / 2.0;
-                    let x = MARGIN + column as f64 * (self.column() + GUTTER) + blank.max(0.0);
+                    let x = MARGIN + column as f64 * pitch + ((pitch - block.width) / 2.0).max(0.0);
                     let y = self.y;
                     deepest = deepest.max(y + block.height);
                     self.add(block.group, x, y);

@@ -57,16 +57,11 @@ impl Face {
     #[must_use]
     pub fn ink(self, text: &str, size: f64) -> Option<Rect> {
         let m = metrics(self)?;
+        let k = size / m.em;
         let mut ink: Option<Rect> = None;
         self.walk(text, size, |glyph, pen| {
-            if let Some(b) = m.face.glyph_bounding_box(glyph) {
-                let k = size / m.em;
-                let glyph = Rect::new(
-                    pen + f64::from(b.x_min) * k,
-                    -f64::from(b.y_max) * k,
-                    pen + f64::from(b.x_max) * k,
-                    -f64::from(b.y_min) * k,
-                );
+            if let Some(b) = m.glyph_box(glyph) {
+                let glyph = Rect::new(pen + b.x0 * k, b.y0 * k, pen + b.x1 * k, b.y1 * k);
                 ink = Some(ink.map_or(glyph, |r| r.union(glyph)));
             }
         });
@@ -101,6 +96,8 @@ impl Face {
 struct Metrics {
     face: ttf_parser::Face<'static>,
     em: f64,
+    /// Boxes of the glyphs met so far, font units with y down: outlines are slow to read.
+    boxes: Vec<OnceLock<Option<Rect>>>,
     /// Subtables by lookup; every lookup applies, in each the first subtable that has the pair.
     kerning: Vec<Vec<PairAdjustment<'static>>>,
 }
@@ -132,7 +129,17 @@ impl Metrics {
                 kerning.push(pairs.collect());
             }
         }
-        Some(Self { face, em, kerning })
+        let boxes = (0..face.number_of_glyphs()).map(|_| OnceLock::new()).collect();
+        Some(Self { face, em, boxes, kerning })
+    }
+
+    fn glyph_box(&self, glyph: GlyphId) -> Option<Rect> {
+        let read = || {
+            let b = self.face.glyph_bounding_box(glyph)?;
+            let [x0, y0, x1, y1] = [b.x_min, b.y_max, b.x_max, b.y_min].map(f64::from);
+            Some(Rect::new(x0, -y0, x1, -y1))
+        };
+        *self.boxes.get(usize::from(glyph.0))?.get_or_init(read)
     }
 
     fn kern(&self, left: GlyphId, right: GlyphId) -> f64 {

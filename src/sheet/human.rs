@@ -107,11 +107,32 @@ fn figures(value: f64, digits: usize, trim: bool) -> Rich {
         // Whole numbers are not cut below their last digit's place: 12 346 stays 12350 at four figures.
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
         let rounded: f64 = scientific.parse().unwrap_or(value);
-        Rich::upright(tidy(format!("{rounded:.decimals$}")))
+        Rich::upright(grouped(&tidy(format!("{rounded:.decimals$}"))))
     } else {
         let power = exponent.to_string().replace('-', "−");
         Rich::upright(tidy(mantissa.to_owned())).up("\u{a0}×\u{a0}10").sup(&power)
     }
+}
+
+/// Whole digits in groups of three, parted by thin blanks, from five digits on.
+fn grouped(text: &str) -> String {
+    let whole = text.find('.').unwrap_or(text.len());
+    let digits = text[..whole].chars().filter(char::is_ascii_digit).count();
+    if digits < 5 {
+        return text.to_owned();
+    }
+    let mut left = digits;
+    let mut out = String::new();
+    for c in text[..whole].chars() {
+        if c.is_ascii_digit() {
+            if left < digits && left.is_multiple_of(3) {
+                out.push('\u{2009}');
+            }
+            left -= 1;
+        }
+        out.push(c);
+    }
+    out + &text[whole..]
 }
 
 #[cfg(test)]
@@ -131,7 +152,8 @@ mod tests {
             (1442.943, "1443"),
             (999.6, "1000"),
             (0.0538, "0.0538"),
-            (12_345.6, "12350"),
+            (12_345.6, "12\u{2009}350"),
+            (-214_200.0, "−214\u{2009}200"),
             (1.26e6, "1.26\u{a0}×\u{a0}106"),
             (-2.511e-7, "−2.51\u{a0}×\u{a0}10−7"),
             (-2.51154e-7, "−2.51\u{a0}×\u{a0}10−7"),

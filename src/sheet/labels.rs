@@ -119,7 +119,8 @@ impl Obstacles {
         let tight = own.inflate(CLEARANCE, CLEARANCE);
         for (a, b, half) in &self.strokes {
             let grown = tight.inflate(*half, *half);
-            if a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1 {
+            let beside = a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1;
+            if beside || a.y.max(b.y) < grown.y0 || a.y.min(b.y) > grown.y1 {
                 continue;
             }
             if let Some((t0, t1)) = clip(*a, *b, grown) {
@@ -412,7 +413,7 @@ fn candidates(request: &Request, site: Site, line: &Line) -> Vec<Candidate> {
                 for side in [1.0, -1.0] {
                     let up = if side * normal.y < 0.0 { 0.0 } else { 0.4 };
                     let taste = 0.8 * i as f64 + up;
-                    for (ring, gap) in [0.8, 1.5, 2.5].into_iter().enumerate() {
+                    for (ring, gap) in [0.8, 1.5, 2.6, 3.4].into_iter().enumerate() {
                         let centre = from + d * t + normal * (side * (reach + gap));
                         all.push(stand(centre, taste + 3.0 * ring as f64, None));
                     }

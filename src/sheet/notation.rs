@@ -147,6 +147,7 @@ impl<'a> Notation<'a> {
             Quantity::CoincidentAcceleration(p, l) => letter("A").sub(&self.under(p, l)),
             Quantity::CoincidentNormal(p, l) => n("n", self.under(p, l)),
             Quantity::CoincidentTangential(p, l) => n("t", self.under(p, l)),
+            Quantity::ContactNormal(p, a, b) => n("n", format!("{}{}", self.under(p, a), self.under(p, b))),
             Quantity::Centre(a, b) => Rich::italic("I").sub(&numbers(a, b)),
             Quantity::Rub(p, ..) => Rich::italic("V").sub(&format!("{},{}", self.words.rubbing_mark, of(p))),
             Quantity::Position(p) => self.point(p),
@@ -196,6 +197,7 @@ impl<'a> Notation<'a> {
             Quantity::CoincidentAcceleration(a, b) => format!("a({}@{})", p(a), l(b)),
             Quantity::CoincidentNormal(a, b) => format!("an({}@{})", p(a), l(b)),
             Quantity::CoincidentTangential(a, b) => format!("at({}@{})", p(a), l(b)),
+            Quantity::ContactNormal(a, b, c) => format!("an({}@{}/{})", p(a), l(b), l(c)),
             Quantity::Centre(a, b) => format!("I({},{})", l(a), l(b)),
             Quantity::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
             Quantity::Position(a) => format!("x({})", p(a)),
@@ -288,7 +290,11 @@ impl<'a> Notation<'a> {
         };
         let line = match reference {
             Reference::Points(a, b) => format!("{} {}", self.point_name(a), self.point_name(b)),
-            Reference::Guide(slide) => format!("guide {slide}"),
+            Reference::Guide(slide) => match self.mechanism().slides.get(slide).map(|s| s.rider) {
+                Some(Rider::Pin { point, .. }) => format!("guide {}", self.point_name(point)),
+                Some(Rider::Link { link, .. }) => format!("guide link {}", self.number(link)),
+                None => String::new(),
+            },
         };
         (name, line)
     }

@@ -197,11 +197,24 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
         request.leader = true;
         requests.push(request);
     }
-    let long = |v: &&Vector| page(v.from).distance(page(v.to)) > SHORTEST_NAMED;
-    for vector in polygon.vectors.iter().filter(long) {
-        let site = Site::Along { from: page(vector.from), to: page(vector.to) };
-        let text = notation.symbol(vector.quantity, false);
-        let mut request = Request::new(text, SMALL, site, "label vector-name");
+    // A vector that is its own normal part is drawn twice and named once: A = Aⁿ.
+    let mut named: Vec<(Point, Point, Vec<Rich>)> = Vec::new();
+    for vector in &polygon.vectors {
+        let (from, to) = (page(vector.from), page(vector.to));
+        let name = notation.symbol(vector.quantity, false);
+        if from.distance(to) < SHORTEST_NAMED {
+            continue;
+        }
+        let same = |p: &Point, q: &Point| p.distance(from) < COINCIDENT && q.distance(to) < COINCIDENT;
+        match named.iter_mut().find(|(p, q, _)| same(p, q)) {
+            Some((.., names)) if names.contains(&name) => {}
+            Some((.., names)) => names.push(name),
+            None => named.push((from, to, vec![name])),
+        }
+    }
+    for (from, to, names) in named {
+        let text = Rich::join(&names, &Rich::upright("\u{a0}=\u{a0}"));
+        let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
         request.optional = true;
         requests.push(request);
     }

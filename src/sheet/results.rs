@@ -6,7 +6,7 @@ use super::rich::Rich;
 use super::table::{Align, Table};
 use crate::graphical::construction::{Construction, Reading};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
-use crate::mechanism::{Form, Input, Rider};
+use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, Place, PointId, Rider};
 
 /// The asked quantities of these orders with their values, senses and directions.
 #[must_use]
@@ -17,7 +17,7 @@ pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Ord
         .asked
         .iter()
         .zip(&construction.answers)
-        .filter(|(asked, _)| orders.contains(&asked.quantity.order()))
+        .filter(|(asked, _)| orders.contains(&polygon_of(asked.quantity)))
         .map(|(asked, reading)| row(asked, reading, notation))
         .collect();
     Table {
@@ -26,6 +26,18 @@ pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Ord
         rows,
         size,
         gap: 4.0,
+    }
+}
+
+/// The polygon on which a quantity is read: normal parts need velocities only, and stand in the
+/// acceleration polygon all the same.
+fn polygon_of(quantity: Quantity) -> Order {
+    match quantity {
+        Quantity::RelativeNormal(..)
+        | Quantity::Normal(_)
+        | Quantity::SlipNormal(..)
+        | Quantity::Coriolis(..) => Order::Acceleration,
+        other => other.order(),
     }
 }
 
@@ -114,6 +126,38 @@ pub fn given(notation: &Notation<'_>) -> Rich {
                 distance(0, 2, third.value);
             }
             Form::Shape(_) | Form::Placed | Form::Single => {}
+        }
+    }
+    let place = |x: f64, y: f64| {
+        let number = |si: f64| human::stated(si / length.si);
+        let pair = Rich::upright("(").then(&number(x)).up(";\u{a0}").then(&number(y)).up(")");
+        human::with_unit(&pair, &length.symbol)
+    };
+    for (i, point) in mechanism.points.iter().enumerate() {
+        // The origin, where the sheet begins, needs no saying.
+        if let Place::Fixed([x, y]) | Place::Placed([x, y]) = point.place
+            && (x.value != 0.0 || y.value != 0.0)
+        {
+            parts.push(notation.point(PointId(i)).up("\u{a0}").then(&place(x.value, y.value)));
+        }
+    }
+    for (i, slide) in mechanism.slides.iter().enumerate() {
+        if slide.guide.link == LinkId::FRAME
+            && let Path::Straight {
+                through: GuidePoint::Own([x, y]),
+                direction: Direction::Angle(angle),
+                turned,
+                ..
+            } = slide.guide.path
+        {
+            parts.push(Rich::fill(
+                notation.words.given_guide,
+                &[
+                    ("guide", notation.guide(i)),
+                    ("place", place(x.value, y.value)),
+                    ("angle", human::degrees(angle.value + turned.value)),
+                ],
+            ));
         }
     }
     for input in &mechanism.inputs {

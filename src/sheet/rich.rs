@@ -171,6 +171,16 @@ impl Rich {
         out.up(rest)
     }
 
+    /// The same squared: the 2 stands over the last subscript.
+    #[must_use]
+    pub fn squared(mut self) -> Self {
+        match self.pieces.last_mut() {
+            Some(Piece::Scripts { sup, .. }) if sup.is_empty() => sup.push(("2".to_owned(), Face::Upright)),
+            _ => return self.sup("2"),
+        }
+        self
+    }
+
     /// The same with its upright characters bold.
     #[must_use]
     pub fn bolder(mut self) -> Self {
@@ -237,12 +247,32 @@ impl Rich {
         words
     }
 
+    /// A word too long for any line, cut between its characters where it has no formula in it.
+    fn cut(&self, size: f64, width: f64) -> Vec<Self> {
+        let [Piece::Run(text, face)] = &self.pieces[..] else { return vec![self.clone()] };
+        if face.advance(text, size) <= width {
+            return vec![self.clone()];
+        }
+        let mut parts = vec![String::new()];
+        for c in text.chars() {
+            let full =
+                parts.last().is_some_and(|p| !p.is_empty() && face.advance(&format!("{p}{c}"), size) > width);
+            if full {
+                parts.push(String::new());
+            }
+            if let Some(last) = parts.last_mut() {
+                last.push(c);
+            }
+        }
+        parts.into_iter().map(|part| Self::default().with(&part, *face)).collect()
+    }
+
     /// Breaks the text into lines no wider than `width`, where its words allow.
     #[must_use]
     pub fn wrap(&self, size: f64, width: f64) -> Vec<Self> {
         let mut lines: Vec<Self> = Vec::new();
         let mut line = Self::default();
-        for word in self.words() {
+        for word in self.words().iter().flat_map(|word| word.cut(size, width)) {
             let longer = if line.is_empty() { word.clone() } else { line.clone().up(" ").then(&word) };
             if longer.width(size) <= width || line.is_empty() {
                 line = longer;
@@ -398,6 +428,12 @@ mod tests {
             words.push(' ');
         }
         assert_eq!(words.trim(), "From o lay off VA and draw a line");
+    }
+
+    #[test]
+    fn a_word_without_end_is_cut() {
+        let lines = Rich::upright("x".repeat(500)).wrap(3.5, 40.0);
+        assert!(lines.len() > 5 && lines.iter().all(|line| line.width(3.5) <= 40.0));
     }
 
     #[test]

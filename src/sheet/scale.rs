@@ -6,44 +6,44 @@ use crate::scene::Scene;
 /// The round steps within a decade.
 const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 
-/// Largest size of the geometry of a panel on an A4 sheet, width and height in mm, without labels and
-/// symbols.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PanelSizes {
-    /// The skeleton; the result table stands beside it.
-    pub skeleton: (f64, f64),
-    /// A polygon.
-    pub polygon: (f64, f64),
-}
-
-/// The room for the panels: two polygons share a row, a single one has it to itself.
-#[must_use]
-pub const fn panel_sizes(two_polygons: bool) -> PanelSizes {
-    let polygon = if two_polygons { (73.0, 64.0) } else { (150.0, 75.0) };
-    PanelSizes { skeleton: (92.0, 70.0), polygon }
-}
+/// Room for the skeleton's geometry with the result table beside it, width and height in mm.
+pub const SKELETON: (f64, f64) = (92.0, 70.0);
+/// Room for a long and low skeleton that has the row to itself.
+pub const LONG_SKELETON: (f64, f64) = (150.0, 48.0);
+/// Room for a polygon that has the row to itself.
+pub const POLYGON: (f64, f64) = (150.0, 78.0);
+/// Room for a polygon that shares its row with another.
+pub const HALF_POLYGON: (f64, f64) = (73.0, 78.0);
 
 /// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels.
 #[must_use]
 pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
-    let drawn = |[w, h]: [f64; 2]| w > 0.0 || h > 0.0;
-    let sizes = panel_sizes(drawn(extents.velocity) && drawn(extents.acceleration));
     let length = scene.units.length.si;
     let time = scene.units.time.si;
-    let polygon = |[w, h]: [f64; 2], unit: f64| choose_for(w, h, sizes.polygon, unit).unwrap_or(unit);
+    let units = [length / time, length / (time * time)];
+    let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units);
     let [w, h] = extents.space;
+    let upright = choose_length(w, h, SKELETON);
+    let long = choose_length(w, h, LONG_SKELETON);
+    let skeleton = upright.zip(long).map(|(a, b)| a.min(b));
     let stated = &scene.sheet;
     Scales {
-        length: stated
-            .length_scale
-            .map(|ratio| ratio / 1000.0)
-            .or_else(|| choose_length(w, h, sizes.skeleton))
-            .unwrap_or(0.001),
-        velocity: stated.velocity_scale.unwrap_or_else(|| polygon(extents.velocity, length / time)),
-        acceleration: stated
-            .acceleration_scale
-            .unwrap_or_else(|| polygon(extents.acceleration, length / (time * time))),
+        length: stated.length_scale.map(|ratio| ratio / 1000.0).or(skeleton).unwrap_or(0.001),
+        velocity: stated.velocity_scale.or(velocity).unwrap_or(units[0]),
+        acceleration: stated.acceleration_scale.or(acceleration).unwrap_or(units[1]),
     }
+}
+
+/// Scales of both polygons: each fits into its half of a row, and a narrow one leaves its room to the
+/// other.
+fn polygons(sizes: [[f64; 2]; 2], units: [f64; 2]) -> [Option<f64>; 2] {
+    let fit = |i: usize, free| choose_for(sizes[i][0], sizes[i][1], free, units[i]);
+    let halves = [fit(0, HALF_POLYGON), fit(1, HALF_POLYGON)];
+    let [Some(velocity), Some(acceleration)] = halves else { return [fit(0, POLYGON), fit(1, POLYGON)] };
+    let wider = |taken: f64| (POLYGON.0 - taken, POLYGON.1);
+    let acceleration = fit(1, wider(sizes[0][0] / velocity)).map_or(acceleration, |s| s.min(acceleration));
+    let velocity = fit(0, wider(sizes[1][0] / acceleration)).map_or(velocity, |s| s.min(velocity));
+    [Some(velocity), Some(acceleration)]
 }
 
 /// The smallest round number (1, 2, 2.5, 5 × 10ⁿ) that is not below `least`; `None` unless `least` is

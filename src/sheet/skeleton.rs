@@ -191,7 +191,9 @@ impl Artist<'_> {
             if let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) {
                 let own = self.fixed_guide(at, along);
                 all.group(own.data("guide", index.to_string()));
-            } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide) {
+            } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide)
+                && at.distance(centre) > BLOCK.1
+            {
                 all.group(fixed_arc(at, centre));
                 let out = (at - centre).normalize();
                 self.frame_number(at + out * 3.5 + Vec2::new(-out.y, out.x) * GUIDE, 0.5, out);
@@ -268,6 +270,8 @@ impl Artist<'_> {
         let places = self.pose.places(link);
         if let (Form::Arms { .. }, [(_, vertex), (_, one), (_, other)]) =
             (&self.notation.mechanism().links[link.0].form, &places[..])
+            && one.distance(*vertex) > PIN
+            && other.distance(*vertex) > PIN
         {
             let arms = Shape::Polyline(vec![*one, *vertex, *other]);
             own.mark(Mark::stroke(arms, Pen::solid(THICK)).class("bar").precise());
@@ -341,7 +345,9 @@ impl Artist<'_> {
                     for (_, p) in self.pose.places(link) {
                         if (p - at).cross(along).abs() < THIN {
                             let position = (p - at).dot(along);
-                            reach = (reach.0.min(position), reach.1.max(position));
+                            // The slot ends around its joints, not on them.
+                            let end = PIN + 0.9;
+                            reach = (reach.0.min(position - end), reach.1.max(position + end));
                         }
                     }
                     let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
@@ -358,6 +364,23 @@ impl Artist<'_> {
                         let radius = (radius + offset).max(0.1);
                         let shape = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
                         own.mark(Mark::stroke(shape, Pen::solid(THICK)));
+                    }
+                    let ends = [middle - half, middle + half].map(|a| {
+                        let end = |offset: f64| on_circle(centre, (radius + offset).max(0.1), a);
+                        own.mark(Mark::stroke(
+                            Shape::Line(end(-SLOT_BLOCK.1), end(SLOT_BLOCK.1)),
+                            Pen::solid(THICK),
+                        ));
+                        on_circle(centre, radius, a)
+                    });
+                    // The slot is of one piece with its link: an arm runs to the link's first joint.
+                    if let Some((_, joint)) = self.pose.places(link).first()
+                        && let Some(near) =
+                            ends.iter().min_by(|a, b| a.distance(*joint).total_cmp(&b.distance(*joint)))
+                        && near.distance(*joint) > SLOT_BLOCK.1
+                    {
+                        let arm = Shape::Line(*joint, *near);
+                        own.mark(Mark::stroke(arm, Pen::solid(THICK)).class("arm"));
                     }
                 }
                 None => continue,

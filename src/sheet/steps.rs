@@ -162,6 +162,7 @@ impl Teller<'_> {
                     ],
                 )
             }
+            Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(
                 words.lay_off_link,
                 &[
@@ -345,8 +346,7 @@ impl Teller<'_> {
             Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => n
                 .symbol(*quantity, false)
                 .up(equals)
-                .then(&n.symbol(*velocity, false))
-                .up("²")
+                .then(&n.symbol(*velocity, false).squared())
                 .up(over)
                 .then(&n.length(ends[0], ends[1]))
                 .up(equals)

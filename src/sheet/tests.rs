@@ -177,27 +177,84 @@ fn texts(group: &resvg::usvg::Group, out: &mut Vec<resvg::tiny_skia::Rect>) {
     }
 }
 
-/// `SHEET_PREVIEW=folder cargo test preview` writes every figure as SVG, and as PNG where it can.
 #[test]
-fn preview() {
-    let Some(folder) = std::env::var_os("SHEET_PREVIEW").map(PathBuf::from) else { return };
-    let only = std::env::var("SHEET_ONLY").unwrap_or_default();
-    let dpi = std::env::var("SHEET_DPI").ok().and_then(|d| d.parse().ok()).unwrap_or(110.0_f32);
-    for path in scenes() {
-        let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
-        if !stem.contains(&only) {
-            continue;
-        }
-        let Some((scene, construction)) = solved(&path) else { continue };
-        for (name, figure) in figures(&scene, &construction) {
-            std::fs::write(folder.join(format!("{stem}.{name}.svg")), svg::write(&figure)).unwrap();
-            #[cfg(feature = "png")]
-            std::fs::write(
-                folder.join(format!("{stem}.{name}.png")),
-                crate::render::png::render(&figure, dpi).unwrap(),
-            )
-            .unwrap();
-        }
+fn paper_grows_with_a_scale_that_is_too_large() {
+    let (mut scene, _) = problem_3_1();
+    scene.sheet.length_scale = Some(1.0);
+    let structure = Structure::of(&scene.mechanism).unwrap();
+    let plan = Plan::new(&scene.mechanism, &structure, Extent::WholeSkeleton);
+    let extents = extents(&scene.mechanism, &structure, &plan).unwrap();
+    let scales = scale::for_scene(&scene, extents);
+    let construction = construct(&scene.mechanism, &structure, &plan, scales).unwrap().construction;
+    let figure = solution(&scene, &construction, Language::English);
+    assert!(figure.width > 500.0);
+    assert_eq!(overlaps(&figure), vec![]);
+}
+
+/// What the graphical room cannot solve yet is drawn all the same, from places alone.
+fn placed(json: &str) -> (Scene, Construction) {
+    let scene = scene::read(json, "test").unwrap();
+    let origin = scene.mechanism.points[0].place.exact().unwrap();
+    let per_mm = 0.005;
+    let mm = |p: &crate::mechanism::Point| {
+        let at = p.place.exact()?;
+        Some([0, 1].map(|i| (at[i].value - origin[i].value) / per_mm))
+    };
+    let places = scene.mechanism.points.iter().map(mm).collect();
+    let space = crate::graphical::construction::Space { metres_per_mm: per_mm, places, lines: vec![] };
+    let construction =
+        Construction { space, velocity: None, acceleration: None, steps: vec![], answers: vec![] };
+    (scene, construction)
+}
+
+const SLOTTED_ARM: &str = r#"{
+    "title": "Slotted arm, rod and ram", "units": { "length": "cm" },
+    "fixed": { "O4": [0, 0], "O2": [0, 15] },
+    "placed": { "A": [9, 21], "C": [12, 28], "D": [-8, 34] },
+    "links": { "2": { "joins": ["O2", "A"] }, "4": { "joins": ["O4", "C"] }, "5": { "joins": ["C", "D"] } },
+    "slides": [
+        { "pin": "A", "block": 3, "on": { "link": 4, "through": "O4", "toward": "C" } },
+        { "pin": "D", "block": 6, "on": { "link": 1, "through": [0, 34], "angle": 0 } } ],
+    "input": { "link": 2, "omega": "2 rad/s ccw" }, "find": ["v(A)"] }"#;
+
+const GEARS: &str = r#"{
+    "title": "Two wheels and a rod", "units": { "length": "cm" },
+    "fixed": { "O2": [0, 0], "O3": [17.5, 0] },
+    "placed": { "A": [4, 4], "B": [24, 9] },
+    "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["O3"] }, "4": { "joins": ["A", "B"] } },
+    "rolls": [ { "links": [2, 3], "centres": ["O2", "O3"], "radii": [7.5, 10] } ],
+    "slides": [ { "pin": "B", "block": 5, "on": { "link": 1, "through": [24, 0], "angle": 90 } } ],
+    "input": { "link": 2, "omega": "2 rad/s ccw" }, "find": ["v(A)"] }"#;
+
+const CURVED_SLOT: &str = r#"{
+    "title": "Pin in a curved slot", "units": { "length": "cm" },
+    "fixed": { "O3": [0, 0], "O2": [14, 0] },
+    "placed": { "B": [12, 4], "C": [4, 18] },
+    "links": { "2": { "joins": ["O2", "B"] }, "3": { "joins": ["O3", "C"] } },
+    "slides": [ { "pin": "B", "on": { "link": 3, "centre": "C", "radius": 16.1245155 } } ],
+    "input": { "link": 2, "omega": "2 rad/s ccw" }, "find": ["v(B)"] }"#;
+
+const RACK: &str = r#"{
+    "title": "Wheel on a rack, and a plunger", "units": { "length": "cm" },
+    "fixed": { "O": [0, 0] },
+    "placed": { "A": [10, 3], "E": [16, 14], "F": [16, 24] },
+    "links": { "2": { "joins": ["A"] }, "3": { "joins": ["A", "E"] }, "4": { "joins": ["E", "F"] } },
+    "rolls": [ { "links": [1, 2], "line": { "link": 1, "through": [0, 0], "angle": 0 }, "centre": "A", "radius": 3 } ],
+    "slides": [ { "link": 4, "on": { "link": 1, "through": [16, 0], "angle": 90 } } ],
+    "input": { "link": 2, "omega": "2 rad/s ccw" }, "find": ["v(A)"] }"#;
+
+#[test]
+fn slots_wheels_and_racks_are_drawn() {
+    for (name, json, class) in [
+        ("arm", SLOTTED_ARM, "link slot"),
+        ("gears", GEARS, "pitch-circles"),
+        ("curve", CURVED_SLOT, "link slot"),
+        ("rack", RACK, "pitch-circles"),
+    ] {
+        let (scene, construction) = placed(json);
+        let figure = single(&scene, &construction, "skeleton", Language::English).unwrap();
+        assert_eq!(overlaps(&figure), vec![], "{name}");
+        let text = svg::write(&figure);
+        assert!(text.contains(&format!("class=\"{class}\"")), "{name}");
     }
-    let _ = dpi;
 }

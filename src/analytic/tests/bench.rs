@@ -27,6 +27,7 @@ impl Bench {
                 pins: Vec::new(),
                 slides: Vec::new(),
                 rolls: Vec::new(),
+                contacts: Vec::new(),
                 inputs: Vec::new(),
                 asked: Vec::new(),
             },

@@ -1,0 +1,155 @@
+//! What the integration tests share: reading and drawing scenes, an exact arithmetic, a maker of chains.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
+#![allow(dead_code, reason = "each test binary uses its own part of these helpers")]
+
+pub(crate) mod chains;
+pub(crate) mod exact;
+pub(crate) mod givens;
+
+use std::path::{Path, PathBuf};
+
+use linkgram::graphical::{self, DrawError, Extents, Scales, Solution};
+use linkgram::mechanism::quantity::Answer;
+use linkgram::mechanism::structure::Structure;
+use linkgram::mechanism::{LinkId, PointId};
+use linkgram::plan::{Extent, Plan};
+use linkgram::scene::{self, Scene};
+
+/// The project's root.
+pub(crate) fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Every scene under `examples/`, in the order of their names.
+pub(crate) fn example_paths() -> Vec<PathBuf> {
+    let mut paths = Vec::new();
+    for folder in ["examples", "examples/errata", "examples/refusals"] {
+        for entry in std::fs::read_dir(root().join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|e| e == "json") {
+                paths.push(path);
+            }
+        }
+    }
+    paths.sort();
+    assert!(paths.len() >= 20, "the examples are gone");
+    paths
+}
+
+/// The text of an example by its file stem.
+pub(crate) fn example_text(stem: &str) -> String {
+    std::fs::read_to_string(root().join(format!("examples/{stem}.json"))).unwrap()
+}
+
+/// An example by its file stem.
+pub(crate) fn example(stem: &str) -> Scene {
+    read(&example_text(stem))
+}
+
+/// A scene that must be readable.
+pub(crate) fn read(text: &str) -> Scene {
+    scene::read(text, "test.json").unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// Scales that put each diagram on 120 mm of paper.
+pub(crate) fn scales_for(extents: Extents) -> Scales {
+    let per_mm = |extent: [f64; 2]| {
+        let scale = extent[0].max(extent[1]) / 120.0;
+        if scale.is_normal() { scale } else { 1.0 }
+    };
+    Scales {
+        length: per_mm(extents.space),
+        velocity: per_mm(extents.velocity),
+        acceleration: per_mm(extents.acceleration),
+    }
+}
+
+/// A scene with its drawn solution.
+pub(crate) struct Drawn {
+    pub(crate) scene: Scene,
+    pub(crate) structure: Structure,
+    pub(crate) plan: Plan,
+    pub(crate) scales: Scales,
+    pub(crate) solution: Solution,
+}
+
+/// Draws a scene that has a structure.
+pub(crate) fn try_draw(scene: &Scene, extent: Extent) -> Result<Drawn, DrawError> {
+    let structure = Structure::of(&scene.mechanism).unwrap();
+    let plan = Plan::new(&scene.mechanism, &structure, extent);
+    let scales = scales_for(graphical::extents(&scene.mechanism, &structure, &plan)?);
+    let solution = graphical::construct(&scene.mechanism, &structure, &plan, scales)?;
+    Ok(Drawn { scene: scene.clone(), structure, plan, scales, solution })
+}
+
+/// Draws a scene that must have a solution.
+pub(crate) fn draw(scene: &Scene) -> Drawn {
+    try_draw(scene, Extent::WholeSkeleton).unwrap()
+}
+
+/// A number with its bound.
+pub(crate) type Bounded = (f64, f64);
+
+impl Drawn {
+    pub(crate) fn point(&self, name: &str) -> PointId {
+        self.scene.mechanism.point_named(name).unwrap()
+    }
+
+    pub(crate) fn link(&self, number: u32) -> LinkId {
+        self.scene.mechanism.link_numbered(number).unwrap()
+    }
+
+    /// The answer to an asked quantity.
+    pub(crate) fn answer(&self, name: &str) -> &Answer {
+        let index = self.scene.mechanism.asked.iter().position(|a| a.name == name);
+        let index = index.unwrap_or_else(|| panic!("{name} is not asked"));
+        &self.solution.construction.answers[index].answer
+    }
+
+    /// A scalar answer in SI units.
+    pub(crate) fn scalar(&self, name: &str) -> Bounded {
+        match self.answer(name) {
+            Answer::Scalar { value, bound } => (*value, *bound),
+            other => panic!("{name} is {other:?}"),
+        }
+    }
+
+    /// A vector answer in SI units.
+    pub(crate) fn vector(&self, name: &str) -> ([f64; 2], f64) {
+        match self.answer(name) {
+            Answer::Vector { value, bound } => (*value, *bound),
+            other => panic!("{name} is {other:?}"),
+        }
+    }
+}
+
+/// A proptest of this many cases from a fixed seed: the same on every run.
+pub(crate) fn fixed(cases: u32) -> proptest::test_runner::Config {
+    proptest::test_runner::Config {
+        cases,
+        rng_seed: proptest::test_runner::RngSeed::Fixed(0x11_6b67_7261_6d),
+        failure_persistence: None,
+        ..proptest::test_runner::Config::default()
+    }
+}
+
+pub(crate) fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+pub(crate) fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+pub(crate) fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+pub(crate) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+pub(crate) fn norm(a: [f64; 2]) -> f64 {
+    libm::hypot(a[0], a[1])
+}
