@@ -50,7 +50,11 @@ fn is_fraction(board: &mut Taped, length: Mm<Recorded>, numerator: i64, denomina
     let truth = Exact::ratio(numerator, denominator);
     let bound = board.recorder().bound(length.mark());
     let error = truth.error_of(length.value());
-    assert!(error <= bound, "{} is not {numerator}/{denominator}: off by {error:e}, bound {bound:e}", length.value());
+    assert!(
+        error <= bound,
+        "{} is not {numerator}/{denominator}: off by {error:e}, bound {bound:e}",
+        length.value()
+    );
     assert!(bound <= 100.0 * size * f64::EPSILON, "a bound of {bound:e} for a well-posed figure");
     assert_eq!(board.recorder().weakness(length.mark()), None);
 }
@@ -322,7 +326,10 @@ fn every_drawn_point_is_a_stroke_with_its_purpose() {
     assert_eq!(before, 3, "three pricks; an arc is no point yet");
     let meet = b.take(pair, Side::First);
     let strokes = b.recorder().strokes();
-    assert_eq!((strokes[0].operation, strokes[0].at, strokes[0].purpose), (Operation::Prick, p.value(), "a frame"));
+    assert_eq!(
+        (strokes[0].operation, strokes[0].at, strokes[0].purpose),
+        (Operation::Prick, p.value(), "a frame")
+    );
     let last = strokes[before];
     assert_eq!((last.operation, last.at, last.purpose), (Operation::MeetCircles, meet.value(), "a meet"));
 }

@@ -20,8 +20,11 @@ impl Exact {
         let bits = value.to_bits();
         let exponent = (bits >> 52) & 0x7ff;
         let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, power) =
-            if exponent == 0 { (fraction, -1074) } else { (fraction | (1 << 52), exponent.cast_signed() - 1075) };
+        let (mantissa, power) = if exponent == 0 {
+            (fraction, -1074)
+        } else {
+            (fraction | (1 << 52), exponent.cast_signed() - 1075)
+        };
         let shift = power + BITS.cast_signed();
         let whole = BigInt::from(mantissa);
         let magnitude = if shift >= 0 {

@@ -10,6 +10,8 @@ mod reader;
 #[path = "../sheets/mod.rs"]
 mod sheets;
 
+use std::sync::OnceLock;
+
 use linkgram::mechanism::quantity::{Answer, Order, Quantity};
 use linkgram::mechanism::{Form, LinkId, Mechanism, Path, PointId, Rider};
 use linkgram::plan::transmission_points;
@@ -57,8 +59,9 @@ impl Reading<'_> {
         polygon.as_ref().expect("the polygon is drawn")
     }
 
-    fn under(&self, letter: &str, pin: PointId, link: LinkId) -> String {
-        format!("{letter}({}/{})", self.name(pin), self.mechanism.link(link).number)
+    /// The name of a quantity of a pin and a link: `slip(A/4)`, `v(A@4)`.
+    fn pair(&self, letter: &str, pin: PointId, between: char, link: LinkId) -> String {
+        format!("{letter}({}{between}{})", self.name(pin), self.mechanism.link(link).number)
     }
 
     /// A vector of a polygon by the name of its quantity.
@@ -91,11 +94,15 @@ impl Reading<'_> {
             Quantity::Position(p) => self.position(p),
             Quantity::Angle(link) => self.angle(link),
             Quantity::Transmission(i, j) => self.transmission(i, j),
-            Quantity::Slip(p, l) => self.vector(first, &self.under("slip", p, l)),
-            Quantity::Coriolis(p, l) => self.vector(second, &self.under("coriolis", p, l)),
-            Quantity::SlipAcceleration(p, l) => self.vector(second, &self.under("aslip", p, l)),
-            Quantity::SlipNormal(p, l) => self.vector(second, &self.under("aslipn", p, l)),
-            Quantity::SlipTangential(p, l) => self.vector(second, &self.under("aslipt", p, l)),
+            Quantity::Slip(p, l) => self.vector(first, &self.pair("slip", p, '/', l)),
+            Quantity::Coriolis(p, l) => self.vector(second, &self.pair("coriolis", p, '/', l)),
+            Quantity::SlipAcceleration(p, l) => self.vector(second, &self.pair("aslip", p, '/', l)),
+            Quantity::SlipNormal(p, l) => self.vector(second, &self.pair("aslipn", p, '/', l)),
+            Quantity::SlipTangential(p, l) => self.vector(second, &self.pair("aslipt", p, '/', l)),
+            Quantity::CoincidentVelocity(p, l) => self.vector(first, &self.pair("v", p, '@', l)),
+            Quantity::CoincidentAcceleration(p, l) => self.vector(second, &self.pair("a", p, '@', l)),
+            Quantity::CoincidentNormal(p, l) => self.vector(second, &self.pair("an", p, '@', l)),
+            Quantity::CoincidentTangential(p, l) => self.vector(second, &self.pair("at", p, '@', l)),
             other => panic!("{other:?} is not read off sheets yet"),
         }
     }
@@ -195,19 +202,26 @@ impl Reading<'_> {
         Read::Vector([at[0] + x, at[1] + y], LAST * self.sheet.length)
     }
 
-    /// Angle of the link's own x-axis: along rising positions of a straight link, else from its first
-    /// joint to its second.
-    fn angle(&self, link: LinkId) -> Read {
-        let link = self.mechanism.link(link);
-        let (from, to) = match &link.form {
-            Form::Line(positions) => {
+    /// Angle of the link's own x-axis: along rising positions of a straight link, from the first joint to
+    /// the second, or from the one joint of a swivelling guide to the pin that rides on it.
+    fn angle(&self, id: LinkId) -> Read {
+        let link = self.mechanism.link(id);
+        let rider = self.mechanism.slides.iter().find_map(|s| match s.rider {
+            Rider::Pin { point, .. } if s.guide.link == id => Some(point),
+            _ => None,
+        });
+        let (from, to) = match (&link.form, rider) {
+            (Form::Line(positions), _) => {
                 let order = |a: &usize, b: &usize| positions[*a].value.total_cmp(&positions[*b].value);
-                ((0..positions.len()).min_by(order).unwrap(), (0..positions.len()).max_by(order).unwrap())
+                let first = (0..positions.len()).min_by(order).unwrap();
+                let last = (0..positions.len()).max_by(order).unwrap();
+                (link.points[first], link.points[last])
             }
-            Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } => (0, 1),
-            other => panic!("the own axis of {other:?} is not read off sheets"),
+            (Form::Length(_) | Form::Sides { .. } | Form::Arms { .. }, _) => (link.points[0], link.points[1]),
+            (Form::Single, Some(rider)) => (link.points[0], rider),
+            (other, _) => panic!("the own axis of {other:?} is not read off sheets"),
         };
-        let axis = minus(self.joint(link.points[to]), self.joint(link.points[from]));
+        let axis = minus(self.joint(to), self.joint(from));
         Read::Scalar(libm::atan2(axis[1], axis[0]), DIAGONAL / libm::hypot(axis[0], axis[1]))
     }
 
@@ -275,7 +289,13 @@ const SLOTTED_LEVER: &str = r#"{
   ]
 }"#;
 
-fn cases() -> Vec<Case> {
+/// All examples, drawn once for all tests.
+fn cases() -> &'static [Case] {
+    static CASES: OnceLock<Vec<Case>> = OnceLock::new();
+    CASES.get_or_init(draw_all)
+}
+
+fn draw_all() -> Vec<Case> {
     let drawn =
         |name: String, (scene, solved, svg): (Scene, Solved, String)| Case { name, scene, solved, svg };
     let mut all: Vec<Case> =
@@ -290,9 +310,9 @@ fn the_sheet_gives_back_every_asked_quantity() {
     let mut failures = Vec::new();
     let (mut recovered, mut exempt) = (0, 0);
     for Case { name, scene, solved, svg } in cases() {
-        let sheet = Sheet::read(&svg);
+        let sheet = Sheet::read(svg);
         let reading = Reading { sheet: &sheet, mechanism: &scene.mechanism };
-        let state = linkgram::solve::solve_analytically(&scene).unwrap();
+        let state = linkgram::solve::solve_analytically(scene).unwrap();
         for (asked, drawn) in scene.mechanism.asked.iter().zip(&solved.solution.construction.answers) {
             let read = reading.read(asked.quantity);
             if let Read::Exempt(why) = &read {
@@ -320,7 +340,7 @@ fn every_claimed_direction_is_true() {
     let mut failures = Vec::new();
     let mut claims = 0;
     for Case { name, svg, .. } in cases() {
-        let sheet = Sheet::read(&svg);
+        let sheet = Sheet::read(svg);
         let mut check = |what: &str, along: Mm2, claim: &Claim| {
             claims += 1;
             let line = sheet.line(&claim.line);
@@ -361,19 +381,15 @@ fn every_claimed_direction_is_true() {
 #[test]
 fn vectors_join_the_points_they_name() {
     for Case { name: case, svg, .. } in cases() {
-        let sheet = Sheet::read(&svg);
+        let sheet = Sheet::read(svg);
         for polygon in [&sheet.velocity, &sheet.acceleration].into_iter().flatten() {
             for vector in &polygon.vectors {
                 let Some(ends) = vector.ends else { continue };
                 for (name, end) in [&vector.tail, &vector.head].into_iter().zip(ends) {
-                    let image = polygon.images.get(name);
-                    let image = image.unwrap_or_else(|| panic!("{case}: no image {name}"));
-                    let [x, y] = minus(end, *image);
-                    assert!(
-                        x.abs() <= LAST && y.abs() <= LAST,
-                        "{case}: {} does not meet {name} by {x}, {y} mm",
-                        vector.quantity
-                    );
+                    let images = polygon.images.get(name);
+                    let images = images.unwrap_or_else(|| panic!("{case}: no image {name}"));
+                    let meets = |image: &Mm2| minus(end, *image).iter().all(|d| d.abs() <= LAST);
+                    assert!(images.iter().any(meets), "{case}: {} does not meet {name}", vector.quantity);
                 }
             }
         }
