@@ -1,5 +1,5 @@
 //! The page: skeleton symbols, polygons, equation tables, steps, label placement. Its result is a
-//! [`Figure`](figure::Figure), ink in millimetres with semantic classes.
+//! [`Figure`], ink in millimetres with semantic classes.
 //!
 //! **Architecture Invariant:** nothing here solves; every length and every number comes from the
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here

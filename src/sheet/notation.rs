@@ -290,13 +290,20 @@ impl<'a> Notation<'a> {
         };
         let line = match reference {
             Reference::Points(a, b) => format!("{} {}", self.point_name(a), self.point_name(b)),
-            Reference::Guide(slide) => match self.mechanism().slides.get(slide).map(|s| s.rider) {
-                Some(Rider::Pin { point, .. }) => format!("guide {}", self.point_name(point)),
-                Some(Rider::Link { link, .. }) => format!("guide link {}", self.number(link)),
-                None => String::new(),
-            },
+            Reference::Guide(slide) => format!("guide {}", self.guide_data(slide)),
         };
         (name, line)
+    }
+
+    /// A guide as a data attribute, by its rider and the link that carries it: `D/1`, `link 3/4`.
+    #[must_use]
+    pub fn guide_data(&self, slide: usize) -> String {
+        let Some(slide) = self.mechanism().slides.get(slide) else { return String::new() };
+        let carrier = self.number(slide.guide.link);
+        match slide.rider {
+            Rider::Pin { point, .. } => format!("{}/{carrier}", self.point_name(point)),
+            Rider::Link { link, .. } => format!("link {}/{carrier}", self.number(link)),
+        }
     }
 
     /// A scale of a polygon: 50 cm/s ≡ 1 cm.

@@ -190,11 +190,11 @@ impl Artist<'_> {
         for (index, slide) in slides.filter(|(_, s)| s.guide.link == LinkId::FRAME) {
             if let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) {
                 let own = self.fixed_guide(at, along);
-                all.group(own.data("guide", index.to_string()));
+                all.group(own.data("guide", self.notation.guide_data(index)));
             } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide)
                 && at.distance(centre) > BLOCK.1
             {
-                all.group(fixed_arc(at, centre));
+                all.group(fixed_arc(at, centre).data("guide", self.notation.guide_data(index)));
                 let out = (at - centre).normalize();
                 self.frame_number(at + out * 3.5 + Vec2::new(-out.y, out.x) * GUIDE, 0.5, out);
             }
@@ -338,7 +338,7 @@ impl Artist<'_> {
             let link = slide.guide.link;
             let mut own = Group::new("link slot")
                 .data("link", self.notation.number(link))
-                .data("guide", index.to_string());
+                .data("guide", self.notation.guide_data(index));
             match self.pose.guide(slide) {
                 Some(GuideLine::Straight { at, along }) => {
                     let mut reach = (-8.0_f64, 8.0_f64);
@@ -363,7 +363,7 @@ impl Artist<'_> {
                     for offset in [-SLOT_BLOCK.1, SLOT_BLOCK.1] {
                         let radius = (radius + offset).max(0.1);
                         let shape = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
-                        own.mark(Mark::stroke(shape, Pen::solid(THICK)));
+                        own.mark(Mark::stroke(shape, Pen::solid(THICK)).precise());
                     }
                     let ends = [middle - half, middle + half].map(|a| {
                         let end = |offset: f64| on_circle(centre, (radius + offset).max(0.1), a);
@@ -756,7 +756,7 @@ fn fixed_arc(at: Point, centre: Point) -> Group {
     let half = (GUIDE / radius.max(1.0)).min(1.2);
     let outer = radius + BLOCK.1;
     let surface = Shape::Arc { centre, radius: outer, start: middle - half, sweep: 2.0 * half };
-    own.mark(Mark::stroke(surface, Pen::solid(THICK)));
+    own.mark(Mark::stroke(surface, Pen::solid(THICK)).precise());
     let strokes = (2.0 * half * outer / 1.5).floor();
     for i in 0..strokes as usize {
         let angle = middle - half + (i as f64 + 0.5) * (2.0 * half / strokes);
