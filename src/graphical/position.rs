@@ -4,7 +4,7 @@
 use crate::board::{Bench, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::GroupKind;
+use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
@@ -25,26 +25,8 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
     d.act(Act::MarkPlaces);
     for step in &plan.position {
         let group = &d.structure.groups[step.group];
-        let links = group.links.clone();
-        d.step(Order::Position, &links, Vec::new());
-        match group.kind {
-            GroupKind::Driver { base, input } => d.driver(step, links[0], base, input),
-            GroupKind::Rrr { links, bases, pin } => d.rrr(step, links, bases, pin)?,
-            GroupKind::Rrp { rod, base, pin, slide } => d.rrp(step, rod, base, pin, slide)?,
-            GroupKind::Rpr { lever, base, pin, slide, rod } => {
-                d.rpr(step, lever, base, pin, slide)?;
-                if let Some(rod) = rod {
-                    d.ride_along(step, rod, slide, pin);
-                }
-            }
-            GroupKind::Prp { pin, slides } => d.prp(pin, slides)?,
-            GroupKind::Yoke { link, ride, pin, slot } => d.yoke(step, link, ride, pin, slot),
-            GroupKind::DrivenSlide { slide, input } => d.driven_slide(step, slide, input),
-            GroupKind::Wheel { wheel, roll, .. } => d.wheel(step, wheel, roll),
-            GroupKind::Other => {
-                return Err(DrawError::NoConstruction { links });
-            }
-        }
+        d.step(Order::Position, &group.links.clone(), Vec::new());
+        d.position_of(step, group)?;
     }
     Ok(())
 }
@@ -53,6 +35,30 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
 const HINT_TIE: f64 = 1e-9;
 
 impl<B: Bench> Draughtsman<'_, B> {
+    /// Finds the places of one group.
+    pub(super) fn position_of(&mut self, step: &GroupStep, group: &Group) -> Result<(), DrawError> {
+        match group.kind {
+            GroupKind::Driver { base, input } => self.driver(step, group.links[0], base, input),
+            GroupKind::Rrr { links, bases, pin } => self.rrr(step, links, bases, pin)?,
+            GroupKind::Rrp { rod, base, pin, slide } => self.rrp(step, rod, base, pin, slide)?,
+            GroupKind::Rpr { lever, base, pin, slide, rod } => {
+                self.rpr(step, lever, base, pin, slide)?;
+                if let Some(rod) = rod {
+                    self.ride_along(step, rod, slide, pin);
+                }
+            }
+            GroupKind::Prp { pin, slides } => self.prp(pin, slides)?,
+            GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot),
+            GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
+            GroupKind::Wheel { wheel, roll, .. } => self.wheel(step, wheel, roll),
+            GroupKind::Higher { trial } => self.position_by_trial(step, trial)?,
+            GroupKind::TrialDriver { .. } | GroupKind::Other => {
+                return Err(DrawError::NoConstruction { links: group.links.clone() });
+            }
+        }
+        Ok(())
+    }
+
     /// Where the skeleton's own frame begins: the first fixed point, else the first placed one.
     pub(super) fn origin_of_space(&self) -> [Given; 2] {
         let exact = |fixed: bool| {
@@ -100,32 +106,54 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// A driven link: lay its points off along the given angle from its base.
     fn driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
-        self.board.purpose("driven link");
-        let points = self.mechanism.link(link).points.clone();
-        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else { return };
         let angle = match self.mechanism.inputs[input] {
             Input::Angle { angle, .. } | Input::Speed { angle, .. } => angle,
             Input::Slide { .. } => None,
         };
-        let along = match angle {
+        match angle {
             Some(angle) => {
                 let angle = self.board.angle(angle);
-                self.board.protractor(angle)
+                let along = self.board.protractor(angle);
+                self.driver_along(step, link, base, along);
             }
-            None => {
-                for point in [first, second] {
-                    self.prick_given(point);
-                }
-                let (a, b) = (self.at(first), self.at(second));
-                let reason = self.reason(&[link]);
-                self.board.toward(a, b, reason).0
-            }
-        };
+            None => self.driver_as_placed(step, link, base),
+        }
+    }
+
+    /// A driven link whose first two points are placed.
+    pub(super) fn driver_as_placed(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
+        let points = self.mechanism.link(link).points.clone();
+        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else { return };
+        for point in [first, second] {
+            self.prick_given(point);
+        }
+        let (a, b) = (self.at(first), self.at(second));
+        let reason = self.reason(&[link]);
+        let (along, _) = self.board.toward(a, b, reason);
+        self.driver_along(step, link, base, along);
+    }
+
+    /// A driven link whose first-to-second line points `along`.
+    pub(super) fn driver_along(
+        &mut self,
+        step: &GroupStep,
+        link: LinkId,
+        base: PointId,
+        along: Direction<B>,
+    ) {
+        self.board.purpose("driven link");
         let from = self.at(base);
+        let own_anchor = self.own(link, base);
+        let points = self.mechanism.link(link).points.clone();
+        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
+            // A swivelling guide of one joint: the angle is that of its own x-axis.
+            let own_along = self.board.rightward();
+            self.poses[link.0] = Some(Pose { own_anchor, anchor: from, own_along, along });
+            return;
+        };
         let (a, b) = (self.own(link, first), self.own(link, second));
         let reason = self.reason(&[link]);
         let (own_along, _) = self.board.toward(a, b, reason);
-        let own_anchor = self.own(link, base);
         self.poses[link.0] = Some(Pose { own_anchor, anchor: from, own_along, along });
         for &(_, point) in &step.points {
             if self.prick_given(point) {
@@ -420,6 +448,9 @@ impl<B: Bench> Draughtsman<'_, B> {
         pin: PointId,
         pair: Pair<B>,
     ) -> Result<Side, DrawError> {
+        if let Some(side) = self.prescribed_side() {
+            return Ok(side);
+        }
         let origin = self.origin_of_space().map(|g| g.value);
         let per_mm = self.scales.length;
         let reason = self.reason(&[lever]);
@@ -584,6 +615,9 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     fn choose(&mut self, main: &[(LinkId, PointId)], pin: PointId, pair: Pair<B>) -> Result<Side, DrawError> {
+        if let Some(side) = self.prescribed_side() {
+            return Ok(side);
+        }
         let origin = self.origin_of_space().map(|g| g.value);
         let per_mm = self.scales.length;
         let miss = |d: &Self, point: PointId, at: [f64; 2]| {
@@ -635,7 +669,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Whether a link carries a guide, so that its pose will be needed.
-    fn carries_guide(&self, link: LinkId) -> bool {
+    pub(super) fn carries_guide(&self, link: LinkId) -> bool {
         self.mechanism.slides.iter().any(|s| s.guide.link == link)
     }
 

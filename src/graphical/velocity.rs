@@ -14,7 +14,7 @@
 use crate::board::{Amount, Bench, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::GroupKind;
+use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
@@ -34,17 +34,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     d.step(Order::Velocity, &[], Vec::new());
     d.act(Act::MarkPole);
     for step in &plan.velocity {
-        let group = &d.structure.groups[step.group];
-        match group.kind {
-            GroupKind::Driver { base, input } => d.velocity_of_driver(step, group.links[0], base, input),
-            GroupKind::DrivenSlide { slide, input } => d.velocity_of_slide(step, slide, input),
-            GroupKind::Wheel { wheel, centre, roll } => d.velocity_of_wheel(step, wheel, centre, roll),
-            kind => d.velocity_of_group(step, kind),
-        }
-        d.rates_of_blocks(Order::Velocity, &group.links);
-        for &link in &group.links {
-            d.note_link_image(Order::Velocity, link);
-        }
+        d.velocity_of(step, &d.structure.groups[step.group]);
     }
 }
 
@@ -113,8 +103,10 @@ pub(super) fn routes_of(kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
             [Unknown::Slide { slide: ride, back: false }, Unknown::Slide { slide: slot, back: true }],
         ),
         GroupKind::Driver { .. }
+        | GroupKind::TrialDriver { .. }
         | GroupKind::DrivenSlide { .. }
         | GroupKind::Wheel { .. }
+        | GroupKind::Higher { .. }
         | GroupKind::Other => return None,
     })
 }
@@ -131,6 +123,21 @@ pub(super) fn main_base(kind: GroupKind, link: LinkId) -> Option<(PointId, Point
 }
 
 impl<B: Bench> Draughtsman<'_, B> {
+    /// Draws the velocity polygon of one group.
+    pub(super) fn velocity_of(&mut self, step: &GroupStep, group: &Group) {
+        match group.kind {
+            GroupKind::Driver { base, input } => self.velocity_of_driver(step, group.links[0], base, input),
+            GroupKind::DrivenSlide { slide, input } => self.velocity_of_slide(step, group, slide, input),
+            GroupKind::Wheel { wheel, centre, roll } => self.velocity_of_wheel(step, wheel, centre, roll),
+            GroupKind::Higher { trial } => self.polygon_by_trial(Order::Velocity, step, trial),
+            _ => self.velocity_of_group(step, group),
+        }
+        self.rates_of_blocks(Order::Velocity, &group.links);
+        for &link in &group.links {
+            self.note_link_image(Order::Velocity, link);
+        }
+    }
+
     /// Zero, exact.
     pub(super) fn rest(&mut self) -> Amount<B> {
         self.board.amount(crate::given::Given::exact(0.0))
@@ -175,34 +182,30 @@ impl<B: Bench> Draughtsman<'_, B> {
             Input::Slide { .. } => return,
         };
         self.omegas[link.0] = Some(omega);
-        let scale = self.polygon_scale(Order::Velocity);
+        self.driven_velocities(step, link, base);
+    }
+
+    /// V = ω l of each wanted point of a link whose ω is known, about its base.
+    pub(super) fn driven_velocities(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         for &(_, point) in &step.points {
-            let length = self.length(link, base, point);
-            let speed = self.board.product(omega, length);
-            let quantity = self.relative_velocity(point, base);
-            let value = speed.value().abs();
-            self.act(Act::Calculate(Calculation::Speed {
-                quantity,
-                link,
-                ends: [base, point],
-                omega: omega.value(),
-                length: length.value(),
-                value,
-            }));
-            let square = self.square_to(link, base, point);
-            let mm = self.board.to_paper(speed, scale);
-            let from = self.image(Order::Velocity, base);
-            let image = self.board.lay_off(from, square, mm);
+            let image = self.velocity_about(link, base, point);
             self.note_image(Order::Velocity, point, image);
+            let from = self.image(Order::Velocity, base);
             let claim = Claim::Perpendicular(Reference::Points(base, point));
+            let quantity = self.relative_velocity(point, base);
             let vector = self.note_vector(
                 Order::Velocity,
                 (self.kind_of(base), quantity, Some(claim)),
                 (self.label(base), from),
                 (self.label(point), image),
             );
-            self.act(Act::LayOffVector { vector, value, mm: mm.value().abs() });
-            self.absolute_velocity(point, base, image);
+            let (a, b) = (from.value(), image.value());
+            let mm = libm::hypot(b[0] - a[0], b[1] - a[1]);
+            self.act(Act::LayOffVector { vector, value: mm * self.scales.velocity, mm });
+            if !self.mechanism.is_fixed(base) {
+                let label = self.label(point);
+                self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);
+            }
         }
     }
 
@@ -231,12 +234,12 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The given sliding velocity, laid off along the guide from the image of the guide's point.
-    fn velocity_of_slide(&mut self, step: &GroupStep, slide: usize, input: usize) {
+    fn velocity_of_slide(&mut self, step: &GroupStep, group: &Group, slide: usize, input: usize) {
         let Input::Slide { velocity, .. } = self.mechanism.inputs[input] else { return };
         let (rider, guide) = (self.mechanism.slides[slide].rider, self.mechanism.slides[slide].guide.link);
         let first = self.riding_point(slide, PointId(0));
         self.board.purpose("velocity of a driven slide");
-        self.step(Order::Velocity, &self.structure.groups[step.group].links.clone(), Vec::new());
+        self.step(Order::Velocity, &group.links, Vec::new());
         let (along, _) = self.tangent(slide, first);
         let scale = self.polygon_scale(Order::Velocity);
         let speed = self.board.amount(velocity);
@@ -385,16 +388,13 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Two lines of unknown length meet in the sought image.
-    fn velocity_of_group(&mut self, step: &GroupStep, kind: GroupKind) {
+    fn velocity_of_group(&mut self, step: &GroupStep, group: &Group) {
+        let kind = group.kind;
         let Some((target, unknowns)) = routes_of(kind) else { return };
         self.board.purpose("velocity image");
         let pin = target.pin();
-        let links: Vec<LinkId> = self.structure.groups[step.group]
-            .links
-            .iter()
-            .copied()
-            .filter(|&l| !self.mechanism.link(l).block)
-            .collect();
+        let links: Vec<LinkId> =
+            group.links.iter().copied().filter(|&l| !self.mechanism.link(l).block).collect();
         self.step(Order::Velocity, &links, Vec::new());
         let routes = unknowns.map(|unknown| match unknown {
             Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
@@ -439,6 +439,38 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.absolute_vector(Order::Velocity, quantity, label, meet.at);
         }
         self.further_velocities(step, kind);
+    }
+
+    /// The line of an open constraint from its known end.
+    pub(super) fn closing_line(&mut self, unknown: Unknown, end: PointId) -> Line<B> {
+        self.closing_route(unknown, end).ray
+    }
+
+    fn closing_route(&mut self, unknown: Unknown, end: PointId) -> Route<B> {
+        match unknown {
+            Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
+            Unknown::Slide { slide, back } => self.velocity_slide(slide, back, end),
+        }
+    }
+
+    /// Reads what an open constraint has become when its end's image is known.
+    pub(super) fn read_closing_velocity(
+        &mut self,
+        unknown: Unknown,
+        target: Target,
+        (label, image): (Label, Point<B>),
+    ) {
+        let route = self.closing_route(unknown, target.pin());
+        let [along, _] = self.board.square_off(route.ray, image);
+        self.note_ray(Order::Velocity, route.from.1, image, route.claim);
+        match unknown {
+            Unknown::Turn { link, base, .. } => {
+                self.read_omega(&route, target, (link, base), (label, image), along);
+            }
+            Unknown::Slide { slide, back } => {
+                self.read_slip(&route, target, (slide, back), (label, image), along);
+            }
+        }
     }
 
     /// Reads V along a route and divides by the link's length.
@@ -618,21 +650,6 @@ impl<B: Bench> Draughtsman<'_, B> {
             (label, image),
         );
         self.act_read(order, vector);
-    }
-
-    /// The vector from the pole to an image that was reached from a moving base.
-    fn absolute_velocity(&mut self, point: PointId, base: PointId, image: Point<B>) {
-        if self.mechanism.is_fixed(base) {
-            return;
-        }
-        let pole = self.board.origin();
-        let vector = self.note_vector(
-            Order::Velocity,
-            (VectorKind::Absolute, Quantity::Velocity(point), None),
-            (Label::Pole, pole),
-            (self.label(point), image),
-        );
-        self.act_read(Order::Velocity, vector);
     }
 
     fn found_velocity(&mut self, point: PointId) -> Term {

@@ -9,6 +9,7 @@ use crate::graphical::construction::{
     Vector, VectorKind,
 };
 use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::structure::Closing;
 use crate::mechanism::{LinkId, PointId};
 
 /// Flatter crossings than this are badly readable by hand.
@@ -161,6 +162,34 @@ impl Teller<'_> {
                         ("scale", n.length_scale(per_mm)),
                     ],
                 )
+            }
+            Act::TryPosition { driver, closing } => {
+                let link = ("link", Rich::upright(n.number(*driver)));
+                match closing {
+                    Closing::Rod { near, far, .. } => Rich::fill(
+                        words.try_position_rod,
+                        &[link, ("near", n.point(*near)), ("length", n.length(*far, *near))],
+                    ),
+                    Closing::Slide { pin, .. } => {
+                        Rich::fill(words.try_position_guide, &[link, ("near", n.point(*pin))])
+                    }
+                    Closing::Angle { link: driven, .. } => Rich::fill(
+                        words.try_position_angle,
+                        &[link, ("driven", Rich::upright(n.number(*driven)))],
+                    ),
+                }
+            }
+            Act::TryPolygon { driver, order, rate } | Act::TrialRate { driver, order, rate } => {
+                let quantity = match order {
+                    Order::Acceleration => Quantity::Alpha(*driver),
+                    _ => Quantity::Omega(*driver),
+                };
+                let value = n.rotation(*rate, &n.angular_unit(*order));
+                let template = match act {
+                    Act::TryPolygon { .. } => words.try_polygon,
+                    _ => words.trial_rate,
+                };
+                Rich::fill(template, &[("rate", n.symbol(quantity, false)), ("value", value)])
             }
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(
