@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::{GroupKind, Structure};
+use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// How much of the skeleton is drawn.
@@ -17,6 +17,43 @@ pub enum Extent {
     Asked,
     /// Every link and point, so that the skeleton can be shown: for figures.
     WholeSkeleton,
+}
+
+/// The steps of a group of higher class: every group of the trial with the points that are wanted of it, that
+/// later groups need, and that close the trial.
+#[must_use]
+pub fn trial_steps(trial: &Trial, step: &GroupStep, mechanism: &Mechanism) -> Vec<GroupStep> {
+    let mut wanted: BTreeSet<PointId> = step.points.iter().map(|(_, p)| *p).collect();
+    match trial.closing {
+        Closing::Rod { near, .. } => wanted.insert(near),
+        Closing::Slide { pin, .. } => wanted.insert(pin),
+        Closing::Angle { link, .. } => {
+            wanted.extend(mechanism.link(link).points.iter().take(2));
+            true
+        }
+    };
+    for group in &trial.groups {
+        wanted.extend(bases(group.kind).into_iter().flatten());
+        wanted.extend(&group.points);
+    }
+    let mut found: BTreeSet<PointId> = BTreeSet::new();
+    let mut steps = Vec::new();
+    for (index, group) in trial.groups.iter().enumerate() {
+        let main = main_points(group.kind);
+        let mut points = Vec::new();
+        for &link in group.links.iter().filter(|&&l| !mechanism.link(l).block) {
+            for &point in &mechanism.link(link).points {
+                let fresh = wanted.contains(&point) && !found.contains(&point);
+                if fresh && !mechanism.is_fixed(point) && !main.contains(&Some(point)) {
+                    found.insert(point);
+                    points.push((link, point));
+                }
+            }
+        }
+        found.extend(main.into_iter().flatten());
+        steps.push(GroupStep { group: index, points });
+    }
+    steps
 }
 
 /// One group at one order.
@@ -171,6 +208,27 @@ impl Wanted<'_> {
         }
     }
 
+    /// Everything of solved links on which a group of higher class hangs.
+    fn surroundings(&mut self, group: usize, order: Order) {
+        let joints = self.structure.groups[group].joints.clone();
+        for joint in joints {
+            match joint {
+                Joint::Pin(_, point) if !self.structure.groups[group].points.contains(&point) => {
+                    self.point(point, order);
+                }
+                Joint::Slide(slide) => {
+                    let slide = self.mechanism.slides[slide];
+                    for link in [Some(slide.guide.link), slide_rider(&slide)].into_iter().flatten() {
+                        if self.structure.group_of(link) != Some(group) {
+                            self.link(link, order);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
     /// The body on which a wheel rolls, and its centre where it has one.
     fn rolled_on(&mut self, roll: usize, wheel: LinkId, order: Order) {
         match self.mechanism.rolls[roll] {
@@ -197,7 +255,10 @@ impl Wanted<'_> {
             for base in bases(kind).into_iter().flatten() {
                 self.point(base, lower);
             }
-            if let GroupKind::Wheel { wheel, roll, .. } = kind {
+            if let GroupKind::Higher { .. } = kind {
+                self.surroundings(group, lower);
+            }
+            if let GroupKind::Wheel { wheel, roll, .. } | GroupKind::Rolling { wheel, roll, .. } = kind {
                 self.rolled_on(roll, wheel, lower);
             }
             for slide in slides_of(kind).into_iter().flatten() {
@@ -224,12 +285,18 @@ fn lower_orders(order: Order) -> &'static [Order] {
 /// The points on solved links from which a group is solved.
 fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
     match kind {
-        GroupKind::Driver { base, .. } | GroupKind::Rrp { base, .. } => [Some(base), None],
+        GroupKind::Driver { base, .. } | GroupKind::Rrp { base, .. } | GroupKind::Rolling { base, .. } => {
+            [Some(base), None]
+        }
         GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
         GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin)],
         GroupKind::Yoke { pin, .. } => [Some(pin), None],
         GroupKind::Wheel { centre, .. } => [Some(centre), None],
-        GroupKind::Prp { .. } | GroupKind::DrivenSlide { .. } | GroupKind::Other => [None, None],
+        GroupKind::TrialDriver { base } => [Some(base), None],
+        GroupKind::Prp { .. }
+        | GroupKind::DrivenSlide { .. }
+        | GroupKind::Higher { .. }
+        | GroupKind::Other => [None, None],
     }
 }
 
@@ -240,9 +307,13 @@ fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
         GroupKind::Prp { slides: [a, b], .. } => [Some(a), Some(b)],
         GroupKind::Yoke { ride, slot, .. } => [Some(ride), Some(slot)],
         GroupKind::DrivenSlide { slide, .. } => [Some(slide), None],
-        GroupKind::Wheel { .. } | GroupKind::Driver { .. } | GroupKind::Rrr { .. } | GroupKind::Other => {
-            [None, None]
-        }
+        GroupKind::Wheel { .. }
+        | GroupKind::Rolling { .. }
+        | GroupKind::TrialDriver { .. }
+        | GroupKind::Higher { .. }
+        | GroupKind::Driver { .. }
+        | GroupKind::Rrr { .. }
+        | GroupKind::Other => [None, None],
     }
 }
 
@@ -260,8 +331,10 @@ fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
         GroupKind::Rrr { bases: [a, b], pin, .. } => [Some(a), Some(b), Some(pin)],
         GroupKind::Rrp { base, pin, .. } | GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin), None],
         GroupKind::Prp { pin, .. } | GroupKind::Yoke { pin, .. } => [Some(pin), None, None],
+        GroupKind::Rolling { base, centre, .. } => [Some(base), Some(centre), None],
         GroupKind::Wheel { centre: base, .. } => [Some(base), None, None],
-        GroupKind::DrivenSlide { .. } | GroupKind::Other => [None, None, None],
+        GroupKind::TrialDriver { base } => [Some(base), None, None],
+        GroupKind::DrivenSlide { .. } | GroupKind::Higher { .. } | GroupKind::Other => [None, None, None],
     }
 }
 

@@ -42,7 +42,9 @@ impl SolveError {
     #[must_use]
     pub fn refusal(&self) -> Option<Refusal> {
         match self {
-            Self::Draw(DrawError::CannotAssemble { .. }) => Some(Refusal::CannotAssemble),
+            Self::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. }) => {
+                Some(Refusal::CannotAssemble)
+            }
             Self::Draw(DrawError::Ambiguous { .. }) => Some(Refusal::Ambiguous),
             Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
             Self::Structure(_) | Self::Draw(DrawError::NoConstruction { .. }) => None,

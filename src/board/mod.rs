@@ -326,6 +326,49 @@ impl<B: Bench> Board<B> {
         Point { x: self.exact(0.0), y: self.exact(0.0) }
     }
 
+    /// A point copied from another board, as exact as it stands there.
+    pub fn copied(&mut self, at: [f64; 2]) -> Point<B> {
+        Point { x: self.exact(at[0]), y: self.exact(at[1]) }
+    }
+
+    /// A direction copied from another board.
+    pub fn copied_direction(&mut self, d: [f64; 2]) -> Direction<B> {
+        Direction { x: self.exact(d[0]), y: self.exact(d[1]) }
+    }
+
+    /// The difference of two lengths.
+    pub fn less(&mut self, a: Mm<B>, b: Mm<B>) -> Mm<B> {
+        Mm(self.sub(a.0, b.0))
+    }
+
+    /// An angle as the arc on a circle of one millimetre, so that it can stand where a length is missed.
+    pub fn arc_length(&mut self, angle: Angle<B>) -> Mm<B> {
+        Mm(angle.0)
+    }
+
+    /// A length of zero.
+    pub fn no_length(&mut self) -> Mm<B> {
+        Mm(self.exact(0.0))
+    }
+
+    /// One step of false position: the angle less miss / slope. The slope must stand clear of its error.
+    pub fn corrected(
+        &mut self,
+        angle: Angle<B>,
+        miss: Mm<B>,
+        slope: crate::given::Given,
+        reason: Reason,
+    ) -> Angle<B> {
+        let slope = self.given(slope);
+        let step = self.div(miss.0, slope, reason);
+        Angle(self.sub(angle.0, step))
+    }
+
+    /// A part of a quantity.
+    pub fn part_of(&mut self, whole: Amount<B>, part: Ratio<B>) -> Amount<B> {
+        Amount(self.mul(whole.0, part.0))
+    }
+
     /// Prick a point at given coordinates.
     pub fn prick(&mut self, x: Mm<B>, y: Mm<B>) -> Point<B> {
         self.stroke(Operation::Prick, Point { x: x.0, y: y.0 })

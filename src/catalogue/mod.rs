@@ -21,13 +21,89 @@ macro_rules! kind {
 pub const KINDS: &[Kind] = &[
     kind!("four-bar", "Crank-rocker four-bar, open assembly"),
     kind!("four-bar-crossed", "The same four-bar, crossed assembly"),
+    kind!("rocker-crank", "Crank-rocker four-bar driven from its rocker"),
     kind!("drag-link", "Double crank: the shortest link is the frame"),
     kind!("double-rocker", "Double rocker: the shortest link is the coupler"),
+    kind!("four-bar-triple-rocker", "Four-bar beyond Grashof: no link turns fully"),
+    kind!("parallel-crank", "Parallel cranks of a locomotive (change-point four-bar)"),
+    kind!("antiparallel-crank", "The same links crossed: cranks that turn against each other"),
     kind!("coupler-point", "Four-bar with a point C on a triangular coupler"),
+    kind!("watt", "Watt straight-line linkage"),
+    kind!("tchebyshev", "Tchebyshev straight-line linkage"),
+    kind!("roberts", "Roberts straight-line linkage"),
+    kind!("peaucellier", "Peaucellier straight-line linkage (eight links)"),
+    kind!("ackermann", "Ackermann steering, inner wheel turned"),
+    kind!("six-link", "Six links: four-bar, two-arm rocker, rod and slider"),
+    kind!("wrapping-machine", "Wrapping machine: a coupler point swings a bell crank"),
+    kind!("two-sliders", "Eight links: ternary coupler, two rods and two sliders"),
     kind!("slider-crank", "Central slider-crank"),
     kind!("slider-crank-offset", "Slider-crank with an offset guide"),
     kind!("v-engine", "V engine: master rod with an articulated rod"),
+    kind!("w-engine", "W engine: master rod and two articulated rods"),
+    kind!("sewing-machine", "Sewing-machine needle bar: bell crank, rod and bar"),
+    kind!("eccentric-pump", "Pump with a curved guide: the arm of the crank pin rides on an arc"),
     kind!("toggle-press", "Toggle press: crank, rod and two toggle links on a ram"),
-    kind!("two-sliders", "Eight links: ternary coupler, two rods and two sliders"),
-    kind!("six-link", "Six links: four-bar, two-arm rocker, rod and slider"),
+    kind!("punch-press", "Toggle punch press (eight links)"),
+    kind!("pantograph", "Pantograph: F copies the path of D at half size"),
+    kind!("drag-link-shaper", "Drag-link quick return: double crank, rod and ram"),
+    kind!("scotch-yoke", "Scotch yoke: harmonic motion"),
+    kind!("oblique-yoke", "Yoke with an oblique slot"),
+    kind!("slotted-lever", "Crank and slotted lever"),
+    kind!("offset-shaper", "Crank-shaper whose slot lies beside the lever"),
+    kind!("crank-shaper", "Crank-shaper quick return: slotted lever, rod and ram"),
+    kind!("shaper-block", "Shaper whose ram rides on the lever itself: a pin on two guides"),
+    kind!("whitworth", "Whitworth quick return: the slotted arm turns fully"),
+    kind!("oscillating-cylinder", "Engine with an oscillating cylinder"),
+    kind!("geneva", "Geneva wheel of four slots, pin in engagement"),
+    kind!("curved-slot", "Pin of a disc in the curved slot of a rocker"),
+    kind!("coupler-slot", "Four-bar whose coupler point drives a slotted arm"),
+    kind!("travelling-slot", "A guide that turns and travels: block on the connecting rod of an engine"),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::KINDS;
+    use crate::check::check;
+    use crate::plan::Extent;
+    use crate::scene;
+    use crate::sheet::{self, Language, scale};
+
+    #[test]
+    fn every_kind_checks() {
+        for kind in KINDS {
+            let scene = scene::read(kind.scene, kind.name).unwrap_or_else(|error| panic!("{error}"));
+            let check = check(&scene, 0.05);
+            assert!(check.ok, "{}: {:?}", kind.name, check.outcome);
+        }
+    }
+
+    #[test]
+    fn every_kind_draws() {
+        for kind in KINDS {
+            let scene = scene::read(kind.scene, kind.name).unwrap();
+            let solved = crate::solve::solve(&scene, Extent::WholeSkeleton, scale::for_scene).unwrap();
+            let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+            assert!(crate::render::svg::write(&figure).len() > 1000, "{}", kind.name);
+        }
+    }
+
+    #[test]
+    fn kinds_have_names_of_their_own_and_a_line_that_fits() {
+        for (index, kind) in KINDS.iter().enumerate() {
+            assert!(KINDS[..index].iter().all(|k| k.name != kind.name), "{} twice", kind.name);
+            assert!(kind.name.len() + kind.about.len() < 100, "{}", kind.name);
+        }
+    }
+
+    #[test]
+    fn every_scene_of_the_folder_is_listed() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/catalogue");
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|e| e == "json") {
+                let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
+                assert!(KINDS.iter().any(|k| k.name == name), "{name} is not listed");
+            }
+        }
+    }
+}

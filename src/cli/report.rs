@@ -37,6 +37,7 @@ fn structure(mechanism: &Mechanism, error: &StructureError) -> (Subject, String,
                 Joint::Slide(index) => Subject::Slide(index),
                 Joint::Roll(index) | Joint::Contact(index) => Subject::Roll(index),
                 Joint::Input(index) => Subject::Input(index),
+                Joint::Trial(link) => Subject::Link(link),
             },
             error.to_string(),
             match joint {
@@ -67,6 +68,19 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 Subject::Place(*pin),
                 format!("ambiguous: the chain closes with {name} at {first} and at {second}"),
                 format!("choose one, as in \"near\": {{ \"{name}\": {first} }}"),
+            )
+        }
+        DrawError::NoClosure { pin, least } => {
+            let name = &scene.mechanism.point(*pin).name;
+            let miss = if least.is_finite() {
+                format!("{} {} are missing at {name}", short(least / unit.si), unit.symbol)
+            } else {
+                format!("the dyads around {name} never meet")
+            };
+            (
+                Subject::Point(*pin),
+                format!("cannot be assembled: {miss} in the best position"),
+                "change the dimensions or the input".to_owned(),
             )
         }
         DrawError::NoConstruction { links } => {

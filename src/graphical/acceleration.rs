@@ -14,7 +14,7 @@
 
 use crate::board::{Amount, Bench, Direction, Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::GroupKind;
+use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
 use crate::plan::{GroupStep, Plan};
 
@@ -31,17 +31,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     d.step(Order::Acceleration, &[], Vec::new());
     d.act(Act::MarkPole);
     for step in &plan.acceleration {
-        let group = &d.structure.groups[step.group];
-        match group.kind {
-            GroupKind::Driver { base, input } => d.acceleration_of_driver(step, group.links[0], base, input),
-            GroupKind::DrivenSlide { slide, input } => d.acceleration_of_slide(step, slide, input),
-            GroupKind::Wheel { wheel, centre, roll } => d.acceleration_of_wheel(step, wheel, centre, roll),
-            kind => d.acceleration_of_group(step, kind),
-        }
-        d.rates_of_blocks(Order::Acceleration, &group.links);
-        for &link in &group.links {
-            d.note_link_image(Order::Acceleration, link);
-        }
+        d.acceleration_of(step, &d.structure.groups[step.group]);
     }
 }
 
@@ -55,6 +45,27 @@ struct Route<B: Bench> {
 }
 
 impl<B: Bench> Draughtsman<'_, B> {
+    /// Draws the acceleration polygon of one group.
+    pub(super) fn acceleration_of(&mut self, step: &GroupStep, group: &Group) {
+        match group.kind {
+            GroupKind::Driver { base, input } => {
+                self.acceleration_of_driver(step, group.links[0], base, input);
+            }
+            GroupKind::DrivenSlide { slide, input } => self.acceleration_of_slide(step, group, slide, input),
+            GroupKind::Wheel { wheel, centre, roll } => self.acceleration_of_wheel(step, wheel, centre, roll),
+            GroupKind::Rolling { wheel, centre, roll, .. } => {
+                self.acceleration_of_group(step, group);
+                self.acceleration_of_wheel(step, wheel, centre, roll);
+            }
+            GroupKind::Higher { trial } => self.polygon_by_trial(Order::Acceleration, step, trial),
+            _ => self.acceleration_of_group(step, group),
+        }
+        self.rates_of_blocks(Order::Acceleration, &group.links);
+        for &link in &group.links {
+            self.note_link_image(Order::Acceleration, link);
+        }
+    }
+
     /// Aⁿ_B or Aⁿ_BA, as the reference moves or not; of the link's own point under a pin of another.
     fn normal_of(&self, link: LinkId, point: PointId, base: PointId) -> Quantity {
         if !self.mechanism.link(link).points.contains(&point) {
@@ -153,53 +164,35 @@ impl<B: Bench> Draughtsman<'_, B> {
         let uniform = alpha.value == 0.0;
         let alpha = self.board.amount(alpha);
         self.alphas[link.0] = Some(alpha);
-        let scale = self.polygon_scale(Order::Acceleration);
+        if !uniform {
+            self.driven_accelerations(step, link, base);
+            return;
+        }
         for &(_, point) in &step.points {
+            // Without Aᵗ the end of the normal part is the image itself.
             let label = self.label(point);
-            if uniform {
-                // Without Aᵗ the end of the normal part is the image itself.
-                let image = self.lay_off_normal(link, point, base, label);
-                self.note_image(Order::Acceleration, point, image);
-                self.whole_acceleration(point, base, image);
-                continue;
-            }
-            let foot_label = Label::Foot { point, link: None, index: 1 };
-            let foot = self.lay_off_normal(link, point, base, foot_label);
-            let length = self.length(link, base, point);
-            let tangential = self.board.product(alpha, length);
-            let quantity = self.tangential_of(point, base);
-            let value = tangential.value().abs();
-            self.act(Act::Calculate(Calculation::Tangential {
-                quantity,
-                link,
-                ends: [base, point],
-                alpha: alpha.value(),
-                length: length.value(),
-                value,
-            }));
-            let square = self.square_to(link, base, point);
-            let mm = self.board.to_paper(tangential, scale);
-            let image = self.board.lay_off(foot, square, mm);
+            let image = self.lay_off_normal(link, point, base, label);
             self.note_image(Order::Acceleration, point, image);
-            let claim = Claim::Perpendicular(Reference::Points(base, point));
-            let vector = self.note_vector(
-                Order::Acceleration,
-                (VectorKind::Tangential, quantity, Some(claim)),
-                (foot_label, foot),
-                (label, image),
-            );
-            self.act(Act::LayOffVector { vector, value, mm: mm.value().abs() });
+            self.whole_acceleration(point, base, image);
+        }
+    }
+
+    /// Aⁿ and Aᵗ of each wanted point of a link whose ω and ε are known, about its base.
+    pub(super) fn driven_accelerations(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
+        for &(_, point) in &step.points {
+            let image = self.acceleration_about(link, base, point);
+            self.note_image(Order::Acceleration, point, image);
             self.whole_acceleration(point, base, image);
         }
     }
 
     /// Coriolis where the guide turns, then the given apparent acceleration along the guide.
-    fn acceleration_of_slide(&mut self, step: &GroupStep, slide: usize, input: usize) {
+    fn acceleration_of_slide(&mut self, step: &GroupStep, group: &Group, slide: usize, input: usize) {
         let Input::Slide { acceleration, .. } = self.mechanism.inputs[input] else { return };
         let (rider, guide) = (self.mechanism.slides[slide].rider, self.mechanism.slides[slide].guide.link);
         let first = self.riding_point(slide, PointId(0));
         self.board.purpose("acceleration of a driven slide");
-        self.step(Order::Acceleration, &self.structure.groups[step.group].links.clone(), Vec::new());
+        self.step(Order::Acceleration, &group.links, Vec::new());
         let fixed = guide == LinkId::FRAME;
         let (along, _) = self.tangent(slide, first);
         let mut from = (self.label_under(first, guide), self.image_under(Order::Acceleration, first, guide));
@@ -267,7 +260,10 @@ impl<B: Bench> Draughtsman<'_, B> {
             (label_other, known),
         );
         self.act_read(Order::Acceleration, vector);
-        for &(_, point) in &step.points {
+        for &(of, point) in &step.points {
+            if of != wheel {
+                continue;
+            }
             let image = self.acceleration_about(wheel, centre, point);
             self.note_image(Order::Acceleration, point, image);
             let label = self.label(point);
@@ -284,6 +280,41 @@ impl<B: Bench> Draughtsman<'_, B> {
         let tail = (self.label(base), from);
         let vector = self.note_vector(Order::Acceleration, (kind, quantity, None), tail, head);
         self.act_read(Order::Acceleration, vector);
+    }
+
+    /// From the known end of an open constraint, after its known parts, the line of unknown length.
+    fn closing_acceleration(&mut self, unknown: Unknown, end: PointId) -> Route<B> {
+        match unknown {
+            Unknown::Turn { link, base, to } => self.acceleration_arm(link, base, to, 1),
+            Unknown::Slide { slide, back } => self.acceleration_slide(slide, back, end, 1),
+            Unknown::Roll { roll, wheel, centre } => self.acceleration_roll(roll, wheel, centre, 1),
+        }
+    }
+
+    /// The line of an open constraint, for a trial.
+    pub(super) fn closing_acceleration_line(&mut self, unknown: Unknown, end: PointId) -> Line<B> {
+        self.closing_acceleration(unknown, end).ray
+    }
+
+    /// Reads what an open constraint has become when its end's image is known.
+    pub(super) fn read_closing_acceleration(
+        &mut self,
+        unknown: Unknown,
+        target: Target,
+        (label, image): (Label, Point<B>),
+    ) {
+        let route = self.closing_acceleration(unknown, target.pin());
+        let [along, _] = self.board.square_off(route.ray, image);
+        self.note_ray(Order::Acceleration, route.foot.1, image, route.claim);
+        match unknown {
+            Unknown::Turn { link, base, .. } => {
+                self.read_alpha(&route, target, (link, base), (label, image), along);
+            }
+            Unknown::Slide { slide, back } => {
+                self.read_sliding(&route, target, (slide, back), (label, image), along);
+            }
+            Unknown::Roll { .. } => {}
+        }
     }
 
     /// Lays off the normal part, and from its end a line perpendicular to the link.
@@ -347,6 +378,87 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
+    /// The known parts of a rolling wheel's centre: Aⁿ = V²/l towards the other centre; on a straight line
+    /// that turns, Coriolis. From their end the line of unknown length.
+    fn acceleration_roll(&mut self, roll: usize, wheel: LinkId, centre: PointId, index: u8) -> Route<B> {
+        let unknown = Unknown::Roll { roll, wheel, centre };
+        let body = self.rolled_on(roll, wheel);
+        let scale = self.polygon_scale(Order::Acceleration);
+        if let Some(other) = self.other_centre(roll, wheel) {
+            let [from, to] = [self.image(Order::Velocity, other), self.image(Order::Velocity, centre)];
+            let mm = self.board.distance(from, to);
+            let velocity_scale = self.polygon_scale(Order::Velocity);
+            let speed = self.board.read(mm, velocity_scale);
+            let length = self.measured(other, centre);
+            let reason = self.reason(&[wheel]);
+            let normal = self.board.square_over(speed, length, reason);
+            let quantity = if self.mechanism.is_fixed(other) {
+                Quantity::Normal(centre)
+            } else {
+                Quantity::RelativeNormal(centre, other)
+            };
+            self.act(Act::Calculate(Calculation::Normal {
+                quantity,
+                velocity: self.relative_velocity(centre, other),
+                ends: [other, centre],
+                speed: speed.value(),
+                length: length.value(),
+                value: normal.value(),
+            }));
+            let outward = self.outward(body, other, centre);
+            let inward = self.board.reverse(outward);
+            let start = self.image(Order::Acceleration, other);
+            let mm = self.board.to_paper(normal, scale);
+            let foot = self.board.lay_off(start, inward, mm);
+            let label = Label::Foot { point: centre, link: None, index };
+            let vector = self.note_vector(
+                Order::Acceleration,
+                (VectorKind::Normal, quantity, Some(Claim::Parallel(Reference::Points(other, centre)))),
+                (self.label(other), start),
+                (label, foot),
+            );
+            self.act(Act::LayOffVector { vector, value: normal.value(), mm: mm.value() });
+            self.note_foot(Order::Acceleration, label, foot);
+            let along = self.board.quarter_turn(outward);
+            let claim = Claim::Perpendicular(Reference::Points(other, centre));
+            self.act(Act::DrawRay { from: label, claim });
+            return Route { foot: (label, foot), ray: Line { through: foot, along }, claim, unknown };
+        }
+        let (along, claim) = self.rolling_direction(roll, wheel, centre);
+        let mut from = (self.label_under(centre, body), self.image_under(Order::Acceleration, centre, body));
+        if let (Some(speed), false) = (self.rolling_speeds[roll], body == LinkId::FRAME) {
+            let coriolis = self.coriolis(speed, (centre, body));
+            let left = self.board.quarter_turn(along);
+            let mm = self.board.to_paper(coriolis, scale);
+            let foot = self.board.lay_off(from.1, left, mm);
+            let label = Label::Foot { point: centre, link: Some(body), index };
+            let quantity = Quantity::Coriolis(centre, body);
+            let vector = self.note_vector(
+                Order::Acceleration,
+                (VectorKind::Coriolis, quantity, None),
+                from,
+                (label, foot),
+            );
+            self.act(Act::LayOffVector { vector, value: coriolis.value().abs(), mm: mm.value().abs() });
+            self.note_foot(Order::Acceleration, label, foot);
+            self.note_part(quantity, from.1, foot);
+            from = (label, foot);
+        }
+        self.act(Act::DrawRay { from: from.0, claim });
+        Route { foot: from, ray: Line { through: from.1, along }, claim, unknown }
+    }
+
+    /// What the unknown part of a rolling wheel's centre is called.
+    fn rolling_tangential(&self, roll: usize, wheel: LinkId, centre: PointId) -> Quantity {
+        let body = self.rolled_on(roll, wheel);
+        match self.other_centre(roll, wheel) {
+            Some(other) if self.mechanism.is_fixed(other) => Quantity::Tangential(centre),
+            Some(other) => Quantity::RelativeTangential(centre, other),
+            None if body == LinkId::FRAME => Quantity::Acceleration(centre),
+            None => Quantity::SlipAcceleration(centre, body),
+        }
+    }
+
     /// Feet of the sliding parts are named after the rider where the polygon is closed backwards, else
     /// after the guide's link.
     fn foot_link(&self, slide: usize, back: bool) -> Option<LinkId> {
@@ -394,21 +506,18 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Two lines of unknown length from the feet meet in the sought image.
-    fn acceleration_of_group(&mut self, step: &GroupStep, kind: GroupKind) {
+    fn acceleration_of_group(&mut self, step: &GroupStep, group: &Group) {
+        let kind = group.kind;
         let Some((target, unknowns)) = routes_of(kind) else { return };
         self.board.purpose("acceleration image");
         let pin = target.pin();
-        let links: Vec<LinkId> = self.structure.groups[step.group]
-            .links
-            .iter()
-            .copied()
-            .filter(|&l| !self.mechanism.link(l).block)
-            .collect();
+        let links: Vec<LinkId> =
+            group.links.iter().copied().filter(|&l| !self.mechanism.link(l).block).collect();
         self.step(Order::Acceleration, &links, Vec::new());
         // What stands on the frame is laid off first.
         let from_frame = |d: &Self, unknown: Unknown| match unknown {
             Unknown::Turn { base, .. } => d.mechanism.is_fixed(base),
-            Unknown::Slide { .. } => false,
+            Unknown::Slide { .. } | Unknown::Roll { .. } => false,
         };
         let swapped = !from_frame(self, unknowns[0]) && from_frame(self, unknowns[1]);
         let unknowns = if swapped { [unknowns[1], unknowns[0]] } else { unknowns };
@@ -417,6 +526,10 @@ impl<B: Bench> Draughtsman<'_, B> {
             Unknown::Turn { link, base, to } => {
                 index += 1;
                 self.acceleration_arm(link, base, to, index - 1)
+            }
+            Unknown::Roll { roll, wheel, centre } => {
+                index += 2;
+                self.acceleration_roll(roll, wheel, centre, index - 2)
             }
             Unknown::Slide { slide, back } => {
                 let first = if back { 1 } else { index };
@@ -447,6 +560,21 @@ impl<B: Bench> Draughtsman<'_, B> {
                 }
                 Unknown::Slide { slide, back } => {
                     self.read_sliding(route, target, (slide, back), (label, meet.at), along);
+                }
+                Unknown::Roll { roll, wheel, centre } => {
+                    let quantity = self.rolling_tangential(roll, wheel, centre);
+                    let kind = if route.foot.0 == Label::Pole {
+                        VectorKind::Absolute
+                    } else {
+                        VectorKind::Tangential
+                    };
+                    let vector = self.note_vector(
+                        Order::Acceleration,
+                        (kind, quantity, Some(route.claim)),
+                        route.foot,
+                        (label, meet.at),
+                    );
+                    self.act_read(Order::Acceleration, vector);
                 }
             }
         }
@@ -594,6 +722,33 @@ impl<B: Bench> Draughtsman<'_, B> {
                     direction: Some(TermDirection::Claim(Claim::Perpendicular(line))),
                 });
             }
+            Unknown::Roll { roll, wheel, centre } => {
+                let body = self.rolled_on(roll, wheel);
+                let (claim, base) = match self.other_centre(roll, wheel) {
+                    Some(other) => (Claim::Perpendicular(Reference::Points(other, centre)), Some(other)),
+                    None => (self.rolling_direction(roll, wheel, centre).1, None),
+                };
+                if let Some(other) = base {
+                    if !self.mechanism.is_fixed(other) {
+                        let image = self.image(Order::Acceleration, other).value();
+                        let magnitude = libm::hypot(image[0], image[1]) * self.scales.acceleration;
+                        terms.push(known(Quantity::Acceleration(other), magnitude, TermDirection::Found));
+                    }
+                    for normal in [Quantity::Normal(centre), Quantity::RelativeNormal(centre, other)] {
+                        if let Some(magnitude) = size(self, normal) {
+                            let line = Claim::Parallel(Reference::Points(other, centre));
+                            terms.push(known(normal, magnitude, TermDirection::Claim(line)));
+                        }
+                    }
+                } else if let Some(magnitude) = size(self, Quantity::Coriolis(centre, body)) {
+                    terms.push(known(Quantity::Coriolis(centre, body), magnitude, TermDirection::Found));
+                }
+                terms.push(Term {
+                    quantity: self.rolling_tangential(roll, wheel, centre),
+                    magnitude: None,
+                    direction: Some(TermDirection::Claim(claim)),
+                });
+            }
             Unknown::Slide { slide, back } => {
                 let guide = self.mechanism.slides[slide].guide;
                 let rider = self.riding_point(slide, pin);
@@ -641,7 +796,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         let slides_on_frame = |d: &Self, unknown: Unknown| match unknown {
             Unknown::Slide { slide, .. } => d.mechanism.slides[slide].guide.link == LinkId::FRAME,
-            Unknown::Turn { .. } => false,
+            Unknown::Turn { .. } | Unknown::Roll { .. } => false,
         };
         let [a, b] = if slides_on_frame(self, unknowns[1]) { [unknowns[1], unknowns[0]] } else { unknowns };
         Equation { left: self.acceleration_route(target, a), right: self.acceleration_route(target, b) }

@@ -5,6 +5,7 @@
 //! pole of a polygon, the first fixed point of the skeleton, is (0, 0).
 
 use crate::mechanism::quantity::{Answer, Order, Quantity};
+use crate::mechanism::structure::Closing;
 use crate::mechanism::{LinkId, PointId};
 
 /// A place on the paper, millimetres in the diagram's own frame.
@@ -292,6 +293,31 @@ pub enum Act {
     MarkContact {
         /// The contact point.
         contact: PointId,
+    },
+    /// Find by trial the angle of a link at which the group closes.
+    TryPosition {
+        /// The link that is turned by trial.
+        driver: LinkId,
+        /// The constraint that is left open.
+        closing: Closing,
+    },
+    /// Draw two trial polygons: with the trial driver at rest, and with a rate assumed.
+    TryPolygon {
+        /// The trial driver.
+        driver: LinkId,
+        /// Velocity or acceleration.
+        order: Order,
+        /// The assumed ω or ε, SI.
+        rate: f64,
+    },
+    /// The rate of the trial driver, by proportion.
+    TrialRate {
+        /// The trial driver.
+        driver: LinkId,
+        /// Velocity or acceleration.
+        order: Order,
+        /// ω or ε, SI, signed.
+        rate: f64,
     },
     /// Choose the pole.
     MarkPole,

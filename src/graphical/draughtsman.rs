@@ -1,6 +1,6 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
-use crate::board::{Amount, Bench, Board, Point, Reason, Scale};
+use crate::board::{Amount, Bench, Board, Point, Reason, Scale, Side};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
@@ -73,8 +73,14 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) slips: Vec<Option<Amount<B>>>,
     /// The apparent acceleration along the guide in each pair, signed, by index of the pair.
     pub(super) sliding_accelerations: Vec<Option<Amount<B>>>,
+    /// Velocity of a rolling wheel's centre along the line on which it rolls, by index of the rolling pair.
+    pub(super) rolling_speeds: Vec<Option<Amount<B>>>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
     pub(super) parts: Vec<Part<B>>,
+    /// While a trial is on the board, nothing is recorded.
+    pub(super) silent: bool,
+    /// Sides that the next choices must take, in a trial.
+    pub(super) sides: Option<Vec<Side>>,
     reasons: Vec<Vec<u32>>,
     record: Construction,
 }
@@ -104,7 +110,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             coincident: Vec::new(),
             slips: vec![None; mechanism.slides.len()],
             sliding_accelerations: vec![None; mechanism.slides.len()],
+            rolling_speeds: vec![None; mechanism.rolls.len()],
             parts: Vec::new(),
+            silent: false,
+            sides: None,
             reasons: Vec::new(),
             record: Construction {
                 space: Space { metres_per_mm: scales.length, places: vec![None; points], lines: Vec::new() },
@@ -162,6 +171,9 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// Begins a numbered step.
     pub(super) fn step(&mut self, order: Order, links: &[LinkId], equations: Vec<Equation>) {
+        if self.silent {
+            return;
+        }
         self.record.steps.push(Step { order, links: links.to_vec(), equations, acts: Vec::new() });
     }
 
@@ -175,14 +187,14 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// Adds an equation to the present step.
     pub(super) fn equation(&mut self, equation: Equation) {
-        if let Some(step) = self.record.steps.last_mut() {
+        if let (Some(step), false) = (self.record.steps.last_mut(), self.silent) {
             step.equations.push(equation);
         }
     }
 
     /// Records an act of the present step.
     pub(super) fn act(&mut self, act: Act) {
-        if let Some(step) = self.record.steps.last_mut() {
+        if let (Some(step), false) = (self.record.steps.last_mut(), self.silent) {
             step.acts.push(act);
         }
     }
@@ -199,6 +211,9 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// Notes a line of the skeleton's construction.
     pub(super) fn space_line(&mut self, line: ConstructionLine) {
+        if self.silent {
+            return;
+        }
         self.record.space.lines.push(line);
     }
 
@@ -225,7 +240,11 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }
     }
 
+    /// The polygon to draw in; none while a trial is on the board.
     fn polygon_mut(&mut self, order: Order) -> Option<&mut Polygon> {
+        if self.silent {
+            return None;
+        }
         match order {
             Order::Acceleration => self.record.acceleration.as_mut(),
             _ => self.record.velocity.as_mut(),
@@ -343,8 +362,26 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }
     }
 
+    /// Notes the line on which an image lies whatever rate is tried.
+    pub(super) fn note_trial_line(&mut self, order: Order, from: Point<B>, to: Point<B>) {
+        let step = self.step_index();
+        let ray = ConstructionLine::Ray { from: from.value(), to: to.value(), claim: None, step };
+        if let Some(polygon) = self.polygon_mut(order) {
+            polygon.lines.push(ray);
+        }
+    }
+
+    /// The side that a trial prescribes for the next choice.
+    pub(super) fn prescribed_side(&mut self) -> Option<Side> {
+        let sides = self.sides.as_mut()?;
+        if sides.is_empty() { None } else { Some(sides.remove(0)) }
+    }
+
     /// Reads a vector off its polygon, for the step list.
     pub(super) fn act_read(&mut self, order: Order, vector: usize) {
+        if self.silent {
+            return;
+        }
         let scale = self.polygon_scale(order).si_per_mm;
         let Some(v) = self.polygon(order).and_then(|p| p.vectors.get(vector)) else { return };
         let mm = libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]);

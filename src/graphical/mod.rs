@@ -11,6 +11,7 @@ mod link_figure;
 mod pose;
 mod position;
 mod reading;
+mod trial;
 mod velocity;
 
 use crate::board::{Bench, Board, Recorded, Recorder, Scale, Tape, Trial};
@@ -76,6 +77,14 @@ pub enum DrawError {
         first: [f64; 2],
         /// The other.
         second: [f64; 2],
+    },
+    /// A group of higher class closes for no angle of its trial driver.
+    #[error("cannot be assembled: the group of the pin closes in no position")]
+    NoClosure {
+        /// The pin that cannot be brought to its place.
+        pin: PointId,
+        /// The least distance by which it is missed, metres.
+        least: f64,
     },
     /// No construction is known for a group.
     #[error("no construction is known for a group")]

@@ -4,7 +4,7 @@
 use crate::board::{Bench, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::GroupKind;
+use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
@@ -25,26 +25,8 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
     d.act(Act::MarkPlaces);
     for step in &plan.position {
         let group = &d.structure.groups[step.group];
-        let links = group.links.clone();
-        d.step(Order::Position, &links, Vec::new());
-        match group.kind {
-            GroupKind::Driver { base, input } => d.driver(step, links[0], base, input),
-            GroupKind::Rrr { links, bases, pin } => d.rrr(step, links, bases, pin)?,
-            GroupKind::Rrp { rod, base, pin, slide } => d.rrp(step, rod, base, pin, slide)?,
-            GroupKind::Rpr { lever, base, pin, slide, rod } => {
-                d.rpr(step, lever, base, pin, slide)?;
-                if let Some(rod) = rod {
-                    d.ride_along(step, rod, slide, pin);
-                }
-            }
-            GroupKind::Prp { pin, slides } => d.prp(pin, slides)?,
-            GroupKind::Yoke { link, ride, pin, slot } => d.yoke(step, link, ride, pin, slot),
-            GroupKind::DrivenSlide { slide, input } => d.driven_slide(step, slide, input),
-            GroupKind::Wheel { wheel, roll, .. } => d.wheel(step, wheel, roll),
-            GroupKind::Other => {
-                return Err(DrawError::NoConstruction { links });
-            }
-        }
+        d.step(Order::Position, &group.links.clone(), Vec::new());
+        d.position_of(step, group)?;
     }
     Ok(())
 }
@@ -53,6 +35,33 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
 const HINT_TIE: f64 = 1e-9;
 
 impl<B: Bench> Draughtsman<'_, B> {
+    /// Finds the places of one group.
+    pub(super) fn position_of(&mut self, step: &GroupStep, group: &Group) -> Result<(), DrawError> {
+        match group.kind {
+            GroupKind::Driver { base, input } => self.driver(step, group.links[0], base, input),
+            GroupKind::Rrr { links, bases, pin } => self.rrr(step, links, bases, pin)?,
+            GroupKind::Rrp { rod, base, pin, slide } => self.rrp(step, rod, base, pin, slide)?,
+            GroupKind::Rpr { lever, base, pin, slide, rod } => {
+                self.rpr(step, lever, base, pin, slide)?;
+                if let Some(rod) = rod {
+                    self.ride_along(step, rod, slide, pin);
+                }
+            }
+            GroupKind::Prp { pin, slides } => self.prp(pin, slides)?,
+            GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot),
+            GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
+            GroupKind::Wheel { wheel, roll, .. } => self.wheel(step, wheel, roll),
+            GroupKind::Rolling { rod, base, wheel, centre, roll } => {
+                self.rolling(step, (rod, base), wheel, centre, roll)?;
+            }
+            GroupKind::Higher { trial } => self.position_by_trial(step, trial)?,
+            GroupKind::TrialDriver { .. } | GroupKind::Other => {
+                return Err(DrawError::NoConstruction { links: group.links.clone() });
+            }
+        }
+        Ok(())
+    }
+
     /// Where the skeleton's own frame begins: the first fixed point, else the first placed one.
     pub(super) fn origin_of_space(&self) -> [Given; 2] {
         let exact = |fixed: bool| {
@@ -100,32 +109,54 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// A driven link: lay its points off along the given angle from its base.
     fn driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
-        self.board.purpose("driven link");
-        let points = self.mechanism.link(link).points.clone();
-        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else { return };
         let angle = match self.mechanism.inputs[input] {
             Input::Angle { angle, .. } | Input::Speed { angle, .. } => angle,
             Input::Slide { .. } => None,
         };
-        let along = match angle {
+        match angle {
             Some(angle) => {
                 let angle = self.board.angle(angle);
-                self.board.protractor(angle)
+                let along = self.board.protractor(angle);
+                self.driver_along(step, link, base, along);
             }
-            None => {
-                for point in [first, second] {
-                    self.prick_given(point);
-                }
-                let (a, b) = (self.at(first), self.at(second));
-                let reason = self.reason(&[link]);
-                self.board.toward(a, b, reason).0
-            }
-        };
+            None => self.driver_as_placed(step, link, base),
+        }
+    }
+
+    /// A driven link whose first two points are placed.
+    pub(super) fn driver_as_placed(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
+        let points = self.mechanism.link(link).points.clone();
+        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else { return };
+        for point in [first, second] {
+            self.prick_given(point);
+        }
+        let (a, b) = (self.at(first), self.at(second));
+        let reason = self.reason(&[link]);
+        let (along, _) = self.board.toward(a, b, reason);
+        self.driver_along(step, link, base, along);
+    }
+
+    /// A driven link whose first-to-second line points `along`.
+    pub(super) fn driver_along(
+        &mut self,
+        step: &GroupStep,
+        link: LinkId,
+        base: PointId,
+        along: Direction<B>,
+    ) {
+        self.board.purpose("driven link");
         let from = self.at(base);
+        let own_anchor = self.own(link, base);
+        let points = self.mechanism.link(link).points.clone();
+        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
+            // A swivelling guide of one joint: the angle is that of its own x-axis.
+            let own_along = self.board.rightward();
+            self.poses[link.0] = Some(Pose { own_anchor, anchor: from, own_along, along });
+            return;
+        };
         let (a, b) = (self.own(link, first), self.own(link, second));
         let reason = self.reason(&[link]);
         let (own_along, _) = self.board.toward(a, b, reason);
-        let own_anchor = self.own(link, base);
         self.poses[link.0] = Some(Pose { own_anchor, anchor: from, own_along, along });
         for &(_, point) in &step.points {
             if self.prick_given(point) {
@@ -169,6 +200,75 @@ impl<B: Bench> Draughtsman<'_, B> {
             let (own_along, along) = self.ride_directions(slide);
             self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
             self.transfer_by_pose(step, link);
+        }
+    }
+
+    /// A wheel at the end of a rod: its centre runs on the parallel to the line, or the circle, on which it
+    /// rolls.
+    fn rolling(
+        &mut self,
+        step: &GroupStep,
+        (rod, base): (LinkId, PointId),
+        wheel: LinkId,
+        centre: PointId,
+        roll: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("centre of a rolling wheel");
+        let main = [(rod, base)];
+        if self.prick_given(centre) {
+            self.act(Act::MarkPlaces);
+        } else {
+            let circle = self.circle(main[0], centre);
+            let track = self.centre_track(roll, wheel, centre);
+            let reason = self.reason(&[rod, wheel]);
+            let met = match track {
+                Track::Straight(line) => self.board.meet_line_circle(line, circle, reason),
+                Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
+            };
+            let pair = met.map_err(|_| DrawError::NoClosure { pin: centre, least: f64::INFINITY })?;
+            let radius = circle.radius.value() * self.scales.length;
+            self.act(Act::StrikeArc { centre: base, to: centre, radius });
+            self.take_hinted(&main, centre, pair)?;
+        }
+        self.transfer_points(step, &main, centre);
+        self.wheel(step, wheel, roll);
+        Ok(())
+    }
+
+    /// The track of a rolling wheel's centre: beside the line on the side where its hint lies, or about the
+    /// other centre.
+    fn centre_track(&mut self, roll: usize, wheel: LinkId, centre: PointId) -> Track<B> {
+        let scale = self.length_scale();
+        match self.mechanism.rolls[roll] {
+            Roll::Circles { links, centres, radii, internal } => {
+                let other = usize::from(links[0] == wheel);
+                let [a, b] = radii.map(|r| self.board.amount(r));
+                let radius = if internal {
+                    let difference = self.board.difference(a, b);
+                    self.board.magnitude(difference)
+                } else {
+                    self.board.sum(a, b)
+                };
+                let radius = self.board.to_paper(radius, scale);
+                Track::Arc(Circle { centre: self.at(centres[other]), radius })
+            }
+            Roll::Line { guide, radius, .. } => {
+                let line = self.line_of(&guide);
+                let origin = self.origin_of_space().map(|g| g.value);
+                let ([x, y], [dx, dy]) = (line.through.value(), line.along.value());
+                let left = self.mechanism.point(centre).place.hint().is_none_or(|hint| {
+                    let [hx, hy] = [0, 1].map(|k| (hint[k] - origin[k]) / self.scales.length);
+                    dx * (hy - y) - dy * (hx - x) >= 0.0
+                });
+                let radius = self.board.amount(radius);
+                let mm = self.board.to_paper(radius, scale);
+                let square = self.board.quarter_turn(line.along);
+                let outward = if left { square } else { self.board.reverse(square) };
+                Track::Straight(Line {
+                    through: self.board.lay_off(line.through, outward, mm),
+                    along: line.along,
+                })
+            }
         }
     }
 
@@ -420,6 +520,9 @@ impl<B: Bench> Draughtsman<'_, B> {
         pin: PointId,
         pair: Pair<B>,
     ) -> Result<Side, DrawError> {
+        if let Some(side) = self.prescribed_side() {
+            return Ok(side);
+        }
         let origin = self.origin_of_space().map(|g| g.value);
         let per_mm = self.scales.length;
         let reason = self.reason(&[lever]);
@@ -584,6 +687,9 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     fn choose(&mut self, main: &[(LinkId, PointId)], pin: PointId, pair: Pair<B>) -> Result<Side, DrawError> {
+        if let Some(side) = self.prescribed_side() {
+            return Ok(side);
+        }
         let origin = self.origin_of_space().map(|g| g.value);
         let per_mm = self.scales.length;
         let miss = |d: &Self, point: PointId, at: [f64; 2]| {
@@ -635,7 +741,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Whether a link carries a guide, so that its pose will be needed.
-    fn carries_guide(&self, link: LinkId) -> bool {
+    pub(super) fn carries_guide(&self, link: LinkId) -> bool {
         self.mechanism.slides.iter().any(|s| s.guide.link == link)
     }
 

@@ -14,7 +14,7 @@
 use crate::board::{Amount, Bench, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::GroupKind;
+use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
@@ -34,17 +34,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     d.step(Order::Velocity, &[], Vec::new());
     d.act(Act::MarkPole);
     for step in &plan.velocity {
-        let group = &d.structure.groups[step.group];
-        match group.kind {
-            GroupKind::Driver { base, input } => d.velocity_of_driver(step, group.links[0], base, input),
-            GroupKind::DrivenSlide { slide, input } => d.velocity_of_slide(step, slide, input),
-            GroupKind::Wheel { wheel, centre, roll } => d.velocity_of_wheel(step, wheel, centre, roll),
-            kind => d.velocity_of_group(step, kind),
-        }
-        d.rates_of_blocks(Order::Velocity, &group.links);
-        for &link in &group.links {
-            d.note_link_image(Order::Velocity, link);
-        }
+        d.velocity_of(step, &d.structure.groups[step.group]);
     }
 }
 
@@ -71,6 +61,15 @@ pub(super) enum Unknown {
         slide: usize,
         /// The image of the rider is known and that of the guide's point is sought.
         back: bool,
+    },
+    /// A wheel's centre runs along the body on which it rolls.
+    Roll {
+        /// Index of the rolling pair.
+        roll: usize,
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
     },
 }
 
@@ -101,6 +100,10 @@ pub(super) fn routes_of(kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
             Target::Pin(pin),
             [Unknown::Turn { link: rod, base, to: pin }, Unknown::Slide { slide, back: false }],
         ),
+        GroupKind::Rolling { rod, base, wheel, centre, roll } => (
+            Target::Pin(centre),
+            [Unknown::Turn { link: rod, base, to: centre }, Unknown::Roll { roll, wheel, centre }],
+        ),
         GroupKind::Prp { pin, slides } => {
             (Target::Pin(pin), slides.map(|slide| Unknown::Slide { slide, back: false }))
         }
@@ -113,8 +116,10 @@ pub(super) fn routes_of(kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
             [Unknown::Slide { slide: ride, back: false }, Unknown::Slide { slide: slot, back: true }],
         ),
         GroupKind::Driver { .. }
+        | GroupKind::TrialDriver { .. }
         | GroupKind::DrivenSlide { .. }
         | GroupKind::Wheel { .. }
+        | GroupKind::Higher { .. }
         | GroupKind::Other => return None,
     })
 }
@@ -126,11 +131,31 @@ pub(super) fn main_base(kind: GroupKind, link: LinkId) -> Option<(PointId, Point
             links.iter().position(|&l| l == link).map(|index| (bases[index], pin))
         }
         GroupKind::Rrp { rod, base, pin, .. } if rod == link => Some((base, pin)),
+        GroupKind::Rolling { rod, base, centre, .. } if rod == link => Some((base, centre)),
         _ => None,
     }
 }
 
 impl<B: Bench> Draughtsman<'_, B> {
+    /// Draws the velocity polygon of one group.
+    pub(super) fn velocity_of(&mut self, step: &GroupStep, group: &Group) {
+        match group.kind {
+            GroupKind::Driver { base, input } => self.velocity_of_driver(step, group.links[0], base, input),
+            GroupKind::DrivenSlide { slide, input } => self.velocity_of_slide(step, group, slide, input),
+            GroupKind::Wheel { wheel, centre, roll } => self.velocity_of_wheel(step, wheel, centre, roll),
+            GroupKind::Rolling { wheel, centre, roll, .. } => {
+                self.velocity_of_group(step, group);
+                self.velocity_of_wheel(step, wheel, centre, roll);
+            }
+            GroupKind::Higher { trial } => self.polygon_by_trial(Order::Velocity, step, trial),
+            _ => self.velocity_of_group(step, group),
+        }
+        self.rates_of_blocks(Order::Velocity, &group.links);
+        for &link in &group.links {
+            self.note_link_image(Order::Velocity, link);
+        }
+    }
+
     /// Zero, exact.
     pub(super) fn rest(&mut self) -> Amount<B> {
         self.board.amount(crate::given::Given::exact(0.0))
@@ -175,34 +200,30 @@ impl<B: Bench> Draughtsman<'_, B> {
             Input::Slide { .. } => return,
         };
         self.omegas[link.0] = Some(omega);
-        let scale = self.polygon_scale(Order::Velocity);
+        self.driven_velocities(step, link, base);
+    }
+
+    /// V = ω l of each wanted point of a link whose ω is known, about its base.
+    pub(super) fn driven_velocities(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         for &(_, point) in &step.points {
-            let length = self.length(link, base, point);
-            let speed = self.board.product(omega, length);
-            let quantity = self.relative_velocity(point, base);
-            let value = speed.value().abs();
-            self.act(Act::Calculate(Calculation::Speed {
-                quantity,
-                link,
-                ends: [base, point],
-                omega: omega.value(),
-                length: length.value(),
-                value,
-            }));
-            let square = self.square_to(link, base, point);
-            let mm = self.board.to_paper(speed, scale);
-            let from = self.image(Order::Velocity, base);
-            let image = self.board.lay_off(from, square, mm);
+            let image = self.velocity_about(link, base, point);
             self.note_image(Order::Velocity, point, image);
+            let from = self.image(Order::Velocity, base);
             let claim = Claim::Perpendicular(Reference::Points(base, point));
+            let quantity = self.relative_velocity(point, base);
             let vector = self.note_vector(
                 Order::Velocity,
                 (self.kind_of(base), quantity, Some(claim)),
                 (self.label(base), from),
                 (self.label(point), image),
             );
-            self.act(Act::LayOffVector { vector, value, mm: mm.value().abs() });
-            self.absolute_velocity(point, base, image);
+            let (a, b) = (from.value(), image.value());
+            let mm = libm::hypot(b[0] - a[0], b[1] - a[1]);
+            self.act(Act::LayOffVector { vector, value: mm * self.scales.velocity, mm });
+            if !self.mechanism.is_fixed(base) {
+                let label = self.label(point);
+                self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);
+            }
         }
     }
 
@@ -231,12 +252,12 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The given sliding velocity, laid off along the guide from the image of the guide's point.
-    fn velocity_of_slide(&mut self, step: &GroupStep, slide: usize, input: usize) {
+    fn velocity_of_slide(&mut self, step: &GroupStep, group: &Group, slide: usize, input: usize) {
         let Input::Slide { velocity, .. } = self.mechanism.inputs[input] else { return };
         let (rider, guide) = (self.mechanism.slides[slide].rider, self.mechanism.slides[slide].guide.link);
         let first = self.riding_point(slide, PointId(0));
         self.board.purpose("velocity of a driven slide");
-        self.step(Order::Velocity, &self.structure.groups[step.group].links.clone(), Vec::new());
+        self.step(Order::Velocity, &group.links, Vec::new());
         let (along, _) = self.tangent(slide, first);
         let scale = self.polygon_scale(Order::Velocity);
         let speed = self.board.amount(velocity);
@@ -321,7 +342,10 @@ impl<B: Bench> Draughtsman<'_, B> {
             length: radius.value(),
             value: omega.value(),
         }));
-        for &(_, point) in &step.points {
+        for &(of, point) in &step.points {
+            if of != wheel {
+                continue;
+            }
             let image = self.velocity_about(wheel, centre, point);
             self.note_image(Order::Velocity, point, image);
             let label = self.label(point);
@@ -384,21 +408,68 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
+    /// The point about which a rolling wheel's centre moves, where the other body is a circle.
+    pub(super) fn other_centre(&self, roll: usize, wheel: LinkId) -> Option<PointId> {
+        match self.mechanism.rolls[roll] {
+            Roll::Circles { links, centres, .. } => Some(centres[usize::from(links[0] == wheel)]),
+            Roll::Line { .. } => None,
+        }
+    }
+
+    /// From the image of the other centre a line perpendicular to the line of centres; on a straight line
+    /// from the image of the point under the centre a line along it.
+    fn velocity_roll(&mut self, roll: usize, wheel: LinkId, centre: PointId) -> Route<B> {
+        let unknown = Unknown::Roll { roll, wheel, centre };
+        let body = self.rolled_on(roll, wheel);
+        if let Some(other) = self.other_centre(roll, wheel) {
+            let image = self.image(Order::Velocity, other);
+            let along = self.square_to(body, other, centre);
+            let claim = Claim::Perpendicular(Reference::Points(other, centre));
+            let from = (self.label(other), image);
+            return Route { from, ray: Line { through: image, along }, claim, unknown };
+        }
+        let image = self.image_under(Order::Velocity, centre, body);
+        let (along, claim) = self.rolling_direction(roll, wheel, centre);
+        let from = (self.label_under(centre, body), image);
+        Route { from, ray: Line { through: image, along }, claim, unknown }
+    }
+
+    /// Along the line on which a wheel rolls: square to its contact radius.
+    pub(super) fn rolling_direction(
+        &mut self,
+        roll: usize,
+        wheel: LinkId,
+        centre: PointId,
+    ) -> (crate::board::Direction<B>, Claim) {
+        let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+        let along = self.square_to(wheel, centre, contact);
+        (along, Claim::Perpendicular(Reference::Points(centre, contact)))
+    }
+
+    /// What the velocity of a rolling wheel's centre is called, seen from where its route begins.
+    fn rolling_velocity(&self, roll: usize, wheel: LinkId, centre: PointId) -> (Quantity, VectorKind) {
+        match self.other_centre(roll, wheel) {
+            Some(other) => (self.relative_velocity(centre, other), self.kind_of(other)),
+            None if self.rolled_on(roll, wheel) == LinkId::FRAME => {
+                (Quantity::Velocity(centre), VectorKind::Absolute)
+            }
+            None => (Quantity::Slip(centre, self.rolled_on(roll, wheel)), VectorKind::Sliding),
+        }
+    }
+
     /// Two lines of unknown length meet in the sought image.
-    fn velocity_of_group(&mut self, step: &GroupStep, kind: GroupKind) {
+    fn velocity_of_group(&mut self, step: &GroupStep, group: &Group) {
+        let kind = group.kind;
         let Some((target, unknowns)) = routes_of(kind) else { return };
         self.board.purpose("velocity image");
         let pin = target.pin();
-        let links: Vec<LinkId> = self.structure.groups[step.group]
-            .links
-            .iter()
-            .copied()
-            .filter(|&l| !self.mechanism.link(l).block)
-            .collect();
+        let links: Vec<LinkId> =
+            group.links.iter().copied().filter(|&l| !self.mechanism.link(l).block).collect();
         self.step(Order::Velocity, &links, Vec::new());
         let routes = unknowns.map(|unknown| match unknown {
             Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
             Unknown::Slide { slide, back } => self.velocity_slide(slide, back, pin),
+            Unknown::Roll { roll, wheel, centre } => self.velocity_roll(roll, wheel, centre),
         });
         let equation = self.velocity_equation(target, unknowns);
         self.equation(equation);
@@ -427,6 +498,18 @@ impl<B: Bench> Draughtsman<'_, B> {
                 Unknown::Slide { slide, back } => {
                     self.read_slip(route, target, (slide, back), (label, meet.at), along);
                 }
+                Unknown::Roll { roll, wheel, centre } => {
+                    let scale = self.polygon_scale(Order::Velocity);
+                    self.rolling_speeds[roll] = Some(self.board.read(along, scale));
+                    let (quantity, kind) = self.rolling_velocity(roll, wheel, centre);
+                    let vector = self.note_vector(
+                        Order::Velocity,
+                        (kind, quantity, Some(route.claim)),
+                        route.from,
+                        (label, meet.at),
+                    );
+                    self.act_read(Order::Velocity, vector);
+                }
             }
         }
         self.rates_by_riding(Order::Velocity, kind);
@@ -439,6 +522,40 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.absolute_vector(Order::Velocity, quantity, label, meet.at);
         }
         self.further_velocities(step, kind);
+    }
+
+    /// The line of an open constraint from its known end.
+    pub(super) fn closing_line(&mut self, unknown: Unknown, end: PointId) -> Line<B> {
+        self.closing_route(unknown, end).ray
+    }
+
+    fn closing_route(&mut self, unknown: Unknown, end: PointId) -> Route<B> {
+        match unknown {
+            Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
+            Unknown::Slide { slide, back } => self.velocity_slide(slide, back, end),
+            Unknown::Roll { roll, wheel, centre } => self.velocity_roll(roll, wheel, centre),
+        }
+    }
+
+    /// Reads what an open constraint has become when its end's image is known.
+    pub(super) fn read_closing_velocity(
+        &mut self,
+        unknown: Unknown,
+        target: Target,
+        (label, image): (Label, Point<B>),
+    ) {
+        let route = self.closing_route(unknown, target.pin());
+        let [along, _] = self.board.square_off(route.ray, image);
+        self.note_ray(Order::Velocity, route.from.1, image, route.claim);
+        match unknown {
+            Unknown::Turn { link, base, .. } => {
+                self.read_omega(&route, target, (link, base), (label, image), along);
+            }
+            Unknown::Slide { slide, back } => {
+                self.read_slip(&route, target, (slide, back), (label, image), along);
+            }
+            Unknown::Roll { .. } => {}
+        }
     }
 
     /// Reads V along a route and divides by the link's length.
@@ -620,21 +737,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act_read(order, vector);
     }
 
-    /// The vector from the pole to an image that was reached from a moving base.
-    fn absolute_velocity(&mut self, point: PointId, base: PointId, image: Point<B>) {
-        if self.mechanism.is_fixed(base) {
-            return;
-        }
-        let pole = self.board.origin();
-        let vector = self.note_vector(
-            Order::Velocity,
-            (VectorKind::Absolute, Quantity::Velocity(point), None),
-            (Label::Pole, pole),
-            (self.label(point), image),
-        );
-        self.act_read(Order::Velocity, vector);
-    }
-
     fn found_velocity(&mut self, point: PointId) -> Term {
         let image = self.image(Order::Velocity, point).value();
         let magnitude = libm::hypot(image[0], image[1]) * self.scales.velocity;
@@ -668,6 +770,27 @@ impl<B: Bench> Draughtsman<'_, B> {
                     terms.push(unknown_term(quantity, claim));
                     terms
                 }
+                Unknown::Roll { roll, wheel, centre } => {
+                    let body = d.rolled_on(roll, wheel);
+                    let (quantity, _) = d.rolling_velocity(roll, wheel, centre);
+                    let mut terms = Vec::new();
+                    let claim = match d.other_centre(roll, wheel) {
+                        Some(other) => {
+                            if !d.mechanism.is_fixed(other) {
+                                terms.push(d.found_velocity(other));
+                            }
+                            Claim::Perpendicular(Reference::Points(other, centre))
+                        }
+                        None => {
+                            if body != LinkId::FRAME {
+                                terms.push(d.found_under(centre, body));
+                            }
+                            d.rolling_direction(roll, wheel, centre).1
+                        }
+                    };
+                    terms.push(unknown_term(quantity, claim));
+                    terms
+                }
                 Unknown::Slide { slide, back } => {
                     let guide = d.mechanism.slides[slide].guide.link;
                     let claim = Claim::Parallel(Reference::Guide(slide));
@@ -695,6 +818,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let from_frame = |d: &Self, unknown: Unknown| match unknown {
             Unknown::Turn { base, .. } => d.mechanism.is_fixed(base),
             Unknown::Slide { slide, .. } => d.mechanism.slides[slide].guide.link == LinkId::FRAME,
+            Unknown::Roll { roll, wheel, .. } => d.rolled_on(roll, wheel) == LinkId::FRAME,
         };
         let [a, b] = if from_frame(self, unknowns[1]) { [unknowns[1], unknowns[0]] } else { unknowns };
         Equation { left: route(self, a), right: route(self, b) }

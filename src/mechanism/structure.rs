@@ -24,6 +24,8 @@ pub enum Joint {
     Contact(usize),
     /// Index into [`Mechanism::inputs`].
     Input(usize),
+    /// A link whose angle is assumed, to try a group that no construction solves at once.
+    Trial(LinkId),
 }
 
 /// The count of mobility.
@@ -139,8 +141,73 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
+    /// A rod and a wheel pinned to its end, which rolls on a solved body and is held against it.
+    Rolling {
+        /// The rod.
+        rod: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The wheel.
+        wheel: LinkId,
+        /// The wheel's centre, on the rod.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
+    /// A link whose motion is assumed for a trial.
+    TrialDriver {
+        /// Its pin on a solved link.
+        base: PointId,
+    },
+    /// A group of higher class: one of its links is driven by trial until the group closes.
+    Higher {
+        /// Index into [`Structure::trials`].
+        trial: usize,
+    },
     /// A group for which no construction is known yet.
     Other,
+}
+
+/// How a group of higher class is tried: with one link driven and one constraint left open it falls apart
+/// into groups that can be constructed; the trial that satisfies the open constraint is the solution.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Trial {
+    /// The link that is driven by trial.
+    pub driver: LinkId,
+    /// Its pin on a solved link.
+    pub base: PointId,
+    /// The constraint that is left open.
+    pub closing: Closing,
+    /// The groups into which the rest falls, in order of transmission; the first is the trial driver.
+    pub groups: Vec<Group>,
+}
+
+/// The constraint that a trial leaves open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Closing {
+    /// A rod from a point of the group to a pin on a solved link.
+    Rod {
+        /// The rod.
+        link: LinkId,
+        /// Its end in the group.
+        near: PointId,
+        /// Its pin on a solved link.
+        far: PointId,
+    },
+    /// A pin on a guide of a solved link.
+    Slide {
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// The pin.
+        pin: PointId,
+    },
+    /// A link whose angle is given.
+    Angle {
+        /// The link.
+        link: LinkId,
+        /// Index into [`Mechanism::inputs`].
+        input: usize,
+    },
 }
 
 impl fmt::Display for GroupKind {
@@ -154,6 +221,9 @@ impl fmt::Display for GroupKind {
             Self::Yoke { .. } => "PPR",
             Self::DrivenSlide { .. } => "driven slide",
             Self::Wheel { .. } => "wheel",
+            Self::Rolling { .. } => "rod with a rolling wheel",
+            Self::TrialDriver { .. } => "trial driver",
+            Self::Higher { .. } => "group of higher class",
             Self::Other => "group without a construction",
         })
     }
@@ -183,6 +253,8 @@ pub struct Structure {
     pub groups: Vec<Group>,
     /// The group of each link; `None` for the frame.
     pub group_of: Vec<Option<usize>>,
+    /// How the groups of higher class are tried.
+    pub trials: Vec<Trial>,
 }
 
 /// Why a mechanism cannot be taken apart.
@@ -409,7 +481,16 @@ impl Structure {
             return Err(StructureError::UnderConstrained { left, links, mobility });
         }
         game.free_frame();
-        Ok(Self::assemble(mechanism, mobility, &nodes, &game))
+        let mut structure = Self::assemble(mechanism, mobility, &nodes, &game);
+        for group in &mut structure.groups {
+            if group.kind == GroupKind::Other
+                && let Some(trial) = Trial::of(mechanism, group)
+            {
+                group.kind = GroupKind::Higher { trial: structure.trials.len() };
+                structure.trials.push(trial);
+            }
+        }
+        Ok(structure)
     }
 
     fn assemble(mechanism: &Mechanism, mobility: Mobility, nodes: &Nodes, game: &Game) -> Self {
@@ -473,7 +554,7 @@ impl Structure {
             groups.push(Group { links, points, joints, kind, after });
         }
         let group_of = (0..nodes.links).map(|link| group_of_component[component[link]].flatten()).collect();
-        Self { mobility, groups, group_of }
+        Self { mobility, groups, group_of, trials: Vec::new() }
     }
 
     /// The group that solves a link; `None` for the frame.
@@ -559,6 +640,7 @@ fn name_of(mechanism: &Mechanism, joint: Joint) -> String {
             let [a, b] = roll_ends(&mechanism.rolls[index]);
             format!("the rolling of links {} and {}", mechanism.links[a].number, mechanism.links[b].number)
         }
+        Joint::Trial(link) => format!("the trial angle of link {}", number(link)),
         Joint::Input(index) => match mechanism.inputs[index] {
             Input::Angle { link, .. } | Input::Speed { link, .. } => {
                 format!("the input of link {}", number(link))
@@ -644,6 +726,8 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     let mut inputs = Vec::new();
     let mut slides = Vec::new();
     let mut rolls = Vec::new();
+    let mut tried = false;
+    let mut held = Vec::new();
     let mut outer = Vec::new();
     for joint in joints {
         match *joint {
@@ -653,9 +737,32 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             Joint::Pin(..) => {}
             Joint::Slide(index) => slides.push(index),
             Joint::Input(index) => inputs.push(index),
+            Joint::Trial(_) => tried = true,
             Joint::Roll(index) => rolls.push(index),
-            Joint::Contact(_) => return GroupKind::Other,
+            Joint::Contact(index) => held.push(index),
         }
+    }
+    if tried {
+        return match (rods.as_slice(), points, outer.as_slice()) {
+            ([_], [], &[(_, base)]) if rolls.is_empty() && slides.is_empty() => {
+                GroupKind::TrialDriver { base }
+            }
+            _ => GroupKind::Other,
+        };
+    }
+    if let (&[roll], &[contact], &[a, b], &[centre], &[(rod, base)]) =
+        (rolls.as_slice(), held.as_slice(), rods.as_slice(), points, outer.as_slice())
+    {
+        let wheel = if a == rod { b } else { a };
+        let simple = roll == contact && slides.is_empty() && inputs.is_empty();
+        return if simple && turns_about(&mechanism.rolls[roll], wheel, centre) {
+            GroupKind::Rolling { rod, base, wheel, centre, roll }
+        } else {
+            GroupKind::Other
+        };
+    }
+    if !held.is_empty() {
+        return GroupKind::Other;
     }
     if let &[roll] = rolls.as_slice() {
         return match (rods.as_slice(), outer.as_slice(), slides.is_empty() && inputs.is_empty()) {
@@ -744,4 +851,131 @@ fn turns_about(roll: &Roll, wheel: LinkId, centre: PointId) -> bool {
         }
         Roll::Line { wheel: own, centre: its, .. } => *own == wheel && *its == centre,
     }
+}
+
+impl Trial {
+    /// Finds a link to drive and a constraint to leave open, so that the rest can be constructed.
+    fn of(mechanism: &Mechanism, group: &Group) -> Option<Self> {
+        let outer: Vec<(LinkId, PointId)> = group
+            .joints
+            .iter()
+            .filter_map(|joint| match *joint {
+                Joint::Pin(link, point)
+                    if group.links.contains(&link)
+                        && !group.points.contains(&point)
+                        && !mechanism.link(link).block =>
+                {
+                    Some((link, point))
+                }
+                _ => None,
+            })
+            .collect();
+        let closings = closings(mechanism, group, &outer);
+        for &closing in &closings {
+            for &(driver, base) in &outer {
+                if matches!(closing, Closing::Rod { link, .. } if link == driver) {
+                    continue;
+                }
+                if let Some(groups) = subgroups(mechanism, group, driver, closing) {
+                    return Some(Self { driver, base, closing, groups });
+                }
+            }
+        }
+        None
+    }
+}
+
+/// The constraints of a group that a trial may leave open.
+fn closings(mechanism: &Mechanism, group: &Group, outer: &[(LinkId, PointId)]) -> Vec<Closing> {
+    let mut list = Vec::new();
+    for joint in &group.joints {
+        if let Joint::Input(input) = *joint
+            && let Input::Angle { link, .. } | Input::Speed { link, .. } = mechanism.inputs[input]
+        {
+            list.push(Closing::Angle { link, input });
+        }
+    }
+    for &(link, far) in outer {
+        let inner: Vec<PointId> =
+            mechanism.link(link).points.iter().copied().filter(|p| group.points.contains(p)).collect();
+        let carries_guide = mechanism.slides.iter().any(|s| s.guide.link == link);
+        if let (&[near], false) = (inner.as_slice(), carries_guide) {
+            list.push(Closing::Rod { link, near, far });
+        }
+    }
+    for joint in &group.joints {
+        if let Joint::Slide(slide) = *joint
+            && let Slide { rider: Rider::Pin { point, .. }, guide } = mechanism.slides[slide]
+            && group.points.contains(&point)
+            && !group.links.contains(&guide.link)
+        {
+            list.push(Closing::Slide { slide, pin: point });
+        }
+    }
+    list
+}
+
+/// The groups into which a group falls with one link driven and one constraint open, if all of them can be
+/// constructed.
+fn subgroups(mechanism: &Mechanism, group: &Group, driver: LinkId, closing: Closing) -> Option<Vec<Group>> {
+    let nodes = Nodes::of(mechanism);
+    let mut game = Game::new(&nodes);
+    let open = |joint: Joint| match (closing, joint) {
+        (Closing::Rod { link, far, .. }, Joint::Pin(l, p)) => (l, p) == (link, far),
+        (Closing::Slide { slide, .. }, Joint::Slide(s)) => s == slide,
+        (Closing::Angle { input, .. }, Joint::Input(i)) => i == input,
+        _ => false,
+    };
+    for (joint, ends, count) in constraints(mechanism, &nodes) {
+        for _ in 0..count {
+            if !open(joint) && !game.insert(ends, joint) {
+                return None;
+            }
+        }
+    }
+    for (index, input) in mechanism.inputs.iter().enumerate() {
+        let ends = input_ends(mechanism, &nodes, input);
+        if !open(Joint::Input(index)) && !game.insert(ends, Joint::Input(index)) {
+            return None;
+        }
+    }
+    // What dangles from the open constraint is held by an assumed angle of its own.
+    let mut held = vec![driver];
+    match closing {
+        Closing::Rod { link, .. } => held.push(link),
+        Closing::Slide { slide, .. } => {
+            if let Rider::Pin { block: Some(block), .. } = mechanism.slides[slide].rider {
+                held.push(block);
+            }
+        }
+        Closing::Angle { .. } => {}
+    }
+    for &link in &held {
+        if !game.insert([FRAME, link.0], Joint::Trial(link)) {
+            return None;
+        }
+    }
+    if game.left() > 0 {
+        return None;
+    }
+    game.free_frame();
+    let mobility =
+        Mobility { links: 0, turning: 0, sliding: 0, rolling: 0, higher: 0, freedoms: 0, inputs: 0 };
+    let apart = Structure::assemble(mechanism, mobility, &nodes, &game);
+    let mut groups: Vec<Group> = apart
+        .groups
+        .into_iter()
+        .filter(|g| {
+            let within = g.links.iter().any(|l| group.links.contains(l))
+                || g.points.iter().any(|p| group.points.contains(p));
+            let dangles = g.links.iter().any(|l| held[1..].contains(l));
+            within && !dangles
+        })
+        .collect();
+    for sub in &mut groups {
+        sub.after.clear();
+    }
+    let known = |g: &Group| !matches!(g.kind, GroupKind::Other | GroupKind::Higher { .. });
+    let first_drives = groups.first().is_some_and(|g| g.links == [driver]);
+    (groups.len() > 1 && first_drives && groups.iter().all(known)).then_some(groups)
 }

@@ -36,7 +36,7 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
         joints(link, id, draft)?;
     }
     for link in listed.values() {
-        known_pin(link, draft)?;
+        known_pin(link, scene, draft)?;
     }
     draft.pin_joints();
     places(scene, draft)?;
@@ -113,14 +113,21 @@ fn joints(link: &Listed<'_, '_>, id: LinkId, draft: &mut Draft<'_>) -> Res<()> {
     Ok(())
 }
 
-/// A block that stands only in `slides` is pinned to something; its pin's name is no slip of the pen.
-fn known_pin(link: &Listed<'_, '_>, draft: &Draft<'_>) -> Res<()> {
+/// A block that stands only in `slides` is pinned to something, or its pin rides in a second slot; its
+/// pin's name is no slip of the pen.
+fn known_pin(link: &Listed<'_, '_>, scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<()> {
     let Some(pin) = link.pin else { return Ok(()) };
     let point = draft.point(pin)?;
-    if draft.mechanism.point(point).links.len() > 1 {
+    let name = draft.say_point(point);
+    let slides = scene.get("slides").map(|s| s.list("a list of sliding pairs")).transpose()?;
+    let rides = |slide: &&Value<'_>| {
+        let entries = slide.object("a sliding pair").unwrap_or_default();
+        entries.iter().any(|e| e.key == "pin" && e.value.text("the name of a pin").is_ok_and(|n| n == name))
+    };
+    let slots = slides.unwrap_or_default().iter().filter(rides).count();
+    if draft.mechanism.point(point).links.len() > 1 || slots > 1 {
         return Ok(());
     }
-    let name = draft.say_point(point);
     let others = draft.mechanism.points.iter().map(|p| p.name.as_str()).filter(|other| *other != name);
     Err(Fault::new(pin.at, format!("there is no point `{name}`")).known(name, others))
 }

@@ -1,11 +1,12 @@
 //! The page: skeleton symbols, polygons, equation tables, steps, label placement. Its result is a
-//! [`Figure`](figure::Figure), ink in millimetres with semantic classes.
+//! [`Figure`], ink in millimetres with semantic classes.
 //!
 //! **Architecture Invariant:** nothing here solves; every length and every number comes from the
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
 mod compose;
+mod coriolis;
 pub mod figure;
 pub mod font;
 mod human;
@@ -19,6 +20,7 @@ mod results;
 mod rich;
 pub mod scale;
 mod skeleton;
+mod slots;
 mod steps;
 mod table;
 mod words;

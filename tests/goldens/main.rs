@@ -5,6 +5,8 @@
 //! pictures before you commit them, and commit a bless on its own. A failure writes
 //! `target/golden-report/report.html`: expected, actual and difference side by side.
 
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
 #[cfg(feature = "png")]
 mod pixels;
 mod report;

@@ -7,7 +7,7 @@ use super::golden;
 use super::report::{Mismatch, Picture};
 
 /// Resolution of the golden pictures.
-const DPI: f32 = 60.0;
+const DPI: f32 = 48.0;
 /// Resolution of the picture in the README.
 const TITLE_DPI: f32 = 110.0;
 /// The scene whose first page is the picture in the README.

@@ -13,7 +13,7 @@ pub struct Sheet {
     pub length: f64,
     /// Joints of the skeleton by name.
     pub joints: BTreeMap<String, Mm2>,
-    /// Directions of straight guides by the index of their sliding pair.
+    /// Directions of guides under their riders, by rider and carrying link: `D/1`.
     pub guides: BTreeMap<String, Mm2>,
     /// Velocity and acceleration polygon.
     pub velocity: Option<Polygon>,
@@ -24,8 +24,8 @@ pub struct Sheet {
 pub struct Polygon {
     /// SI units per millimetre, from the printed scale.
     pub scale: f64,
-    /// Image points by name; coincident marks of one name agree.
-    pub images: BTreeMap<String, Mm2>,
+    /// Image points and feet by name; a foot may have the name of a coincident point's image (b′₂).
+    pub images: BTreeMap<String, Vec<Mm2>>,
     pub vectors: Vec<Vector>,
     pub rays: Vec<Ray>,
 }
@@ -90,8 +90,7 @@ impl Sheet {
         let mut guides = BTreeMap::new();
         for guide in skeleton.descendants().filter(|n| n.has_attribute("data-guide")) {
             if let Some(line) = guide.children().find(|n| n.has_tag_name("path")) {
-                let places = path(line);
-                guides.insert(data(guide, "guide").to_owned(), minus(places[1], places[0]));
+                guides.insert(data(guide, "guide").to_owned(), stroke(line));
             }
         }
         let polygon = |class: &str| of(class).map(|(drawing, caption)| Polygon::read(drawing, &caption));
@@ -117,13 +116,9 @@ impl Sheet {
 impl Polygon {
     fn read(drawing: Node, caption: &str) -> Self {
         let scale = printed_scale(caption);
-        let mut images = BTreeMap::new();
+        let mut images: BTreeMap<String, Vec<Mm2>> = BTreeMap::new();
         for image in having(drawing, "image").filter(|n| n.has_attribute("data-point")) {
-            let name = data(image, "point").to_owned();
-            if let Some(before) = images.insert(name.clone(), circle(image)) {
-                let moved = minus(before, circle(image));
-                assert!(moved[0].abs() < 1e-5 && moved[1].abs() < 1e-5, "two places are called {name}");
-            }
+            images.entry(data(image, "point").to_owned()).or_default().push(circle(image));
         }
         let vectors = having(drawing, "vector").map(Vector::read).collect();
         let rays = having(drawing, "ray")
@@ -189,6 +184,21 @@ fn circle(group: Node) -> Mm2 {
     [number("cx"), -number("cy")]
 }
 
+/// From the start to the end of a guide's first stroke. An arc is drawn as far to both sides of its rider:
+/// its chord has the direction of the guide there.
+fn stroke(node: Node) -> Mm2 {
+    let d = node.attribute("d").expect("a path has data");
+    let Some((start, arc)) = d.trim_start_matches('M').split_once(" A") else {
+        let places = path(node);
+        return minus(places[1], places[0]);
+    };
+    let numbers =
+        |text: &str| -> Vec<f64> { text.split(' ').map(|piece| piece.parse().expect("a number")).collect() };
+    let (start, arc) = (numbers(start), numbers(arc));
+    let [.., x, y] = arc[..] else { panic!("{d}: an arc has an end") };
+    [x - start[0], start[1] - y]
+}
+
 /// The places of a path of straight strokes.
 fn path(node: Node) -> Vec<Mm2> {
     let d = node.attribute("d").expect("a path has data");
@@ -212,7 +222,8 @@ fn text_of(text: Node) -> String {
         }
         out.push_str(run.text().unwrap_or(""));
     }
-    out.replace(['\u{a0}', '\u{2002}', '\u{2009}'], " ").replace('−', "-")
+    // Thin blanks part the thousands of one number.
+    out.replace(['\u{2009}', '\u{202f}'], "").replace(['\u{a0}', '\u{2002}'], " ").replace('−', "-")
 }
 
 /// A printed number: 50, 2.5, 2.5 × 10^6.

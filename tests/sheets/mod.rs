@@ -37,10 +37,14 @@ pub fn examples() -> Vec<Example> {
 
 /// Reads, solves and draws an example in English, as `linkgram draw` does.
 pub fn draw(example: &Example) -> (Scene, Solved, String) {
-    let text = std::fs::read_to_string(&example.path).unwrap();
-    let scene = linkgram::scene::read(&text, &example.name).unwrap();
+    draw_text(&example.name, &std::fs::read_to_string(&example.path).unwrap())
+}
+
+/// The same for the text of a scene.
+pub fn draw_text(name: &str, text: &str) -> (Scene, Solved, String) {
+    let scene = linkgram::scene::read(text, name).unwrap();
     let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene)
-        .unwrap_or_else(|error| panic!("{}: {error}", example.name));
+        .unwrap_or_else(|error| panic!("{name}: {error}"));
     let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
     let svg = linkgram::render::svg::write(&figure);
     (scene, solved, svg)

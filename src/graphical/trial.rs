@@ -1,0 +1,549 @@
+//! Groups of higher class, by trial (Stephenson's six-bar driven at the wrong link, triads of eight-bars, a
+//! coupler as the driver).
+//!
+//! No dyad of such a group is solvable alone. One of its links is driven by trial and one constraint is left
+//! open; the rest then falls apart into groups that can be constructed.
+//!
+//! *Position*: the open end runs along its trial curve as the trial driver turns; the place where it satisfies
+//! the open constraint is found on a scratch board, laid on the real one, and corrected there by one step of
+//! the rule of false position, which leaves on the tape how the place hangs on every given number.
+//!
+//! *Velocity*: two trial polygons, one with the trial driver at rest and one with it turning at any rate. As
+//! the rate changes, the image of the open end moves along the straight line through its two trial images
+//! (every velocity is linear in the rate). Where that line meets the line of the open constraint lies the
+//! image; by proportion the rate, and with it the true polygon.
+//!
+//! *Acceleration*: in the same way, with the trial driver's angular acceleration.
+
+use crate::board::{Amount, Angle, Bench, Blank, Board, Line, Mm, Point, Side, Trial as Sketch};
+use crate::given::Given;
+use crate::mechanism::quantity::Order;
+use crate::mechanism::structure::{Closing, GroupKind, Trial};
+use crate::mechanism::{Input, LinkId, PointId};
+use crate::plan::{GroupStep, trial_steps};
+
+use super::DrawError;
+use super::construction::{Act, Label};
+use super::draughtsman::Draughtsman;
+use super::pose::{Pose, Track};
+use super::velocity::{Target, Unknown};
+
+/// Trial angles in a whole turn.
+const TRIALS: u32 = 720;
+/// Halvings of a bracket.
+const HALVINGS: usize = 60;
+/// A residual is a root, not a jump, below this part of the paper's size (100 mm).
+const ROOT: f64 = 1e-4;
+/// Two roots whose places differ by less are one, millimetres.
+const SAME_PLACE: f64 = 1e-4;
+/// Two hints that differ by less than this part cannot choose.
+const HINT_TIE: f64 = 1e-9;
+/// Paper length of a trial vector, millimetres.
+const TRIAL_VECTOR: f64 = 50.0;
+
+/// A way to close the group: the trial driver's angle and the sides that its inner groups take.
+struct Root {
+    angle: f64,
+    sides: Vec<Side>,
+    places: Vec<(PointId, [f64; 2])>,
+}
+
+/// How far the record had come before a trial.
+struct Mark {
+    coincident: usize,
+    parts: usize,
+    feet: usize,
+}
+
+impl<'m, B: Bench> Draughtsman<'m, B> {
+    fn trial(&self, index: usize) -> Trial {
+        self.structure.trials[index].clone()
+    }
+
+    /// Points of the group's links that are not solved before it.
+    fn points_of(&self, trial: &Trial) -> Vec<PointId> {
+        let mut points = Vec::new();
+        for group in &trial.groups {
+            for &link in &group.links {
+                for &point in &self.mechanism.link(link).points {
+                    if !self.mechanism.is_fixed(point) && !points.contains(&point) {
+                        points.push(point);
+                    }
+                }
+            }
+            for &point in &group.points {
+                if !points.contains(&point) {
+                    points.push(point);
+                }
+            }
+        }
+        points
+    }
+
+    // --- position ------------------------------------------------------------------------------
+
+    /// The skeleton of the group.
+    pub(super) fn position_by_trial(&mut self, step: &GroupStep, index: usize) -> Result<(), DrawError> {
+        let trial = self.trial(index);
+        let steps = trial_steps(&trial, step, self.mechanism);
+        self.board.purpose("position by trial");
+        let exact = |p: &PointId| self.mechanism.point(*p).place.exact().is_some();
+        if self.points_of(&trial).iter().all(exact) {
+            return self.positions(&trial, &steps, None);
+        }
+        let root = self.find_root(&trial)?;
+        let slope = self.slope(&trial, &steps, &root);
+        self.act(Act::TryPosition { driver: trial.driver, closing: trial.closing });
+        // First with the angle found on the scratch board, then with what the tape makes of it.
+        let found = self.board.angle(Given::exact(root.angle));
+        self.silent = true;
+        self.sides = Some(root.sides.clone());
+        let tried = self.positions(&trial, &steps, Some(found));
+        let miss = tried.map(|()| self.miss(&trial));
+        self.silent = false;
+        let reason = self.reason(&trial.groups.iter().flat_map(|g| g.links.clone()).collect::<Vec<_>>());
+        let angle = self.board.corrected(found, miss?, slope, reason);
+        self.sides = Some(root.sides);
+        let drawn = self.positions(&trial, &steps, Some(angle));
+        self.sides = None;
+        drawn
+    }
+
+    fn positions(
+        &mut self,
+        trial: &Trial,
+        steps: &[GroupStep],
+        angle: Option<Angle<B>>,
+    ) -> Result<(), DrawError> {
+        for (group, step) in trial.groups.iter().zip(steps) {
+            match (group.kind, angle) {
+                (GroupKind::TrialDriver { base }, Some(angle)) => {
+                    let along = self.board.protractor(angle);
+                    self.driver_along(step, trial.driver, base, along);
+                }
+                (GroupKind::TrialDriver { base }, None) => {
+                    self.driver_as_placed(step, trial.driver, base);
+                }
+                _ => self.position_of(step, group)?,
+            }
+        }
+        if let Closing::Rod { link, near, far } = trial.closing
+            && self.carries_guide(link)
+        {
+            self.pose_by_points(link, far, near);
+        }
+        Ok(())
+    }
+
+    /// By how much the open constraint is missed: paper millimetres, or radians.
+    fn miss(&mut self, trial: &Trial) -> Mm<B> {
+        match trial.closing {
+            Closing::Rod { link, near, far } => {
+                let (a, b) = (self.at(near), self.at(far));
+                let distance = self.board.distance(a, b);
+                let length = self.length(link, far, near);
+                let scale = self.length_scale();
+                let mm = self.board.to_paper(length, scale);
+                self.board.less(distance, mm)
+            }
+            Closing::Slide { slide, pin } => {
+                let at = self.at(pin);
+                match self.track(slide, Some(pin)) {
+                    Track::Straight(line) => self.board.square_off(line, at)[1],
+                    Track::Arc(arc) => {
+                        let distance = self.board.distance(arc.centre, at);
+                        self.board.less(distance, arc.radius)
+                    }
+                }
+            }
+            Closing::Angle { link, input } => {
+                let points = &self.mechanism.link(link).points;
+                let (Some(&p), Some(&q)) = (points.first(), points.get(1)) else {
+                    return self.board.no_length();
+                };
+                let along = self.outward(link, p, q);
+                let (Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. }) =
+                    self.mechanism.inputs[input]
+                else {
+                    return self.board.no_length();
+                };
+                let angle = self.board.angle(angle);
+                let given = self.board.protractor(angle);
+                let turn = self.board.angle_between(given, along);
+                self.board.arc_length(turn)
+            }
+        }
+    }
+
+    /// A scratch board with what is solved so far.
+    fn sketch(&self) -> Draughtsman<'m, Sketch> {
+        let mut sketch =
+            Draughtsman::new(Board::<Sketch>::new(Blank), self.mechanism, self.structure, self.scales);
+        sketch.silent = true;
+        for (to, from) in sketch.places.iter_mut().zip(&self.places) {
+            *to = from.map(|p| sketch.board.copied(p.value()));
+        }
+        for (to, from) in sketch.poses.iter_mut().zip(&self.poses) {
+            *to = from.map(|pose| Pose {
+                own_anchor: sketch.board.copied(pose.own_anchor.value()),
+                anchor: sketch.board.copied(pose.anchor.value()),
+                own_along: sketch.board.copied_direction(pose.own_along.value()),
+                along: sketch.board.copied_direction(pose.along.value()),
+            });
+        }
+        sketch
+    }
+
+    /// Every way in which the group closes, then the one that the hints choose.
+    fn find_root(&mut self, trial: &Trial) -> Result<Root, DrawError> {
+        let all: Vec<(LinkId, PointId)> =
+            self.points_of(trial).into_iter().map(|p| (trial.driver, p)).collect();
+        let steps = trial_steps(trial, &GroupStep { group: 0, points: all }, self.mechanism);
+        let choices = trial.groups.len() - 1;
+        let mut roots: Vec<Root> = Vec::new();
+        let mut least = f64::INFINITY;
+        let mut sketch = self.sketch();
+        for combination in 0..(1_usize << choices.min(6)) {
+            let sides: Vec<Side> = (0..choices)
+                .map(|k| if combination >> k & 1 == 0 { Side::First } else { Side::Second })
+                .collect();
+            let mut evaluate = |angle: f64| -> Option<f64> {
+                let along = sketch.board.angle(Given::exact(angle));
+                sketch.sides = Some(sides.clone());
+                sketch.positions(trial, &steps, Some(along)).ok()?;
+                let miss = sketch.miss(trial).value();
+                miss.is_finite().then_some(miss)
+            };
+            let angle_of = |k: u32| std::f64::consts::PI * (2.0 * f64::from(k) / f64::from(TRIALS) - 1.0);
+            let mut found = Vec::new();
+            let mut before = evaluate(angle_of(0));
+            for k in 1..=TRIALS {
+                let now = evaluate(angle_of(k));
+                least = now.map_or(least, |f| least.min(f.abs()));
+                if let (Some(a), Some(b)) = (before, now)
+                    && (a <= 0.0) != (b <= 0.0)
+                    && let Some(angle) = halve(&mut evaluate, angle_of(k - 1), angle_of(k), a)
+                {
+                    found.push(angle);
+                }
+                before = now;
+            }
+            for angle in found {
+                let along = sketch.board.angle(Given::exact(angle));
+                sketch.sides = Some(sides.clone());
+                if sketch.positions(trial, &steps, Some(along)).is_err() {
+                    continue;
+                }
+                let places: Vec<(PointId, [f64; 2])> = self
+                    .points_of(trial)
+                    .into_iter()
+                    .filter_map(|p| sketch.places[p.0].map(|at| (p, at.value())))
+                    .collect();
+                let same = |other: &Root| {
+                    other
+                        .places
+                        .iter()
+                        .zip(&places)
+                        .all(|((_, a), (_, b))| libm::hypot(a[0] - b[0], a[1] - b[1]) < SAME_PLACE)
+                };
+                if !roots.iter().any(same) {
+                    roots.push(Root { angle, sides: sides.clone(), places });
+                }
+            }
+        }
+        self.choose_root(trial, roots, least)
+    }
+
+    fn choose_root(&self, trial: &Trial, mut roots: Vec<Root>, least: f64) -> Result<Root, DrawError> {
+        let pin = match trial.closing {
+            Closing::Rod { near, .. } => near,
+            Closing::Slide { pin, .. } => pin,
+            Closing::Angle { link, .. } => {
+                self.mechanism.link(link).points.first().copied().unwrap_or(trial.base)
+            }
+        };
+        let origin = self.origin_of_space().map(|g| g.value);
+        let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * self.scales.length);
+        let score = |root: &Root| -> Option<f64> {
+            let mut sum = None;
+            for (point, at) in &root.places {
+                if let Some(hint) = self.mechanism.point(*point).place.hint() {
+                    let at = world(*at);
+                    let [dx, dy] = [at[0] - hint[0], at[1] - hint[1]];
+                    sum = Some(sum.unwrap_or(0.0) + dx * dx + dy * dy);
+                }
+            }
+            sum
+        };
+        let scores: Vec<Option<f64>> = roots.iter().map(score).collect();
+        let best = (0..roots.len()).min_by(|&a, &b| {
+            scores[a].unwrap_or(f64::INFINITY).total_cmp(&scores[b].unwrap_or(f64::INFINITY))
+        });
+        let Some(best) = best else {
+            return Err(DrawError::NoClosure { pin, least: least * self.scales.length });
+        };
+        let rival = (0..roots.len()).find(|&other| {
+            other != best
+                && match (scores[best], scores[other]) {
+                    (Some(a), Some(b)) => (b - a).abs() <= HINT_TIE * (a + b),
+                    _ => true,
+                }
+        });
+        if let Some(rival) = rival {
+            // Name a point by which the two can be told apart.
+            let pairs = roots[best].places.iter().zip(&roots[rival].places);
+            let apart = pairs
+                .map(|(&(point, a), &(_, b))| (libm::hypot(a[0] - b[0], a[1] - b[1]), point, a, b))
+                .max_by(|x, y| x.0.total_cmp(&y.0));
+            if let Some((_, pin, a, b)) = apart {
+                return Err(DrawError::Ambiguous { pin, first: world(a), second: world(b) });
+            }
+        }
+        Ok(roots.swap_remove(best))
+    }
+
+    /// How the miss changes with the trial angle, by differences on the scratch board; its error from two
+    /// steps of different size.
+    fn slope(&self, trial: &Trial, steps: &[GroupStep], root: &Root) -> Given {
+        const STEP: f64 = 1e-6;
+        let mut sketch = self.sketch();
+        let mut miss_at = |angle: f64| -> Option<f64> {
+            let along = sketch.board.angle(Given::exact(angle));
+            sketch.sides = Some(root.sides.clone());
+            sketch.positions(trial, steps, Some(along)).ok()?;
+            Some(sketch.miss(trial).value())
+        };
+        let mut difference = |h: f64| -> f64 {
+            match (miss_at(root.angle + h), miss_at(root.angle - h)) {
+                (Some(a), Some(b)) => (a - b) / (2.0 * h),
+                // At the edge of assembly there is no slope to rely on.
+                _ => 0.0,
+            }
+        };
+        let (fine, coarse) = (difference(STEP), difference(2.0 * STEP));
+        Given { value: fine, error: (fine - coarse).abs() }
+    }
+
+    // --- velocity ------------------------------------------------------------------------------
+
+    fn mark(&self) -> Mark {
+        Mark { coincident: self.coincident.len(), parts: self.parts.len(), feet: self.feet.len() }
+    }
+
+    /// Takes a trial polygon off the board.
+    fn rub_out(&mut self, order: Order, trial: &Trial, mark: &Mark) {
+        self.coincident.truncate(mark.coincident);
+        self.parts.truncate(mark.parts);
+        self.feet.truncate(mark.feet);
+        for point in self.points_of(trial) {
+            let solved_before = self.mechanism.point(point).links.iter().any(|link| {
+                !trial.groups.iter().any(|g| g.links.contains(link))
+                    && !matches!(trial.closing, Closing::Rod { link: rod, .. } if rod == *link)
+                    && self.omegas[link.0].is_some()
+                    && *link != LinkId::FRAME
+            });
+            if !solved_before {
+                self.images(order)[point.0] = None;
+            }
+        }
+    }
+
+    /// One polygon with an assumed rate of the trial driver.
+    fn polygon_at(&mut self, order: Order, trial: &Trial, steps: &[GroupStep], rate: Amount<B>) {
+        for (group, step) in trial.groups.iter().zip(steps) {
+            match (group.kind, order) {
+                (GroupKind::TrialDriver { base }, Order::Acceleration) => {
+                    self.set_rate(order, trial.driver, rate);
+                    self.step(order, &[trial.driver], Vec::new());
+                    self.driven_accelerations(step, trial.driver, base);
+                }
+                (GroupKind::TrialDriver { base }, _) => {
+                    self.set_rate(order, trial.driver, rate);
+                    self.step(order, &[trial.driver], Vec::new());
+                    self.driven_velocities(step, trial.driver, base);
+                }
+                (_, Order::Acceleration) => self.acceleration_of(step, group),
+                _ => self.velocity_of(step, group),
+            }
+        }
+    }
+
+    /// A rate at which trial vectors have a good length on paper.
+    fn trial_rate(&self, order: Order, trial: &Trial) -> f64 {
+        let reach = self
+            .mechanism
+            .link(trial.driver)
+            .points
+            .iter()
+            .filter_map(|p| Some((self.places[p.0]?.value(), self.places[trial.base.0]?.value())))
+            .map(|(a, b)| libm::hypot(a[0] - b[0], a[1] - b[1]))
+            .fold(0.0, f64::max);
+        let si_per_mm = self.polygon_scale(order).si_per_mm;
+        let rate = TRIAL_VECTOR * si_per_mm / (reach.max(1e-3) * self.scales.length);
+        if rate.is_normal() { rate } else { 1.0 }
+    }
+
+    /// The velocity or acceleration polygon of the group.
+    pub(super) fn polygon_by_trial(&mut self, order: Order, step: &GroupStep, index: usize) {
+        let trial = self.trial(index);
+        let steps = trial_steps(&trial, step, self.mechanism);
+        self.board.purpose("polygon by trial");
+        let links: Vec<LinkId> = trial.groups.iter().flat_map(|g| g.links.clone()).collect();
+        // A first guess shows how large the rate will be; the trial that is kept has a round rate near it,
+        // so that the trial images lie near the true one.
+        self.silent = true;
+        let guess = self.trial_rate(order, &trial);
+        let rough = self.rate_by_trial(order, &trial, &steps, guess).value();
+        self.silent = false;
+        let assumed = round_near(rough).unwrap_or(guess);
+        self.step(order, &links, Vec::new());
+        self.act(Act::TryPolygon { driver: trial.driver, order, rate: assumed });
+        let rate = self.rate_by_trial(order, &trial, &steps, assumed);
+        self.act(Act::TrialRate { driver: trial.driver, order, rate: rate.value() });
+        self.polygon_at(order, &trial, &steps, rate);
+        self.close(order, &trial);
+    }
+
+    /// The trial driver's rate, by two trial polygons: at rest, and at an assumed rate.
+    fn rate_by_trial(&mut self, order: Order, trial: &Trial, steps: &[GroupStep], assumed: f64) -> Amount<B> {
+        let mark = self.mark();
+        let rates = [0.0, assumed].map(|rate| self.board.amount(Given::exact(rate)));
+        let loud = !self.silent;
+        let trials = rates.map(|rate| {
+            self.silent = true;
+            self.polygon_at(order, trial, steps, rate);
+            self.silent = !loud;
+            let seen = match trial.closing {
+                Closing::Rod { near: end, .. } | Closing::Slide { pin: end, .. } => {
+                    (Some(self.image(order, end)), None)
+                }
+                Closing::Angle { link, .. } => (None, Some(self.rate(order, link))),
+            };
+            self.rub_out(order, trial, &mark);
+            seen
+        });
+        let links: Vec<LinkId> = trial.groups.iter().flat_map(|g| g.links.clone()).collect();
+        let reason = self.reason(&links);
+        match (trials, trial.closing) {
+            ([(Some(rest), _), (Some(turning), _)], Closing::Rod { .. } | Closing::Slide { .. }) => {
+                self.rate_by_images(order, trial, [rest, turning], rates[1], reason)
+            }
+            ([(_, Some(rest)), (_, Some(turning))], Closing::Angle { input, .. }) => {
+                let given = self.given_rate(order, input);
+                let wanted = self.board.difference(given, rest);
+                let gained = self.board.difference(turning, rest);
+                let part = self.board.quotient(wanted, gained, reason);
+                self.board.product(part, rates[1])
+            }
+            _ => rates[0],
+        }
+    }
+
+    /// The rate by which the open end's image falls on the line of the open constraint.
+    fn rate_by_images(
+        &mut self,
+        order: Order,
+        trial: &Trial,
+        [rest, turning]: [Point<B>; 2],
+        unit: Amount<B>,
+        reason: crate::board::Reason,
+    ) -> Amount<B> {
+        let (unknown, end) = closing_unknown(trial.closing);
+        let loud = !self.silent;
+        self.silent = true;
+        let ray = match order {
+            Order::Acceleration => self.closing_acceleration_line(unknown, end),
+            _ => self.closing_line(unknown, end),
+        };
+        self.silent = !loud;
+        let (along, whole) = self.board.toward(rest, turning, reason);
+        let meet = self.board.meet_lines(Line { through: rest, along }, ray, reason);
+        for (index, at) in [rest, turning].into_iter().enumerate() {
+            let index = u8::try_from(index).unwrap_or(0) + if order == Order::Acceleration { 3 } else { 1 };
+            self.note_foot(order, Label::Foot { point: end, link: None, index }, at);
+        }
+        self.note_trial_line(order, rest, turning);
+        self.note_trial_line(order, rest, meet.at);
+        let part = self.board.ratio(meet.along[0], whole, reason);
+        self.board.part_of(unit, part)
+    }
+
+    /// ω or ε of an input on a link's angle.
+    fn given_rate(&mut self, order: Order, input: usize) -> Amount<B> {
+        let rate = match (self.mechanism.inputs[input], order) {
+            (Input::Angle { alpha, .. } | Input::Speed { alpha, .. }, Order::Acceleration) => alpha,
+            (Input::Angle { omega, .. }, _) => omega,
+            (Input::Speed { link, point, speed, .. }, _) => {
+                let Some(&first) = self.mechanism.link(link).points.first() else { return self.rest() };
+                let length = self.length(link, first, point);
+                let speed = self.board.amount(speed);
+                let reason = self.reason(&[link]);
+                return self.board.quotient(speed, length, reason);
+            }
+            (Input::Slide { .. }, _) => Given::exact(0.0),
+        };
+        self.board.amount(rate)
+    }
+
+    /// Reads what the open constraint has become in the true polygon: ω or ε of the closing rod, the sliding.
+    fn close(&mut self, order: Order, trial: &Trial) {
+        let (unknown, end) = closing_unknown(trial.closing);
+        if matches!(trial.closing, Closing::Angle { .. }) {
+            return;
+        }
+        let links: Vec<LinkId> = match trial.closing {
+            Closing::Rod { link, .. } => vec![link],
+            _ => Vec::new(),
+        };
+        self.step(order, &links, Vec::new());
+        let image = self.image(order, end);
+        let head = (self.label(end), image);
+        match order {
+            Order::Acceleration => self.read_closing_acceleration(unknown, Target::Pin(end), head),
+            _ => self.read_closing_velocity(unknown, Target::Pin(end), head),
+        }
+        if let Closing::Slide { slide, .. } = trial.closing
+            && let crate::mechanism::Rider::Pin { block: Some(block), .. } =
+                self.mechanism.slides[slide].rider
+        {
+            self.rates_of_blocks(order, &[block]);
+        }
+    }
+}
+
+/// A round number (1, 2, 5 × 10ⁿ) of the size of a value and of its sign.
+fn round_near(value: f64) -> Option<f64> {
+    if !value.is_normal() {
+        return None;
+    }
+    let power = libm::pow(10.0, libm::floor(libm::log10(value.abs())));
+    let part = value.abs() / power;
+    let round = [1.0, 2.0, 5.0, 10.0].into_iter().find(|r| part <= *r)?;
+    Some(round * power * value.signum())
+}
+
+fn closing_unknown(closing: Closing) -> (Unknown, PointId) {
+    match closing {
+        Closing::Rod { link, near, far } => (Unknown::Turn { link, base: far, to: near }, near),
+        Closing::Slide { slide, pin } => (Unknown::Slide { slide, back: false }, pin),
+        Closing::Angle { .. } => (Unknown::Slide { slide: 0, back: false }, PointId(0)),
+    }
+}
+
+/// Halves a bracket down to rounding; `None` where the function jumps instead of passing zero.
+fn halve(
+    evaluate: &mut impl FnMut(f64) -> Option<f64>,
+    mut low: f64,
+    mut high: f64,
+    at_low: f64,
+) -> Option<f64> {
+    let negative = at_low <= 0.0;
+    let mut last = f64::INFINITY;
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(low, high);
+        let value = evaluate(middle)?;
+        last = value.abs();
+        if (value <= 0.0) == negative { low = middle } else { high = middle }
+    }
+    (last < ROOT).then(|| f64::midpoint(low, high))
+}
