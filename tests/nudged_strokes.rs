@@ -5,6 +5,8 @@
 //! is the sensitivity that the tape states. When h is halved the even part must fall four-fold and the odd
 //! part eight-fold; a wrong S leaves an odd part that only halves.
 
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
 mod common;
 
 use linkgram::board::{Nudge, Stroke, Tape};
