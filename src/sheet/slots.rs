@@ -160,7 +160,16 @@ impl Artist<'_> {
                     let inner = (0..=steps).map(|i| at(-SLOT_BLOCK.1, i));
                     let outer = (0..=steps).rev().map(|i| at(SLOT_BLOCK.1, i));
                     let outline = Shape::Polygon(inner.chain(outer).collect());
-                    own.mark(Mark::outlined(outline, Pen::solid(THICK), Tone::Paper));
+                    own.mark(Mark::area(outline, Tone::Paper));
+                    for offset in [-SLOT_BLOCK.1, SLOT_BLOCK.1] {
+                        let radius = (radius + offset).max(0.1);
+                        let side = Shape::Arc { centre, radius, start: from, sweep: to - from };
+                        own.mark(Mark::stroke(side, Pen::solid(THICK)).precise());
+                    }
+                    for end in [0, steps] {
+                        let cap = Shape::Line(at(-SLOT_BLOCK.1, end), at(SLOT_BLOCK.1, end));
+                        own.mark(Mark::stroke(cap, Pen::solid(THICK)));
+                    }
                 }
             }
             all.group(own);
