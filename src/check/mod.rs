@@ -112,17 +112,23 @@ pub fn agreement(
     analytic: &Result<crate::analytic::State, AnalyticError>,
 ) -> Agreement {
     let construction = &solved.solution.construction;
+    let asked = scene.mechanism.asked.iter().zip(&construction.answers);
     let state = match analytic {
         Ok(state) => state,
         Err(error) => {
-            return Agreement { compared: Vec::new(), wrong_branch: None, refused: Some(error.to_string()) };
+            let why = Indeterminate::Undefined { why: format!("the analytic solver refused: {error}") };
+            let compared = asked
+                .map(|(asked, reading)| Compared {
+                    asked: asked.clone(),
+                    graphical: reading.clone(),
+                    analytic: Answer::Indeterminate(why.clone()),
+                    difference: None,
+                })
+                .collect();
+            return Agreement { compared, wrong_branch: None, refused: Some(error.to_string()) };
         }
     };
-    let compared: Vec<Compared> = scene
-        .mechanism
-        .asked
-        .iter()
-        .zip(&construction.answers)
+    let compared: Vec<Compared> = asked
         .map(|(asked, reading)| {
             let analytic = state.answer(&asked.quantity);
             let difference = apart_as_asked(asked, &reading.answer, &analytic).map(|(value, bounds)| {
@@ -142,13 +148,15 @@ fn wrong_branch(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
     let size = places.iter().map(|(_, p)| libm::hypot(p[0], p[1]) * space.metres_per_mm).fold(0.0, f64::max);
     // The skeleton has its own frame: both are laid on each other at the first point.
     let &(first, at_first) = places.first()?;
-    let from = state.pose(PointId(first)).ok()?.at;
+    let from = state.pose(PointId(first)).ok()?;
     places.iter().find_map(|&(index, at)| {
-        let Ok(crate::analytic::Spot { at: world, .. }) = state.pose(PointId(index)) else { return None };
+        let crate::analytic::Spot { at: world, bound } = state.pose(PointId(index)).ok()?;
         let drawn = [0, 1].map(|k| (at[k] - at_first[k]) * space.metres_per_mm);
-        let solved = [0, 1].map(|k| world[k] - from[k]);
+        let solved = [0, 1].map(|k| world[k] - from.at[k]);
         let apart = libm::hypot(drawn[0] - solved[0], drawn[1] - solved[1]);
-        (apart > OTHER_BRANCH * size).then(|| scene.mechanism.points[index].name.clone())
+        // Far from the origin the digits of the places leave more open than that.
+        let open = 2.0 * (bound + from.bound);
+        (apart > OTHER_BRANCH * size + open).then(|| scene.mechanism.points[index].name.clone())
     })
 }
 
@@ -186,7 +194,11 @@ pub fn compare_published(
     let printed = if published.signed { published.value } else { published.value.abs() };
     let within = published.within.unwrap_or(tolerance);
     let ok = computed.is_some_and(|c| (printed - c).abs() <= within * printed.abs().max(c.abs()) + bound);
-    let percent = computed.filter(|c| c.abs() > bound).map(|c| 100.0 * (printed - c) / c);
+    let percent = match computed {
+        Some(c) if c.abs() > bound => Some(100.0 * (printed - c) / c),
+        Some(_) if printed == 0.0 => Some(0.0),
+        _ => None,
+    };
     PublishedCheck { asked: published.asked.clone(), published: printed, computed, percent, ok, erratum }
 }
 
@@ -205,7 +217,7 @@ pub enum Outcome {
         /// Which refusal, if one of the three that a scene may expect.
         refusal: Option<Refusal>,
         /// What was said.
-        message: String,
+        error: SolveError,
     },
 }
 
@@ -225,7 +237,7 @@ pub fn check(scene: &Scene, tolerance: f64) -> SceneCheck {
         Err(error) => {
             let refusal = error.refusal();
             let ok = refusal.is_some() && refusal == scene.expect;
-            SceneCheck { outcome: Outcome::Refused { refusal, message: error.to_string() }, ok }
+            SceneCheck { outcome: Outcome::Refused { refusal, error }, ok }
         }
         Ok((agreement, answers)) => {
             let published: Vec<PublishedCheck> = scene
