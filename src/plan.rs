@@ -258,7 +258,7 @@ impl Wanted<'_> {
             if let GroupKind::Higher { .. } = kind {
                 self.surroundings(group, lower);
             }
-            if let GroupKind::Wheel { wheel, roll, .. } = kind {
+            if let GroupKind::Wheel { wheel, roll, .. } | GroupKind::Rolling { wheel, roll, .. } = kind {
                 self.rolled_on(roll, wheel, lower);
             }
             for slide in slides_of(kind).into_iter().flatten() {
@@ -285,7 +285,9 @@ fn lower_orders(order: Order) -> &'static [Order] {
 /// The points on solved links from which a group is solved.
 fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
     match kind {
-        GroupKind::Driver { base, .. } | GroupKind::Rrp { base, .. } => [Some(base), None],
+        GroupKind::Driver { base, .. } | GroupKind::Rrp { base, .. } | GroupKind::Rolling { base, .. } => {
+            [Some(base), None]
+        }
         GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
         GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin)],
         GroupKind::Yoke { pin, .. } => [Some(pin), None],
@@ -306,6 +308,7 @@ fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
         GroupKind::Yoke { ride, slot, .. } => [Some(ride), Some(slot)],
         GroupKind::DrivenSlide { slide, .. } => [Some(slide), None],
         GroupKind::Wheel { .. }
+        | GroupKind::Rolling { .. }
         | GroupKind::TrialDriver { .. }
         | GroupKind::Higher { .. }
         | GroupKind::Driver { .. }
@@ -328,6 +331,7 @@ fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
         GroupKind::Rrr { bases: [a, b], pin, .. } => [Some(a), Some(b), Some(pin)],
         GroupKind::Rrp { base, pin, .. } | GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin), None],
         GroupKind::Prp { pin, .. } | GroupKind::Yoke { pin, .. } => [Some(pin), None, None],
+        GroupKind::Rolling { base, centre, .. } => [Some(base), Some(centre), None],
         GroupKind::Wheel { centre: base, .. } => [Some(base), None, None],
         GroupKind::TrialDriver { base } => [Some(base), None, None],
         GroupKind::DrivenSlide { .. } | GroupKind::Higher { .. } | GroupKind::Other => [None, None, None],

@@ -8,6 +8,8 @@
 //! where the case rounded its own fitted dimensions or crank angle, so that its last digits are not theirs.
 //! Instant centres are not drawn yet, so only the analytic solver answers for them.
 
+#![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
+
 use std::path::Path;
 
 use linkgram::mechanism::quantity::Answer;

@@ -4,6 +4,8 @@
 //! well conditioned; its dimensions are then measured and written into a scene with the pose as `near`, so
 //! that both solvers must assemble it again from lengths, angles and offsets.
 
+#![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
+
 use std::f64::consts::PI;
 
 use linkgram::check::agreement;
@@ -129,8 +131,7 @@ struct Built {
     links: Map<String, Value>,
     slides: Vec<Value>,
     near: Map<String, Value>,
-    /// Riding joint and guide link of each sliding pair, and whether the guide is an arc.
-    rides: Vec<(String, u32, bool)>,
+    rides: Vec<Ride>,
 }
 
 impl Built {
@@ -349,7 +350,10 @@ impl Built {
     }
 }
 
-fn build(plan: &Plan) -> Option<(Value, Vec<(String, u32, bool)>)> {
+/// Riding joint and guide link of a sliding pair, and whether the guide is an arc.
+type Ride = (String, u32, bool);
+
+fn build(plan: &Plan) -> Option<(Value, Vec<Ride>)> {
     let mut built = Built::default();
     built.bodies.push(Body { number: 1, origin: [0.0, 0.0], angle: 0.0, points: Vec::new() });
     let pivot = built.fix([0.0, 0.0]);

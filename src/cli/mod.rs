@@ -12,6 +12,7 @@ mod files;
 mod new;
 mod report;
 mod solve;
+mod structure;
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -71,6 +72,14 @@ enum Command {
         /// Allowed deviation of published values where the scene states none
         #[arg(long, value_name = "PERCENT", default_value = "5%", value_parser = parse_percent)]
         tolerance: f64,
+    },
+    /// Report links, pairs, mobility, groups, Grashof class and dead positions
+    Structure {
+        /// The scene file; - for standard input
+        scene: PathBuf,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
     },
     /// List the mechanism catalogue, or write a ready scene of a kind
     New {
@@ -134,6 +143,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
         Command::Solve { scene, json, explain } => solve::run(&scene, json, explain),
         Command::Check { paths, json, tolerance } => check::run(&paths, json, tolerance),
+        Command::Structure { scene, json } => structure::run(&scene, json),
         Command::New { kind } => new::run(kind.as_deref()),
         Command::Schema => schema(),
     };

@@ -53,6 +53,10 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
             GroupKind::DrivenSlide { slide, input } => self.acceleration_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.acceleration_of_wheel(step, wheel, centre, roll),
+            GroupKind::Rolling { wheel, centre, roll, .. } => {
+                self.acceleration_of_group(step, group);
+                self.acceleration_of_wheel(step, wheel, centre, roll);
+            }
             GroupKind::Higher { trial } => self.polygon_by_trial(Order::Acceleration, step, trial),
             _ => self.acceleration_of_group(step, group),
         }
@@ -256,7 +260,10 @@ impl<B: Bench> Draughtsman<'_, B> {
             (label_other, known),
         );
         self.act_read(Order::Acceleration, vector);
-        for &(_, point) in &step.points {
+        for &(of, point) in &step.points {
+            if of != wheel {
+                continue;
+            }
             let image = self.acceleration_about(wheel, centre, point);
             self.note_image(Order::Acceleration, point, image);
             let label = self.label(point);
@@ -280,6 +287,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         match unknown {
             Unknown::Turn { link, base, to } => self.acceleration_arm(link, base, to, 1),
             Unknown::Slide { slide, back } => self.acceleration_slide(slide, back, end, 1),
+            Unknown::Roll { roll, wheel, centre } => self.acceleration_roll(roll, wheel, centre, 1),
         }
     }
 
@@ -305,6 +313,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             Unknown::Slide { slide, back } => {
                 self.read_sliding(&route, target, (slide, back), (label, image), along);
             }
+            Unknown::Roll { .. } => {}
         }
     }
 
@@ -369,6 +378,87 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
+    /// The known parts of a rolling wheel's centre: Aⁿ = V²/l towards the other centre; on a straight line
+    /// that turns, Coriolis. From their end the line of unknown length.
+    fn acceleration_roll(&mut self, roll: usize, wheel: LinkId, centre: PointId, index: u8) -> Route<B> {
+        let unknown = Unknown::Roll { roll, wheel, centre };
+        let body = self.rolled_on(roll, wheel);
+        let scale = self.polygon_scale(Order::Acceleration);
+        if let Some(other) = self.other_centre(roll, wheel) {
+            let [from, to] = [self.image(Order::Velocity, other), self.image(Order::Velocity, centre)];
+            let mm = self.board.distance(from, to);
+            let velocity_scale = self.polygon_scale(Order::Velocity);
+            let speed = self.board.read(mm, velocity_scale);
+            let length = self.measured(other, centre);
+            let reason = self.reason(&[wheel]);
+            let normal = self.board.square_over(speed, length, reason);
+            let quantity = if self.mechanism.is_fixed(other) {
+                Quantity::Normal(centre)
+            } else {
+                Quantity::RelativeNormal(centre, other)
+            };
+            self.act(Act::Calculate(Calculation::Normal {
+                quantity,
+                velocity: self.relative_velocity(centre, other),
+                ends: [other, centre],
+                speed: speed.value(),
+                length: length.value(),
+                value: normal.value(),
+            }));
+            let outward = self.outward(body, other, centre);
+            let inward = self.board.reverse(outward);
+            let start = self.image(Order::Acceleration, other);
+            let mm = self.board.to_paper(normal, scale);
+            let foot = self.board.lay_off(start, inward, mm);
+            let label = Label::Foot { point: centre, link: None, index };
+            let vector = self.note_vector(
+                Order::Acceleration,
+                (VectorKind::Normal, quantity, Some(Claim::Parallel(Reference::Points(other, centre)))),
+                (self.label(other), start),
+                (label, foot),
+            );
+            self.act(Act::LayOffVector { vector, value: normal.value(), mm: mm.value() });
+            self.note_foot(Order::Acceleration, label, foot);
+            let along = self.board.quarter_turn(outward);
+            let claim = Claim::Perpendicular(Reference::Points(other, centre));
+            self.act(Act::DrawRay { from: label, claim });
+            return Route { foot: (label, foot), ray: Line { through: foot, along }, claim, unknown };
+        }
+        let (along, claim) = self.rolling_direction(roll, wheel, centre);
+        let mut from = (self.label_under(centre, body), self.image_under(Order::Acceleration, centre, body));
+        if let (Some(speed), false) = (self.rolling_speeds[roll], body == LinkId::FRAME) {
+            let coriolis = self.coriolis(speed, (centre, body));
+            let left = self.board.quarter_turn(along);
+            let mm = self.board.to_paper(coriolis, scale);
+            let foot = self.board.lay_off(from.1, left, mm);
+            let label = Label::Foot { point: centre, link: Some(body), index };
+            let quantity = Quantity::Coriolis(centre, body);
+            let vector = self.note_vector(
+                Order::Acceleration,
+                (VectorKind::Coriolis, quantity, None),
+                from,
+                (label, foot),
+            );
+            self.act(Act::LayOffVector { vector, value: coriolis.value().abs(), mm: mm.value().abs() });
+            self.note_foot(Order::Acceleration, label, foot);
+            self.note_part(quantity, from.1, foot);
+            from = (label, foot);
+        }
+        self.act(Act::DrawRay { from: from.0, claim });
+        Route { foot: from, ray: Line { through: from.1, along }, claim, unknown }
+    }
+
+    /// What the unknown part of a rolling wheel's centre is called.
+    fn rolling_tangential(&self, roll: usize, wheel: LinkId, centre: PointId) -> Quantity {
+        let body = self.rolled_on(roll, wheel);
+        match self.other_centre(roll, wheel) {
+            Some(other) if self.mechanism.is_fixed(other) => Quantity::Tangential(centre),
+            Some(other) => Quantity::RelativeTangential(centre, other),
+            None if body == LinkId::FRAME => Quantity::Acceleration(centre),
+            None => Quantity::SlipAcceleration(centre, body),
+        }
+    }
+
     /// Feet of the sliding parts are named after the rider where the polygon is closed backwards, else
     /// after the guide's link.
     fn foot_link(&self, slide: usize, back: bool) -> Option<LinkId> {
@@ -427,7 +517,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         // What stands on the frame is laid off first.
         let from_frame = |d: &Self, unknown: Unknown| match unknown {
             Unknown::Turn { base, .. } => d.mechanism.is_fixed(base),
-            Unknown::Slide { .. } => false,
+            Unknown::Slide { .. } | Unknown::Roll { .. } => false,
         };
         let swapped = !from_frame(self, unknowns[0]) && from_frame(self, unknowns[1]);
         let unknowns = if swapped { [unknowns[1], unknowns[0]] } else { unknowns };
@@ -436,6 +526,10 @@ impl<B: Bench> Draughtsman<'_, B> {
             Unknown::Turn { link, base, to } => {
                 index += 1;
                 self.acceleration_arm(link, base, to, index - 1)
+            }
+            Unknown::Roll { roll, wheel, centre } => {
+                index += 2;
+                self.acceleration_roll(roll, wheel, centre, index - 2)
             }
             Unknown::Slide { slide, back } => {
                 let first = if back { 1 } else { index };
@@ -466,6 +560,21 @@ impl<B: Bench> Draughtsman<'_, B> {
                 }
                 Unknown::Slide { slide, back } => {
                     self.read_sliding(route, target, (slide, back), (label, meet.at), along);
+                }
+                Unknown::Roll { roll, wheel, centre } => {
+                    let quantity = self.rolling_tangential(roll, wheel, centre);
+                    let kind = if route.foot.0 == Label::Pole {
+                        VectorKind::Absolute
+                    } else {
+                        VectorKind::Tangential
+                    };
+                    let vector = self.note_vector(
+                        Order::Acceleration,
+                        (kind, quantity, Some(route.claim)),
+                        route.foot,
+                        (label, meet.at),
+                    );
+                    self.act_read(Order::Acceleration, vector);
                 }
             }
         }
@@ -613,6 +722,33 @@ impl<B: Bench> Draughtsman<'_, B> {
                     direction: Some(TermDirection::Claim(Claim::Perpendicular(line))),
                 });
             }
+            Unknown::Roll { roll, wheel, centre } => {
+                let body = self.rolled_on(roll, wheel);
+                let (claim, base) = match self.other_centre(roll, wheel) {
+                    Some(other) => (Claim::Perpendicular(Reference::Points(other, centre)), Some(other)),
+                    None => (self.rolling_direction(roll, wheel, centre).1, None),
+                };
+                if let Some(other) = base {
+                    if !self.mechanism.is_fixed(other) {
+                        let image = self.image(Order::Acceleration, other).value();
+                        let magnitude = libm::hypot(image[0], image[1]) * self.scales.acceleration;
+                        terms.push(known(Quantity::Acceleration(other), magnitude, TermDirection::Found));
+                    }
+                    for normal in [Quantity::Normal(centre), Quantity::RelativeNormal(centre, other)] {
+                        if let Some(magnitude) = size(self, normal) {
+                            let line = Claim::Parallel(Reference::Points(other, centre));
+                            terms.push(known(normal, magnitude, TermDirection::Claim(line)));
+                        }
+                    }
+                } else if let Some(magnitude) = size(self, Quantity::Coriolis(centre, body)) {
+                    terms.push(known(Quantity::Coriolis(centre, body), magnitude, TermDirection::Found));
+                }
+                terms.push(Term {
+                    quantity: self.rolling_tangential(roll, wheel, centre),
+                    magnitude: None,
+                    direction: Some(TermDirection::Claim(claim)),
+                });
+            }
             Unknown::Slide { slide, back } => {
                 let guide = self.mechanism.slides[slide].guide;
                 let rider = self.riding_point(slide, pin);
@@ -660,7 +796,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         let slides_on_frame = |d: &Self, unknown: Unknown| match unknown {
             Unknown::Slide { slide, .. } => d.mechanism.slides[slide].guide.link == LinkId::FRAME,
-            Unknown::Turn { .. } => false,
+            Unknown::Turn { .. } | Unknown::Roll { .. } => false,
         };
         let [a, b] = if slides_on_frame(self, unknowns[1]) { [unknowns[1], unknowns[0]] } else { unknowns };
         Equation { left: self.acceleration_route(target, a), right: self.acceleration_route(target, b) }

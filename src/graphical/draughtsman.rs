@@ -73,6 +73,8 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) slips: Vec<Option<Amount<B>>>,
     /// The apparent acceleration along the guide in each pair, signed, by index of the pair.
     pub(super) sliding_accelerations: Vec<Option<Amount<B>>>,
+    /// Velocity of a rolling wheel's centre along the line on which it rolls, by index of the rolling pair.
+    pub(super) rolling_speeds: Vec<Option<Amount<B>>>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
     pub(super) parts: Vec<Part<B>>,
     /// While a trial is on the board, nothing is recorded.
@@ -108,6 +110,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             coincident: Vec::new(),
             slips: vec![None; mechanism.slides.len()],
             sliding_accelerations: vec![None; mechanism.slides.len()],
+            rolling_speeds: vec![None; mechanism.rolls.len()],
             parts: Vec::new(),
             silent: false,
             sides: None,

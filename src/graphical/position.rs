@@ -51,6 +51,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot),
             GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
             GroupKind::Wheel { wheel, roll, .. } => self.wheel(step, wheel, roll),
+            GroupKind::Rolling { rod, base, wheel, centre, roll } => {
+                self.rolling(step, (rod, base), wheel, centre, roll)?;
+            }
             GroupKind::Higher { trial } => self.position_by_trial(step, trial)?,
             GroupKind::TrialDriver { .. } | GroupKind::Other => {
                 return Err(DrawError::NoConstruction { links: group.links.clone() });
@@ -197,6 +200,75 @@ impl<B: Bench> Draughtsman<'_, B> {
             let (own_along, along) = self.ride_directions(slide);
             self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
             self.transfer_by_pose(step, link);
+        }
+    }
+
+    /// A wheel at the end of a rod: its centre runs on the parallel to the line, or the circle, on which it
+    /// rolls.
+    fn rolling(
+        &mut self,
+        step: &GroupStep,
+        (rod, base): (LinkId, PointId),
+        wheel: LinkId,
+        centre: PointId,
+        roll: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("centre of a rolling wheel");
+        let main = [(rod, base)];
+        if self.prick_given(centre) {
+            self.act(Act::MarkPlaces);
+        } else {
+            let circle = self.circle(main[0], centre);
+            let track = self.centre_track(roll, wheel, centre);
+            let reason = self.reason(&[rod, wheel]);
+            let met = match track {
+                Track::Straight(line) => self.board.meet_line_circle(line, circle, reason),
+                Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
+            };
+            let pair = met.map_err(|_| DrawError::NoClosure { pin: centre, least: f64::INFINITY })?;
+            let radius = circle.radius.value() * self.scales.length;
+            self.act(Act::StrikeArc { centre: base, to: centre, radius });
+            self.take_hinted(&main, centre, pair)?;
+        }
+        self.transfer_points(step, &main, centre);
+        self.wheel(step, wheel, roll);
+        Ok(())
+    }
+
+    /// The track of a rolling wheel's centre: beside the line on the side where its hint lies, or about the
+    /// other centre.
+    fn centre_track(&mut self, roll: usize, wheel: LinkId, centre: PointId) -> Track<B> {
+        let scale = self.length_scale();
+        match self.mechanism.rolls[roll] {
+            Roll::Circles { links, centres, radii, internal } => {
+                let other = usize::from(links[0] == wheel);
+                let [a, b] = radii.map(|r| self.board.amount(r));
+                let radius = if internal {
+                    let difference = self.board.difference(a, b);
+                    self.board.magnitude(difference)
+                } else {
+                    self.board.sum(a, b)
+                };
+                let radius = self.board.to_paper(radius, scale);
+                Track::Arc(Circle { centre: self.at(centres[other]), radius })
+            }
+            Roll::Line { guide, radius, .. } => {
+                let line = self.line_of(&guide);
+                let origin = self.origin_of_space().map(|g| g.value);
+                let ([x, y], [dx, dy]) = (line.through.value(), line.along.value());
+                let left = self.mechanism.point(centre).place.hint().is_none_or(|hint| {
+                    let [hx, hy] = [0, 1].map(|k| (hint[k] - origin[k]) / self.scales.length);
+                    dx * (hy - y) - dy * (hx - x) >= 0.0
+                });
+                let radius = self.board.amount(radius);
+                let mm = self.board.to_paper(radius, scale);
+                let square = self.board.quarter_turn(line.along);
+                let outward = if left { square } else { self.board.reverse(square) };
+                Track::Straight(Line {
+                    through: self.board.lay_off(line.through, outward, mm),
+                    along: line.along,
+                })
+            }
         }
     }
 

@@ -291,14 +291,12 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         });
         if let Some(rival) = rival {
             // Name a point by which the two can be told apart.
-            let apart = roots[best].places.iter().zip(&roots[rival].places).max_by(|x, y| {
-                let d = |(a, b): (&(PointId, [f64; 2]), &(PointId, [f64; 2]))| {
-                    libm::hypot(a.1[0] - b.1[0], a.1[1] - b.1[1])
-                };
-                d(*x).total_cmp(&d(*y))
-            });
-            if let Some(((point, a), (_, b))) = apart {
-                return Err(DrawError::Ambiguous { pin: *point, first: world(*a), second: world(*b) });
+            let pairs = roots[best].places.iter().zip(&roots[rival].places);
+            let apart = pairs
+                .map(|(&(point, a), &(_, b))| (libm::hypot(a[0] - b[0], a[1] - b[1]), point, a, b))
+                .max_by(|x, y| x.0.total_cmp(&y.0));
+            if let Some((_, pin, a, b)) = apart {
+                return Err(DrawError::Ambiguous { pin, first: world(a), second: world(b) });
             }
         }
         Ok(roots.swap_remove(best))
@@ -391,28 +389,44 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let steps = trial_steps(&trial, step, self.mechanism);
         self.board.purpose("polygon by trial");
         let links: Vec<LinkId> = trial.groups.iter().flat_map(|g| g.links.clone()).collect();
+        // A first guess shows how large the rate will be; the trial that is kept has a round rate near it,
+        // so that the trial images lie near the true one.
+        self.silent = true;
+        let guess = self.trial_rate(order, &trial);
+        let rough = self.rate_by_trial(order, &trial, &steps, guess).value();
+        self.silent = false;
+        let assumed = round_near(rough).unwrap_or(guess);
         self.step(order, &links, Vec::new());
-        let unit = self.trial_rate(order, &trial);
-        self.act(Act::TryPolygon { driver: trial.driver, order, rate: unit });
+        self.act(Act::TryPolygon { driver: trial.driver, order, rate: assumed });
+        let rate = self.rate_by_trial(order, &trial, &steps, assumed);
+        self.act(Act::TrialRate { driver: trial.driver, order, rate: rate.value() });
+        self.polygon_at(order, &trial, &steps, rate);
+        self.close(order, &trial);
+    }
+
+    /// The trial driver's rate, by two trial polygons: at rest, and at an assumed rate.
+    fn rate_by_trial(&mut self, order: Order, trial: &Trial, steps: &[GroupStep], assumed: f64) -> Amount<B> {
         let mark = self.mark();
-        let rates = [0.0, unit].map(|rate| self.board.amount(Given::exact(rate)));
+        let rates = [0.0, assumed].map(|rate| self.board.amount(Given::exact(rate)));
+        let loud = !self.silent;
         let trials = rates.map(|rate| {
             self.silent = true;
-            self.polygon_at(order, &trial, &steps, rate);
-            self.silent = false;
+            self.polygon_at(order, trial, steps, rate);
+            self.silent = !loud;
             let seen = match trial.closing {
                 Closing::Rod { near: end, .. } | Closing::Slide { pin: end, .. } => {
                     (Some(self.image(order, end)), None)
                 }
                 Closing::Angle { link, .. } => (None, Some(self.rate(order, link))),
             };
-            self.rub_out(order, &trial, &mark);
+            self.rub_out(order, trial, &mark);
             seen
         });
+        let links: Vec<LinkId> = trial.groups.iter().flat_map(|g| g.links.clone()).collect();
         let reason = self.reason(&links);
-        let rate = match (trials, trial.closing) {
+        match (trials, trial.closing) {
             ([(Some(rest), _), (Some(turning), _)], Closing::Rod { .. } | Closing::Slide { .. }) => {
-                self.rate_by_images(order, &trial, [rest, turning], rates[1], reason)
+                self.rate_by_images(order, trial, [rest, turning], rates[1], reason)
             }
             ([(_, Some(rest)), (_, Some(turning))], Closing::Angle { input, .. }) => {
                 let given = self.given_rate(order, input);
@@ -422,10 +436,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 self.board.product(part, rates[1])
             }
             _ => rates[0],
-        };
-        self.act(Act::TrialRate { driver: trial.driver, order, rate: rate.value() });
-        self.polygon_at(order, &trial, &steps, rate);
-        self.close(order, &trial);
+        }
     }
 
     /// The rate by which the open end's image falls on the line of the open constraint.
@@ -438,13 +449,13 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         reason: crate::board::Reason,
     ) -> Amount<B> {
         let (unknown, end) = closing_unknown(trial.closing);
+        let loud = !self.silent;
         self.silent = true;
-        // The normal part of a closing rod needs its velocity, which the velocity polygon has left.
         let ray = match order {
             Order::Acceleration => self.closing_acceleration_line(unknown, end),
             _ => self.closing_line(unknown, end),
         };
-        self.silent = false;
+        self.silent = !loud;
         let (along, whole) = self.board.toward(rest, turning, reason);
         let meet = self.board.meet_lines(Line { through: rest, along }, ray, reason);
         for (index, at) in [rest, turning].into_iter().enumerate() {
@@ -498,6 +509,17 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             self.rates_of_blocks(order, &[block]);
         }
     }
+}
+
+/// A round number (1, 2, 5 × 10ⁿ) of the size of a value and of its sign.
+fn round_near(value: f64) -> Option<f64> {
+    if !value.is_normal() {
+        return None;
+    }
+    let power = libm::pow(10.0, libm::floor(libm::log10(value.abs())));
+    let part = value.abs() / power;
+    let round = [1.0, 2.0, 5.0, 10.0].into_iter().find(|r| part <= *r)?;
+    Some(round * power * value.signum())
 }
 
 fn closing_unknown(closing: Closing) -> (Unknown, PointId) {

@@ -62,6 +62,15 @@ pub(super) enum Unknown {
         /// The image of the rider is known and that of the guide's point is sought.
         back: bool,
     },
+    /// A wheel's centre runs along the body on which it rolls.
+    Roll {
+        /// Index of the rolling pair.
+        roll: usize,
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+    },
 }
 
 /// The image that a group's two routes lead to.
@@ -91,6 +100,10 @@ pub(super) fn routes_of(kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
             Target::Pin(pin),
             [Unknown::Turn { link: rod, base, to: pin }, Unknown::Slide { slide, back: false }],
         ),
+        GroupKind::Rolling { rod, base, wheel, centre, roll } => (
+            Target::Pin(centre),
+            [Unknown::Turn { link: rod, base, to: centre }, Unknown::Roll { roll, wheel, centre }],
+        ),
         GroupKind::Prp { pin, slides } => {
             (Target::Pin(pin), slides.map(|slide| Unknown::Slide { slide, back: false }))
         }
@@ -118,6 +131,7 @@ pub(super) fn main_base(kind: GroupKind, link: LinkId) -> Option<(PointId, Point
             links.iter().position(|&l| l == link).map(|index| (bases[index], pin))
         }
         GroupKind::Rrp { rod, base, pin, .. } if rod == link => Some((base, pin)),
+        GroupKind::Rolling { rod, base, centre, .. } if rod == link => Some((base, centre)),
         _ => None,
     }
 }
@@ -129,6 +143,10 @@ impl<B: Bench> Draughtsman<'_, B> {
             GroupKind::Driver { base, input } => self.velocity_of_driver(step, group.links[0], base, input),
             GroupKind::DrivenSlide { slide, input } => self.velocity_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.velocity_of_wheel(step, wheel, centre, roll),
+            GroupKind::Rolling { wheel, centre, roll, .. } => {
+                self.velocity_of_group(step, group);
+                self.velocity_of_wheel(step, wheel, centre, roll);
+            }
             GroupKind::Higher { trial } => self.polygon_by_trial(Order::Velocity, step, trial),
             _ => self.velocity_of_group(step, group),
         }
@@ -324,7 +342,10 @@ impl<B: Bench> Draughtsman<'_, B> {
             length: radius.value(),
             value: omega.value(),
         }));
-        for &(_, point) in &step.points {
+        for &(of, point) in &step.points {
+            if of != wheel {
+                continue;
+            }
             let image = self.velocity_about(wheel, centre, point);
             self.note_image(Order::Velocity, point, image);
             let label = self.label(point);
@@ -387,6 +408,55 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
+    /// The point about which a rolling wheel's centre moves, where the other body is a circle.
+    pub(super) fn other_centre(&self, roll: usize, wheel: LinkId) -> Option<PointId> {
+        match self.mechanism.rolls[roll] {
+            Roll::Circles { links, centres, .. } => Some(centres[usize::from(links[0] == wheel)]),
+            Roll::Line { .. } => None,
+        }
+    }
+
+    /// From the image of the other centre a line perpendicular to the line of centres; on a straight line
+    /// from the image of the point under the centre a line along it.
+    fn velocity_roll(&mut self, roll: usize, wheel: LinkId, centre: PointId) -> Route<B> {
+        let unknown = Unknown::Roll { roll, wheel, centre };
+        let body = self.rolled_on(roll, wheel);
+        if let Some(other) = self.other_centre(roll, wheel) {
+            let image = self.image(Order::Velocity, other);
+            let along = self.square_to(body, other, centre);
+            let claim = Claim::Perpendicular(Reference::Points(other, centre));
+            let from = (self.label(other), image);
+            return Route { from, ray: Line { through: image, along }, claim, unknown };
+        }
+        let image = self.image_under(Order::Velocity, centre, body);
+        let (along, claim) = self.rolling_direction(roll, wheel, centre);
+        let from = (self.label_under(centre, body), image);
+        Route { from, ray: Line { through: image, along }, claim, unknown }
+    }
+
+    /// Along the line on which a wheel rolls: square to its contact radius.
+    pub(super) fn rolling_direction(
+        &mut self,
+        roll: usize,
+        wheel: LinkId,
+        centre: PointId,
+    ) -> (crate::board::Direction<B>, Claim) {
+        let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+        let along = self.square_to(wheel, centre, contact);
+        (along, Claim::Perpendicular(Reference::Points(centre, contact)))
+    }
+
+    /// What the velocity of a rolling wheel's centre is called, seen from where its route begins.
+    fn rolling_velocity(&self, roll: usize, wheel: LinkId, centre: PointId) -> (Quantity, VectorKind) {
+        match self.other_centre(roll, wheel) {
+            Some(other) => (self.relative_velocity(centre, other), self.kind_of(other)),
+            None if self.rolled_on(roll, wheel) == LinkId::FRAME => {
+                (Quantity::Velocity(centre), VectorKind::Absolute)
+            }
+            None => (Quantity::Slip(centre, self.rolled_on(roll, wheel)), VectorKind::Sliding),
+        }
+    }
+
     /// Two lines of unknown length meet in the sought image.
     fn velocity_of_group(&mut self, step: &GroupStep, group: &Group) {
         let kind = group.kind;
@@ -399,6 +469,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let routes = unknowns.map(|unknown| match unknown {
             Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
             Unknown::Slide { slide, back } => self.velocity_slide(slide, back, pin),
+            Unknown::Roll { roll, wheel, centre } => self.velocity_roll(roll, wheel, centre),
         });
         let equation = self.velocity_equation(target, unknowns);
         self.equation(equation);
@@ -427,6 +498,18 @@ impl<B: Bench> Draughtsman<'_, B> {
                 Unknown::Slide { slide, back } => {
                     self.read_slip(route, target, (slide, back), (label, meet.at), along);
                 }
+                Unknown::Roll { roll, wheel, centre } => {
+                    let scale = self.polygon_scale(Order::Velocity);
+                    self.rolling_speeds[roll] = Some(self.board.read(along, scale));
+                    let (quantity, kind) = self.rolling_velocity(roll, wheel, centre);
+                    let vector = self.note_vector(
+                        Order::Velocity,
+                        (kind, quantity, Some(route.claim)),
+                        route.from,
+                        (label, meet.at),
+                    );
+                    self.act_read(Order::Velocity, vector);
+                }
             }
         }
         self.rates_by_riding(Order::Velocity, kind);
@@ -450,6 +533,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         match unknown {
             Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
             Unknown::Slide { slide, back } => self.velocity_slide(slide, back, end),
+            Unknown::Roll { roll, wheel, centre } => self.velocity_roll(roll, wheel, centre),
         }
     }
 
@@ -470,6 +554,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             Unknown::Slide { slide, back } => {
                 self.read_slip(&route, target, (slide, back), (label, image), along);
             }
+            Unknown::Roll { .. } => {}
         }
     }
 
@@ -685,6 +770,27 @@ impl<B: Bench> Draughtsman<'_, B> {
                     terms.push(unknown_term(quantity, claim));
                     terms
                 }
+                Unknown::Roll { roll, wheel, centre } => {
+                    let body = d.rolled_on(roll, wheel);
+                    let (quantity, _) = d.rolling_velocity(roll, wheel, centre);
+                    let mut terms = Vec::new();
+                    let claim = match d.other_centre(roll, wheel) {
+                        Some(other) => {
+                            if !d.mechanism.is_fixed(other) {
+                                terms.push(d.found_velocity(other));
+                            }
+                            Claim::Perpendicular(Reference::Points(other, centre))
+                        }
+                        None => {
+                            if body != LinkId::FRAME {
+                                terms.push(d.found_under(centre, body));
+                            }
+                            d.rolling_direction(roll, wheel, centre).1
+                        }
+                    };
+                    terms.push(unknown_term(quantity, claim));
+                    terms
+                }
                 Unknown::Slide { slide, back } => {
                     let guide = d.mechanism.slides[slide].guide.link;
                     let claim = Claim::Parallel(Reference::Guide(slide));
@@ -712,6 +818,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let from_frame = |d: &Self, unknown: Unknown| match unknown {
             Unknown::Turn { base, .. } => d.mechanism.is_fixed(base),
             Unknown::Slide { slide, .. } => d.mechanism.slides[slide].guide.link == LinkId::FRAME,
+            Unknown::Roll { roll, wheel, .. } => d.rolled_on(roll, wheel) == LinkId::FRAME,
         };
         let [a, b] = if from_frame(self, unknowns[1]) { [unknowns[1], unknowns[0]] } else { unknowns };
         Equation { left: route(self, a), right: route(self, b) }

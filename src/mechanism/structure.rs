@@ -141,6 +141,19 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
+    /// A rod and a wheel pinned to its end, which rolls on a solved body and is held against it.
+    Rolling {
+        /// The rod.
+        rod: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The wheel.
+        wheel: LinkId,
+        /// The wheel's centre, on the rod.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
     /// A link whose motion is assumed for a trial.
     TrialDriver {
         /// Its pin on a solved link.
@@ -208,6 +221,7 @@ impl fmt::Display for GroupKind {
             Self::Yoke { .. } => "PPR",
             Self::DrivenSlide { .. } => "driven slide",
             Self::Wheel { .. } => "wheel",
+            Self::Rolling { .. } => "rod with a rolling wheel",
             Self::TrialDriver { .. } => "trial driver",
             Self::Higher { .. } => "group of higher class",
             Self::Other => "group without a construction",
@@ -713,6 +727,7 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     let mut slides = Vec::new();
     let mut rolls = Vec::new();
     let mut tried = false;
+    let mut held = Vec::new();
     let mut outer = Vec::new();
     for joint in joints {
         match *joint {
@@ -724,7 +739,7 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             Joint::Input(index) => inputs.push(index),
             Joint::Trial(_) => tried = true,
             Joint::Roll(index) => rolls.push(index),
-            Joint::Contact(_) => return GroupKind::Other,
+            Joint::Contact(index) => held.push(index),
         }
     }
     if tried {
@@ -734,6 +749,20 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             }
             _ => GroupKind::Other,
         };
+    }
+    if let (&[roll], &[contact], &[a, b], &[centre], &[(rod, base)]) =
+        (rolls.as_slice(), held.as_slice(), rods.as_slice(), points, outer.as_slice())
+    {
+        let wheel = if a == rod { b } else { a };
+        let simple = roll == contact && slides.is_empty() && inputs.is_empty();
+        return if simple && turns_about(&mechanism.rolls[roll], wheel, centre) {
+            GroupKind::Rolling { rod, base, wheel, centre, roll }
+        } else {
+            GroupKind::Other
+        };
+    }
+    if !held.is_empty() {
+        return GroupKind::Other;
     }
     if let &[roll] = rolls.as_slice() {
         return match (rods.as_slice(), outer.as_slice(), slides.is_empty() && inputs.is_empty()) {

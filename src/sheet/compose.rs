@@ -179,12 +179,17 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
-            (polygon::draw(p, notation), "b", words.velocity_diagram, notation.scale(p.si_per_mm, p.order))
+            (
+                polygon::draw(p, &construction.steps, notation),
+                "b",
+                words.velocity_diagram,
+                notation.scale(p.si_per_mm, p.order),
+            )
         }
         Name::Acceleration => {
             let p = construction.acceleration.as_ref()?;
             (
-                polygon::draw(p, notation),
+                polygon::draw(p, &construction.steps, notation),
                 "c",
                 words.acceleration_diagram,
                 notation.scale(p.si_per_mm, p.order),
@@ -232,6 +237,18 @@ fn split(chunks: &[Vec<Strip>], height: f64) -> (usize, usize) {
     (first, fill(&chunks[first..]))
 }
 
+/// An equation's table in one line, with type a little smaller if need be, or else in two lines.
+fn terms_in(table: &Table, width: f64) -> Vec<Table> {
+    let fitted = table.clone().fitted(width);
+    if fitted.size > 0.84 * table.size {
+        return vec![fitted];
+    }
+    // The longest first line that fits; the second begins with a sign.
+    let signs = (2..table.columns.len()).step_by(2).rev();
+    let split = signs.map(|column| table.split(column)).find(|(first, _)| first.fits(width));
+    split.map_or(vec![fitted], |(first, second)| vec![first, second.fitted(width)])
+}
+
 /// The items of the steps as strips of this width.
 fn strips(items: &[Item], width: f64) -> Vec<Strip> {
     let mut all = Vec::new();
@@ -246,12 +263,15 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                 }
             }
             Item::Terms(table) => {
-                let table = table.clone().fitted(width);
-                let block = table.draw("terms", 0, table.rows.len());
-                let mut group = block.group;
-                group.translate(Vec2::new(0.0, 1.2));
-                let keep = matches!(items.get(i + 1), Some(Item::Sentence(_)));
-                all.push(Strip { group, height: block.height + 3.2, blank: 0.0, keep });
+                let tables = terms_in(table, width);
+                for (k, table) in tables.iter().enumerate() {
+                    let block = table.draw("terms", 0, table.rows.len());
+                    let mut group = block.group;
+                    group.translate(Vec2::new(0.0, 1.2));
+                    let keep = k + 1 < tables.len() || matches!(items.get(i + 1), Some(Item::Sentence(_)));
+                    let below = if k + 1 < tables.len() { 1.4 } else { 3.2 };
+                    all.push(Strip { group, height: block.height + below, blank: 0.0, keep });
+                }
             }
             Item::Sentence(text) => {
                 let lines = text.wrap(TEXT, width - 4.0);

@@ -6,6 +6,7 @@
 //! and nowhere else.
 
 mod compose;
+mod coriolis;
 pub mod figure;
 pub mod font;
 mod human;
@@ -19,6 +20,7 @@ mod results;
 mod rich;
 pub mod scale;
 mod skeleton;
+mod slots;
 mod steps;
 mod table;
 mod words;

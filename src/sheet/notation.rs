@@ -5,7 +5,7 @@ use super::rich::Rich;
 use super::words::Words;
 use crate::graphical::construction::{Claim, Label, Reference};
 use crate::mechanism::quantity::{Order, Quantity, Unit};
-use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
+use crate::mechanism::{GuidePoint, LinkId, Mechanism, Path, PointId, Rider};
 use crate::scene::{AngularAcceleration, Scene};
 use crate::sheet::font::Face;
 
@@ -87,6 +87,8 @@ impl<'a> Notation<'a> {
             Label::Foot { point, link, index } => (point, link, Some(index)),
         };
         let (letters, own) = split(self.point_name(point));
+        // A foot of a point that goes by its link's number carries it as well: a′₂,₁ beside a′₂.
+        let link = link.or_else(|| index.and_then(|_| self.home(point)));
         let indices: Vec<String> = [
             (!own.is_empty()).then(|| own.to_owned()),
             link.map(|l| self.number(l)),
@@ -117,7 +119,8 @@ impl<'a> Notation<'a> {
     #[must_use]
     pub fn symbol(&self, quantity: Quantity, arrow: bool) -> Rich {
         let letter = |l: &str| if arrow { Rich::vector(l) } else { Rich::italic(l) };
-        let of = |p: PointId| self.point_name(p).to_owned();
+        let of =
+            |p: PointId| self.home(p).map_or_else(|| self.point_name(p).to_owned(), |l| self.under(p, l));
         let two = |p, q| format!("{}{}", self.point_name(p), self.point_name(q));
         let numbers = |a, b| {
             let (a, b) = (self.number(a), self.number(b));
@@ -149,11 +152,65 @@ impl<'a> Notation<'a> {
             Quantity::CoincidentTangential(p, l) => n("t", self.under(p, l)),
             Quantity::ContactNormal(p, a, b) => n("n", format!("{}{}", self.under(p, a), self.under(p, b))),
             Quantity::Centre(a, b) => Rich::italic("I").sub(&numbers(a, b)),
-            Quantity::Rub(p, ..) => Rich::italic("V").sub(&format!("{},{}", self.words.rubbing_mark, of(p))),
+            Quantity::Rub(p, ..) => {
+                Rich::italic("V").sub(&format!("{},{}", self.words.rubbing_mark, self.point_name(p)))
+            }
             Quantity::Position(p) => self.point(p),
             Quantity::Angle(l) => Rich::italic("θ").sub(&self.number(l)),
             Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
         }
+    }
+
+    /// The symbol of a vector that starts at the image of a point: where the quantity names only the
+    /// observed point of a link, its reference is named as well (V of P3 against A).
+    #[must_use]
+    pub fn symbol_from(&self, quantity: Quantity, reference: Option<PointId>) -> Rich {
+        let reference = reference.filter(|r| !self.mechanism().is_fixed(*r));
+        let Some(reference) = reference else { return self.symbol(quantity, false) };
+        let (letter, sup, point, link) = match quantity {
+            Quantity::CoincidentVelocity(p, l) => ("V", "", p, l),
+            Quantity::CoincidentAcceleration(p, l) => ("A", "", p, l),
+            Quantity::CoincidentNormal(p, l) => ("A", "n", p, l),
+            Quantity::CoincidentTangential(p, l) => ("A", "t", p, l),
+            other => return self.symbol(other, false),
+        };
+        let sub = format!("{}{}", self.under(point, link), self.point_name(reference));
+        Rich::italic(letter).scripts(sup, Face::Upright, &sub)
+    }
+
+    /// The link by whose number a pin on a moving guide is told from the points under it: 2 of A₂, A₄.
+    #[must_use]
+    pub fn home(&self, point: PointId) -> Option<LinkId> {
+        let guides = || self.guides_under(point);
+        guides().next()?;
+        let links = &self.mechanism().points.get(point.0)?.links;
+        links.iter().copied().find(|l| *l != LinkId::FRAME && guides().all(|g| g != *l))
+    }
+
+    /// The moving links on whose guides a pin rides.
+    fn guides_under(&self, point: PointId) -> impl Iterator<Item = LinkId> {
+        let rides = move |rider| matches!(rider, Rider::Pin { point: p, .. } if p == point);
+        let slides = self.mechanism().slides.iter().filter(move |s| rides(s.rider));
+        slides.map(|s| s.guide.link).filter(|l| *l != LinkId::FRAME)
+    }
+
+    /// A pin on a moving guide with the numbers of all links that have a point there: A₂,A₃,A₄.
+    #[must_use]
+    pub fn coincident_names(&self, point: PointId) -> Option<Rich> {
+        let mut links: Vec<LinkId> = self.guides_under(point).collect();
+        if links.is_empty() {
+            return None;
+        }
+        links.extend(self.mechanism().points.get(point.0)?.links.iter().filter(|l| **l != LinkId::FRAME));
+        links.sort_by_key(|l| l.0);
+        links.dedup();
+        let (letters, own) = split(self.point_name(point));
+        let name = |l: &LinkId| {
+            let comma = if own.is_empty() { "" } else { "," };
+            Rich::italic(letters).sub(&format!("{own}{comma}{}", self.number(*l)))
+        };
+        let names: Vec<Rich> = links.iter().map(name).collect();
+        (names.len() <= 3).then(|| Rich::join(&names, &Rich::upright(",")))
     }
 
     /// A4: the point of link 4 under pin A.
@@ -267,6 +324,20 @@ impl<'a> Notation<'a> {
         }
     }
 
+    /// The line of a moving straight guide by two points on it, where it goes through one of its link.
+    fn guide_line(&self, slide: usize) -> Option<Rich> {
+        let slide = self.mechanism().slides.get(slide)?;
+        let Path::Straight { through: GuidePoint::Point(base), offset, .. } = slide.guide.path else {
+            return None;
+        };
+        let rider = match slide.rider {
+            Rider::Pin { point, .. } => point,
+            Rider::Link { link, .. } => *self.mechanism().links.get(link.0)?.points.first()?,
+        };
+        let told = slide.guide.link != LinkId::FRAME && offset.value == 0.0 && base != rider;
+        told.then(|| self.length(base, rider))
+    }
+
     /// ∥ AB, ⊥ O₄B.
     #[must_use]
     pub fn claim(&self, claim: Claim) -> Rich {
@@ -276,7 +347,7 @@ impl<'a> Notation<'a> {
         };
         let line = match reference {
             Reference::Points(a, b) => self.length(a, b),
-            Reference::Guide(slide) => self.guide(slide),
+            Reference::Guide(slide) => self.guide_line(slide).unwrap_or_else(|| self.guide(slide)),
         };
         Rich::upright(sign).then(&line)
     }

@@ -2,24 +2,27 @@
 
 use kurbo::{Point, Vec2};
 
+use super::coriolis;
 use super::figure::{Group, Mark, Pen, Shape, Tone};
 use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, hull, page, right_angle};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::rich::Rich;
-use crate::graphical::construction::{ConstructionLine, Image, Label, Polygon, Vector, VectorKind};
+use crate::graphical::construction::{ConstructionLine, Image, Label, Polygon, Step, Vector, VectorKind};
 use crate::mechanism::quantity::Order;
 
 /// Images closer than this on paper are one dot and share a label.
 const COINCIDENT: f64 = 0.05;
 /// Vectors shorter than this have no room for their name beside them; the steps name them.
 const SHORTEST_NAMED: f64 = 4.0;
+/// Closer to a line than this a vector lies on it.
+const LIES_ON: f64 = 0.25;
 /// How far a line of unknown length runs past the intersection that ends its use.
 const PAST: f64 = 4.0;
 
-/// The polygon with its pole at the origin of the group.
+/// The polygon with its pole at the origin of the group; `steps` tell the senses of rotation.
 #[must_use]
-pub fn draw(polygon: &Polygon, notation: &Notation<'_>) -> Group {
+pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>) -> Group {
     let (class, figure_name) = match polygon.order {
         Order::Acceleration => ("acceleration polygon", notation.words.acceleration_diagram),
         _ => ("velocity polygon", notation.words.velocity_diagram),
@@ -46,6 +49,9 @@ pub fn draw(polygon: &Polygon, notation: &Notation<'_>) -> Group {
     let requests = labels(polygon, notation);
     let labels = place(&group, &requests, None);
     group.group(labels);
+    if polygon.order == Order::Acceleration {
+        coriolis::add_insets(&mut group, polygon, steps, notation);
+    }
     group
 }
 
@@ -198,27 +204,89 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
         requests.push(request);
     }
     // A vector that is its own normal part is drawn twice and named once: A = Aⁿ.
-    let mut named: Vec<(Point, Point, Vec<Rich>)> = Vec::new();
-    for vector in &polygon.vectors {
+    let mut named: Vec<Named> = Vec::new();
+    let whole = |v: &&Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
+    let vectors = &polygon.vectors;
+    for vector in vectors.iter().filter(whole).chain(vectors.iter().filter(|v| !whole(v))) {
         let (from, to) = (page(vector.from), page(vector.to));
-        let name = notation.symbol(vector.quantity, false);
+        let name = vector_name(vector, polygon, notation);
         if from.distance(to) < SHORTEST_NAMED {
             continue;
         }
-        let same = |p: &Point, q: &Point| p.distance(from) < COINCIDENT && q.distance(to) < COINCIDENT;
-        match named.iter_mut().find(|(p, q, _)| same(p, q)) {
-            Some((.., names)) if names.contains(&name) => {}
-            Some((.., names)) => names.push(name),
-            None => named.push((from, to, vec![name])),
+        let same = |n: &Named| n.from.distance(from) < COINCIDENT && n.to.distance(to) < COINCIDENT;
+        match named.iter_mut().find(|n| same(n)) {
+            Some(own) if own.names.contains(&name) => {}
+            Some(own) => own.names.push(name),
+            None => named.push(Named { from, to, names: vec![name] }),
         }
     }
-    for (from, to, names) in named {
-        let text = Rich::join(&names, &Rich::upright("\u{a0}=\u{a0}"));
-        let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
+    for own in &named {
+        let text = Rich::join(&own.names, &Rich::upright("\u{a0}=\u{a0}"));
+        let site = |(from, to)| Site::Along { from, to };
+        let mut sites = own.free_pieces(&named).into_iter().map(site);
+        let first = sites.next().unwrap_or(site((own.from, own.to)));
+        let mut request = Request::new(text, SMALL, first, "label vector-name");
+        request.sites.extend(sites);
         request.optional = true;
         requests.push(request);
     }
     requests
+}
+
+/// A stroke with the names of the vectors that lie on it.
+struct Named {
+    from: Point,
+    to: Point,
+    names: Vec<Rich>,
+}
+
+impl Named {
+    /// The pieces of the stroke beside which no shorter one lies, the longest first, then the whole: two
+    /// vectors on one line are named where each is alone.
+    fn free_pieces(&self, all: &[Self]) -> Vec<(Point, Point)> {
+        let d = self.to - self.from;
+        let length = d.hypot();
+        let along = d / length;
+        let off = |p: Point| (p - self.from).cross(along).abs();
+        let mut covered: Vec<(f64, f64)> = all
+            .iter()
+            .filter(|o| off(o.from) < LIES_ON && off(o.to) < LIES_ON)
+            .filter(|o| o.from.distance(o.to) < length - LIES_ON)
+            .map(|o| [o.from, o.to].map(|p| ((p - self.from).dot(along) / length).clamp(0.0, 1.0)))
+            .map(|[a, b]| (a.min(b), a.max(b)))
+            .collect();
+        covered.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut free: Vec<(f64, f64)> = Vec::new();
+        let mut at = 0.0;
+        for (a, b) in covered.into_iter().chain([(1.0, 1.0)]) {
+            if (a - at) * length >= SHORTEST_NAMED {
+                free.push((at, a));
+            }
+            at = f64::max(at, b);
+        }
+        free.sort_by(|a, b| (b.1 - b.0).total_cmp(&(a.1 - a.0)));
+        if free != [(0.0, 1.0)] {
+            free.push((0.0, 1.0));
+        }
+        free.into_iter().map(|(a, b)| (self.from.lerp(self.to, a), self.from.lerp(self.to, b))).collect()
+    }
+}
+
+/// The symbol of a drawn vector, by the image that it starts from.
+#[must_use]
+pub fn vector_name(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>) -> Rich {
+    let at = |v: &Vector| (page(v.from), page(v.to));
+    // A tangential part starts where its normal part ends.
+    let normal = polygon.vectors.iter().find(|n| {
+        n.kind == VectorKind::Normal && n.head == vector.tail && at(n).1.distance(at(vector).0) < COINCIDENT
+    });
+    let reference = match (vector.tail, normal.map(|n| n.tail)) {
+        (Label::Image { point, .. }, _) | (Label::Foot { .. }, Some(Label::Image { point, .. })) => {
+            Some(point)
+        }
+        _ => None,
+    };
+    notation.symbol_from(vector.quantity, reference)
 }
 
 /// The direction away from all lines that end in a point: there its name is out of the way.

@@ -106,13 +106,14 @@ impl<'a> Pose<'a> {
         let world_like =
             link == LinkId::FRAME || matches!(self.mechanism.links.get(link.0)?.form, Form::Placed);
         if world_like {
-            // Own coordinates are the world's: any exact point that is drawn tells the origin.
+            // Own coordinates are the world's: any exact point that is drawn tells the origin. Without
+            // one the world's origin is the drawing's.
             let known = self.mechanism.points.iter().enumerate().find_map(|(i, p)| {
                 let exact = p.place.exact()?;
                 Some((self.place(PointId(i))?, exact))
-            })?;
-            let (at, exact) = known;
-            let origin = at - Vec2::new(exact[0].value, -exact[1].value) * scale;
+            });
+            let origin = known
+                .map_or(Point::ORIGIN, |(at, exact)| at - Vec2::new(exact[0].value, -exact[1].value) * scale);
             return Some(Frame { origin, x: Vec2::new(scale, 0.0) });
         }
         let own = self.own(link)?;
@@ -157,6 +158,18 @@ impl<'a> Pose<'a> {
             {
                 let d = rider - joint;
                 return Some(libm::atan2(-d.y, d.x) - angle.value - turned.value);
+            }
+            // A swivelling guide lies along the link that slides in it.
+            if slide.guide.link == link
+                && let Rider::Link { link: rod, turned } = slide.rider
+                && rod != link
+                && self.places(rod).len() > 1
+                && let Path::Straight { direction: Direction::Angle(angle), turned: own, .. } =
+                    slide.guide.path
+                && let Some(frame) = self.frame(rod, depth + 1)
+            {
+                let x = libm::atan2(-frame.x.y, frame.x.x);
+                return Some(x - turned.map_or(0.0, |t| t.value) - angle.value - own.value);
             }
             if let Rider::Link { link: l, turned } = slide.rider
                 && l == link

@@ -1,6 +1,7 @@
 //! Round scales: 1, 2, 2.5, 5 × 10ⁿ.
 
 use crate::graphical::{Extents, Scales};
+use crate::mechanism::{Mechanism, PointId, Roll};
 use crate::scene::Scene;
 
 /// The round steps within a decade.
@@ -22,7 +23,7 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
     let time = scene.units.time.si;
     let units = [length / time, length / (time * time)];
     let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units);
-    let [w, h] = extents.space;
+    let [w, h] = with_wheels(&scene.mechanism, extents.space);
     let upright = choose_length(w, h, SKELETON);
     let long = choose_length(w, h, LONG_SKELETON);
     let skeleton = upright.zip(long).map(|(a, b)| a.min(b));
@@ -32,6 +33,40 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
         velocity: stated.velocity_scale.or(velocity).unwrap_or(units[0]),
         acceleration: stated.acceleration_scale.or(acceleration).unwrap_or(units[1]),
     }
+}
+
+/// Width and height of the skeleton with its pitch circles, never too small: by how much the circles about
+/// exactly placed centres exceed the exactly placed points, the skeleton is larger at most.
+fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2]) -> [f64; 2] {
+    let place = |p: PointId| mechanism.points.get(p.0)?.place.exact().map(|at| at.map(|x| x.value));
+    let mut wheels: Vec<([f64; 2], f64)> = Vec::new();
+    let mut loose = 0.0_f64;
+    for roll in &mechanism.rolls {
+        let circles = match roll {
+            Roll::Circles { centres, radii, internal, .. } => {
+                let ring = usize::from(radii[0].value < radii[1].value);
+                let all = [0, 1].map(|i| (centres[i], radii[i].value));
+                // What rolls inside a ring adds nothing to it.
+                if *internal { vec![all[ring]] } else { all.to_vec() }
+            }
+            Roll::Line { centre, radius, .. } => vec![(*centre, radius.value)],
+        };
+        for (centre, radius) in circles {
+            match place(centre) {
+                Some(at) => wheels.push((at, radius)),
+                None => loose = loose.max(radius),
+            }
+        }
+    }
+    let points: Vec<[f64; 2]> = (0..mechanism.points.len()).filter_map(|i| place(PointId(i))).collect();
+    let grown = |axis: usize, size: f64| {
+        let least = points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
+        let most = points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
+        let below = wheels.iter().map(|(at, r)| least - (at[axis] - r)).fold(0.0, f64::max);
+        let above = wheels.iter().map(|(at, r)| at[axis] + r - most).fold(0.0, f64::max);
+        size + below + above + loose
+    };
+    [grown(0, w), grown(1, h)]
 }
 
 /// Scales of both polygons: each fits into its half of a row, and a narrow one leaves its room to the

@@ -8,10 +8,10 @@ use super::figure::{Group, Mark, Pen, Shape, Tone, on_circle};
 use super::human;
 use super::ink::{
     FINE, HEAD, LABEL, SMALL, THICK, THIN, arc_arrow, dot, hatch_below, hatch_inside, head, hull, page,
-    turned_rect,
 };
 use super::labels::{Obstacles, Request, Site, place};
 use super::notation::Notation;
+use super::overlap::overlaps_in;
 use super::polygon::short_arc;
 use super::pose::{GuideLine, Pose};
 use super::rich::Rich;
@@ -20,13 +20,13 @@ use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll};
 
 /// Radius of a pin's circle.
-const PIN: f64 = 1.1;
+pub(super) const PIN: f64 = 1.1;
 /// Half length and half width of a slider.
-const BLOCK: (f64, f64) = (4.4, 2.5);
+pub(super) const BLOCK: (f64, f64) = (4.4, 2.5);
 /// Half length and half width of a block in a slot.
-const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
+pub(super) const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
 /// How far a guide reaches beyond its rider.
-const GUIDE: f64 = 13.0;
+pub(super) const GUIDE: f64 = 13.0;
 
 /// The skeleton with the first fixed point at the origin of the group.
 #[must_use]
@@ -43,12 +43,15 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
         pose: Pose::new(notation.mechanism(), space),
         bars: Vec::new(),
         labels: Vec::new(),
+        fuller: Vec::new(),
     };
     artist.bars = artist.all_bars();
     group.group(artist.ground());
-    // Blocks cover their slots, and the bar of a rod runs on to the pin inside its block.
+    // A slotted link lies over the frame and its sliders, blocks cover their slots, and the bar of a rod
+    // runs on to the pin inside its block.
+    group.group(artist.slides(true));
     group.group(artist.slots());
-    group.group(artist.slides());
+    group.group(artist.slides(false));
     group.group(artist.links());
     group.group(artist.rolls());
     group.group(artist.construction_lines());
@@ -56,22 +59,24 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
     group.group(artist.crank_angles());
     artist.rotations(&mut group);
     artist.number_links();
-    let labels = place(&group, &artist.labels, None);
+    let labels = artist.placed_labels(&group);
     group.group(labels);
     group
 }
 
-struct Artist<'a> {
-    construction: &'a Construction,
-    notation: Notation<'a>,
-    pose: Pose<'a>,
+pub(super) struct Artist<'a> {
+    pub(super) construction: &'a Construction,
+    pub(super) notation: Notation<'a>,
+    pub(super) pose: Pose<'a>,
     /// The straight strokes of all links, for keeping symbols away from them.
-    bars: Vec<(LinkId, Point, Point)>,
-    labels: Vec<Request>,
+    pub(super) bars: Vec<(LinkId, Point, Point)>,
+    pub(super) labels: Vec<Request>,
+    /// Fuller texts for some of the labels, by index: taken where all of them find room.
+    fuller: Vec<(usize, Rich)>,
 }
 
 /// How the points of a link lie.
-enum Body {
+pub(super) enum Body {
     /// Nothing, or one point.
     Point,
     /// All on one line: its two extreme points, and those between.
@@ -81,8 +86,29 @@ enum Body {
 }
 
 impl Artist<'_> {
-    fn body(&self, link: LinkId) -> Body {
-        let places: Vec<Point> = self.pose.places(link).into_iter().map(|(_, p)| p).collect();
+    /// The labels with the fuller texts where they stand clear of everything, else with the shorter ones.
+    fn placed_labels(&self, group: &Group) -> Group {
+        if !self.fuller.is_empty() {
+            let mut requests = self.labels.clone();
+            for (i, text) in &self.fuller {
+                requests[*i].text = text.clone();
+                requests[*i].leader = false;
+            }
+            let labels = place(group, &requests, None);
+            let mut both = group.clone();
+            both.group(labels.clone());
+            if overlaps_in(&both, None).is_empty() {
+                return labels;
+            }
+        }
+        place(group, &self.labels, None)
+    }
+
+    pub(super) fn body(&self, link: LinkId) -> Body {
+        // The centre of a curved slot is a mark on the paper, not a joint of the link.
+        let of_slot = self.slot_centres(link);
+        let places = self.pose.places(link).into_iter().filter(|(p, _)| !of_slot.contains(p));
+        let places: Vec<Point> = places.map(|(_, p)| p).collect();
         let mut widest: Option<(Point, Point)> = None;
         for (i, a) in places.iter().enumerate() {
             for b in &places[i + 1..] {
@@ -113,6 +139,15 @@ impl Artist<'_> {
                     let next = corners.iter().cycle().skip(1);
                     bars.extend(corners.iter().zip(next).map(|(a, b)| (link, *a, *b)));
                 }
+            }
+        }
+        for slot in self.all_slots(&bars) {
+            if let Some((a, b)) = slot.arm {
+                bars.push((slot.link, a, b));
+            }
+            if matches!(self.body(slot.link), Body::Point) {
+                let (a, b) = slot.ends;
+                bars.push((slot.link, a, b));
             }
         }
         bars
@@ -321,129 +356,29 @@ impl Artist<'_> {
         own.mark(Mark::stroke(arc, Pen::solid(THICK)).class("continuity"));
     }
 
-    /// Whether a slot runs along a link's own line: then it stands for the bar.
-    fn is_slotted(&self, link: LinkId) -> bool {
-        self.notation.mechanism().slides.iter().filter(|s| s.guide.link == link).any(|slide| {
-            let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) else { return false };
-            let places = self.pose.places(link);
-            places.iter().filter(|(_, p)| (*p - at).cross(along).abs() < THIN).count() >= 2
-        })
-    }
-
-    /// The slots in moving links: two parallel lines, closed at their ends.
-    fn slots(&self) -> Group {
-        let mut all = Group::new("slots");
-        let slides = self.notation.mechanism().slides.iter().enumerate();
-        for (index, slide) in slides.filter(|(_, s)| s.guide.link != LinkId::FRAME) {
-            let link = slide.guide.link;
-            let mut own = Group::new("link slot")
-                .data("link", self.notation.number(link))
-                .data("guide", self.notation.guide_data(index));
-            match self.pose.guide(slide) {
-                Some(GuideLine::Straight { at, along }) => {
-                    let mut reach = (-8.0_f64, 8.0_f64);
-                    for (_, p) in self.pose.places(link) {
-                        if (p - at).cross(along).abs() < THIN {
-                            let position = (p - at).dot(along);
-                            // The slot ends around its joints, not on them.
-                            let end = PIN + 0.9;
-                            reach = (reach.0.min(position - end), reach.1.max(position + end));
-                        }
-                    }
-                    let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
-                    let (a, b) = (at + along * reach.0, at + along * reach.1);
-                    let outline = Shape::Polygon(vec![a + across, b + across, b - across, a - across]);
-                    own.mark(Mark::stroke(outline, Pen::solid(THICK)).precise());
-                }
-                Some(GuideLine::Arc { at, centre }) => {
-                    let radius = at.distance(centre);
-                    let d = at - centre;
-                    let middle = libm::atan2(-d.y, d.x);
-                    let half = (GUIDE / radius.max(1.0)).min(1.2);
-                    for offset in [-SLOT_BLOCK.1, SLOT_BLOCK.1] {
-                        let radius = (radius + offset).max(0.1);
-                        let shape = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
-                        own.mark(Mark::stroke(shape, Pen::solid(THICK)).precise());
-                    }
-                    let ends = [middle - half, middle + half].map(|a| {
-                        let end = |offset: f64| on_circle(centre, (radius + offset).max(0.1), a);
-                        own.mark(Mark::stroke(
-                            Shape::Line(end(-SLOT_BLOCK.1), end(SLOT_BLOCK.1)),
-                            Pen::solid(THICK),
-                        ));
-                        on_circle(centre, radius, a)
-                    });
-                    // The slot is of one piece with its link: an arm runs to the link's first joint.
-                    if let Some((_, joint)) = self.pose.places(link).first()
-                        && let Some(near) =
-                            ends.iter().min_by(|a, b| a.distance(*joint).total_cmp(&b.distance(*joint)))
-                        && near.distance(*joint) > SLOT_BLOCK.1
-                    {
-                        let arm = Shape::Line(*joint, *near);
-                        own.mark(Mark::stroke(arm, Pen::solid(THICK)).class("arm"));
-                    }
-                }
-                None => continue,
-            }
-            all.group(own);
-        }
-        all
-    }
-
-    fn slides(&mut self) -> Group {
-        let mut all = Group::new("sliders");
-        for slide in &self.notation.mechanism().slides {
-            let block = match slide.rider {
-                Rider::Pin { block: Some(block), .. } => Some(block),
-                Rider::Pin { block: None, .. } => None,
-                Rider::Link { link, .. } => Some(link),
-            };
-            let (at, along) = match self.pose.guide(slide) {
-                Some(GuideLine::Straight { at, along }) => (at, along),
-                Some(GuideLine::Arc { at, centre }) if at.distance(centre) > 0.0 => {
-                    let out = (at - centre).normalize();
-                    (at, Vec2::new(-out.y, out.x))
-                }
-                _ => continue,
-            };
-            let Some(block) = block else { continue };
-            let size = if slide.guide.link == LinkId::FRAME { BLOCK } else { SLOT_BLOCK };
-            let number = self.notation.number(block);
-            let mut own = Group::new("link slider").data("link", number.clone());
-            let corners = turned_rect(at, along, size.0, size.1);
-            own.mark(Mark::outlined(Shape::Polygon(corners.clone()), Pen::solid(THICK * 0.8), Tone::Paper));
-            // A rider that is a link of its own is welded to its block.
-            if matches!(slide.rider, Rider::Link { .. }) {
-                own.mark(dot(at, 0.6));
-            }
-            all.group(own);
-            if !matches!(slide.rider, Rider::Link { .. }) {
-                let radius = libm::hypot(size.0, size.1) * 0.8;
-                let site = Site::Around { at, radius, toward: None };
-                self.labels.push(ringed(&number, site));
-            }
-        }
-        all
-    }
-
     fn rolls(&mut self) -> Group {
         let mut all = Group::new("pitch-circles");
         for roll in &self.notation.mechanism().rolls {
             match roll {
-                Roll::Circles { centres, radii, internal, .. } => {
+                Roll::Circles { links, centres, radii, internal } => {
                     let places = centres.map(|c| self.pose.place(c));
-                    for (centre, radius) in places.iter().zip(radii) {
-                        if let Some(centre) = centre {
-                            all.mark(pitch_circle(*centre, self.pose.paper(radius.value)));
+                    let sizes = radii.map(|r| self.pose.paper(r.value));
+                    let ring = *internal && radii[0].value > radii[1].value;
+                    let rings = [ring, *internal && !ring];
+                    for i in 0..2 {
+                        let Some(centre) = places[i] else { continue };
+                        all.mark(pitch_circle(centre, sizes[i]));
+                        if links[i] == LinkId::FRAME {
+                            all.group(self.fixed_rim(centre, sizes[i], rings[i]));
                         }
                     }
                     if let [Some(a), Some(b)] = places
                         && a.distance(b) > 0.0
                     {
-                        let r = self.pose.paper(radii[0].value);
                         // Inside a ring the contact is beyond the smaller wheel's centre.
-                        let outward = if *internal && radii[0].value < radii[1].value { -1.0 } else { 1.0 };
-                        all.mark(dot(a + (b - a).normalize() * (r * outward), 0.6).class("tangency"));
+                        let outward = if rings[1] { -1.0 } else { 1.0 };
+                        let centres = (b - a).normalize();
+                        tangency(&mut all, a + centres * (sizes[0] * outward), centres);
                     }
                 }
                 Roll::Line { guide, centre, radius, .. } => {
@@ -465,6 +400,34 @@ impl Artist<'_> {
             }
         }
         all
+    }
+
+    /// A piece of a fixed wheel's rim, hatched on the wheel's side, where least stands in the way.
+    fn fixed_rim(&mut self, centre: Point, radius: f64, ring: bool) -> Group {
+        let mut own = Group::new("rim");
+        let half = (0.8 * GUIDE / radius.max(1.0)).min(0.8);
+        let free = |middle: &f64| {
+            let at = on_circle(centre, radius, *middle);
+            let near = |(_, a, b): &(LinkId, Point, Point)| nearest(*a, *b, at).distance(at);
+            self.bars.iter().map(near).fold(f64::INFINITY, f64::min).min(12.0)
+        };
+        // Below, else to the sides.
+        let ways = [-0.5, 0.75, 0.25, -0.75, -0.25].map(|turn| turn * std::f64::consts::PI);
+        let middle = ways.into_iter().reduce(|a, b| if free(&b) > free(&a) + 1e-6 { b } else { a });
+        let middle = middle.unwrap_or_default();
+        let rim = Shape::Arc { centre, radius, start: middle - half, sweep: 2.0 * half };
+        own.mark(Mark::stroke(rim, Pen::solid(THICK)));
+        let depth = if ring { 1.5 } else { -1.5 };
+        let strokes = (2.0 * half * radius / 1.5).floor().max(2.0);
+        for i in 0..strokes as usize {
+            let angle = middle - half + (i as f64 + 0.5) * (2.0 * half / strokes);
+            let from = on_circle(centre, radius, angle);
+            let to = on_circle(centre, radius + depth, angle - 1.5 / radius.max(1.5));
+            own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("hatch"));
+        }
+        let way = (on_circle(centre, 1.0, middle) - centre) * depth.signum();
+        self.frame_number(on_circle(centre, radius + depth, middle), 0.4, way);
+        own
     }
 
     fn joints(&mut self) -> Group {
@@ -493,6 +456,9 @@ impl Artist<'_> {
             let site = Site::Around { at, radius: radius + 0.2, toward: self.outward(at) };
             let mut request = Request::new(self.notation.point(id), LABEL, site, "label point-name");
             request.leader = true;
+            if let Some(all) = self.notation.coincident_names(id) {
+                self.fuller.push((self.labels.len(), all));
+            }
             self.labels.push(request);
         }
         all
@@ -639,9 +605,11 @@ impl Artist<'_> {
 
     fn arcs(&self, link: LinkId, second: bool) -> Vec<(Turn, f64)> {
         let mut all = Vec::new();
-        let Some((_, a, b)) = self.bars.iter().find(|(l, ..)| *l == link).copied() else { return all };
         let places = self.pose.places(link);
+        let bar = self.bars.iter().find(|(l, ..)| *l == link).copied();
+        // A wheel without arms turns about its only joint.
         let pivot = places.iter().find(|(p, _)| self.notation.mechanism().is_fixed(*p));
+        let pivot = pivot.or(if bar.is_none() { places.first() } else { None });
         if let Some((_, centre)) = pivot {
             for (i, radius) in [6.5, 8.0, 9.5, 11.5, 14.0].into_iter().enumerate() {
                 for k in 0..36 {
@@ -661,6 +629,7 @@ impl Artist<'_> {
             }
             return all;
         }
+        let Some((_, a, b)) = bar else { return all };
         let along = (b - a).normalize();
         let normal = libm::atan2(-along.x, -along.y);
         for (i, t) in [0.35, 0.65, 0.25, 0.75, 0.5].into_iter().enumerate() {
@@ -695,6 +664,13 @@ impl Artist<'_> {
                     }
                     requests.push(request);
                 }
+                // A sleeve has its number already.
+                None if self
+                    .notation
+                    .mechanism()
+                    .slides
+                    .iter()
+                    .any(|s| s.guide.link == link && self.is_sleeve(s)) => {}
                 None if !blocked => {
                     if let Some((_, at)) = self.pose.places(link).first() {
                         let slides = &self.notation.mechanism().slides;
@@ -737,7 +713,7 @@ struct Turn {
     half: f64,
 }
 
-fn ringed(number: &str, site: Site) -> Request {
+pub(super) fn ringed(number: &str, site: Site) -> Request {
     let mut request = Request::new(Rich::upright(number), SMALL * 0.95, site, "label link-number");
     request.ring = Some(if number.len() > 1 { 2.6 } else { 2.1 });
     request.leader = true;
@@ -746,6 +722,14 @@ fn ringed(number: &str, site: Site) -> Request {
 
 fn pitch_circle(centre: Point, radius: f64) -> Mark {
     Mark::stroke(Shape::Circle { centre, radius }, Pen::chain(THIN)).class("pitch-circle").precise()
+}
+
+/// The contact of two wheels: a dot on a piece of the common tangent.
+fn tangency(group: &mut Group, at: Point, centres: Vec2) {
+    let along = Vec2::new(-centres.y, centres.x) * 2.6;
+    let tangent = Shape::Line(at - along, at + along);
+    group.mark(Mark::stroke(tangent, Pen::solid(THIN)).class("tangency"));
+    group.mark(dot(at, 0.6).class("tangency"));
 }
 
 fn fixed_arc(at: Point, centre: Point) -> Group {
@@ -767,7 +751,7 @@ fn fixed_arc(at: Point, centre: Point) -> Group {
     own
 }
 
-fn nearest(a: Point, b: Point, p: Point) -> Point {
+pub(super) fn nearest(a: Point, b: Point, p: Point) -> Point {
     let d = b - a;
     let t = ((p - a).dot(d) / d.hypot2().max(1e-12)).clamp(0.0, 1.0);
     a.lerp(b, t)

@@ -2,6 +2,7 @@
 
 use super::human;
 use super::notation::Notation;
+use super::polygon::vector_name;
 use super::rich::Rich;
 use super::table::{Align, Table};
 use crate::graphical::construction::{
@@ -31,6 +32,7 @@ pub enum Item {
 pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
     let mut all = Vec::new();
     let mut rubbing = false;
+    let mut measured: Vec<[PointId; 2]> = Vec::new();
     for (i, step) in construction.steps.iter().enumerate() {
         let teller = Teller { construction, notation, step };
         // Rubbing speeds of several pins stand under one head.
@@ -46,6 +48,13 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
             all.push(Item::Terms(teller.terms(equation)));
         }
         for act in &step.acts {
+            // What was measured once is known.
+            if let Act::MeasureLength { from, to, .. } = act {
+                if measured.contains(&[*from, *to]) {
+                    continue;
+                }
+                measured.push([*from, *to]);
+            }
             all.extend(teller.act(act).map(Item::Sentence));
         }
     }
@@ -97,7 +106,10 @@ impl Teller<'_> {
         };
         let sides = [&equation.left, &equation.right];
         for (side, terms) in sides.into_iter().enumerate() {
-            for (i, term) in terms.iter().enumerate() {
+            // Coriolis is drawn early and written last.
+            let coriolis = |t: &&Term| matches!(t.quantity, Quantity::Coriolis(..));
+            let written = terms.iter().filter(|t| !coriolis(t)).chain(terms.iter().filter(coriolis));
+            for (i, term) in written.enumerate() {
                 if i > 0 || side > 0 {
                     table.columns.push(Align::Middle);
                     table.head.push(Rich::upright(if i > 0 { "+" } else { "=" }));
@@ -137,6 +149,14 @@ impl Teller<'_> {
 
     fn vector(&self, index: usize) -> Option<&Vector> {
         self.polygon()?.vectors.get(index)
+    }
+
+    /// The symbol of a drawn vector.
+    fn name(&self, vector: &Vector) -> Rich {
+        match self.polygon() {
+            Some(polygon) => vector_name(vector, polygon, self.notation),
+            None => self.notation.symbol(vector.quantity, false),
+        }
     }
 
     /// The sentence of an act; none where it refers to what is not there.
@@ -234,7 +254,7 @@ impl Teller<'_> {
             Act::LayOffVector { vector, mm, .. } => {
                 let vector = self.vector(*vector)?;
                 let parts = [
-                    ("vector", n.symbol(vector.quantity, false)),
+                    ("vector", self.name(vector)),
                     ("image", n.image_line(vector.tail, vector.head, order)),
                     ("mm", human::millimetres(*mm)),
                     ("tail", image(vector.tail)),
@@ -283,7 +303,7 @@ impl Teller<'_> {
                 Rich::fill(
                     words.read_vector,
                     &[
-                        ("vector", n.symbol(vector.quantity, false)),
+                        ("vector", self.name(vector)),
                         ("image", n.image_line(vector.tail, vector.head, order)),
                         ("reading", reading),
                     ],
@@ -329,6 +349,20 @@ impl Teller<'_> {
         }
     }
 
+    /// Which ω Coriolis takes, and which way it points.
+    fn coriolis_rule(&self, link: LinkId, slip: Quantity, omega: f64) -> Rich {
+        let n = self.notation;
+        Rich::fill(
+            n.words.coriolis_rule,
+            &[
+                ("omega", n.symbol(Quantity::Omega(link), false)),
+                ("link", Rich::upright(n.number(link))),
+                ("slip", n.symbol(slip, false)),
+                ("sense", Rich::upright(n.sense(omega))),
+            ],
+        )
+    }
+
     fn warned(&self, sentence: Rich, crossing: f64) -> Rich {
         if crossing.to_degrees() >= FLAT {
             return sentence;
@@ -349,7 +383,7 @@ impl Teller<'_> {
         let over = "\u{a0}/\u{a0}";
         let text = match calculation {
             Calculation::Speed { quantity, link, ends, omega, length: l, value } => n
-                .symbol(*quantity, false)
+                .symbol_from(*quantity, Some(ends[0]))
                 .up(equals)
                 .then(&n.symbol(Quantity::Omega(*link), false))
                 .up(times)
@@ -363,7 +397,7 @@ impl Teller<'_> {
             Calculation::Omega { link, quantity, ends, speed, length: l, value } => n
                 .symbol(Quantity::Omega(*link), false)
                 .up(equals)
-                .then(&n.symbol(*quantity, false))
+                .then(&n.symbol_from(*quantity, Some(ends[0])))
                 .up(over)
                 .then(&n.length(ends[0], ends[1]))
                 .up(equals)
@@ -373,9 +407,9 @@ impl Teller<'_> {
                 .up(equals)
                 .then(&n.rotation(*value, &w)),
             Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => n
-                .symbol(*quantity, false)
+                .symbol_from(*quantity, Some(ends[0]))
                 .up(equals)
-                .then(&n.symbol(*velocity, false).squared())
+                .then(&n.symbol_from(*velocity, Some(ends[0])).squared())
                 .up(over)
                 .then(&n.length(ends[0], ends[1]))
                 .up(equals)
@@ -386,7 +420,7 @@ impl Teller<'_> {
                 .up(equals)
                 .then(&human::quantity(*value, &a)),
             Calculation::Tangential { quantity, link, ends, alpha, length: l, value } => n
-                .symbol(*quantity, false)
+                .symbol_from(*quantity, Some(ends[0]))
                 .up(equals)
                 .then(&n.symbol(Quantity::Alpha(*link), false))
                 .up(times)
@@ -400,7 +434,7 @@ impl Teller<'_> {
             Calculation::Alpha { link, quantity, ends, tangential, length: l, value } => n
                 .symbol(Quantity::Alpha(*link), false)
                 .up(equals)
-                .then(&n.symbol(*quantity, false))
+                .then(&n.symbol_from(*quantity, Some(ends[0])))
                 .up(over)
                 .then(&n.length(ends[0], ends[1]))
                 .up(equals)
@@ -424,12 +458,13 @@ impl Teller<'_> {
                 .up(cross)
                 .then(&number(omega.abs(), w.si))
                 .up(equals)
-                .then(&human::quantity(*value, &a)),
+                .then(&human::quantity(*value, &a))
+                .up("; ")
+                .then(&self.coriolis_rule(*link, *slip, *omega)),
             Calculation::SlipNormal { quantity, slip, speed, radius, value } => n
                 .symbol(*quantity, false)
                 .up(equals)
-                .then(&n.symbol(*slip, false))
-                .up("²")
+                .then(&n.symbol(*slip, false).squared())
                 .up(over)
                 .it("R")
                 .up(equals)

@@ -69,6 +69,30 @@ impl Table {
         self
     }
 
+    /// Whether it fits into `width` without smaller type.
+    #[must_use]
+    pub fn fits(&self, width: f64) -> bool {
+        self.width() <= width
+    }
+
+    /// The columns before `column`, and the first column with those from `column` on.
+    #[must_use]
+    pub fn split(&self, column: usize) -> (Self, Self) {
+        let head = |cells: &[Rich]| cells.iter().take(column).cloned().collect::<Vec<_>>();
+        let tail = |cells: &[Rich]| {
+            cells.iter().take(1).chain(cells.iter().skip(column)).cloned().collect::<Vec<_>>()
+        };
+        let part = |columns: Vec<Align>, cut: &dyn Fn(&[Rich]) -> Vec<Rich>| Self {
+            columns,
+            head: cut(&self.head),
+            rows: self.rows.iter().map(|row| cut(row)).collect(),
+            size: self.size,
+            gap: self.gap,
+        };
+        let after = self.columns.iter().take(1).chain(self.columns.iter().skip(column)).copied().collect();
+        (part(self.columns.iter().take(column).copied().collect(), &head), part(after, &tail))
+    }
+
     /// Height of a row.
     fn pitch(&self) -> f64 {
         self.size * 1.62

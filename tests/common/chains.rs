@@ -182,12 +182,18 @@ pub(crate) fn chains() -> impl Strategy<Value = Chain> {
         .prop_map(|(crank, dyads)| Maker::build(&crank, &dyads, Some(4)))
 }
 
-/// Chains near dead centres: dyads as flat as they like, numbers to the last digit.
+/// Chains with one group near a dead centre, as near as it likes, and the others well away; numbers to the
+/// last digit.
 pub(crate) fn flat_chains() -> impl Strategy<Value = Chain> {
-    let flat = || prop_oneof![2 => 0.35..1.1_f64, 3 => (-8.0..-0.5_f64).prop_map(|e| libm::pow(10.0, e))];
-    let steep = flat().prop_map(|height| std::f64::consts::FRAC_PI_2 - height.min(1.5));
-    (crank_spec(), prop::collection::vec(dyad_spec(flat(), steep), 1..=4))
-        .prop_map(|(crank, dyads)| Maker::build(&crank, &dyads, None))
+    let flat = || (-9.0..-0.5_f64).prop_map(|e| libm::pow(10.0, e));
+    let steep = flat().prop_map(|height| std::f64::consts::FRAC_PI_2 - height);
+    let healthy = prop::collection::vec(dyad_spec(0.35..1.1_f64, 0.0..1.1_f64), 0..=3);
+    (crank_spec(), healthy, dyad_spec(flat(), steep), any::<Index>()).prop_map(
+        |(crank, mut dyads, flat, index)| {
+            dyads.insert(index.index(dyads.len() + 1), flat);
+            Maker::build(&crank, &dyads, None)
+        },
+    )
 }
 
 struct Maker {

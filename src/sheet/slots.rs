@@ -1,0 +1,253 @@
+//! Guides on moving links as ink: slots, curved slots, swivelling sleeves, and the blocks in them.
+
+use kurbo::{Point, Vec2};
+
+use super::figure::{Group, Mark, Pen, Shape, Tone, on_circle};
+use super::ink::{FINE, THICK, THIN, dot, turned_rect};
+use super::labels::Site;
+use super::pose::GuideLine;
+use super::skeleton::{Artist, BLOCK, Body, GUIDE, PIN, SLOT_BLOCK, nearest, ringed};
+use crate::mechanism::{GuidePoint, LinkId, Path, PointId, Rider, Slide};
+
+/// Half length and half width of a sleeve in which a rod slides.
+const SLEEVE: (f64, f64) = (5.2, 2.2);
+/// Half the angle of a step along a curved outline.
+const CHORD: f64 = 0.02;
+
+/// A slot as it lies on the paper.
+pub(super) struct Slot {
+    /// The link that carries it.
+    pub link: LinkId,
+    /// Index of its sliding pair.
+    pub index: usize,
+    /// The two ends of its middle line.
+    pub ends: (Point, Point),
+    /// The stroke by which it hangs on its link, where they do not touch: from the link to the slot.
+    pub arm: Option<(Point, Point)>,
+    form: SlotForm,
+}
+
+enum SlotForm {
+    /// Along this direction.
+    Straight(Vec2),
+    /// About this centre, with this radius, between these angles.
+    Curved { centre: Point, radius: f64, from: f64, to: f64 },
+}
+
+impl Artist<'_> {
+    /// The points of a link that are nothing but the centre of one of its curved slots.
+    pub(super) fn slot_centres(&self, link: LinkId) -> Vec<PointId> {
+        let mechanism = self.notation.mechanism();
+        let own = mechanism.slides.iter().filter(|s| s.guide.link == link && link != LinkId::FRAME);
+        let centres = own.filter_map(|s| match s.guide.path {
+            Path::Arc { centre: GuidePoint::Point(p), .. } => Some(p),
+            _ => None,
+        });
+        centres.filter(|p| !mechanism.pins.iter().any(|pin| pin.point == *p)).collect()
+    }
+
+    /// Whether a slot runs along a link's own line: then it stands for the bar.
+    pub(super) fn is_slotted(&self, link: LinkId) -> bool {
+        self.notation.mechanism().slides.iter().filter(|s| s.guide.link == link).any(|slide| {
+            let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) else { return false };
+            let places = self.pose.places(link);
+            places.iter().filter(|(_, p)| (*p - at).cross(along).abs() < THIN).count() >= 2
+        })
+    }
+
+    /// Whether the guide is a sleeve on the only joint of its link, through which a rod slides.
+    pub(super) fn is_sleeve(&self, slide: &Slide) -> bool {
+        let Rider::Link { .. } = slide.rider else { return false };
+        slide.guide.link != LinkId::FRAME && matches!(self.body(slide.guide.link), Body::Point)
+    }
+
+    /// The slots in moving links; `bars` are the strokes of the links without them.
+    pub(super) fn all_slots(&self, bars: &[(LinkId, Point, Point)]) -> Vec<Slot> {
+        let slides = self.notation.mechanism().slides.iter().enumerate();
+        let moving = slides.filter(|(_, s)| s.guide.link != LinkId::FRAME && !self.is_sleeve(s));
+        moving.filter_map(|(index, slide)| self.slot(index, slide, bars)).collect()
+    }
+
+    fn slot(&self, index: usize, slide: &Slide, bars: &[(LinkId, Point, Point)]) -> Option<Slot> {
+        let link = slide.guide.link;
+        let (ends, form) = match self.pose.guide(slide)? {
+            GuideLine::Straight { at, along } => {
+                let mut reach = (-8.0_f64, 8.0_f64);
+                for (_, p) in self.pose.places(link) {
+                    if (p - at).cross(along).abs() < THIN {
+                        let position = (p - at).dot(along);
+                        // The slot ends around its joints, not on them.
+                        let end = PIN + 0.9;
+                        reach = (reach.0.min(position - end), reach.1.max(position + end));
+                    }
+                }
+                ((at + along * reach.0, at + along * reach.1), SlotForm::Straight(along))
+            }
+            GuideLine::Arc { at, centre } => {
+                let radius = at.distance(centre);
+                let d = at - centre;
+                let middle = libm::atan2(-d.y, d.x);
+                let half = (GUIDE / radius.max(1.0)).min(1.2);
+                let (from, to) = (middle - half, middle + half);
+                let ends = (on_circle(centre, radius, from), on_circle(centre, radius, to));
+                (ends, SlotForm::Curved { centre, radius, from, to })
+            }
+        };
+        let arm = self.slot_arm(link, ends, bars);
+        Some(Slot { link, index, ends, arm, form })
+    }
+
+    /// The shortest stroke from a link to its slot; none where they touch.
+    fn slot_arm(
+        &self,
+        link: LinkId,
+        (a, b): (Point, Point),
+        bars: &[(LinkId, Point, Point)],
+    ) -> Option<(Point, Point)> {
+        let centres = self.slot_centres(link);
+        let joints =
+            self.pose.places(link).into_iter().filter(|(p, _)| !centres.contains(p)).map(|(_, at)| at);
+        let mut strokes: Vec<(Point, Point)> =
+            bars.iter().filter(|(l, ..)| *l == link).map(|s| (s.1, s.2)).collect();
+        strokes.extend(joints.map(|at| (at, at)));
+        let mut best: Option<(Point, Point)> = None;
+        for (p, q) in strokes {
+            if crosses((p, q), (a, b)) {
+                return None;
+            }
+            let ways =
+                [(p, nearest(a, b, p)), (q, nearest(a, b, q)), (nearest(p, q, a), a), (nearest(p, q, b), b)];
+            for way in ways {
+                if best.is_none_or(|(from, to)| way.0.distance(way.1) < from.distance(to)) {
+                    best = Some(way);
+                }
+            }
+        }
+        best.filter(|(from, to)| from.distance(*to) > SLOT_BLOCK.1)
+    }
+
+    /// The slots in moving links, closed at their ends, over what lies below them.
+    pub(super) fn slots(&mut self) -> Group {
+        let mut all = Group::new("slots");
+        for (index, slide) in self.notation.mechanism().slides.iter().enumerate() {
+            if self.is_sleeve(slide) {
+                all.group(self.sleeve(index, slide));
+            }
+        }
+        for slot in self.all_slots(&self.bars) {
+            let number = self.notation.number(slot.link);
+            if let Some((from, to)) = slot.arm {
+                let mut own = Group::new("link arm").data("link", number.clone());
+                own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THICK)).class("bar"));
+                all.group(own);
+            }
+            let mut own = Group::new("link slot")
+                .data("link", number)
+                .data("guide", self.notation.guide_data(slot.index));
+            match slot.form {
+                SlotForm::Straight(along) => {
+                    let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
+                    let (a, b) = slot.ends;
+                    let outline = Shape::Polygon(vec![a + across, b + across, b - across, a - across]);
+                    own.mark(Mark::outlined(outline, Pen::solid(THICK), Tone::Paper).precise());
+                }
+                SlotForm::Curved { centre, radius, from, to } => {
+                    let steps = ((to - from) / CHORD).ceil().clamp(2.0, 200.0) as usize;
+                    let at = |offset: f64, i: usize| {
+                        let angle = from + (to - from) * (i as f64 / steps as f64);
+                        on_circle(centre, (radius + offset).max(0.1), angle)
+                    };
+                    let inner = (0..=steps).map(|i| at(-SLOT_BLOCK.1, i));
+                    let outer = (0..=steps).rev().map(|i| at(SLOT_BLOCK.1, i));
+                    let outline = Shape::Polygon(inner.chain(outer).collect());
+                    own.mark(Mark::area(outline, Tone::Paper));
+                    for offset in [-SLOT_BLOCK.1, SLOT_BLOCK.1] {
+                        let radius = (radius + offset).max(0.1);
+                        let side = Shape::Arc { centre, radius, start: from, sweep: to - from };
+                        own.mark(Mark::stroke(side, Pen::solid(THICK)).precise());
+                    }
+                    for end in [0, steps] {
+                        let cap = Shape::Line(at(-SLOT_BLOCK.1, end), at(SLOT_BLOCK.1, end));
+                        own.mark(Mark::stroke(cap, Pen::solid(THICK)));
+                    }
+                }
+            }
+            all.group(own);
+        }
+        // The radius of a curved slot, where its centre is on the paper.
+        for slide in &self.notation.mechanism().slides {
+            let Path::Arc { centre: GuidePoint::Point(centre), .. } = slide.guide.path else { continue };
+            if let (Some(centre), Some(rider)) = (self.pose.place(centre), self.pose.rider(slide)) {
+                all.mark(Mark::stroke(Shape::Line(centre, rider), Pen::chain(FINE)).class("axis"));
+            }
+        }
+        all
+    }
+
+    /// A sleeve on the frame's or another link's joint, and the rod that runs on through it.
+    fn sleeve(&mut self, index: usize, slide: &Slide) -> Group {
+        let number = self.notation.number(slide.guide.link);
+        let mut own = Group::new("link slider")
+            .data("link", number.clone())
+            .data("guide", self.notation.guide_data(index));
+        let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) else { return own };
+        let Some((_, joint)) = self.pose.places(slide.guide.link).first().copied() else { return own };
+        let middle = at + along * (joint - at).dot(along);
+        let way = if (middle - at).dot(along) < 0.0 { -along } else { along };
+        let rod = Shape::Line(at, middle + way * (SLEEVE.0 + 5.0));
+        own.mark(Mark::outlined(
+            Shape::Polygon(turned_rect(middle, along, SLEEVE.0, SLEEVE.1)),
+            Pen::solid(THICK * 0.8),
+            Tone::Paper,
+        ));
+        own.mark(Mark::stroke(rod, Pen::solid(THICK)).class("bar"));
+        let radius = libm::hypot(SLEEVE.0, SLEEVE.1) * 0.8;
+        self.labels.push(ringed(&number, Site::Around { at: middle, radius, toward: None }));
+        own
+    }
+
+    /// The blocks and sliders: those on the frame, or those in moving guides.
+    pub(super) fn slides(&mut self, on_frame: bool) -> Group {
+        let mut all = Group::new("sliders");
+        for slide in &self.notation.mechanism().slides {
+            if (slide.guide.link == LinkId::FRAME) != on_frame || self.is_sleeve(slide) {
+                continue;
+            }
+            let block = match slide.rider {
+                Rider::Pin { block: Some(block), .. } => Some(block),
+                Rider::Pin { block: None, .. } => None,
+                Rider::Link { link, .. } => Some(link),
+            };
+            let (at, along) = match self.pose.guide(slide) {
+                Some(GuideLine::Straight { at, along }) => (at, along),
+                Some(GuideLine::Arc { at, centre }) if at.distance(centre) > 0.0 => {
+                    let out = (at - centre).normalize();
+                    (at, Vec2::new(-out.y, out.x))
+                }
+                _ => continue,
+            };
+            let Some(block) = block else { continue };
+            let size = if on_frame { BLOCK } else { SLOT_BLOCK };
+            let number = self.notation.number(block);
+            let mut own = Group::new("link slider").data("link", number.clone());
+            let corners = turned_rect(at, along, size.0, size.1);
+            own.mark(Mark::outlined(Shape::Polygon(corners), Pen::solid(THICK * 0.8), Tone::Paper));
+            // A rider that is a link of its own is welded to its block.
+            if matches!(slide.rider, Rider::Link { .. }) {
+                own.mark(dot(at, 0.6));
+            }
+            all.group(own);
+            if !matches!(slide.rider, Rider::Link { .. }) {
+                let radius = libm::hypot(size.0, size.1) * 0.8;
+                self.labels.push(ringed(&number, Site::Around { at, radius, toward: None }));
+            }
+        }
+        all
+    }
+}
+
+/// Whether two strokes meet between their ends.
+fn crosses((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
