@@ -153,8 +153,8 @@ fn wrong_branch(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
     places.iter().find_map(|&(index, at)| {
         let world = state.pose(PointId(index)).ok()?;
         let drawn = [0, 1].map(|k| (at[k] - at_first[k]) * space.metres_per_mm);
-        let solved = [0, 1].map(|k| world.at[k] - from.at[k]);
-        let apart = libm::hypot(drawn[0] - solved[0], drawn[1] - solved[1]);
+        let found = [0, 1].map(|k| world.at[k] - from.at[k]);
+        let apart = libm::hypot(drawn[0] - found[0], drawn[1] - found[1]);
         if apart <= OTHER_BRANCH * size {
             return None;
         }
