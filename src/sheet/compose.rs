@@ -397,8 +397,11 @@ impl Pager {
                 self.page();
                 continue;
             }
-            let three = 3.0 * table.width() + 2.0 * GUTTER <= self.width();
-            let columns = if left > 2 * fit && left <= 3 * fit && three { 3 } else { 2 };
+            // Three columns in type a little smaller, if that keeps the table on the page.
+            let narrow = table.clone().fitted((self.width() - 2.0 * GUTTER) / 3.0);
+            let three = narrow.fits((self.width() - 2.0 * GUTTER) / 3.0) && narrow.size > 0.8 * table.size;
+            let (columns, table) =
+                if left > 2 * fit && left <= 3 * fit && three { (3, &narrow) } else { (2, table) };
             let here = left.min(columns * fit.max(1));
             let each = here.div_ceil(columns);
             let pitch = self.width() / columns as f64;
@@ -435,7 +438,7 @@ impl Pager {
         if chunks.is_empty() {
             return;
         }
-        if self.bottom() - self.y < 55.0 {
+        if self.bottom() - self.y < 40.0 {
             self.page();
         }
         let mut rest = &chunks[..];

@@ -15,6 +15,7 @@ const SLEEVE: (f64, f64) = (5.2, 2.2);
 const CHORD: f64 = 0.02;
 
 /// A slot as it lies on the paper.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Slot {
     /// The link that carries it.
     pub link: LinkId,
@@ -27,6 +28,7 @@ pub(super) struct Slot {
     form: SlotForm,
 }
 
+#[derive(Debug, Clone, Copy)]
 enum SlotForm {
     /// Along this direction.
     Straight(Vec2),
@@ -132,7 +134,7 @@ impl Artist<'_> {
                 all.group(self.sleeve(index, slide));
             }
         }
-        for slot in self.all_slots(&self.bars) {
+        for slot in &self.slots {
             let number = self.notation.number(slot.link);
             if let Some((from, to)) = slot.arm {
                 let mut own = Group::new("link arm").data("link", number.clone());
@@ -225,7 +227,9 @@ impl Artist<'_> {
             all.group(own);
             if !matches!(slide.rider, Rider::Link { .. }) {
                 let radius = libm::hypot(size.0, size.1) * 0.8;
-                self.labels.push(ringed(&number, Site::Around { at, radius, toward: None }));
+                let toward = on_frame.then(|| -self.frame_side(at, along));
+                let toward = toward.map(|way| libm::atan2(-way.y, way.x));
+                self.labels.push(ringed(&number, Site::Around { at, radius, toward }));
             }
         }
         all

@@ -25,7 +25,7 @@ fn solved(path: &Path) -> Option<(Scene, Construction)> {
 
 fn scenes() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut all: Vec<PathBuf> = ["examples", "src/catalogue"]
+    let mut all: Vec<PathBuf> = ["examples", "src/catalogue", "src/sheet/tests"]
         .iter()
         .flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap())
         .map(|entry| entry.unwrap().path())
