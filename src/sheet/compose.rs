@@ -2,6 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::feet::told_apart;
 use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
 use super::notation::Notation;
 use super::rich::Rich;
@@ -39,6 +40,7 @@ pub const fn figure_names() -> &'static [&'static str] {
 pub fn solution(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation { scene, words };
+    let construction = &told_apart(construction, &notation);
     let drawn = |name| panel(name, construction, &notation);
     let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration].map(drawn);
     // Scales stated in the scene may outgrow the paper: then the paper grows, and nothing is clipped.
@@ -86,6 +88,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
     let words = language.words();
     let notation = Notation { scene, words };
+    let construction = &told_apart(construction, &notation);
     let (block, heading) = match name {
         "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
         "velocity" => (panel(Name::Velocity, construction, &notation)?, words.velocity_diagram),
@@ -179,7 +182,12 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
-            (polygon::draw(p, &construction.steps, notation), "b", words.velocity_diagram, notation.scale(p.si_per_mm, p.order))
+            (
+                polygon::draw(p, &construction.steps, notation),
+                "b",
+                words.velocity_diagram,
+                notation.scale(p.si_per_mm, p.order),
+            )
         }
         Name::Acceleration => {
             let p = construction.acceleration.as_ref()?;

@@ -5,7 +5,7 @@ use super::rich::Rich;
 use super::words::Words;
 use crate::graphical::construction::{Claim, Label, Reference};
 use crate::mechanism::quantity::{Order, Quantity, Unit};
-use crate::mechanism::{GuidePoint, LinkId, Mechanism, Path, PointId, Rider};
+use crate::mechanism::{GuidePoint, LinkId, Mechanism, Path, PointId, Rider, Slide};
 use crate::scene::{AngularAcceleration, Scene};
 use crate::sheet::font::Face;
 
@@ -87,8 +87,6 @@ impl<'a> Notation<'a> {
             Label::Foot { point, link, index } => (point, link, Some(index)),
         };
         let (letters, own) = split(self.point_name(point));
-        // A foot of a point that goes by its link's number carries it as well: a′₂,₁ beside a′₂.
-        let link = link.or_else(|| index.and_then(|_| self.home(point)));
         let indices: Vec<String> = [
             (!own.is_empty()).then(|| own.to_owned()),
             link.map(|l| self.number(l)),
@@ -119,7 +117,8 @@ impl<'a> Notation<'a> {
     #[must_use]
     pub fn symbol(&self, quantity: Quantity, arrow: bool) -> Rich {
         let letter = |l: &str| if arrow { Rich::vector(l) } else { Rich::italic(l) };
-        let of = |p: PointId| self.home(p).map_or_else(|| self.point_name(p).to_owned(), |l| self.under(p, l));
+        let of =
+            |p: PointId| self.home(p).map_or_else(|| self.point_name(p).to_owned(), |l| self.under(p, l));
         let two = |p, q| format!("{}{}", self.point_name(p), self.point_name(q));
         let numbers = |a, b| {
             let (a, b) = (self.number(a), self.number(b));
@@ -351,7 +350,28 @@ impl<'a> Notation<'a> {
         Rich::upright(sign).then(&line)
     }
 
-    /// A claim as a data attribute: its name, and the line by its points or its guide's rider.
+    /// A guide in data attributes, by its rider: `A`, `link 4`; with its link where one pin rides on
+    /// several: `C on 4`.
+    #[must_use]
+    pub fn guide_name(&self, slide: usize) -> String {
+        let slides = &self.mechanism().slides;
+        let Some(own) = slides.get(slide) else { return String::new() };
+        let rider = match own.rider {
+            Rider::Pin { point, .. } => self.point_name(point).to_owned(),
+            Rider::Link { link, .. } => format!("link {}", self.number(link)),
+        };
+        let same = |s: &&Slide| match (s.rider, own.rider) {
+            (Rider::Pin { point: a, .. }, Rider::Pin { point: b, .. }) => a == b,
+            (Rider::Link { link: a, .. }, Rider::Link { link: b, .. }) => a == b,
+            _ => false,
+        };
+        if slides.iter().filter(same).count() > 1 {
+            return format!("{rider} on {}", self.number(own.guide.link));
+        }
+        rider
+    }
+
+    /// A claim as a data attribute: its name, and the line by its points or its guide.
     #[must_use]
     pub fn claim_data(&self, claim: Claim) -> (&'static str, String) {
         let (name, reference) = match claim {
@@ -360,11 +380,7 @@ impl<'a> Notation<'a> {
         };
         let line = match reference {
             Reference::Points(a, b) => format!("{} {}", self.point_name(a), self.point_name(b)),
-            Reference::Guide(slide) => match self.mechanism().slides.get(slide).map(|s| s.rider) {
-                Some(Rider::Pin { point, .. }) => format!("guide {}", self.point_name(point)),
-                Some(Rider::Link { link, .. }) => format!("guide link {}", self.number(link)),
-                None => String::new(),
-            },
+            Reference::Guide(slide) => format!("guide {}", self.guide_name(slide)),
         };
         (name, line)
     }

@@ -193,14 +193,6 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
             None => groups.push((at, vec![image.label])),
         }
     }
-    // A part without length ends where its image is; the name is left to its other place, if it has one.
-    let places: Vec<Vec<Label>> = groups.iter().map(|(_, labels)| labels.clone()).collect();
-    let twice = |l: &Label| places.iter().filter(|labels| labels.contains(l)).count() > 1;
-    for (_, labels) in &mut groups {
-        if labels.len() > 1 {
-            labels.retain(|l| !(matches!(l, Label::Foot { .. }) && twice(l)));
-        }
-    }
     let mut requests = Vec::new();
     for (at, labels) in groups {
         let names: Vec<Rich> = labels.iter().map(|l| notation.image(*l, polygon.order)).collect();
@@ -289,7 +281,9 @@ pub fn vector_name(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>) 
         n.kind == VectorKind::Normal && n.head == vector.tail && at(n).1.distance(at(vector).0) < COINCIDENT
     });
     let reference = match (vector.tail, normal.map(|n| n.tail)) {
-        (Label::Image { point, .. }, _) | (Label::Foot { .. }, Some(Label::Image { point, .. })) => Some(point),
+        (Label::Image { point, .. }, _) | (Label::Foot { .. }, Some(Label::Image { point, .. })) => {
+            Some(point)
+        }
         _ => None,
     };
     notation.symbol_from(vector.quantity, reference)

@@ -112,9 +112,8 @@ impl<'a> Pose<'a> {
                 let exact = p.place.exact()?;
                 Some((self.place(PointId(i))?, exact))
             });
-            let origin = known.map_or(Point::ORIGIN, |(at, exact)| {
-                at - Vec2::new(exact[0].value, -exact[1].value) * scale
-            });
+            let origin = known
+                .map_or(Point::ORIGIN, |(at, exact)| at - Vec2::new(exact[0].value, -exact[1].value) * scale);
             return Some(Frame { origin, x: Vec2::new(scale, 0.0) });
         }
         let own = self.own(link)?;
@@ -165,7 +164,8 @@ impl<'a> Pose<'a> {
                 && let Rider::Link { link: rod, turned } = slide.rider
                 && rod != link
                 && self.places(rod).len() > 1
-                && let Path::Straight { direction: Direction::Angle(angle), turned: own, .. } = slide.guide.path
+                && let Path::Straight { direction: Direction::Angle(angle), turned: own, .. } =
+                    slide.guide.path
                 && let Some(frame) = self.frame(rod, depth + 1)
             {
                 let x = libm::atan2(-frame.x.y, frame.x.x);

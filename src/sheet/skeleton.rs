@@ -154,7 +154,9 @@ impl Artist<'_> {
         let mut more = Vec::new();
         for slot in &self.slots {
             more.extend(slot.arm.map(|(a, b)| (slot.link, a, b)));
-            if let (Body::Point, Some((_, joint))) = (self.body(slot.link), self.pose.places(slot.link).first()) {
+            if let (Body::Point, Some((_, joint))) =
+                (self.body(slot.link), self.pose.places(slot.link).first())
+            {
                 let (a, b) = slot.ends;
                 let far = if a.distance(*joint) > b.distance(*joint) { a } else { b };
                 // From its joint, or from end to end where it hangs on an arm.
@@ -237,7 +239,7 @@ impl Artist<'_> {
         for (index, slide) in slides.filter(|(_, s)| s.guide.link == LinkId::FRAME) {
             if let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) {
                 let own = self.fixed_guide(at, along);
-                all.group(own.data("guide", index.to_string()));
+                all.group(own.data("guide", self.notation.guide_name(index)));
             } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide)
                 && at.distance(centre) > BLOCK.1
             {
@@ -679,7 +681,12 @@ impl Artist<'_> {
                     requests.push(request);
                 }
                 // A sleeve has its number already.
-                None if self.notation.mechanism().slides.iter().any(|s| s.guide.link == link && self.is_sleeve(s)) => {}
+                None if self
+                    .notation
+                    .mechanism()
+                    .slides
+                    .iter()
+                    .any(|s| s.guide.link == link && self.is_sleeve(s)) => {}
                 None if !blocked => {
                     if let Some((_, at)) = self.pose.places(link).first() {
                         let slides = &self.notation.mechanism().slides;
