@@ -5,6 +5,8 @@
 //! is the sensitivity that the tape states. When h is halved the even part must fall four-fold and the odd
 //! part eight-fold; a wrong S leaves an odd part that only halves.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
+
 mod common;
 
 use linkgram::board::{Nudge, Stroke, Tape};

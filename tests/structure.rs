@@ -1,6 +1,8 @@
 //! Mobility by count against the worked counts of the sources, groups in order of transmission, and the
 //! named errors.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
+
 mod common;
 
 use linkgram::mechanism::structure::{GroupKind, Joint, Structure, StructureError};

@@ -101,7 +101,8 @@ fn apart_as_asked(asked: &Asked, a: &Answer, b: &Answer) -> Option<(f64, f64)> {
     Some((distance, bounds))
 }
 
-/// Two poses further apart than this part of the mechanism's size are two assemblies, not two roundings.
+/// Two poses further apart than this part of the mechanism's size, and than their bounds, are two
+/// assemblies, not two roundings.
 const OTHER_BRANCH: f64 = 1e-6;
 
 /// Compares a drawn solution with the analytic state.
@@ -150,13 +151,19 @@ fn wrong_branch(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
     let &(first, at_first) = places.first()?;
     let from = state.pose(PointId(first)).ok()?;
     places.iter().find_map(|&(index, at)| {
-        let crate::analytic::Spot { at: world, bound } = state.pose(PointId(index)).ok()?;
+        let world = state.pose(PointId(index)).ok()?;
         let drawn = [0, 1].map(|k| (at[k] - at_first[k]) * space.metres_per_mm);
-        let solved = [0, 1].map(|k| world[k] - from.at[k]);
-        let apart = libm::hypot(drawn[0] - solved[0], drawn[1] - solved[1]);
-        // Far from the origin the digits of the places leave more open than that.
-        let open = 2.0 * (bound + from.bound);
-        (apart > OTHER_BRANCH * size + open).then(|| scene.mechanism.points[index].name.clone())
+        let found = [0, 1].map(|k| world.at[k] - from.at[k]);
+        let apart = libm::hypot(drawn[0] - found[0], drawn[1] - found[1]);
+        if apart <= OTHER_BRANCH * size {
+            return None;
+        }
+        // Far behind a dead centre, or on a guide that is given from afar, a place may be known no better.
+        let mut tape = solved.solution.tape.clone();
+        let stroke = tape.strokes().iter().find(|s| s.at == at).map(|s| s.slots);
+        let [x, y] = stroke.map_or([0.0; 2], |slots| slots.map(|slot| tape.bound(slot)));
+        let uncertain = world.bound + from.bound + libm::hypot(x, y) * space.metres_per_mm;
+        (apart > OTHER_BRANCH * size + uncertain).then(|| scene.mechanism.points[index].name.clone())
     })
 }
 

@@ -291,7 +291,7 @@ impl Maker {
         let mut third = own[2];
         let dimension = match spec.writing {
             Writing::Length => {
-                let joins = if spec.order % 2 == 0 { joints } else { [joints[1], joints[0]] };
+                let joins = if spec.order.is_multiple_of(2) { joints } else { [joints[1], joints[0]] };
                 self.links.insert(number.to_string(), json!({ "joins": joins, "length": length }));
                 let joins = joins.map(str::to_owned).to_vec();
                 self.made.push(ChainLink { number, joins });
