@@ -124,7 +124,11 @@ impl Answers<'_> {
             _ => panic!("{row}: a vector for a scalar"),
         };
         for (computed, text) in computed.iter().map(|c| c / scale).zip(&texts) {
-            if (computed - number(text)).abs() > allowed(row, text) + bound / scale {
+            let difference = computed - number(text);
+            // An angle is one angle however many turns it is said to have.
+            let whole = if row["unit"] == json!("deg") { 360.0 } else { f64::INFINITY };
+            let difference = difference.abs().min((difference.abs() - whole).abs());
+            if difference > allowed(row, text) + bound / scale {
                 return Some(format!("{} = {}: recomputed {text}, here {computed}", row["key"], row["find"]));
             }
         }

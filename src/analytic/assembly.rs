@@ -18,8 +18,10 @@ use crate::mechanism::{Place, PointId};
 /// Two solutions closer than this (in mechanism sizes and radians) are one: near a dead centre Newton's
 /// iteration cannot separate them, and the Jacobian there is refused.
 const SAME: f64 = 1e-7;
-/// Hints closer to one solution than to another by less than this do not choose.
-const UNDECIDED: f64 = 1e-6;
+/// Hints closer to one solution than to another by less than this part of both distances do not choose.
+const UNDECIDED: f64 = 1e-10;
+/// Distances to a hint carry rounding of this size (in mechanism sizes).
+const UNDECIDED_FLOOR: f64 = 1e-12;
 /// A residual this many times its own error is taken as zero.
 const AT_ROUNDING: f64 = 64.0;
 /// Smallest residual worth improving.
@@ -88,6 +90,11 @@ pub(super) fn numbers(model: &Model, bodies: &[usize]) -> Vec<u32> {
 
 fn wrapped(angle: f64) -> f64 {
     angle - (angle / std::f64::consts::TAU).round() * std::f64::consts::TAU
+}
+
+/// Whether one distance to the hints is so much less than another that it chooses.
+fn clearly_less(one: f64, other: f64) -> bool {
+    other - one > UNDECIDED * (one + other) + UNDECIDED_FLOOR
 }
 
 /// The tolerance of an equation: its rounding and what its parameters leave open.
@@ -172,7 +179,7 @@ impl<'a> Assembler<'a> {
                         self.take(group, &first, &mut pose);
                         if let Some(next) = found.last() {
                             let decided = match (first.miss, next.miss) {
-                                (Some(a), Some(b)) => b - a > UNDECIDED,
+                                (Some(a), Some(b)) => clearly_less(a, b),
                                 _ => false,
                             };
                             choices.push(Choice { group, rest: found, decided });
@@ -190,8 +197,8 @@ impl<'a> Assembler<'a> {
                 complete += 1;
                 let miss = self.miss(&pose);
                 match &best {
-                    Some((least, _)) if miss > least + UNDECIDED => {}
-                    Some((least, _)) if miss >= least - UNDECIDED => rival = Some(pose.clone()),
+                    Some((least, _)) if clearly_less(*least, miss) => {}
+                    Some((least, _)) if !clearly_less(miss, *least) => rival = Some(pose.clone()),
                     _ => {
                         best = Some((miss, pose.clone()));
                         rival = None;

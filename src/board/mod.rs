@@ -232,9 +232,9 @@ impl<B: Bench> Board<B> {
         &mut self.recorder
     }
 
-    /// What the next strokes are drawn for.
-    pub fn purpose(&mut self, purpose: &'static str) {
-        self.purpose = purpose;
+    /// What the next strokes are drawn for; returns what the last ones were drawn for.
+    pub fn purpose(&mut self, purpose: &'static str) -> &'static str {
+        std::mem::replace(&mut self.purpose, purpose)
     }
 
     fn stroke(&mut self, operation: Operation, point: Point<B>) -> Point<B> {

@@ -113,17 +113,23 @@ pub fn agreement(
     analytic: &Result<crate::analytic::State, AnalyticError>,
 ) -> Agreement {
     let construction = &solved.solution.construction;
+    let asked = scene.mechanism.asked.iter().zip(&construction.answers);
     let state = match analytic {
         Ok(state) => state,
         Err(error) => {
-            return Agreement { compared: Vec::new(), wrong_branch: None, refused: Some(error.to_string()) };
+            let why = Indeterminate::Undefined { why: format!("the analytic solver refused: {error}") };
+            let compared = asked
+                .map(|(asked, reading)| Compared {
+                    asked: asked.clone(),
+                    graphical: reading.clone(),
+                    analytic: Answer::Indeterminate(why.clone()),
+                    difference: None,
+                })
+                .collect();
+            return Agreement { compared, wrong_branch: None, refused: Some(error.to_string()) };
         }
     };
-    let compared: Vec<Compared> = scene
-        .mechanism
-        .asked
-        .iter()
-        .zip(&construction.answers)
+    let compared: Vec<Compared> = asked
         .map(|(asked, reading)| {
             let analytic = state.answer(&asked.quantity);
             let difference = apart_as_asked(asked, &reading.answer, &analytic).map(|(value, bounds)| {
@@ -144,16 +150,16 @@ fn wrong_branch(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
     // The skeleton has its own frame: both are laid on each other at the first point.
     let &(first, at_first) = places.first()?;
     let from = state.pose(PointId(first)).ok()?;
-    let mut tape = solved.solution.tape.clone();
     places.iter().find_map(|&(index, at)| {
         let world = state.pose(PointId(index)).ok()?;
         let drawn = [0, 1].map(|k| (at[k] - at_first[k]) * space.metres_per_mm);
-        let solved = [0, 1].map(|k| world.at[k] - from.at[k]);
-        let apart = libm::hypot(drawn[0] - solved[0], drawn[1] - solved[1]);
+        let found = [0, 1].map(|k| world.at[k] - from.at[k]);
+        let apart = libm::hypot(drawn[0] - found[0], drawn[1] - found[1]);
         if apart <= OTHER_BRANCH * size {
             return None;
         }
         // Far behind a dead centre, or on a guide that is given from afar, a place may be known no better.
+        let mut tape = solved.solution.tape.clone();
         let stroke = tape.strokes().iter().find(|s| s.at == at).map(|s| s.slots);
         let [x, y] = stroke.map_or([0.0; 2], |slots| slots.map(|slot| tape.bound(slot)));
         let uncertain = world.bound + from.bound + libm::hypot(x, y) * space.metres_per_mm;
@@ -195,7 +201,11 @@ pub fn compare_published(
     let printed = if published.signed { published.value } else { published.value.abs() };
     let within = published.within.unwrap_or(tolerance);
     let ok = computed.is_some_and(|c| (printed - c).abs() <= within * printed.abs().max(c.abs()) + bound);
-    let percent = computed.filter(|c| c.abs() > bound).map(|c| 100.0 * (printed - c) / c);
+    let percent = match computed {
+        Some(c) if c.abs() > bound => Some(100.0 * (printed - c) / c),
+        Some(_) if printed == 0.0 => Some(0.0),
+        _ => None,
+    };
     PublishedCheck { asked: published.asked.clone(), published: printed, computed, percent, ok, erratum }
 }
 
@@ -214,7 +224,7 @@ pub enum Outcome {
         /// Which refusal, if one of the three that a scene may expect.
         refusal: Option<Refusal>,
         /// What was said.
-        message: String,
+        error: SolveError,
     },
 }
 
@@ -234,7 +244,7 @@ pub fn check(scene: &Scene, tolerance: f64) -> SceneCheck {
         Err(error) => {
             let refusal = error.refusal();
             let ok = refusal.is_some() && refusal == scene.expect;
-            SceneCheck { outcome: Outcome::Refused { refusal, message: error.to_string() }, ok }
+            SceneCheck { outcome: Outcome::Refused { refusal, error }, ok }
         }
         Ok((agreement, answers)) => {
             let published: Vec<PublishedCheck> = scene

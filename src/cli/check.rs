@@ -9,16 +9,18 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
-use super::report::short;
+use super::report::{diagnose, short};
 use super::{Ending, Failure, files, print};
 use crate::check::{Outcome, PublishedCheck, SceneCheck};
+use crate::scene::Scene;
 
 /// Fewer scenes than this need no progress bar.
 const MANY: usize = 50;
 
 struct Checked {
     file: String,
-    result: Result<SceneCheck, String>,
+    /// The scene with its check, or why the file is no scene.
+    result: Result<(Scene, SceneCheck), String>,
 }
 
 pub(super) fn run(paths: &[PathBuf], as_json: bool, tolerance: f64) -> Result<Ending, Failure> {
@@ -81,14 +83,17 @@ fn check_all(scenes: &[PathBuf], tolerance: f64) -> Vec<Checked> {
 fn check_one(path: &Path, tolerance: f64) -> Checked {
     let read = super::read_scene(path);
     match read {
-        Ok((file, scene)) => Checked { file, result: Ok(crate::check::check(&scene, tolerance)) },
+        Ok((file, scene)) => {
+            let check = crate::check::check(&scene, tolerance);
+            Checked { file, result: Ok((scene, check)) }
+        }
         Err(Failure(message)) => Checked { file: path.display().to_string(), result: Err(message) },
     }
 }
 
 impl Checked {
     fn ok(&self) -> bool {
-        self.result.as_ref().is_ok_and(|c| c.ok)
+        self.result.as_ref().is_ok_and(|(_, check)| check.ok)
     }
 
     fn text(&self) -> String {
@@ -96,10 +101,10 @@ impl Checked {
         let word = if self.ok() { "holds" } else { "FAILS" };
         let _ = match &self.result {
             Err(message) => writeln!(out, "{}: not a scene: {message}", self.file),
-            Ok(SceneCheck { outcome: Outcome::Refused { message, .. }, .. }) => {
-                writeln!(out, "{}: {word}: refused: {message}", self.file)
+            Ok((scene, SceneCheck { outcome: Outcome::Refused { error, .. }, .. })) => {
+                writeln!(out, "{}: {word}: refused: {}", self.file, diagnose(scene, error))
             }
-            Ok(SceneCheck { outcome: Outcome::Solved { agreement, published }, .. }) => {
+            Ok((_, SceneCheck { outcome: Outcome::Solved { agreement, published }, .. })) => {
                 let _ = writeln!(out, "{}: {word}: {}", self.file, super::solve::verdict(agreement));
                 for compared in &agreement.compared {
                     if let Some(why) = compared.indeterminate() {
@@ -112,13 +117,19 @@ impl Checked {
         out
     }
 
+    /// All scenes have the same keys; where nothing was solved, nothing was compared either.
     fn json(&self) -> Value {
+        let ok = self.ok();
+        let unsolved = |key: &str, why: String| {
+            let agreement = json!({ "worst_ratio": 0.0, "ok": ok });
+            json!({ "scene": self.file, "ok": ok, "agreement": agreement, "published": [], key: why })
+        };
         match &self.result {
-            Err(message) => json!({ "scene": self.file, "ok": false, "error": message }),
-            Ok(SceneCheck { outcome: Outcome::Refused { message, .. }, ok }) => {
-                json!({ "scene": self.file, "ok": ok, "refused": message })
+            Err(message) => unsolved("error", message.clone()),
+            Ok((scene, SceneCheck { outcome: Outcome::Refused { error, .. }, .. })) => {
+                unsolved("refused", diagnose(scene, error).to_string())
             }
-            Ok(SceneCheck { outcome: Outcome::Solved { agreement, published }, ok }) => {
+            Ok((_, SceneCheck { outcome: Outcome::Solved { agreement, published }, .. })) => {
                 let published: Vec<Value> = published.iter().map(published_json).collect();
                 json!({
                     "scene": self.file,

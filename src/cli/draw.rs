@@ -2,10 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use super::report::short;
 use super::{Ending, Failure, failure, files, print, read_scene};
 use crate::plan::Extent;
-use crate::scene::Scene;
+use crate::scene::{Scene, Subject};
 use crate::sheet::{self, Figure};
+
+/// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
+/// no program opens.
+const LARGEST_SHEET: f64 = 100_000.0;
 
 /// What is to be drawn, and where.
 pub(super) struct Job {
@@ -18,19 +23,17 @@ pub(super) struct Job {
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let formats: Vec<Format> = job.output.iter().map(|path| Format::of(path)).collect::<Result<_, _>>()?;
-    for name in &job.figure {
-        if !sheet::figure_names().contains(&name.as_str()) {
-            let nearest = crate::scene::nearest(name, sheet::figure_names());
-            let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
-            let known = sheet::figure_names().join(", ");
-            return Err(Failure(format!("unknown figure {name}{mend} (known: {known})")));
-        }
+    if let Some(unknown) = job.figure.iter().find_map(|name| unknown_figure(name)) {
+        return Err(Failure(unknown));
     }
     if !(job.dpi.is_finite() && (10.0..=2400.0).contains(&job.dpi)) {
         return Err(Failure(format!("--dpi {}: choose between 10 and 2400", job.dpi)));
     }
     let (_, scene) = read_scene(&job.scene)?;
     let scene = &scene;
+    if let Some(unknown) = scene.sheet.figures.iter().find_map(|name| unknown_figure(name)) {
+        return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
+    }
     let language = language(job, scene)?;
     let solved = crate::solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)
         .map_err(|error| failure(scene, &error))?;
@@ -45,6 +48,12 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     } else {
         sheet::stack(&singles(scene, construction, language, &names)?)
     };
+    if figure.width > LARGEST_SHEET || figure.height > LARGEST_SHEET {
+        let [width, height] = [figure.width, figure.height].map(|mm| short(mm / 1000.0));
+        let what = format!("at the stated scales the sheet would be {width} m wide and {height} m high");
+        let mend = "choose smaller scales; where none is stated the diagrams fill their panels".to_owned();
+        return Err(scene.source.complain(Subject::Sheet, what, Some(mend)).into());
+    }
     let svg = crate::render::svg::write(&figure);
     if job.output.is_empty() {
         print(&svg)?;
@@ -60,6 +69,17 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     files::write_all(&written)?;
     Ok(Ending::Fine)
+}
+
+/// What is wrong with the name of a figure, if it is unknown.
+fn unknown_figure(name: &str) -> Option<String> {
+    let known = sheet::figure_names();
+    if known.contains(&name) {
+        return None;
+    }
+    let nearest = crate::scene::nearest(name, known);
+    let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
+    Some(format!("unknown figure {name}{mend} (known: {})", known.join(", ")))
 }
 
 fn language(job: &Job, scene: &Scene) -> Result<sheet::Language, Failure> {

@@ -1,7 +1,7 @@
 //! Reading scenes and writing results: beside, then renamed, so that nothing is ever half-written.
 
 use std::fs;
-use std::io::{Read, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 use super::Failure;
@@ -48,11 +48,16 @@ pub(super) fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
         beside.push(name);
         beside.push(format!(".{}.part", std::process::id()));
         let beside = path.with_file_name(beside);
-        let written = fs::File::create(&beside).and_then(|mut file| {
-            file.write_all(bytes)?;
-            file.sync_all()
-        });
+        if path.is_dir() {
+            return Err(Failure(format!("{}: is a folder", path.display())));
+        }
+        // Two names of one file would wait under one name.
+        let mut file = fs::File::create_new(&beside).map_err(|error| match error.kind() {
+            ErrorKind::AlreadyExists => Failure(format!("{}: is to be written twice", path.display())),
+            _ => Failure(format!("{}: {error}", path.display())),
+        })?;
         waiting.push((beside, path));
+        let written = file.write_all(bytes).and_then(|()| file.sync_all());
         written.map_err(|error| Failure(format!("{}: {error}", path.display())))
     });
     let result = result.and_then(|()| {

@@ -113,8 +113,9 @@ fn parse_percent(text: &str) -> Result<f64, String> {
         None => (text, 1.0),
     };
     match number.trim().parse::<f64>() {
-        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value * factor),
-        _ => Err("expected a percentage such as 5% or a part such as 0.05".to_owned()),
+        // A bare 5 would be 500 %, which nobody means.
+        Ok(value) if (0.0..=1.0).contains(&(value * factor)) => Ok(value * factor),
+        _ => Err("expected a percentage up to 100% such as 5%, or a part such as 0.05".to_owned()),
     }
 }
 

@@ -98,11 +98,12 @@ fn quantity(compared: &Compared) -> Value {
     match &compared.analytic {
         Answer::Scalar { value, bound } => {
             map.insert("analytic".to_owned(), in_unit(*value));
-            map.insert("analytic_bound".to_owned(), in_unit(*bound));
+            map.insert("analytic_bound".to_owned(), json!(bound_in_unit(*bound, *value, asked.unit.si)));
         }
         Answer::Vector { value, bound } => {
             map.insert("analytic".to_owned(), json!(value.map(|v| v / asked.unit.si)));
-            map.insert("analytic_bound".to_owned(), in_unit(*bound));
+            let magnitude = libm::hypot(value[0], value[1]);
+            map.insert("analytic_bound".to_owned(), json!(bound_in_unit(*bound, magnitude, asked.unit.si)));
         }
         Answer::AtInfinity { direction, .. } => {
             map.insert("analytic_direction_deg".to_owned(), json!(half_turn(*direction)));
@@ -119,6 +120,12 @@ fn quantity(compared: &Compared) -> Value {
     Value::Object(map)
 }
 
+/// A bound in the unit of the answer, with the roundings that this costs: the unit's own two and the
+/// division.
+fn bound_in_unit(bound: f64, value: f64, si: f64) -> f64 {
+    bound / si + (value / si).abs() * 1.5 * f64::EPSILON
+}
+
 /// Direction of a centre at infinity, degrees in [0, 180).
 fn half_turn(direction: [f64; 2]) -> f64 {
     libm::atan2(direction[1], direction[0]).to_degrees().rem_euclid(180.0)
@@ -126,8 +133,7 @@ fn half_turn(direction: [f64; 2]) -> f64 {
 
 fn insert_value(map: &mut Map<String, Value>, asked: &Asked, answer: &Answer) {
     let si = asked.unit.si;
-    // One more rounding for the division by the unit.
-    let bound_of = |bound: f64, value: f64| json!(bound / si + (value / si).abs() * f64::EPSILON / 2.0);
+    let bound_of = |bound, value| json!(bound_in_unit(bound, value, si));
     match answer {
         Answer::Scalar { value, bound } => {
             map.insert("value".to_owned(), json!(value / si));

@@ -34,7 +34,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         if let Some(points) = &self.figures[link.0] {
             return points.clone();
         }
-        self.board.purpose("own figure of a link");
+        let before = self.board.purpose("own figure of a link");
         let scale = self.length_scale();
         let form = &self.mechanism.link(link).form;
         let reason = self.reason(&[link]);
@@ -91,6 +91,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 points.iter().map(|p| self.places[p.0].unwrap_or(origin)).collect()
             }
         };
+        self.board.purpose(before);
         self.figures[link.0] = Some(points.clone());
         points
     }

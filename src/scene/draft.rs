@@ -190,11 +190,11 @@ pub(super) fn is_straight(guide: &Guide) -> bool {
 
 /// A point's name must be readable inside `v(B/A)` and never look like a link's number.
 fn point_name(name: &str, at: usize) -> Res<()> {
-    let fine = |c: char| !c.is_whitespace() && !c.is_control() && !"/,()\"`".contains(c);
+    let fine = |c: char| !c.is_whitespace() && !c.is_control() && !"/,()\"`@".contains(c);
     if name.chars().next().is_some_and(char::is_alphabetic) && name.chars().all(fine) && name.len() <= 64 {
         return Ok(());
     }
     Err(Fault::new(at, format!("`{}` cannot name a point", name.escape_debug())).mend(
-        "a name begins with a letter and has no blank, slash, comma, quote or parenthesis, such as `A` or `O2`",
+        "a name begins with a letter and has no blank, slash, comma, `@`, quote or parenthesis, such as `A` or `O2`",
     ))
 }

@@ -27,7 +27,7 @@ pub use source::{Source, Subject};
 
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Unit;
-use diagnostic::Res;
+use diagnostic::{Fault, Res};
 use draft::Draft;
 use json::{Fields, Value};
 
@@ -74,6 +74,10 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let scales = units::Scales::read(fields.get("units"))?;
     let mut draft = Draft::new(&scales, root.at);
     links::read(&fields, &mut draft)?;
+    if draft.mechanism.moving().next().is_none() {
+        return Err(Fault::new(root.at, "nothing moves: the scene has no links")
+            .mend("list them in `links`; `linkgram new four-bar` writes a ready scene"));
+    }
     guides::slides(fields.get("slides"), &mut draft)?;
     rolls::read(fields.get("rolls"), &mut draft)?;
     inputs::read(&fields, &mut draft)?;
@@ -82,6 +86,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let published = published::read(fields.get("published"), &mut draft)?;
     let errata = published::errata(fields.get("errata"), &published)?;
     let expect = published::expect(fields.get("expect"))?;
+    draft.anchors.sheet = fields.get("sheet").map(|value| value.at);
     let sheet = sheet::read(fields.get("sheet"), &scales)?;
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
     let mut mechanism = draft.mechanism;

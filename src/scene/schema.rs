@@ -131,7 +131,7 @@ fn values() -> Value {
     };
     json!({
         "point": {
-            "type": "string", "maxLength": 64, "pattern": "^\\p{L}[^\\s/,()\"`]*$",
+            "type": "string", "maxLength": 64, "pattern": "^[^!-@\\[-`{-~\\s][^\\s/,()\"`@]*$",
             "description": "Name of a point: a letter, then no blank, slash, comma, quote or parenthesis.",
             "examples": ["A", "O2"],
         },

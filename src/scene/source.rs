@@ -37,6 +37,8 @@ pub enum Subject {
     Asked(usize),
     /// A published value.
     Published(usize),
+    /// How to draw; the whole scene where it is left out.
+    Sheet,
 }
 
 /// Byte offsets of all parts.
@@ -53,6 +55,7 @@ pub(super) struct Anchors {
     pub(super) inputs: Vec<usize>,
     pub(super) asked: Vec<usize>,
     pub(super) published: Vec<usize>,
+    pub(super) sheet: Option<usize>,
 }
 
 impl Anchors {
@@ -70,6 +73,7 @@ impl Anchors {
             inputs: Vec::new(),
             asked: Vec::new(),
             published: Vec::new(),
+            sheet: None,
         }
     }
 
@@ -103,6 +107,7 @@ impl Anchors {
             Subject::Input(index) => self.inputs.get(index),
             Subject::Asked(index) => self.asked.get(index),
             Subject::Published(index) => self.published.get(index),
+            Subject::Sheet => self.sheet.as_ref(),
         };
         found.copied().unwrap_or(self.root)
     }

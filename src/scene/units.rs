@@ -40,6 +40,9 @@ impl Dimension {
     }
 }
 
+/// An angle whose last digit leaves more than this open (radians) points nowhere.
+const OPEN_ANGLE: f64 = 1.0 / 8.0;
+
 /// What a number of a scene measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Measure {
@@ -436,6 +439,10 @@ impl Scales {
             let range = format!("sizes from {SMALLEST:e} to {LARGEST:e} in SI units, and 0, can be solved");
             return Err(Fault::new(value.at, what).mend(range));
         }
+        if measure == Measure::Angle && given.error > OPEN_ANGLE {
+            let what = format!("`{}` has no digits left for the part of a turn", stated.digits);
+            return Err(Fault::new(value.at, what).mend("take whole turns off"));
+        }
         Ok(Stated { given, scale, sense: stated.sense })
     }
 
@@ -445,7 +452,8 @@ impl Scales {
         if given.value > 0.0 {
             return Ok(given);
         }
-        Err(Fault::new(value.at, format!("{what} must be greater than zero")))
+        let fault = Fault::new(value.at, format!("{what} must be greater than zero"));
+        Err(fault.mend("directions are given by angles and guides, never by a sign of a length"))
     }
 
     /// A pair of coordinates.
@@ -481,7 +489,8 @@ pub(super) fn number(digits: &str, at: usize) -> Res<Given> {
     let mantissa = digits.split(['e', 'E']).next().unwrap_or_default();
     let vanished = value == 0.0 && mantissa.bytes().any(|b| matches!(b, b'1'..=b'9'));
     if !value.is_finite() || vanished {
-        return Err(Fault::new(at, format!("`{digits}` is out of range of double precision")));
+        let fault = Fault::new(at, format!("`{digits}` is out of range of double precision"));
+        return Err(fault.mend(format!("sizes from {SMALLEST:e} to {LARGEST:e} in SI units can be solved")));
     }
     Ok(Given::read(value))
 }

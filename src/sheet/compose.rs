@@ -449,7 +449,8 @@ impl Pager {
             let (mut first, mut second) = split(rest, free);
             if first + second == rest.len() {
                 // The last pair of columns: as low as both fit.
-                let mut height = free;
+                let whole: f64 = rest.iter().flatten().map(|strip| strip.height).sum();
+                let mut height = free.min(whole);
                 while height > LEADING {
                     let lower = split(rest, height - LEADING / 2.0);
                     if lower.0 + lower.1 < rest.len() {
