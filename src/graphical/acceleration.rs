@@ -196,7 +196,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let fixed = guide == LinkId::FRAME;
         let (along, _) = self.tangent(slide, first);
         let mut from = (self.label_under(first, guide), self.image_under(Order::Acceleration, first, guide));
-        if let (Some(slip), false) = (self.slips[slide], fixed) {
+        if let (Some(slip), false) = (self.slips[slide], self.translates[guide.0]) {
             let coriolis = self.coriolis(slip, (first, guide));
             let left = self.board.quarter_turn(along);
             let kind = (VectorKind::Coriolis, Quantity::Coriolis(first, guide));
@@ -345,7 +345,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             (self.label_under(pin, guide.link), self.image_under(Order::Acceleration, pin, guide.link))
         };
         let slip = self.slips[slide];
-        if let (Some(slip), true) = (slip, guide.link != LinkId::FRAME) {
+        if let (Some(slip), false) = (slip, self.translates[guide.link.0]) {
             let coriolis = self.coriolis(slip, (rider, guide.link));
             let left = self.board.quarter_turn(along);
             let kind = (VectorKind::Coriolis, Quantity::Coriolis(rider, guide.link));
@@ -426,7 +426,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         let (along, claim) = self.rolling_direction(roll, wheel, centre);
         let mut from = (self.label_under(centre, body), self.image_under(Order::Acceleration, centre, body));
-        if let (Some(speed), false) = (self.rolling_speeds[roll], body == LinkId::FRAME) {
+        if let (Some(speed), false) = (self.rolling_speeds[roll], self.translates[body.0]) {
             let coriolis = self.coriolis(speed, (centre, body));
             let left = self.board.quarter_turn(along);
             let mm = self.board.to_paper(coriolis, scale);

@@ -62,6 +62,8 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) accelerations: Images<B>,
     /// ω of each link.
     pub(super) omegas: Vec<Option<Amount<B>>>,
+    /// Which links do not turn at all: the frame, and what slides on such links without turning.
+    pub(super) translates: Vec<bool>,
     /// ε of each link.
     pub(super) alphas: Vec<Option<Amount<B>>>,
     /// The normal parts laid off so far.
@@ -105,6 +107,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             velocities: vec![None; points],
             accelerations: vec![None; points],
             omegas: vec![None; links],
+            translates: (0..links).map(|l| l == LinkId::FRAME.0).collect(),
             alphas: vec![None; links],
             feet: Vec::new(),
             coincident: Vec::new(),

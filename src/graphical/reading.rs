@@ -121,6 +121,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             Some((tail, head)) => self.read_vector(order, tail, head),
             // A guide that stands still has no Coriolis acceleration, and no velocity of its own.
             None if link == LinkId::FRAME => Read::Vector([self.rest(), self.rest()]),
+            None if matches!(quantity, Quantity::Coriolis(..)) && self.translates[link.0] => {
+                Read::Vector([self.rest(), self.rest()])
+            }
             None => Read::Undefined("no construction drew this vector"),
         }
     }

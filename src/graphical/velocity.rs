@@ -283,6 +283,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         if let Rider::Link { link, .. } = rider {
             let rate = self.rate(Order::Velocity, guide);
+            self.translates[link.0] = self.translates[guide.0];
             self.set_rate(Order::Velocity, link, rate);
             self.riding_points(Order::Velocity, step, link, first);
         }
@@ -705,7 +706,9 @@ impl<B: Bench> Draughtsman<'_, B> {
                 self.set_rate(order, rod, rate);
             }
             GroupKind::Yoke { link, ride, .. } => {
-                let rate = self.rate(order, self.mechanism.slides[ride].guide.link);
+                let carrier = self.mechanism.slides[ride].guide.link;
+                let rate = self.rate(order, carrier);
+                self.translates[link.0] = self.translates[carrier.0];
                 self.set_rate(order, link, rate);
             }
             _ => {}

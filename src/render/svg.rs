@@ -4,9 +4,10 @@
 //! transforms. A `vector` group holds a `shaft`, whose first point is the vector's tail, and a `head`,
 //! whose first point is its tip; `data-quantity`, `data-value` (in the unit of its polygon's `data-unit`),
 //! `data-from`, `data-to` and, where a direction is claimed, `data-parallel` or `data-perpendicular` (two
-//! points, or `guide` and its rider). A vector too short to draw is a circle with `data-as-point`. The
-//! polygon's and the skeleton's `data-scale` is its unit per millimetre; images and joints carry
-//! `data-point`.
+//! points, or `guide` and the name that a group of the skeleton carries as `data-guide`: its rider, and its
+//! link where one pin rides on several; the first stroke of that group has the guide's direction). A vector
+//! too short to draw is a circle with `data-as-point`. The polygon's and the skeleton's `data-scale` is its
+//! unit per millimetre; images and joints carry `data-point`, which no two places of a figure share.
 
 use kurbo::Point;
 use svg::Document;

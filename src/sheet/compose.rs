@@ -2,6 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::feet::told_apart;
 use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
 use super::notation::Notation;
 use super::rich::Rich;
@@ -39,6 +40,7 @@ pub const fn figure_names() -> &'static [&'static str] {
 pub fn solution(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation { scene, words };
+    let construction = &told_apart(construction, &notation);
     let drawn = |name| panel(name, construction, &notation);
     let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration].map(drawn);
     // Scales stated in the scene may outgrow the paper: then the paper grows, and nothing is clipped.
@@ -86,6 +88,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
     let words = language.words();
     let notation = Notation { scene, words };
+    let construction = &told_apart(construction, &notation);
     let (block, heading) = match name {
         "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
         "velocity" => (panel(Name::Velocity, construction, &notation)?, words.velocity_diagram),
@@ -402,8 +405,11 @@ impl Pager {
                 self.page();
                 continue;
             }
-            let three = 3.0 * table.width() + 2.0 * GUTTER <= self.width();
-            let columns = if left > 2 * fit && left <= 3 * fit && three { 3 } else { 2 };
+            // Three columns in type a little smaller, if that keeps the table on the page.
+            let narrow = table.clone().fitted((self.width() - 2.0 * GUTTER) / 3.0);
+            let three = narrow.fits((self.width() - 2.0 * GUTTER) / 3.0) && narrow.size > 0.8 * table.size;
+            let (columns, table) =
+                if left > 2 * fit && left <= 3 * fit && three { (3, &narrow) } else { (2, table) };
             let here = left.min(columns * fit.max(1));
             let each = here.div_ceil(columns);
             let pitch = self.width() / columns as f64;
@@ -440,7 +446,7 @@ impl Pager {
         if chunks.is_empty() {
             return;
         }
-        if self.bottom() - self.y < 55.0 {
+        if self.bottom() - self.y < 40.0 {
             self.page();
         }
         let mut rest = &chunks[..];

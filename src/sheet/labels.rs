@@ -8,6 +8,8 @@ use super::rich::{Line, Rich};
 
 /// Clear space kept around a label.
 const CLEARANCE: f64 = 0.55;
+/// A blank between words: labels beside each other keep more than that.
+const WORD: f64 = 1.6;
 /// Cost of touching ink or another label: more than any preference.
 const TOUCH: f64 = 1000.0;
 /// Passes of repair; each label moves to its best place given all others.
@@ -154,6 +156,9 @@ fn between(a: Rect, b: Rect) -> (f64, bool) {
         (TOUCH * (1.0 + common), true)
     } else if !a.inflate(CLEARANCE, CLEARANCE).intersect(b).is_zero_area() {
         (15.0, false)
+    } else if !a.inflate(WORD, 0.0).intersect(b).is_zero_area() {
+        // On one line and this near they would be read as one.
+        (6.0, false)
     } else {
         (0.0, false)
     }

@@ -7,6 +7,7 @@
 
 mod compose;
 mod coriolis;
+mod feet;
 pub mod figure;
 pub mod font;
 mod human;

@@ -87,8 +87,6 @@ impl<'a> Notation<'a> {
             Label::Foot { point, link, index } => (point, link, Some(index)),
         };
         let (letters, own) = split(self.point_name(point));
-        // A foot of a point that goes by its link's number carries it as well: a′₂,₁ beside a′₂.
-        let link = link.or_else(|| index.and_then(|_| self.home(point)));
         let indices: Vec<String> = [
             (!own.is_empty()).then(|| own.to_owned()),
             link.map(|l| self.number(l)),
@@ -352,7 +350,7 @@ impl<'a> Notation<'a> {
         Rich::upright(sign).then(&line)
     }
 
-    /// A claim as a data attribute: its name, and the line by its points or its guide's rider.
+    /// A claim as a data attribute: its name, and the line by its points or its guide.
     #[must_use]
     pub fn claim_data(&self, claim: Claim) -> (&'static str, String) {
         let (name, reference) = match claim {

@@ -15,6 +15,12 @@ pub const LONG_SKELETON: (f64, f64) = (150.0, 48.0);
 pub const POLYGON: (f64, f64) = (150.0, 78.0);
 /// Room for a polygon that shares its row with another.
 pub const HALF_POLYGON: (f64, f64) = (73.0, 78.0);
+/// Width that two polygons side by side have, with their names, and at least for their captions.
+const ROW: f64 = 168.0;
+/// Width that the names beside a polygon need.
+const NAMES: f64 = 13.0;
+/// Width of a caption.
+const CAPTION: f64 = 70.0;
 
 /// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels.
 #[must_use]
@@ -35,36 +41,21 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
     }
 }
 
-/// Width and height of the skeleton with its pitch circles, never too small: by how much the circles about
-/// exactly placed centres exceed the exactly placed points, the skeleton is larger at most.
+/// Width and height of the skeleton, not less than those of the pitch circles about exactly placed centres.
 fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2]) -> [f64; 2] {
     let place = |p: PointId| mechanism.points.get(p.0)?.place.exact().map(|at| at.map(|x| x.value));
     let mut wheels: Vec<([f64; 2], f64)> = Vec::new();
-    let mut loose = 0.0_f64;
     for roll in &mechanism.rolls {
         let circles = match roll {
-            Roll::Circles { centres, radii, internal, .. } => {
-                let ring = usize::from(radii[0].value < radii[1].value);
-                let all = [0, 1].map(|i| (centres[i], radii[i].value));
-                // What rolls inside a ring adds nothing to it.
-                if *internal { vec![all[ring]] } else { all.to_vec() }
-            }
+            Roll::Circles { centres, radii, .. } => [0, 1].map(|i| (centres[i], radii[i].value)).to_vec(),
             Roll::Line { centre, radius, .. } => vec![(*centre, radius.value)],
         };
-        for (centre, radius) in circles {
-            match place(centre) {
-                Some(at) => wheels.push((at, radius)),
-                None => loose = loose.max(radius),
-            }
-        }
+        wheels.extend(circles.into_iter().filter_map(|(centre, radius)| Some((place(centre)?, radius))));
     }
-    let points: Vec<[f64; 2]> = (0..mechanism.points.len()).filter_map(|i| place(PointId(i))).collect();
     let grown = |axis: usize, size: f64| {
-        let least = points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
-        let most = points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-        let below = wheels.iter().map(|(at, r)| least - (at[axis] - r)).fold(0.0, f64::max);
-        let above = wheels.iter().map(|(at, r)| at[axis] + r - most).fold(0.0, f64::max);
-        size + below + above + loose
+        let least = wheels.iter().map(|(at, r)| at[axis] - r).fold(f64::INFINITY, f64::min);
+        let most = wheels.iter().map(|(at, r)| at[axis] + r).fold(f64::NEG_INFINITY, f64::max);
+        size.max(most - least)
     };
     [grown(0, w), grown(1, h)]
 }
@@ -75,7 +66,7 @@ fn polygons(sizes: [[f64; 2]; 2], units: [f64; 2]) -> [Option<f64>; 2] {
     let fit = |i: usize, free| choose_for(sizes[i][0], sizes[i][1], free, units[i]);
     let halves = [fit(0, HALF_POLYGON), fit(1, HALF_POLYGON)];
     let [Some(velocity), Some(acceleration)] = halves else { return [fit(0, POLYGON), fit(1, POLYGON)] };
-    let wider = |taken: f64| (POLYGON.0 - taken, POLYGON.1);
+    let wider = |taken: f64| (ROW - f64::max(taken + NAMES, CAPTION) - NAMES, POLYGON.1);
     let acceleration = fit(1, wider(sizes[0][0] / velocity)).map_or(acceleration, |s| s.min(acceleration));
     let velocity = fit(0, wider(sizes[1][0] / acceleration)).map_or(velocity, |s| s.min(velocity));
     [Some(velocity), Some(acceleration)]

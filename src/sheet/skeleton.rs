@@ -15,6 +15,7 @@ use super::overlap::overlaps_in;
 use super::polygon::short_arc;
 use super::pose::{GuideLine, Pose};
 use super::rich::Rich;
+use super::slots::Slot;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll};
@@ -42,10 +43,12 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
         notation: *notation,
         pose: Pose::new(notation.mechanism(), space),
         bars: Vec::new(),
+        slots: Vec::new(),
         labels: Vec::new(),
         fuller: Vec::new(),
     };
     artist.bars = artist.all_bars();
+    artist.add_slots();
     group.group(artist.ground());
     // A slotted link lies over the frame and its sliders, blocks cover their slots, and the bar of a rod
     // runs on to the pin inside its block.
@@ -70,6 +73,7 @@ pub(super) struct Artist<'a> {
     pub(super) pose: Pose<'a>,
     /// The straight strokes of all links, for keeping symbols away from them.
     pub(super) bars: Vec<(LinkId, Point, Point)>,
+    pub(super) slots: Vec<Slot>,
     pub(super) labels: Vec<Request>,
     /// Fuller texts for some of the labels, by index: taken where all of them find room.
     fuller: Vec<(usize, Rich)>,
@@ -141,16 +145,26 @@ impl Artist<'_> {
                 }
             }
         }
-        for slot in self.all_slots(&bars) {
-            if let Some((a, b)) = slot.arm {
-                bars.push((slot.link, a, b));
-            }
-            if matches!(self.body(slot.link), Body::Point) {
+        bars
+    }
+
+    /// The slots, and with the links' own strokes those by which slots hang on them.
+    fn add_slots(&mut self) {
+        self.slots = self.all_slots(&self.bars);
+        let mut more = Vec::new();
+        for slot in &self.slots {
+            more.extend(slot.arm.map(|(a, b)| (slot.link, a, b)));
+            if let (Body::Point, Some((_, joint))) =
+                (self.body(slot.link), self.pose.places(slot.link).first())
+            {
                 let (a, b) = slot.ends;
-                bars.push((slot.link, a, b));
+                let far = if a.distance(*joint) > b.distance(*joint) { a } else { b };
+                // From its joint, or from end to end where it hangs on an arm.
+                let near = if slot.arm.is_some() { if far == a { b } else { a } } else { *joint };
+                more.push((slot.link, near, far));
             }
         }
-        bars
+        self.bars.append(&mut more);
     }
 
     fn construction_lines(&self) -> Group {
@@ -243,11 +257,9 @@ impl Artist<'_> {
         self.labels.push(Request::new(Rich::upright("1"), SMALL, site, "label link-number"));
     }
 
-    /// A straight guide of the frame: its surface under the slider, hatched away from the links.
-    fn fixed_guide(&mut self, at: Point, along: Vec2) -> Group {
-        let mut own = Group::new("guide");
-        let mut across = Vec2::new(-along.y, along.x);
-        // The frame is on the side where fewer links are.
+    /// Across a straight guide of the frame to the side where fewer links are: there is the frame.
+    pub(super) fn frame_side(&self, at: Point, along: Vec2) -> Vec2 {
+        let across = Vec2::new(-along.y, along.x);
         let inclination: f64 = self
             .bars
             .iter()
@@ -255,9 +267,13 @@ impl Artist<'_> {
             .filter(|(near, _)| near.distance(at) < 0.5)
             .map(|(_, far)| (*far - at).dot(across))
             .sum();
-        if inclination > 0.0 || (inclination == 0.0 && across.y < 0.0) {
-            across = -across;
-        }
+        if inclination > 0.0 || (inclination == 0.0 && across.y < 0.0) { -across } else { across }
+    }
+
+    /// A straight guide of the frame: its surface under the slider, hatched away from the links.
+    fn fixed_guide(&mut self, at: Point, along: Vec2) -> Group {
+        let mut own = Group::new("guide");
+        let across = self.frame_side(at, along);
         let foot = at + across * (BLOCK.1 + THICK / 2.0);
         let (a, b) = (foot - along * GUIDE, foot + along * GUIDE);
         own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).precise());

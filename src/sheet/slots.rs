@@ -11,10 +11,13 @@ use crate::mechanism::{GuidePoint, LinkId, Path, PointId, Rider, Slide};
 
 /// Half length and half width of a sleeve in which a rod slides.
 const SLEEVE: (f64, f64) = (5.2, 2.2);
+/// Half length of the tangent under a pin in a curved slot.
+const TANGENT: f64 = 5.0;
 /// Half the angle of a step along a curved outline.
 const CHORD: f64 = 0.02;
 
 /// A slot as it lies on the paper.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Slot {
     /// The link that carries it.
     pub link: LinkId,
@@ -27,6 +30,7 @@ pub(super) struct Slot {
     form: SlotForm,
 }
 
+#[derive(Debug, Clone, Copy)]
 enum SlotForm {
     /// Along this direction.
     Straight(Vec2),
@@ -134,18 +138,17 @@ impl Artist<'_> {
                 all.group(self.sleeve(index, slide));
             }
         }
-        for slot in self.all_slots(&self.bars) {
+        for slot in &self.slots {
             let number = self.notation.number(slot.link);
             if let Some((from, to)) = slot.arm {
                 let mut own = Group::new("link arm").data("link", number.clone());
                 own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THICK)).class("bar"));
                 all.group(own);
             }
-            let mut own = Group::new("link slot")
-                .data("link", number)
-                .data("guide", self.notation.guide_data(slot.index));
+            let mut own = Group::new("link slot").data("link", number);
             match slot.form {
                 SlotForm::Straight(along) => {
+                    own = own.data("guide", self.notation.guide_data(slot.index));
                     let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
                     let (a, b) = slot.ends;
                     let outline = Shape::Polygon(vec![a + across, b + across, b - across, a - across]);
@@ -187,19 +190,21 @@ impl Artist<'_> {
     /// A sleeve on the frame's or another link's joint, and the rod that runs on through it.
     fn sleeve(&mut self, index: usize, slide: &Slide) -> Group {
         let number = self.notation.number(slide.guide.link);
-        let mut own = Group::new("link slider")
-            .data("link", number.clone())
-            .data("guide", self.notation.guide_data(index));
+        let mut own = Group::new("link slider").data("link", number.clone());
+        own = own.data("guide", self.notation.guide_data(index));
         let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) else { return own };
         let Some((_, joint)) = self.pose.places(slide.guide.link).first().copied() else { return own };
         let middle = at + along * (joint - at).dot(along);
         let way = if (middle - at).dot(along) < 0.0 { -along } else { along };
         let rod = Shape::Line(at, middle + way * (SLEEVE.0 + 5.0));
-        own.mark(Mark::outlined(
-            Shape::Polygon(turned_rect(middle, along, SLEEVE.0, SLEEVE.1)),
-            Pen::solid(THICK * 0.8),
-            Tone::Paper,
-        ));
+        own.mark(
+            Mark::outlined(
+                Shape::Polygon(turned_rect(middle, along, SLEEVE.0, SLEEVE.1)),
+                Pen::solid(THICK * 0.8),
+                Tone::Paper,
+            )
+            .precise(),
+        );
         own.mark(Mark::stroke(rod, Pen::solid(THICK)).class("bar"));
         let radius = libm::hypot(SLEEVE.0, SLEEVE.1) * 0.8;
         self.labels.push(ringed(&number, Site::Around { at: middle, radius, toward: None }));
@@ -209,7 +214,7 @@ impl Artist<'_> {
     /// The blocks and sliders: those on the frame, or those in moving guides.
     pub(super) fn slides(&mut self, on_frame: bool) -> Group {
         let mut all = Group::new("sliders");
-        for slide in &self.notation.mechanism().slides {
+        for (index, slide) in self.notation.mechanism().slides.iter().enumerate() {
             if (slide.guide.link == LinkId::FRAME) != on_frame || self.is_sleeve(slide) {
                 continue;
             }
@@ -226,12 +231,26 @@ impl Artist<'_> {
                 }
                 _ => continue,
             };
-            let Some(block) = block else { continue };
+            // The direction of a curved guide is that of its block, else a piece of its tangent.
+            let curved = matches!(slide.guide.path, Path::Arc { .. });
+            let guide = curved.then(|| self.notation.guide_data(index));
+            let Some(block) = block else {
+                if let Some(guide) = guide {
+                    let mut own = Group::new("tangent").data("guide", guide);
+                    let shape = Shape::Line(at - along * TANGENT, at + along * TANGENT);
+                    own.mark(Mark::stroke(shape, Pen::solid(FINE)).precise());
+                    all.group(own);
+                }
+                continue;
+            };
             let size = if on_frame { BLOCK } else { SLOT_BLOCK };
             let number = self.notation.number(block);
             let mut own = Group::new("link slider").data("link", number.clone());
-            let corners = turned_rect(at, along, size.0, size.1);
-            own.mark(Mark::outlined(Shape::Polygon(corners), Pen::solid(THICK * 0.8), Tone::Paper));
+            if let Some(guide) = guide {
+                own = own.data("guide", guide);
+            }
+            let corners = Shape::Polygon(turned_rect(at, along, size.0, size.1));
+            own.mark(Mark::outlined(corners, Pen::solid(THICK * 0.8), Tone::Paper).precise());
             // A rider that is a link of its own is welded to its block.
             if matches!(slide.rider, Rider::Link { .. }) {
                 own.mark(dot(at, 0.6));
@@ -239,7 +258,9 @@ impl Artist<'_> {
             all.group(own);
             if !matches!(slide.rider, Rider::Link { .. }) {
                 let radius = libm::hypot(size.0, size.1) * 0.8;
-                self.labels.push(ringed(&number, Site::Around { at, radius, toward: None }));
+                let toward = on_frame.then(|| -self.frame_side(at, along));
+                let toward = toward.map(|way| libm::atan2(-way.y, way.x));
+                self.labels.push(ringed(&number, Site::Around { at, radius, toward }));
             }
         }
         all

@@ -78,7 +78,13 @@ impl Teller<'_> {
         if only_rubs(self.step) {
             return Rich::bold(words.step_rubbing);
         }
-        let template = match (self.step.order, self.step.links.is_empty()) {
+        // A step that only moves blocks along is named after the point that it finds.
+        let found = self.step.acts.iter().find_map(|act| match act {
+            Act::MarkMeet { label: Label::Image { point, .. }, .. } => Some(*point),
+            _ => None,
+        });
+        let point = found.filter(|_| self.step.links.is_empty());
+        let template = match (self.step.order, self.step.links.is_empty() && point.is_none()) {
             (Order::Position, true) => words.step_frame,
             (Order::Position, false) => words.step_place,
             (Order::Velocity, true) => words.step_velocity_pole,
@@ -86,7 +92,8 @@ impl Teller<'_> {
             (Order::Acceleration, true) => words.step_acceleration_pole,
             (Order::Acceleration, false) => words.step_acceleration,
         };
-        Rich::fill(template, &[("links", self.notation.links(&self.step.links))]).bolder()
+        let links = point.map_or_else(|| self.notation.links(&self.step.links), |p| self.notation.point(p));
+        Rich::fill(template, &[("links", links)]).bolder()
     }
 
     /// One column per term, the signs between them in columns of their own.
@@ -381,6 +388,13 @@ impl Teller<'_> {
         let times = "\u{a0}·\u{a0}";
         let cross = "\u{a0}×\u{a0}";
         let over = "\u{a0}/\u{a0}";
+        let rule = |link: &LinkId, slip: &Quantity, omega: &f64, speed: &f64| {
+            // What is zero has no direction.
+            if *omega == 0.0 || *speed == 0.0 {
+                return Rich::default();
+            }
+            Rich::upright("; ").then(&self.coriolis_rule(*link, *slip, *omega))
+        };
         let text = match calculation {
             Calculation::Speed { quantity, link, ends, omega, length: l, value } => n
                 .symbol_from(*quantity, Some(ends[0]))
@@ -459,8 +473,7 @@ impl Teller<'_> {
                 .then(&number(omega.abs(), w.si))
                 .up(equals)
                 .then(&human::quantity(*value, &a))
-                .up("; ")
-                .then(&self.coriolis_rule(*link, *slip, *omega)),
+                .then(&rule(link, slip, omega, speed)),
             Calculation::SlipNormal { quantity, slip, speed, radius, value } => n
                 .symbol(*quantity, false)
                 .up(equals)

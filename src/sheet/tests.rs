@@ -25,7 +25,7 @@ fn solved(path: &Path) -> Option<(Scene, Construction)> {
 
 fn scenes() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut all: Vec<PathBuf> = ["examples", "src/catalogue"]
+    let mut all: Vec<PathBuf> = ["examples", "src/catalogue", "src/sheet/tests"]
         .iter()
         .flat_map(|folder| std::fs::read_dir(root.join(folder)).unwrap())
         .map(|entry| entry.unwrap().path())
@@ -256,5 +256,116 @@ fn slots_wheels_and_racks_are_drawn() {
         assert_eq!(overlaps(&figure), vec![], "{name}");
         let text = svg::write(&figure);
         assert!(text.contains(&format!("class=\"{class}\"")), "{name}");
+    }
+}
+
+fn fixture(name: &str) -> (Scene, Construction) {
+    let path = format!("src/sheet/tests/{name}.json");
+    solved(&Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
+}
+
+fn groups<'a>(group: &'a Group, class: &str, out: &mut Vec<&'a Group>) {
+    if group.class == class {
+        out.push(group);
+    }
+    for child in &group.children {
+        if let Node::Group(child) = child {
+            groups(child, class, out);
+        }
+    }
+}
+
+fn all_of<'a>(figure: &'a Figure, class: &str) -> Vec<&'a Group> {
+    let mut out = Vec::new();
+    groups(&figure.root, class, &mut out);
+    out
+}
+
+fn data<'a>(group: &'a Group, name: &str) -> &'a str {
+    group.data.iter().find(|(n, _)| *n == name).map_or("", |(_, value)| value)
+}
+
+/// The sliding velocity turned by 90° in the sense of ω is Coriolis' direction, in the small figure as in
+/// the polygon.
+#[test]
+fn the_rule_of_coriolis_is_shown_where_it_applies() {
+    let direction = |group: &Group, nth: usize| {
+        let shafts: Vec<_> = group
+            .children
+            .iter()
+            .filter_map(|n| match n {
+                Node::Mark(Mark { shape: Shape::Line(a, b), class: "shaft", .. }) => {
+                    Some((*b - *a).normalize())
+                }
+                _ => None,
+            })
+            .collect();
+        shafts[nth]
+    };
+    let (scene, construction) = fixture("trammel");
+    let figure = single(&scene, &construction, "acceleration", Language::English).unwrap();
+    let rules = all_of(&figure, "coriolis-rule");
+    assert_eq!(rules.len(), 2);
+    let velocity = single(&scene, &construction, "velocity", Language::English).unwrap();
+    for rule in rules {
+        let quantity = data(rule, "quantity");
+        let coriolis = all_of(&figure, "vector coriolis");
+        let coriolis = coriolis.iter().find(|v| data(v, "quantity") == quantity).unwrap();
+        let slips = all_of(&velocity, "vector sliding");
+        let slip = quantity.replace("coriolis", "slip");
+        let slip = slips.iter().find(|v| data(v, "quantity") == slip).unwrap();
+        assert!((direction(rule, 0) - direction(slip, 0)).hypot() < 1e-6, "{quantity}");
+        assert!((direction(rule, 1) - direction(coriolis, 0)).hypot() < 1e-6, "{quantity}");
+    }
+    // The guide of a Scotch yoke does not turn.
+    let (scene, construction) = fixture("scotch");
+    let figure = single(&scene, &construction, "acceleration", Language::English).unwrap();
+    assert!(all_of(&figure, "coriolis-rule").is_empty());
+}
+
+#[test]
+fn no_two_places_of_a_polygon_share_a_name() {
+    for path in scenes() {
+        let Some((scene, construction)) = solved(&path) else { continue };
+        for name in ["velocity", "acceleration"] {
+            let Some(figure) = single(&scene, &construction, name, Language::English) else { continue };
+            let mut places: Vec<(&str, kurbo::Point)> = Vec::new();
+            for image in all_of(&figure, "image") {
+                let Some(Node::Mark(Mark { shape: Shape::Circle { centre, .. }, .. })) =
+                    image.children.first()
+                else {
+                    continue;
+                };
+                let name = data(image, "point");
+                let other = places.iter().find(|(n, _)| *n == name);
+                assert!(other.is_none_or(|(_, p)| p.distance(*centre) < 1e-5), "{} {name}", path.display());
+                places.push((name, *centre));
+            }
+        }
+    }
+}
+
+#[test]
+fn guides_are_drawn_without_fixed_points_and_slots_hang_on_their_links() {
+    let drawn = |name: &str, class: &str| {
+        let (scene, construction) = fixture(name);
+        let figure = single(&scene, &construction, "skeleton", Language::English).unwrap();
+        all_of(&figure, class).len()
+    };
+    assert_eq!(drawn("slideinput", "guide"), 2);
+    assert_eq!(drawn("oblique", "link arm"), 1);
+    assert_eq!(drawn("rrpmoving", "link arm"), 1);
+    assert_eq!(drawn("scotch", "link arm"), 0);
+    assert_eq!(drawn("planet", "rim"), 1);
+    assert_eq!(drawn("cylinder", "link slot"), 0);
+}
+
+#[test]
+fn every_fixture_has_all_its_figures() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for entry in std::fs::read_dir(root.join("src/sheet/tests")).unwrap() {
+        let path = entry.unwrap().path();
+        let (scene, construction) = solved(&path).unwrap_or_else(|| panic!("{}", path.display()));
+        assert_eq!(figures(&scene, &construction).len(), 6, "{}", path.display());
     }
 }
