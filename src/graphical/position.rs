@@ -50,7 +50,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             GroupKind::Prp { pin, slides } => self.prp(pin, slides)?,
             GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot),
             GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
-            GroupKind::Wheel { wheel, roll, .. } => self.wheel(step, wheel, roll),
+            GroupKind::Wheel { wheel, centre, roll } => self.wheel(step, wheel, centre, roll),
             GroupKind::Rolling { rod, base, wheel, centre, roll } => {
                 self.rolling(step, (rod, base), wheel, centre, roll)?;
             }
@@ -231,7 +231,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.take_hinted(&main, centre, pair)?;
         }
         self.transfer_points(step, &main, centre);
-        self.wheel(step, wheel, roll);
+        self.wheel(step, wheel, centre, roll);
         Ok(())
     }
 
@@ -273,11 +273,9 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The contact point of a wheel: on the line of centres, or the foot of the centre on the line.
-    fn wheel(&mut self, step: &GroupStep, wheel: LinkId, roll: usize) {
+    fn wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
         self.board.purpose("contact point");
-        for &(_, point) in &step.points {
-            self.prick_given(point);
-        }
+        self.wheel_points(step, wheel, centre);
         let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
         let scale = self.length_scale();
         let at = match self.mechanism.rolls[roll] {
@@ -301,6 +299,24 @@ impl<B: Bench> Draughtsman<'_, B> {
         };
         self.place(contact, at);
         self.act(Act::MarkContact { contact });
+    }
+
+    /// The further points of a wheel: as placed, or transferred from its centre and a placed one.
+    fn wheel_points(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId) {
+        let points = &self.mechanism.link(wheel).points;
+        let placed =
+            points.iter().copied().find(|&p| p != centre && self.mechanism.point(p).place.exact().is_some());
+        for &(link, point) in &step.points {
+            if self.prick_given(point) {
+                continue;
+            }
+            let Some(placed) = placed.filter(|_| link == wheel) else { continue };
+            self.prick_given(placed);
+            let (from, to) = (self.at(centre), self.at(placed));
+            let at = self.corner(wheel, (centre, from), (placed, to), point);
+            self.place(point, at);
+            self.act(Act::TransferPoint { link, point });
+        }
     }
 
     /// A point of a driven link whose first-to-second line points `along`.

@@ -97,7 +97,7 @@ fn bless_one(example: &Example) -> Option<String> {
     changed.then(|| example.name.clone())
 }
 
-/// Files in `golden/` that belong to no example.
+/// Sheets in `golden/` that belong to no example.
 fn strangers(examples: &[Example]) -> Vec<String> {
     let known: BTreeSet<String> = examples
         .iter()
@@ -107,6 +107,7 @@ fn strangers(examples: &[Example]) -> Vec<String> {
     let mut strangers: Vec<String> = std::fs::read_dir(root().join("golden"))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(".svg") || name.ends_with(".png"))
         .filter(|name| !known.contains(name))
         .collect();
     strangers.sort();

@@ -89,9 +89,22 @@ impl Sheet {
         }
         let mut guides = BTreeMap::new();
         for guide in skeleton.descendants().filter(|n| n.has_attribute("data-guide")) {
-            if let Some(line) = guide.children().find(|n| n.has_tag_name("path")) {
-                guides.insert(data(guide, "guide").to_owned(), stroke(line));
-            }
+            let name = data(guide, "guide");
+            let rider = || name.split_once('/').and_then(|(rider, _)| joints.get(rider)).copied();
+            let paths: Vec<Node> = guide.children().filter(|n| n.has_tag_name("path")).collect();
+            let direction = match (paths.iter().find_map(|p| centre_of_arc(*p)), rider()) {
+                (Some(centre), Some(rider)) => {
+                    let [x, y] = minus(rider, centre);
+                    [-y, x]
+                }
+                (Some(_), None) => panic!("the rider of an arc is a pin of the skeleton"),
+                (None, _) => {
+                    let Some(line) = paths.first() else { continue };
+                    let places = path(*line);
+                    minus(places[1], places[0])
+                }
+            };
+            guides.insert(name.to_owned(), direction);
         }
         let polygon = |class: &str| of(class).map(|(drawing, caption)| Polygon::read(drawing, &caption));
         Self {
@@ -184,19 +197,19 @@ fn circle(group: Node) -> Mm2 {
     [number("cx"), -number("cy")]
 }
 
-/// From the start to the end of a guide's first stroke. An arc is drawn as far to both sides of its rider:
-/// its chord has the direction of the guide there.
-fn stroke(node: Node) -> Mm2 {
-    let d = node.attribute("d").expect("a path has data");
-    let Some((start, arc)) = d.trim_start_matches('M').split_once(" A") else {
-        let places = path(node);
-        return minus(places[1], places[0]);
-    };
+/// The centre of an arc `M x y A r r 0 large sweep x y` (SVG 1.1, F.6.5).
+fn centre_of_arc(node: Node) -> Option<Mm2> {
+    let d = node.attribute("d")?;
+    let (start, arc) = d.strip_prefix('M')?.split_once(" A")?;
     let numbers =
         |text: &str| -> Vec<f64> { text.split(' ').map(|piece| piece.parse().expect("a number")).collect() };
     let (start, arc) = (numbers(start), numbers(arc));
-    let [.., x, y] = arc[..] else { panic!("{d}: an arc has an end") };
-    [x - start[0], start[1] - y]
+    let [r, _, _, large, sweep, x, y] = arc[..] else { panic!("{d}: an arc has seven numbers") };
+    let half = [(start[0] - x) / 2.0, (start[1] - y) / 2.0];
+    let square = half[0] * half[0] + half[1] * half[1];
+    let sign = if large == sweep { -1.0 } else { 1.0 };
+    let c = sign * ((r * r - square) / square).max(0.0).sqrt();
+    Some([c * half[1] + f64::midpoint(start[0], x), -(f64::midpoint(start[1], y) - c * half[0])])
 }
 
 /// The places of a path of straight strokes.
