@@ -1,8 +1,9 @@
 //! From a scene to its checked solution: the whole way in one call.
 
 use crate::analytic::{self, AnalyticError, State};
+use crate::graphical::construction::Reading;
 use crate::graphical::{self, DrawError, Extents, Scales, Solution};
-use crate::mechanism::quantity::{Answer, Indeterminate, Order};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Extent, Plan};
 use crate::scene::{Refusal, Scene};
@@ -27,6 +28,14 @@ pub enum SolveError {
     /// The skeleton cannot be drawn.
     #[error(transparent)]
     Draw(#[from] DrawError),
+    /// Nothing that was asked has a meaning here, or a construction.
+    #[error("{name}: {why}")]
+    Unanswered {
+        /// The first asked quantity.
+        name: String,
+        /// Why there is no answer.
+        why: Indeterminate,
+    },
     /// Nothing that was asked is determined at this position.
     #[error("indeterminate here: {why}")]
     Indeterminate {
@@ -47,7 +56,9 @@ impl SolveError {
             }
             Self::Draw(DrawError::Ambiguous { .. }) => Some(Refusal::Ambiguous),
             Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
-            Self::Structure(_) | Self::Draw(DrawError::NoConstruction { .. }) => None,
+            Self::Unanswered { .. } | Self::Structure(_) | Self::Draw(DrawError::NoConstruction { .. }) => {
+                None
+            }
         }
     }
 }
@@ -67,18 +78,28 @@ pub fn solve(
     let extents = graphical::extents(&scene.mechanism, &structure, &plan)?;
     let scales = choose(scene, extents);
     let solution = graphical::construct(&scene.mechanism, &structure, &plan, scales)?;
-    let answers = &solution.construction.answers;
-    let indeterminate = |answer: &Answer| match answer {
-        Answer::Indeterminate(why) => Some(why.clone()),
-        _ => None,
-    };
-    if let Some(why) = answers.first().and_then(|r| indeterminate(&r.answer))
-        && answers.iter().all(|r| indeterminate(&r.answer).is_some())
-    {
-        let name = scene.mechanism.asked.first().map(|a| a.name.clone()).unwrap_or_default();
-        return Err(SolveError::Indeterminate { name, why });
-    }
+    determined(&scene.mechanism.asked, &solution.construction.answers)?;
     Ok(Solved { structure, plan, solution })
+}
+
+/// Refuses where none of the asked quantities is determined.
+///
+/// # Errors
+/// [`SolveError::Indeterminate`], or [`SolveError::Unanswered`] where it is not the position's fault.
+pub fn determined(asked: &[Asked], readings: &[Reading]) -> Result<(), SolveError> {
+    let mut reasons = Vec::new();
+    for (asked, reading) in asked.iter().zip(readings) {
+        match &reading.answer {
+            Answer::Indeterminate(why) => reasons.push((asked.name.clone(), why.clone())),
+            _ => return Ok(()),
+        }
+    }
+    let position = reasons.iter().position(|(_, why)| !matches!(why, Indeterminate::Undefined { .. }));
+    match (position, reasons.into_iter().nth(position.unwrap_or(0))) {
+        (_, None) => Ok(()),
+        (Some(_), Some((name, why))) => Err(SolveError::Indeterminate { name, why }),
+        (None, Some((name, why))) => Err(SolveError::Unanswered { name, why }),
+    }
 }
 
 /// Solves the same scene with the independent solver, as far as the asked quantities need.

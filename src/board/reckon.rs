@@ -93,8 +93,15 @@ impl<B: Bench> Board<B> {
     /// Cosine and sine of an angle in radians.
     pub(super) fn cos_sin(&mut self, angle: Num<B>) -> [Num<B>; 2] {
         let (sin, cos) = angle.value.sin_cos();
+        // Along the x-axis sine and cosine are exact.
+        let exact = angle.value.to_f64() == 0.0;
         let inner = B::Real::UNIT_ROUNDOFF * B::Real::TRANSCENDENTAL_ULPS;
         let (s, c) = (sin.to_f64(), cos.to_f64());
+        if exact {
+            let along =
+                |d: &mut Self, value, by| Num { value, mark: d.recorder.result(&[(angle.mark, by)], 0.0) };
+            return [along(self, cos, -s), along(self, sin, c)];
+        }
         let cos = self.push(cos, &[(angle, -s)], inner * c.abs());
         let sin = self.push(sin, &[(angle, c)], inner * s.abs());
         [cos, sin]

@@ -6,7 +6,7 @@
 use crate::analytic::AnalyticError;
 use crate::graphical::construction::Reading;
 use crate::mechanism::PointId;
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity};
 use crate::scene::{Published, Refusal, Scene};
 use crate::solve::{SolveError, Solved};
 
@@ -94,7 +94,7 @@ fn apart(a: &Answer, b: &Answer) -> Option<(f64, f64)> {
 /// An angle read the other way round is the same angle.
 fn apart_as_asked(asked: &Asked, a: &Answer, b: &Answer) -> Option<(f64, f64)> {
     let (distance, bounds) = apart(a, b)?;
-    if matches!(asked.quantity, crate::mechanism::quantity::Quantity::Angle(_)) {
+    if matches!(asked.quantity, Quantity::Angle(_)) {
         let turn = 2.0 * std::f64::consts::PI;
         return Some((distance.min((turn - distance).abs()), bounds));
     }
@@ -200,6 +200,12 @@ pub fn compare_published(
     };
     let printed = if published.signed { published.value } else { published.value.abs() };
     let within = published.within.unwrap_or(tolerance);
+    // A turn more or less is the same angle.
+    let turn = 2.0 * std::f64::consts::PI;
+    let printed = match (computed, published.asked.quantity) {
+        (Some(c), Quantity::Angle(_)) if published.signed => printed - turn * ((printed - c) / turn).round(),
+        _ => printed,
+    };
     let ok = computed.is_some_and(|c| (printed - c).abs() <= within * printed.abs().max(c.abs()) + bound);
     let percent = match computed {
         Some(c) if c.abs() > bound => Some(100.0 * (printed - c) / c),
@@ -267,8 +273,10 @@ fn solve_for_check(scene: &Scene) -> Result<(Agreement, Vec<Answer>), SolveError
     let mut both = scene.clone();
     both.mechanism.asked.extend(scene.published.iter().map(|p| p.asked.clone()));
     let solved = crate::solve::solve(&both, crate::plan::Extent::Asked, crate::sheet::scale::for_scene)?;
-    let agreement = agreement(&both, &solved, &crate::solve::solve_analytically(&both));
     let asked = scene.mechanism.asked.len();
+    // What was published must not hide that nothing asked is determined.
+    crate::solve::determined(&scene.mechanism.asked, &solved.solution.construction.answers[..asked])?;
+    let agreement = agreement(&both, &solved, &crate::solve::solve_analytically(&both));
     let answers = solved.solution.construction.answers[asked..].iter().map(|r| r.answer.clone()).collect();
     Ok((agreement, answers))
 }

@@ -12,6 +12,9 @@ pub(super) fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
     let (subject, what, mend) = match error {
         SolveError::Structure(error) => structure(&scene.mechanism, error),
         SolveError::Draw(error) => draw(scene, error),
+        SolveError::Unanswered { .. } => {
+            (Subject::Asked(0), error.to_string(), "ask for something else beside it".to_owned())
+        }
         SolveError::Indeterminate { .. } => (
             Subject::Inputs,
             error.to_string(),

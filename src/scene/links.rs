@@ -233,6 +233,14 @@ fn without_dimension(fields: &Fields<'_, '_>, id: LinkId, draft: &Draft<'_>) -> 
     let free: Vec<&str> =
         points.iter().filter(|p| !draft.is_exact(**p)).map(|p| draft.say_point(*p)).collect();
     if free.is_empty() {
+        let mut places = points.iter().filter_map(|p| draft.mechanism.point(*p).place.exact());
+        let first = places.next().map(|place| place.map(|c| c.value));
+        if places.all(|place| Some(place.map(|c| c.value)) == first) {
+            let what = format!("all points of {} lie in one place: the link has no size", draft.say(id));
+            return Err(
+                Fault::new(fields.at, what).mend("correct their places, or let the links share one point")
+            );
+        }
         return Ok(Form::Placed);
     }
     let candidates = match points.len() {

@@ -453,7 +453,7 @@ impl Scales {
             return Ok(given);
         }
         let fault = Fault::new(value.at, format!("{what} must be greater than zero"));
-        Err(fault.mend("directions are given by angles and guides, never by a sign of a length"))
+        Err(fault.mend("lengths carry no sign: angles and guides give the directions"))
     }
 
     /// A pair of coordinates.

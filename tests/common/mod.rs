@@ -24,10 +24,13 @@ pub(crate) fn root() -> &'static Path {
 /// Every scene under `examples/`, in the order of their names.
 pub(crate) fn example_paths() -> Vec<PathBuf> {
     let mut paths = Vec::new();
-    for folder in ["examples", "examples/errata", "examples/refusals"] {
-        for entry in std::fs::read_dir(root().join(folder)).unwrap() {
+    let mut folders = vec![root().join("examples")];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
-            if path.extension().is_some_and(|e| e == "json") {
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "json") {
                 paths.push(path);
             }
         }

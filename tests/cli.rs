@@ -1,0 +1,624 @@
+//! The command line as people and programs meet it: exit status, what stands on which stream, the JSON of
+//! `solve` and `check`, and that nothing is written where something is wrong.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
+
+mod common;
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+/// A folder that goes away with the test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("linkgram-cli-{}-{name}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&path);
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn write(&self, name: &str, text: impl AsRef<[u8]>) {
+        std::fs::write(self.0.join(name), text).unwrap();
+    }
+
+    /// Every file with its bytes.
+    fn contents(&self) -> BTreeMap<PathBuf, Vec<u8>> {
+        let entries = std::fs::read_dir(&self.0).unwrap().map(|e| e.unwrap().path());
+        entries.filter(|p| p.is_file()).map(|p| (p.clone(), std::fs::read(p).unwrap())).collect()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+struct Ran {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn run_in(folder: &Path, arguments: &[&str], input: Option<&[u8]>) -> Ran {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_linkgram"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(if input.is_some() { Stdio::piped() } else { Stdio::null() })
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    if let Some(input) = input {
+        // A program that refuses at once may hang up before it has read everything.
+        let _ = child.stdin.take().unwrap().write_all(input);
+    }
+    let output = child.wait_with_output().unwrap();
+    let code = output.status.code().expect("ended by a signal");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    let ran = Ran { code, out: text(output.stdout), err: text(output.stderr) };
+    assert!([0, 1, 2].contains(&ran.code), "exit {} is a bug:\n{}", ran.code, ran.err);
+    assert!(!ran.err.contains("panicked"), "{}", ran.err);
+    assert!(!ran.out.contains('\u{1b}') && !ran.err.contains('\u{1b}'), "colour without a terminal");
+    ran
+}
+
+fn run(arguments: &[&str]) -> Ran {
+    run_in(common::root(), arguments, None)
+}
+
+fn solve_json(text: &str) -> (i32, Value) {
+    let ran = run_in(common::root(), &["solve", "-", "--json"], Some(text.as_bytes()));
+    assert!(ran.code < 2, "{}", ran.err);
+    (ran.code, serde_json::from_str(&ran.out).unwrap())
+}
+
+const SIX: &str = "examples/s000-ch3a-1.json";
+
+fn six() -> Value {
+    serde_json::from_str(&common::example_text("s000-ch3a-1")).unwrap()
+}
+
+/// The error's place, as `file:line:column: `.
+fn place<'a>(ran: &'a Ran, file: &str) -> (usize, usize, &'a str) {
+    assert_eq!(ran.code, 2, "{}", ran.err);
+    assert_eq!(ran.out, "", "results on stdout of a refused scene");
+    let start = format!("error: {file}:");
+    let rest = ran.err.strip_prefix(start.as_str()).unwrap_or_else(|| panic!("{start}: {}", ran.err));
+    assert_eq!(ran.err.matches("error:").count(), 1, "one clear error: {}", ran.err);
+    let mut parts = rest.splitn(3, ':');
+    let mut number = || parts.next().unwrap().parse::<usize>().unwrap();
+    let (line, column) = (number(), number());
+    assert!(line >= 1 && column >= 1);
+    (line, column, parts.next().unwrap().trim())
+}
+
+// --- solve ---------------------------------------------------------------------------------------------
+
+#[test]
+fn problem_3_1_has_the_numbers_of_the_contract() {
+    let (code, solved) = solve_json(&common::example_text("s000-ch3a-1"));
+    assert_eq!(code, 0);
+    assert_eq!(solved["degrees_of_freedom"], 1);
+    assert_eq!(solved["agreement"]["ok"], true);
+    assert!(solved["agreement"]["worst_ratio"].as_f64().unwrap() <= 1.0);
+    let quantity = |name: &str| {
+        let list = solved["quantities"].as_array().unwrap();
+        list.iter().find(|q| q["name"] == name).unwrap_or_else(|| panic!("no {name}"))
+    };
+    // Issue 2: O4 = (45, 15), guide y = 37, B below O4; half a unit of the last digit.
+    let scalars = [
+        ("omega(3)", 4.397_03, 5e-6, "rad/s", "ccw"),
+        ("omega(4)", 5.843_65, 5e-6, "rad/s", "ccw"),
+        ("omega(5)", -1.205_91, 5e-6, "rad/s", "cw"),
+        ("alpha(3)", 25.3088, 5e-5, "rad/s^2", "ccw"),
+        ("alpha(4)", -43.4273, 5e-5, "rad/s^2", "cw"),
+        ("alpha(5)", -18.0658, 5e-5, "rad/s^2", "cw"),
+    ];
+    for (name, expected, half_digit, unit, sense) in scalars {
+        let q = quantity(name);
+        assert_eq!((q["unit"].as_str(), q["sense"].as_str()), (Some(unit), Some(sense)), "{name}");
+        for key in ["value", "analytic"] {
+            let value = q[key].as_f64().unwrap();
+            assert!((value - expected).abs() <= half_digit, "{key} of {name}: {value}");
+        }
+    }
+    let d = quantity("a(D)");
+    assert_eq!(d["unit"], "cm/s^2");
+    assert!((d["magnitude"].as_f64().unwrap() - 1442.94).abs() <= 0.005);
+    let analytic: Vec<f64> = d["analytic"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    assert!((libm::hypot(analytic[0], analytic[1]) - 1442.94).abs() <= 0.005);
+}
+
+#[test]
+fn every_quantity_has_the_fields_of_the_format() {
+    let (_, solved) = solve_json(&common::example_text("s000-ch3a-1"));
+    for q in solved["quantities"].as_array().unwrap() {
+        let name = q["name"].as_str().unwrap();
+        let number = |key: &str| q[key].as_f64().unwrap_or_else(|| panic!("{key} of {name}"));
+        let [bound, analytic_bound, difference] = ["bound", "analytic_bound", "difference"].map(number);
+        assert!(difference <= bound + analytic_bound, "{name}");
+        if let Some(value) = q["value"].as_array() {
+            let value: Vec<f64> = value.iter().map(|x| x.as_f64().unwrap()).collect();
+            let size = libm::hypot(value[0], value[1]);
+            assert!((number("magnitude") - size).abs() <= 4.0 * f64::EPSILON * size, "{name}");
+            let turned = libm::atan2(value[1], value[0]).to_degrees();
+            assert!((number("direction_deg") - turned).abs() <= 1e-12 * 360.0, "{name}");
+            assert!(q.get("sense").is_none());
+        } else {
+            let value = number("value");
+            let sense = q.get("sense").and_then(Value::as_str);
+            if name.starts_with("omega") || name.starts_with("alpha") {
+                assert_eq!(sense, Some(if value > 0.0 { "ccw" } else { "cw" }), "{name}");
+            } else {
+                assert_eq!(sense, None, "{name}");
+            }
+        }
+        if ["v(", "a("].iter().any(|start| name.starts_with(start)) {
+            assert!(number("drawn_mm") > 0.0, "{name} is a vector of a polygon");
+        }
+    }
+}
+
+#[test]
+fn names_come_back_in_order_and_in_their_units() {
+    let mut scene = six();
+    scene["find"] = serde_json::json!([
+        "alpha(3)", "v(B)", { "name": "v(B)", "unit": "m/s" }, { "name": "omega(4)", "unit": "rpm" },
+        { "name": "x(B)", "unit": "in" }, "x(B)", "angle(3)", { "name": "angle(3)", "unit": "rad" },
+        "transmission(3/4)", "v(B)"
+    ]);
+    let (code, solved) = solve_json(&scene.to_string());
+    assert_eq!(code, 0);
+    let list = solved["quantities"].as_array().unwrap();
+    let heads: Vec<(&str, &str)> =
+        list.iter().map(|q| (q["name"].as_str().unwrap(), q["unit"].as_str().unwrap())).collect();
+    let expected = [
+        ("alpha(3)", "rad/s^2"),
+        ("v(B)", "cm/s"),
+        ("v(B)", "m/s"),
+        ("omega(4)", "rpm"),
+        ("x(B)", "in"),
+        ("x(B)", "cm"),
+        ("angle(3)", "deg"),
+        ("angle(3)", "rad"),
+        ("transmission(3/4)", "deg"),
+        ("v(B)", "cm/s"),
+    ];
+    assert_eq!(heads, expected);
+    let vector = |index: usize| -> Vec<f64> {
+        list[index]["value"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+    };
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b.abs();
+    for axis in 0..2 {
+        assert!(near(vector(1)[axis], 100.0 * vector(2)[axis]));
+        assert!(near(vector(5)[axis], 2.54 * vector(4)[axis]));
+        assert_eq!(vector(1)[axis], vector(9)[axis]);
+    }
+    // 5.84365 rad/s, to six digits, is 55.803 rpm.
+    let rpm = list[3]["value"].as_f64().unwrap();
+    assert!((rpm - 5.843_65 * 30.0 / std::f64::consts::PI).abs() <= 5e-5);
+    assert!(near(list[6]["value"].as_f64().unwrap(), list[7]["value"].as_f64().unwrap().to_degrees()));
+}
+
+#[test]
+fn the_table_and_the_explanation() {
+    let ran = run(&["solve", SIX, "--explain"]);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+    for part in ["n = 6", "omega(4)", "rad/s", "cm/s^2", "analytic", "agree", "kept", "RRP of links 5, 6"] {
+        assert!(ran.out.contains(part), "{part}:\n{}", ran.out);
+    }
+    let mut scene = six();
+    scene["find"] = serde_json::json!(["v(B)"]);
+    let folder = Folder::new("explain");
+    folder.write("s.json", scene.to_string());
+    let ran = run_in(&folder.0, &["solve", "s.json", "--explain", "--json"], None);
+    let solved: Value = serde_json::from_str(&ran.out).unwrap();
+    let lines = solved["explain"].as_array().unwrap();
+    let skipped = lines.iter().filter(|l| l.as_str().unwrap().starts_with("skipped")).count();
+    assert_eq!(skipped, 5, "{lines:?}");
+}
+
+#[test]
+fn standard_input_is_a_scene() {
+    let text = common::example_text("s000-ch3a-1");
+    let from_file = run(&["solve", SIX, "--json"]);
+    let from_input = run_in(common::root(), &["solve", "-", "--json"], Some(text.as_bytes()));
+    assert_eq!((from_input.code, &from_input.out), (0, &from_file.out));
+    let bad = text.replace("\"length\": 45", "\"lenght\": 45");
+    let ran = run_in(common::root(), &["solve", "-"], Some(bad.as_bytes()));
+    assert_eq!(ran.code, 2);
+    let (line, text) = bad.lines().enumerate().find(|(_, l)| l.contains("lenght")).unwrap();
+    let at = format!("{}:{}: links.3.lenght: ", line + 1, text.find("\"lenght").unwrap() + 1);
+    assert!(ran.err.contains(&at), "{at}: {}", ran.err);
+}
+
+// --- refusals ------------------------------------------------------------------------------------------
+
+/// A mistake in problem 3-1, where it must be found, and what must be said.
+struct Mistake {
+    from: &'static str,
+    to: &'static str,
+    path: &'static str,
+    says: &'static [&'static str],
+}
+
+#[test]
+fn bad_scenes_get_one_error_with_its_place_and_mend_and_nothing_is_written() {
+    let mistakes = [
+        Mistake {
+            from: r#""length": 45 }"#,
+            to: r#""lenght": 45 }"#,
+            path: "links.3.lenght",
+            says: &["length"],
+        },
+        Mistake { from: r#""length": 45 }"#, to: r#""length": -45 }"#, path: "links.3.length", says: &[] },
+        Mistake { from: r#""length": 45 }"#, to: r#""length": 1e999 }"#, path: "links.3.length", says: &[] },
+        Mistake { from: r#""length": 45 }"#, to: r#""length": 0 }"#, path: "links.3.length", says: &[] },
+        Mistake { from: r#"["O2", "A"]"#, to: r#"["O2", 7]"#, path: "links.2.joins", says: &[] },
+        Mistake { from: r#""omega(5)""#, to: r#""omega(9)""#, path: "find", says: &["9"] },
+        Mistake { from: r#""v(D/C)","#, to: r#""v(E/C)","#, path: "find", says: &["E"] },
+        Mistake { from: r#""10 rad/s cw""#, to: r#""10 parsec cw""#, path: "input.omega", says: &["parsec"] },
+        Mistake { from: r#""pin": "D""#, to: r#""pin": "Q""#, path: "slides[0].pin", says: &["Q", "help"] },
+        // No chain: 30 cm and 0.45 cm do not reach from O4 to A, 32.9 cm away.
+        Mistake {
+            from: r#""length": 45 }"#,
+            to: r#""length": 0.45 }"#,
+            path: "input",
+            says: &["cannot be assembled", "AB"],
+        },
+        // A freedom is left over; a constraint is too many.
+        Mistake {
+            from: r#""length": 37 }"#,
+            to: r#""length": 37 }, "7": { "joins": ["A", "E"], "length": 10 }"#,
+            path: "input",
+            says: &["1 degree of freedom left over", "link 7", "n = 7"],
+        },
+        Mistake {
+            from: r#""input": { "link": 2, "angle": 30, "omega": "10 rad/s cw" }"#,
+            to: r#""inputs": [{ "link": 2, "angle": 30, "omega": 1 }, { "link": 4, "angle": 80, "omega": 1 }]"#,
+            path: "inputs[1]",
+            says: &["the input of link 4", "too many"],
+        },
+        // An unknown key, and a text that is no JSON.
+        Mistake { from: r#""angle": 0 }"#, to: r#""angle": 0 } }], "x": [{"#, path: "x", says: &[] },
+        Mistake { from: r#", "length": 15 }"#, to: r#", "length": 15"#, path: "", says: &[] },
+    ];
+    let text = common::example_text("s000-ch3a-1");
+    for (index, mistake) in mistakes.iter().enumerate() {
+        assert!(text.contains(mistake.from), "{}", mistake.from);
+        let bad = text.replacen(mistake.from, mistake.to, 1);
+        let folder = Folder::new(&format!("bad-{index}"));
+        folder.write("bad.json", &bad);
+        folder.write("old.svg", "an older sheet");
+        let before = folder.contents();
+        for arguments in [
+            &["solve", "bad.json"][..],
+            &["solve", "bad.json", "--json"],
+            &["draw", "bad.json"],
+            &["draw", "bad.json", "-o", "new.svg", "-o", "old.svg"],
+        ] {
+            let ran = run_in(&folder.0, arguments, None);
+            assert_eq!(ran.code, 2, "{}: {arguments:?}", mistake.to);
+            let (line, column, message) = place(&ran, "bad.json");
+            assert!(message.starts_with(mistake.path), "{} is not at {}", ran.err, mistake.path);
+            for word in mistake.says {
+                assert!(message.contains(word), "{}: no {word}", ran.err);
+            }
+            // The place is in the file, and for a replaced word on its line.
+            let lines: Vec<&str> = bad.lines().collect();
+            assert!(
+                line <= lines.len() + 1 && column <= lines.get(line - 1).map_or(0, |l| l.chars().count()) + 1,
+                "{}",
+                ran.err
+            );
+            assert_eq!(folder.contents(), before, "{arguments:?} wrote something");
+        }
+    }
+}
+
+#[test]
+fn the_three_refusals_are_three_errors() {
+    let unreachable = run(&["solve", "examples/refusals/s000-ch4-2-150-unreachable.json"]);
+    let (_, _, message) = place(&unreachable, "examples/refusals/s000-ch4-2-150-unreachable.json");
+    assert!(message.contains("cannot be assembled") && message.contains("720 mm"), "{message}");
+    // 300² + 600² − 2·300·600 cos θ = 720² at the edge.
+    let edge =
+        libm::acos((300.0 * 300.0 + 600.0 * 600.0 - 720.0 * 720.0) / (2.0 * 300.0 * 600.0)).to_degrees();
+    assert!(message.contains(&format!("{edge:.4}")), "no edge at {edge}: {message}");
+
+    let ambiguous = run(&["solve", "examples/refusals/s000-ch4-2-30-ambiguous.json"]);
+    let (_, _, message) = place(&ambiguous, "examples/refusals/s000-ch4-2-30-ambiguous.json");
+    // Both places stand in the case's table.
+    assert!(
+        message.contains("ambiguous") && message.contains("305.5") && message.contains("554.2"),
+        "{message}"
+    );
+    assert!(message.contains("near"), "{message}");
+
+    let dead = run(&["solve", "examples/refusals/dead-centre.json"]);
+    assert!([1, 2].contains(&dead.code));
+    let said = format!("{}{}", dead.out, dead.err);
+    assert!(said.contains("indeterminate") && said.contains("3") && said.contains("4"), "{said}");
+}
+
+#[test]
+fn a_quantity_that_is_indeterminate_alone_is_exit_1() {
+    // ω of the crank is known in the dead centre, those of coupler and rocker are not.
+    let mut scene: Value = serde_json::from_str(
+        &std::fs::read_to_string(common::root().join("examples/refusals/dead-centre.json")).unwrap(),
+    )
+    .unwrap();
+    scene["find"] = serde_json::json!(["omega(2)", "omega(3)"]);
+    scene.as_object_mut().unwrap().remove("expect");
+    let (code, solved) = solve_json(&scene.to_string());
+    assert_eq!(code, 1);
+    let list = solved["quantities"].as_array().unwrap();
+    assert_eq!(list[0]["value"].as_f64(), Some(1.0));
+    assert!(list[1]["indeterminate"].as_str().unwrap().contains("dead centre"), "{}", list[1]);
+    assert!(list[1].get("value").is_none());
+}
+
+#[test]
+fn files_that_are_no_scenes() {
+    let folder = Folder::new("no-scenes");
+    folder.write("empty.json", "");
+    folder.write("bytes.json", b"{ \"title\": \"\xff\xfe\" }");
+    folder.write("list.json", "[1, 2]");
+    let before = folder.contents();
+    for (file, has_place) in
+        [("empty.json", true), ("bytes.json", true), ("list.json", true), ("none.json", false), (".", false)]
+    {
+        let ran = run_in(&folder.0, &["solve", file], None);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{file}");
+        assert!(ran.err.starts_with("error: "), "{}", ran.err);
+        assert!(ran.err.contains(file), "{}", ran.err);
+        if has_place {
+            place(&ran, file);
+        }
+    }
+    assert_eq!(folder.contents(), before);
+}
+
+#[test]
+fn bad_usage_is_exit_2_on_stderr() {
+    for arguments in [
+        &[][..],
+        &["sovle", SIX],
+        &["solve"],
+        &["solve", SIX, "--jsno"],
+        &["check"],
+        &["check", SIX, "--tolerance", "much"],
+        &["new", "perpetuum-mobile"],
+        &["draw", SIX, "--figure", "velocty"],
+        &["draw", SIX, "--lang", "tlh"],
+    ] {
+        let ran = run(arguments);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{arguments:?}: {}", ran.err);
+        assert!(!ran.err.is_empty());
+    }
+    let ran = run(&["draw", SIX, "--figure", "velocty"]);
+    assert!(ran.err.contains("velocity"), "the nearest name: {}", ran.err);
+    for arguments in [&["--help"][..], &["--version"], &["solve", "--help"]] {
+        let ran = run(arguments);
+        assert_eq!((ran.code, ran.err.as_str()), (0, ""), "{arguments:?}");
+        assert!(ran.out.contains("linkgram"));
+    }
+}
+
+/// Problem 3-1 with each of its lines taken out in turn, and cut off after it.
+#[test]
+fn scenes_with_missing_lines_are_solved_or_refused_with_a_place() {
+    let text = common::example_text("s000-ch3a-1");
+    let lines: Vec<&str> = text.lines().collect();
+    let mut refused = 0;
+    for gone in 0..lines.len() {
+        let without: Vec<&str> =
+            lines.iter().enumerate().filter(|(i, _)| *i != gone).map(|(_, l)| *l).collect();
+        for bad in [without.join("\n"), lines[..gone].join("\n")] {
+            let ran = run_in(common::root(), &["solve", "-"], Some(bad.as_bytes()));
+            if ran.code == 2 {
+                let after_file = ran.err.split_once(':').unwrap().1;
+                let digits = |part: &str| part.parse::<usize>().is_ok();
+                let numbers = after_file.split(':').filter(|part| digits(part)).count();
+                assert!(numbers >= 2, "no place: {}", ran.err);
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > lines.len(), "{refused}");
+}
+
+// --- draw ----------------------------------------------------------------------------------------------
+
+#[test]
+fn drawing_is_the_same_on_stdout_and_in_a_file() {
+    let folder = Folder::new("draw");
+    let scene = common::root().join(SIX);
+    let scene = scene.to_str().unwrap();
+    let shown = run_in(&folder.0, &["draw", scene], None);
+    assert_eq!((shown.code, shown.err.as_str()), (0, ""));
+    assert!(shown.out.contains("<svg") && shown.out.trim_end().ends_with("</svg>"));
+    assert!(folder.contents().is_empty());
+    let written = run_in(&folder.0, &["draw", scene, "-o", "a.svg", "-o", "b.SVG"], None);
+    assert_eq!((written.code, written.out.as_str(), written.err.as_str()), (0, "", ""));
+    let contents = folder.contents();
+    assert_eq!(contents.len(), 2, "two files and no leftovers: {:?}", contents.keys());
+    assert!(contents.values().all(|bytes| bytes == shown.out.as_bytes()));
+    let single = run_in(&folder.0, &["draw", scene, "--figure", "velocity"], None);
+    assert_eq!(single.code, 0);
+    assert!(single.out.contains("<svg") && single.out.len() < shown.out.len());
+}
+
+#[test]
+fn nothing_is_written_when_one_output_fails() {
+    let folder = Folder::new("half");
+    let scene = common::root().join(SIX);
+    let scene = scene.to_str().unwrap();
+    for second in ["sheet.bmp", "sheet", "nowhere/sheet.svg"] {
+        let ran = run_in(&folder.0, &["draw", scene, "-o", "sheet.svg", "-o", second], None);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{second}");
+        assert!(ran.err.contains(second.rsplit('/').next().unwrap()), "{}", ran.err);
+        assert!(folder.contents().is_empty(), "{second}: {:?}", folder.contents().keys());
+    }
+}
+
+#[test]
+fn a_figure_that_nobody_needs_is_refused() {
+    let mut scene = six();
+    scene["find"] = serde_json::json!(["v(B)"]);
+    scene.as_object_mut().unwrap().remove("published");
+    let text = scene.to_string();
+    let ran = run_in(common::root(), &["draw", "-", "--figure", "acceleration"], Some(text.as_bytes()));
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    assert!(ran.err.contains("acceleration"), "{}", ran.err);
+}
+
+// --- check, new, schema --------------------------------------------------------------------------------
+
+#[test]
+fn the_examples_hold() {
+    let ran = run(&["check", "examples"]);
+    assert_eq!(ran.code, 0, "{}", ran.out);
+    assert_eq!(ran.err, "");
+    let count = common::example_paths().len();
+    assert!(ran.out.contains(&format!("{count} of {count} scenes hold")), "{}", ran.out);
+    assert!(!ran.out.contains("FAILS"));
+}
+
+#[test]
+fn check_json_tells_scenes_in_order_with_their_percentages() {
+    let ran = run(&["check", "examples", "--json"]);
+    assert_eq!(ran.code, 0);
+    let checked: Value = serde_json::from_str(&ran.out).unwrap();
+    let scenes = checked["scenes"].as_array().unwrap();
+    assert_eq!(scenes.len(), common::example_paths().len());
+    let names: Vec<&str> = scenes.iter().map(|s| s["scene"].as_str().unwrap()).collect();
+    let mut sorted = names.clone();
+    sorted.sort_by(|a, b| Path::new(a).cmp(Path::new(b)));
+    assert_eq!(names, sorted);
+    for scene in scenes {
+        assert_eq!(scene["ok"], true, "{scene}");
+        for published in scene["published"].as_array().into_iter().flatten() {
+            for key in ["name", "published", "computed", "percent", "ok"] {
+                assert!(published.get(key).is_some(), "{key}: {published}");
+            }
+        }
+    }
+    // Problem 3-1: the case's own percentages (ω₄ −3.1, α₅ −8.8), to their one decimal.
+    let six = scenes.iter().find(|s| s["scene"].as_str().unwrap().ends_with("s000-ch3a-1.json")).unwrap();
+    assert!(six["agreement"]["worst_ratio"].as_f64().unwrap() <= 1.0);
+    for (name, percent) in [("omega(4)", -3.1), ("v(B)", -3.0), ("a(D)", 1.2), ("alpha(5)", -8.8)] {
+        let published = six["published"].as_array().unwrap();
+        let found = published.iter().find(|p| p["name"] == name).unwrap()["percent"].as_f64().unwrap();
+        assert!((found - percent).abs() <= 0.051, "{name}: {found} %");
+    }
+}
+
+#[test]
+fn a_scene_holds_when_exactly_its_errata_miss() {
+    let folder = Folder::new("errata");
+    let text = std::fs::read_to_string(common::root().join("examples/errata/s002-3.json")).unwrap();
+    let mut scene: Value = serde_json::from_str(&text).unwrap();
+    let errata = scene["errata"].clone();
+    assert!(!errata.as_array().unwrap().is_empty());
+    let mut exit = |errata: Value, expect: Option<&str>| {
+        scene["errata"] = errata;
+        if let Some(expect) = expect {
+            scene["expect"] = Value::from(expect);
+        }
+        folder.write("s.json", scene.to_string());
+        run_in(&folder.0, &["check", "s.json"], None).code
+    };
+    assert_eq!(exit(errata.clone(), None), 0);
+    // An error that the scene does not know, and one that is none.
+    assert_eq!(exit(serde_json::json!([]), None), 1);
+    let mut more = errata.as_array().unwrap().clone();
+    more.push(Value::from("v(A)"));
+    assert_eq!(exit(Value::from(more), None), 1);
+    // A refusal that does not come.
+    assert_eq!(exit(errata, Some("cannot-assemble")), 1);
+}
+
+#[test]
+fn a_refusal_that_nobody_expects_does_not_hold() {
+    let folder = Folder::new("refusal");
+    let path = common::root().join("examples/refusals/s000-ch4-2-150-unreachable.json");
+    let text = std::fs::read_to_string(path).unwrap();
+    folder.write("right.json", &text);
+    folder.write("wrong.json", text.replace("\"cannot-assemble\"", "\"ambiguous\""));
+    let mut scene: Value = serde_json::from_str(&text).unwrap();
+    scene.as_object_mut().unwrap().remove("expect");
+    folder.write("none.json", scene.to_string());
+    let codes =
+        ["right.json", "wrong.json", "none.json"].map(|f| run_in(&folder.0, &["check", f], None).code);
+    assert_eq!(codes, [0, 1, 1]);
+    // A broken file is bad input, and the others are still told.
+    folder.write("zz.json", "{");
+    let ran = run_in(&folder.0, &["check", "."], None);
+    assert_eq!(ran.code, 2);
+    assert!(ran.out.contains("right.json") && ran.err.contains("zz.json:1:"), "{}\n{}", ran.out, ran.err);
+}
+
+#[test]
+fn the_tolerance_is_for_what_states_none() {
+    let folder = Folder::new("tolerance");
+    let mut scene = six();
+    scene["published"] = serde_json::json!({ "v(B)": "170 cm/s" });
+    folder.write("s.json", scene.to_string());
+    // The print is 3.0 % low.
+    let codes = ["5%", "3.1%", "2.9%", "0.029"]
+        .map(|t| run_in(&folder.0, &["check", "s.json", "--tolerance", t], None).code);
+    assert_eq!(codes, [0, 0, 1, 1]);
+}
+
+#[test]
+fn every_kind_of_the_catalogue_is_a_scene_that_solves() {
+    let list = run(&["new"]);
+    assert_eq!(list.code, 0);
+    let kinds: Vec<&str> = list.out.lines().filter_map(|l| l.split_whitespace().next()).collect();
+    let known: Vec<&str> = kinds.into_iter().filter(|k| run(&["new", k]).code == 0).collect();
+    for kind in ["four-bar", "four-bar-crossed", "slider-crank", "slider-crank-offset", "six-link"] {
+        assert!(known.contains(&kind), "{kind}: {}", list.out);
+    }
+    assert!(known.len() >= 10, "{known:?}");
+    for kind in known {
+        let scene = run(&["new", kind]).out;
+        let (code, solved) = solve_json(&scene);
+        assert_eq!((code, &solved["agreement"]["ok"]), (0, &Value::Bool(true)), "{kind}");
+    }
+}
+
+#[test]
+fn the_schema_is_json_and_names_every_key() {
+    let ran = run(&["schema"]);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+    let schema: Value = serde_json::from_str(&ran.out).unwrap();
+    let properties = schema["properties"].as_object().unwrap();
+    for key in [
+        "title",
+        "units",
+        "fixed",
+        "placed",
+        "near",
+        "links",
+        "slides",
+        "rolls",
+        "input",
+        "inputs",
+        "find",
+        "pins",
+        "published",
+        "errata",
+        "expect",
+        "sheet",
+    ] {
+        assert!(properties.contains_key(key), "{key}");
+    }
+}
