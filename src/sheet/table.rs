@@ -126,8 +126,10 @@ impl Table {
     /// How many rows fit under the head in this height.
     #[must_use]
     pub fn rows_in(&self, height: f64) -> usize {
+        /// More rows than any paper has: type of no size would fit without end.
+        const MOST: f64 = 10_000.0;
         let left = height - self.pitch() - 0.3 * self.size;
-        (left / self.pitch()).floor().max(0.0) as usize
+        (left / self.pitch()).floor().clamp(0.0, MOST) as usize
     }
 
     fn row(&self, group: &mut Group, cells: &[Rich], widths: &[f64], base: f64) {
