@@ -264,7 +264,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// The image of a point whose image is known; the pole for a fixed one.
     pub(super) fn image(&mut self, order: Order, point: PointId) -> Point<B> {
-        match self.images(order)[point.0] {
+        let known = self.images(order)[point.0];
+        let name = &self.mechanism.point(point).name;
+        debug_assert!(known.is_some() || self.mechanism.is_fixed(point), "the image of {name} was not planned");
+        match known {
             Some(image) => image,
             None => self.board.origin(),
         }

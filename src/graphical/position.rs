@@ -101,6 +101,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The place of a point that an earlier step found.
     pub(super) fn at(&mut self, point: PointId) -> Point<B> {
+        debug_assert!(self.places[point.0].is_some(), "{} was not planned", self.mechanism.point(point).name);
         match self.places[point.0] {
             Some(at) => at,
             None => self.board.origin(),
