@@ -220,13 +220,24 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.act(Act::MarkPlaces);
         } else {
             let circle = self.circle(main[0], centre);
-            let track = self.centre_track(roll, wheel, centre);
             let reason = self.reason(&[rod, wheel]);
-            let met = match track {
-                Track::Straight(line) => self.board.meet_line_circle(line, circle, reason),
-                Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
+            let mut met = Vec::new();
+            for track in self.centre_tracks(roll, wheel) {
+                met.extend(match track {
+                    Track::Straight(line) => self.board.meet_line_circle(line, circle, reason),
+                    Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
+                });
+            }
+            let nearest = |d: &Self, pair: &Pair<B>| {
+                let misses =
+                    [Side::First, Side::Second].map(|side| d.miss_of_hint(centre, d.board.look(pair, side)));
+                misses.into_iter().flatten().fold(f64::INFINITY, f64::min)
             };
-            let pair = met.map_err(|_| DrawError::NoClosure { pin: centre, least: f64::INFINITY })?;
+            // The hint also chooses the side of the line on which the wheel rolls.
+            let Some(pair) = met.into_iter().min_by(|a, b| nearest(self, a).total_cmp(&nearest(self, b)))
+            else {
+                return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
+            };
             let radius = circle.radius.value() * self.scales.length;
             self.act(Act::StrikeArc { centre: base, to: centre, radius });
             self.take_hinted(&main, centre, pair)?;
@@ -236,9 +247,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         Ok(())
     }
 
-    /// The track of a rolling wheel's centre: beside the line on the side where its hint lies, or about the
-    /// other centre.
-    fn centre_track(&mut self, roll: usize, wheel: LinkId, centre: PointId) -> Track<B> {
+    /// The tracks of a rolling wheel's centre: beside the line on either side, or about the other centre.
+    fn centre_tracks(&mut self, roll: usize, wheel: LinkId) -> Vec<Track<B>> {
         let scale = self.length_scale();
         match self.mechanism.rolls[roll] {
             Roll::Circles { links, centres, radii, internal } => {
@@ -251,26 +261,30 @@ impl<B: Bench> Draughtsman<'_, B> {
                     self.board.sum(a, b)
                 };
                 let radius = self.board.to_paper(radius, scale);
-                Track::Arc(Circle { centre: self.at(centres[other]), radius })
+                vec![Track::Arc(Circle { centre: self.at(centres[other]), radius })]
             }
             Roll::Line { guide, radius, .. } => {
                 let line = self.line_of(&guide);
-                let origin = self.origin_of_space().map(|g| g.value);
-                let ([x, y], [dx, dy]) = (line.through.value(), line.along.value());
-                let left = self.mechanism.point(centre).place.hint().is_none_or(|hint| {
-                    let [hx, hy] = [0, 1].map(|k| (hint[k] - origin[k]) / self.scales.length);
-                    dx * (hy - y) - dy * (hx - x) >= 0.0
-                });
                 let radius = self.board.amount(radius);
                 let mm = self.board.to_paper(radius, scale);
-                let square = self.board.quarter_turn(line.along);
-                let outward = if left { square } else { self.board.reverse(square) };
-                Track::Straight(Line {
-                    through: self.board.lay_off(line.through, outward, mm),
-                    along: line.along,
-                })
+                let left = self.board.quarter_turn(line.along);
+                let right = self.board.reverse(left);
+                let beside = |d: &mut Self, way: Direction<B>| {
+                    let through = d.board.lay_off(line.through, way, mm);
+                    Track::Straight(Line { through, along: line.along })
+                };
+                vec![beside(self, left), beside(self, right)]
             }
         }
+    }
+
+    /// Square of the distance of a place on paper from a point's hint, in metres.
+    fn miss_of_hint(&self, point: PointId, at: [f64; 2]) -> Option<f64> {
+        let origin = self.origin_of_space().map(|g| g.value);
+        self.mechanism.point(point).place.hint().map(|hint| {
+            let [dx, dy] = [0, 1].map(|k| origin[k] + at[k] * self.scales.length - hint[k]);
+            dx * dx + dy * dy
+        })
     }
 
     /// The contact point of a wheel: on the line of centres, or the foot of the centre on the line.
@@ -709,16 +723,10 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         let origin = self.origin_of_space().map(|g| g.value);
         let per_mm = self.scales.length;
-        let miss = |d: &Self, point: PointId, at: [f64; 2]| {
-            d.mechanism.point(point).place.hint().map(|hint| {
-                let [dx, dy] = [0, 1].map(|k| origin[k] + at[k] * per_mm - hint[k]);
-                dx * dx + dy * dy
-            })
-        };
         let sides = [Side::First, Side::Second];
         let mut score: [Option<f64>; 2] = [None; 2];
         for (side, score) in sides.iter().zip(&mut score) {
-            *score = miss(self, pin, self.board.look(&pair, *side));
+            *score = self.miss_of_hint(pin, self.board.look(&pair, *side));
         }
         // No hint for the pin itself: a hint for another point of its links may still tell.
         if score[0].is_none() {
@@ -736,7 +744,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                     let at_pin = self.board.take(pair, *side);
                     let at_base = self.at(base);
                     let at = self.corner(link, (base, at_base), (pin, at_pin), point).value();
-                    if let Some(m) = miss(self, point, at) {
+                    if let Some(m) = self.miss_of_hint(point, at) {
                         *score = Some(score.unwrap_or(0.0) + m);
                     }
                 }

@@ -214,18 +214,41 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 let miss = sketch.miss(trial).value();
                 miss.is_finite().then_some(miss)
             };
+            // A root may hide between the last trial that closes and the edge of what closes, or where the
+            // miss only just turns back: both are looked into.
             let angle_of = |k: u32| std::f64::consts::PI * (2.0 * f64::from(k) / f64::from(TRIALS) - 1.0);
             let mut found = Vec::new();
+            let mut seen: Vec<(f64, f64)> = Vec::new();
             let mut before = evaluate(angle_of(0));
+            seen.extend(before.map(|f| (angle_of(0), f)));
             for k in 1..=TRIALS {
-                let now = evaluate(angle_of(k));
-                least = now.map_or(least, |f| least.min(f.abs()));
-                if let (Some(a), Some(b)) = (before, now)
-                    && (a <= 0.0) != (b <= 0.0)
-                    && let Some(angle) = halve(&mut evaluate, angle_of(k - 1), angle_of(k), a)
-                {
-                    found.push(angle);
+                let (here, last) = (angle_of(k), angle_of(k - 1));
+                let now = evaluate(here);
+                match (before, now) {
+                    (None, Some(_)) => {
+                        seen.clear();
+                        seen.extend(edge(&mut evaluate, last, here));
+                    }
+                    (Some(_), None) => seen.extend(edge(&mut evaluate, here, last)),
+                    _ => {}
                 }
+                seen.extend(now.map(|f| (here, f)));
+                least = seen.iter().fold(least, |least, (_, f)| least.min(f.abs()));
+                if let &[.., first, middle, end] = seen.as_slice()
+                    && let Some(turn) = turning(&mut evaluate, first, middle, end)
+                {
+                    found.extend(bracketed(&mut evaluate, first, turn));
+                    found.extend(bracketed(&mut evaluate, turn, end));
+                }
+                let pairs: Vec<_> = seen.windows(2).map(|w| (w[0], w[1])).collect();
+                for &(a, b) in pairs.iter().rev().take(2) {
+                    found.extend(bracketed(&mut evaluate, a, b));
+                }
+                if now.is_none() {
+                    seen.clear();
+                }
+                let old = seen.len().saturating_sub(2);
+                seen.drain(..old);
                 before = now;
             }
             for angle in found {
@@ -528,6 +551,61 @@ fn closing_unknown(closing: Closing) -> (Unknown, PointId) {
         Closing::Slide { slide, pin } => (Unknown::Slide { slide, back: false }, pin),
         Closing::Angle { .. } => (Unknown::Slide { slide: 0, back: false }, PointId(0)),
     }
+}
+
+/// The outermost angle at which the group still closes, between one where it does not and one where it
+/// does, with the miss there.
+fn edge(
+    evaluate: &mut impl FnMut(f64) -> Option<f64>,
+    mut outside: f64,
+    mut inside: f64,
+) -> Option<(f64, f64)> {
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(outside, inside);
+        if evaluate(middle).is_some() { inside = middle } else { outside = middle }
+    }
+    evaluate(inside).map(|f| (inside, f))
+}
+
+/// Where a miss that does not change its sign comes nearest to zero between three trials, if it passes
+/// zero there.
+fn turning(
+    evaluate: &mut impl FnMut(f64) -> Option<f64>,
+    first: (f64, f64),
+    middle: (f64, f64),
+    end: (f64, f64),
+) -> Option<(f64, f64)> {
+    /// Thirds of the interval that are cut off until the turning point is known well enough.
+    const CUTS: usize = 40;
+    let sign = first.1 > 0.0;
+    let one_sided = [middle, end].iter().all(|(_, f)| (*f > 0.0) == sign);
+    if !one_sided || middle.1.abs() > first.1.abs() || middle.1.abs() > end.1.abs() {
+        return None;
+    }
+    let (mut low, mut high) = (first.0, end.0);
+    for _ in 0..CUTS {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        let (fa, fb) = (evaluate(a)?, evaluate(b)?);
+        for (angle, f) in [(a, fa), (b, fb)] {
+            if (f > 0.0) != sign {
+                return Some((angle, f));
+            }
+        }
+        if fa.abs() < fb.abs() { high = b } else { low = a }
+    }
+    None
+}
+
+/// The root in a bracket, if there is one.
+fn bracketed(
+    evaluate: &mut impl FnMut(f64) -> Option<f64>,
+    low: (f64, f64),
+    high: (f64, f64),
+) -> Option<f64> {
+    if (low.1 <= 0.0) == (high.1 <= 0.0) {
+        return None;
+    }
+    halve(evaluate, low.0, high.0, low.1)
 }
 
 /// Halves a bracket down to rounding; `None` where the function jumps instead of passing zero.

@@ -448,7 +448,10 @@ impl<'b, 's> Board<'b, 's> {
             Roll::Circles { centres, radii, internal, .. } => {
                 let other = if centres[0] == point { centres[1] } else { centres[0] };
                 let links = &self.draft.mechanism.point(point).links;
-                if links.iter().any(|link| self.draft.stands_in(other, *link)) {
+                // A link whose own dimensions follow from the places gives way to the radii.
+                let follows =
+                    |link: LinkId| link != LinkId::FRAME && self.draft.link(link).form == Form::Placed;
+                if links.iter().any(|link| self.draft.stands_in(other, *link) && !follows(*link)) {
                     return None;
                 }
                 let spot = self.spot(other)?;
