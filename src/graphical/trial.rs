@@ -218,11 +218,19 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             let mut found = Vec::new();
             let mut before = evaluate(angle_of(0));
             for k in 1..=TRIALS {
-                let now = evaluate(angle_of(k));
+                let (from, to) = (angle_of(k - 1), angle_of(k));
+                let now = evaluate(to);
                 least = now.map_or(least, |f| least.min(f.abs()));
-                if let (Some(a), Some(b)) = (before, now)
+                // Where the assembly begins or ends between two trials, the curve is followed to its very end.
+                let ends = match (before, now) {
+                    (Some(a), Some(b)) => Some([(from, a), (to, b)]),
+                    (None, Some(b)) => edge(&mut evaluate, from, to).map(|start| [start, (to, b)]),
+                    (Some(a), None) => edge(&mut evaluate, to, from).map(|end| [(from, a), end]),
+                    (None, None) => None,
+                };
+                if let Some([(from, a), (to, b)]) = ends
                     && (a <= 0.0) != (b <= 0.0)
-                    && let Some(angle) = halve(&mut evaluate, angle_of(k - 1), angle_of(k), a)
+                    && let Some(angle) = halve(&mut evaluate, from, to, a)
                 {
                     found.push(angle);
                 }
@@ -528,6 +536,26 @@ fn closing_unknown(closing: Closing) -> (Unknown, PointId) {
         Closing::Slide { slide, pin } => (Unknown::Slide { slide, back: false }, pin),
         Closing::Angle { .. } => (Unknown::Slide { slide: 0, back: false }, PointId(0)),
     }
+}
+
+/// The last trial angle towards `outside` at which the rest can still be assembled, with its residual.
+fn edge(
+    evaluate: &mut impl FnMut(f64) -> Option<f64>,
+    mut outside: f64,
+    mut inside: f64,
+) -> Option<(f64, f64)> {
+    let mut last = None;
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(outside, inside);
+        match evaluate(middle) {
+            Some(residual) => {
+                last = Some((middle, residual));
+                inside = middle;
+            }
+            None => outside = middle,
+        }
+    }
+    last
 }
 
 /// Halves a bracket down to rounding; `None` where the function jumps instead of passing zero.
