@@ -266,7 +266,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     pub(super) fn image(&mut self, order: Order, point: PointId) -> Point<B> {
         let known = self.images(order)[point.0];
         let name = &self.mechanism.point(point).name;
-        debug_assert!(known.is_some() || self.mechanism.is_fixed(point), "the image of {name} was not planned");
+        debug_assert!(
+            known.is_some() || self.mechanism.is_fixed(point),
+            "the image of {name} was not planned"
+        );
         match known {
             Some(image) => image,
             None => self.board.origin(),
