@@ -46,3 +46,12 @@ fn a_guide_given_from_afar_is_the_same_guide() {
         agrees(&text);
     }
 }
+
+/// A hint that chooses between assemblies a few centimetres apart chooses beside lengths of kilometres too.
+#[test]
+fn a_hint_chooses_beside_a_length_ten_million_times_larger() {
+    for far in ["1e6", "1e8", "1e9", "1e12"] {
+        let line = format!("[0, 203.2, {far}]");
+        agrees(&common::example_text("s000-ch4-1").replace("[0, 203.2, 50.8]", &line));
+    }
+}

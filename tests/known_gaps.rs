@@ -55,12 +55,6 @@ fn a_placed_wheel_misses_its_contact_by_rounding() {
 }
 
 #[test]
-#[ignore = "the analytic solver tells assemblies apart by 1e-6 of the largest length, not of the distance of the hint"]
-fn lengths_may_differ_by_ten_million() {
-    agrees(&common::example_text("s000-ch4-1").replace("[0, 203.2, 50.8]", "[0, 203.2, 1e9]"));
-}
-
-#[test]
 #[ignore = "the analytic solver refuses a group that the drawing calls tangent"]
 fn two_tangencies_in_a_row() {
     // 15 + 30 = 45 cm in one line, and C just 37 cm from the guide of rod CD.
