@@ -95,8 +95,6 @@ pub(crate) struct Chain {
     pub(crate) count: usize,
     /// Two points of one link carry a dyad: it cannot move against that link.
     pub(crate) stiff: bool,
-    /// Least distance of two assemblies of one group, in metres.
-    pub(crate) narrowest: f64,
 }
 
 impl std::fmt::Debug for Chain {
@@ -208,7 +206,6 @@ struct Maker {
     guides: Vec<Xy>,
     next: u32,
     stiff: bool,
-    narrowest: f64,
 }
 
 impl Maker {
@@ -225,7 +222,6 @@ impl Maker {
             guides: Vec::new(),
             next: 2,
             stiff: false,
-            narrowest: f64::INFINITY,
         };
         let input = maker.crank(crank);
         for dyad in dyads {
@@ -491,7 +487,6 @@ impl Maker {
 
     /// A rough place: a tenth of the way off that would lead to the other assembly.
     fn near(&mut self, name: &str, at: Xy, half: f64) {
-        self.narrowest = self.narrowest.min(2.0 * half * 0.001);
         let rough = plus(at, polar(at[0] + at[1], 0.1 * half));
         self.near.insert(name.to_owned(), json!(rough));
     }
@@ -525,7 +520,6 @@ impl Maker {
             guides: self.guides,
             count: usize::try_from(self.next).unwrap() - 1,
             stiff: self.stiff,
-            narrowest: self.narrowest,
         }
     }
 }
