@@ -326,6 +326,14 @@ impl<B: Bench> Board<B> {
         Point { x: self.exact(0.0), y: self.exact(0.0) }
     }
 
+    /// A point that nobody has drawn: whatever is read from it is indeterminate, with this reason.
+    pub fn nowhere(&mut self, reason: Reason) -> Point<B> {
+        let point = self.origin();
+        self.recorder.divisor(point.x.mark, 0.0, reason);
+        self.recorder.divisor(point.y.mark, 0.0, reason);
+        point
+    }
+
     /// A point copied from another board, as exact as it stands there.
     pub fn copied(&mut self, at: [f64; 2]) -> Point<B> {
         Point { x: self.exact(at[0]), y: self.exact(at[1]) }

@@ -262,17 +262,17 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }
     }
 
-    /// The image of a point whose image is known; the pole for a fixed one.
+    /// The image of a point whose image is known; the pole for a fixed one. What hangs on an image that no
+    /// step has drawn is refused.
     pub(super) fn image(&mut self, order: Order, point: PointId) -> Point<B> {
         let known = self.images(order)[point.0];
-        let name = &self.mechanism.point(point).name;
-        debug_assert!(
-            known.is_some() || self.mechanism.is_fixed(point),
-            "the image of {name} was not planned"
-        );
         match known {
             Some(image) => image,
-            None => self.board.origin(),
+            None if self.mechanism.is_fixed(point) => self.board.origin(),
+            None => {
+                let reason = self.reason(&[]);
+                self.board.nowhere(reason)
+            }
         }
     }
 

@@ -99,12 +99,14 @@ impl<B: Bench> Draughtsman<'_, B> {
         true
     }
 
-    /// The place of a point that an earlier step found.
+    /// The place of a point that an earlier step found; what hangs on one that none found is refused.
     pub(super) fn at(&mut self, point: PointId) -> Point<B> {
-        debug_assert!(self.places[point.0].is_some(), "{} was not planned", self.mechanism.point(point).name);
         match self.places[point.0] {
             Some(at) => at,
-            None => self.board.origin(),
+            None => {
+                let reason = self.reason(&[]);
+                self.board.nowhere(reason)
+            }
         }
     }
 
