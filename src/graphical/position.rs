@@ -32,7 +32,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
 }
 
 /// Two hints that differ by less than this part cannot choose between two places.
-const HINT_TIE: f64 = 1e-9;
+pub(super) const HINT_TIE: f64 = 1e-9;
 
 impl<B: Bench> Draughtsman<'_, B> {
     /// Finds the places of one group.

@@ -163,7 +163,11 @@ impl<B: Bench> Draughtsman<'_, B> {
         if drawn {
             return;
         }
-        self.step(order, &[], Vec::new());
+        let found_with = match head.0 {
+            Label::Image { point, .. } => home(self.mechanism, self.structure, point),
+            Label::Pole | Label::Foot { .. } => None,
+        };
+        self.step(order, found_with.as_slice(), Vec::new());
         let vector = self.note_vector(order, (kind, quantity, None), tail, head);
         self.act_read(order, vector);
     }

@@ -26,6 +26,7 @@ use super::DrawError;
 use super::construction::{Act, Label};
 use super::draughtsman::Draughtsman;
 use super::pose::{Pose, Track};
+use super::position::HINT_TIE;
 use super::velocity::{Target, Unknown};
 
 /// Trial angles in a whole turn.
@@ -36,8 +37,6 @@ const HALVINGS: usize = 60;
 const ROOT: f64 = 1e-4;
 /// Two roots whose places differ by less are one, millimetres.
 const SAME_PLACE: f64 = 1e-4;
-/// Two hints that differ by less than this part cannot choose.
-const HINT_TIE: f64 = 1e-9;
 /// Paper length of a trial vector, millimetres.
 const TRIAL_VECTOR: f64 = 50.0;
 
