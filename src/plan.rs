@@ -6,9 +6,18 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{Asked, Order, Quantity};
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Roll, Slide};
+
+/// From what instant centres are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CentreSource {
+    /// From the circle diagram alone: positions suffice.
+    Diagram,
+    /// Where the diagram stalls, from the velocity polygon as well.
+    Velocities,
+}
 
 /// How much of the skeleton is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +26,8 @@ pub enum Extent {
     Asked,
     /// Every link and point, so that the skeleton can be shown: for figures.
     WholeSkeleton,
+    /// The same with all instant centres, where the scene asks for none: for figures of the circle diagram.
+    AllCentres,
 }
 
 /// The steps of a group of higher class: every group of the trial with the points that are wanted of it, that
@@ -74,17 +85,46 @@ pub struct Plan {
     pub velocity: Vec<GroupStep>,
     /// Steps of the acceleration polygon.
     pub acceleration: Vec<GroupStep>,
+    /// The circle diagram.
+    pub centres: CentrePlan,
+}
+
+/// What the circle diagram must lead to, and with which links.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct CentrePlan {
+    /// The links between which centres may be used: those that are solved on the way to the wanted ones. Empty
+    /// where no centre is wanted.
+    pub links: BTreeSet<LinkId>,
+    /// The wanted centres, by their links, the lower first.
+    pub wanted: BTreeSet<[LinkId; 2]>,
+    /// Primary centres that may not be used.
+    pub barred: BTreeSet<[LinkId; 2]>,
+    /// Where the diagram stalls, centres are taken from the velocity polygon, which is then planned as well.
+    pub with_velocities: bool,
+}
+
+/// The links of a centre, the lower first.
+#[must_use]
+pub fn chord(i: LinkId, j: LinkId) -> [LinkId; 2] {
+    if i <= j { [i, j] } else { [j, i] }
 }
 
 impl Plan {
     /// Plans for the asked quantities of a mechanism.
     #[must_use]
     pub fn new(mechanism: &Mechanism, structure: &Structure, extent: Extent) -> Self {
-        let mut wanted = Wanted { mechanism, structure, steps: BTreeMap::new() };
+        Self::with(mechanism, structure, extent, CentreSource::Diagram)
+    }
+
+    /// Plans again where the circle diagram stalls; see [`CentreSource`].
+    #[must_use]
+    pub fn with(mechanism: &Mechanism, structure: &Structure, extent: Extent, source: CentreSource) -> Self {
+        let mut wanted = Wanted { mechanism, structure, source, steps: BTreeMap::new() };
         for asked in &mechanism.asked {
             wanted.quantity(&asked.quantity);
         }
-        if extent == Extent::WholeSkeleton {
+        let centres = wanted.centres(extent);
+        if extent != Extent::Asked {
             for index in 0..mechanism.points.len() {
                 wanted.point(PointId(index), Order::Position);
             }
@@ -107,6 +147,7 @@ impl Plan {
             position: steps_of(Order::Position),
             velocity: steps_of(Order::Velocity),
             acceleration: steps_of(Order::Acceleration),
+            centres,
         }
     }
 
@@ -145,6 +186,7 @@ pub fn home(mechanism: &Mechanism, structure: &Structure, point: PointId) -> Opt
 struct Wanted<'a> {
     mechanism: &'a Mechanism,
     structure: &'a Structure,
+    source: CentreSource,
     steps: BTreeMap<(Order, usize), BTreeSet<(LinkId, PointId)>>,
 }
 
@@ -168,11 +210,11 @@ impl Wanted<'_> {
             Quantity::RelativeOmega(i, j)
             | Quantity::RelativeAlpha(i, j)
             | Quantity::Rub(_, i, j)
-            | Quantity::Transmission(i, j)
-            | Quantity::Centre(i, j) => {
+            | Quantity::Transmission(i, j) => {
                 self.link(i, order);
                 self.link(j, order);
             }
+            Quantity::Centre(i, j) => self.centre(i, j),
             Quantity::Slip(p, link)
             | Quantity::SlipAcceleration(p, link)
             | Quantity::SlipNormal(p, link)
@@ -191,6 +233,65 @@ impl Wanted<'_> {
             for p in transmission_points(self.mechanism, i, j).into_iter().flatten() {
                 self.point(p, order);
             }
+        }
+    }
+
+    /// Positions of the links on the way to both; velocities only where the circle diagram has stalled.
+    fn centre(&mut self, i: LinkId, j: LinkId) {
+        let order = match self.source {
+            CentreSource::Diagram => Order::Position,
+            CentreSource::Velocities => Order::Velocity,
+        };
+        for link in [i, j] {
+            self.link(link, order);
+        }
+    }
+
+    /// The wanted centres, with the links that their own steps solve.
+    fn centres(&mut self, extent: Extent) -> CentrePlan {
+        let asked = |a: &Asked| match a.quantity {
+            Quantity::Centre(i, j) => Some(chord(i, j)),
+            _ => None,
+        };
+        let mut wanted: BTreeSet<[LinkId; 2]> = self.mechanism.asked.iter().filter_map(asked).collect();
+        if extent == Extent::AllCentres && wanted.is_empty() {
+            let all = 0..self.mechanism.links.len();
+            wanted = all
+                .clone()
+                .flat_map(|i| all.clone().map(move |j| (i, j)))
+                .filter(|(i, j)| i < j)
+                .map(|(i, j)| [LinkId(i), LinkId(j)])
+                .collect();
+        }
+        let mut way = Wanted {
+            mechanism: self.mechanism,
+            structure: self.structure,
+            source: self.source,
+            steps: BTreeMap::new(),
+        };
+        for &[i, j] in &wanted {
+            self.centre(i, j);
+            way.centre(i, j);
+        }
+        let mut links: BTreeSet<LinkId> = BTreeSet::new();
+        if !wanted.is_empty() {
+            links.insert(LinkId::FRAME);
+            links.extend(
+                way.steps.keys().flat_map(|(_, group)| self.structure.groups[*group].links.iter().copied()),
+            );
+        }
+        // The pins of these links must stand on the skeleton.
+        for point in (0..self.mechanism.points.len()).map(PointId) {
+            let on = self.mechanism.point(point).links.iter().filter(|l| links.contains(l)).count();
+            if on > 1 {
+                self.point(point, Order::Position);
+            }
+        }
+        CentrePlan {
+            links,
+            wanted,
+            barred: BTreeSet::new(),
+            with_velocities: self.source == CentreSource::Velocities,
         }
     }
 

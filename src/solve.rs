@@ -5,7 +5,7 @@ use crate::graphical::construction::Reading;
 use crate::graphical::{self, DrawError, Extents, Scales, Solution};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
-use crate::plan::{Extent, Plan};
+use crate::plan::{CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
 
 /// A scene taken apart, planned and drawn.
@@ -71,13 +71,19 @@ impl SolveError {
 pub fn solve(
     scene: &Scene,
     extent: Extent,
-    choose: impl FnOnce(&Scene, Extents) -> Scales,
+    choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
-    let plan = Plan::new(&scene.mechanism, &structure, extent);
-    let extents = graphical::extents(&scene.mechanism, &structure, &plan)?;
-    let scales = choose(scene, extents);
-    let solution = graphical::construct(&scene.mechanism, &structure, &plan, scales)?;
+    let draw = |plan: &Plan| {
+        let extents = graphical::extents(&scene.mechanism, &structure, plan)?;
+        graphical::construct(&scene.mechanism, &structure, plan, choose(scene, extents))
+    };
+    let mut plan = Plan::new(&scene.mechanism, &structure, extent);
+    let mut solution = draw(&plan)?;
+    if solution.construction.circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty()) {
+        plan = Plan::with(&scene.mechanism, &structure, extent, CentreSource::Velocities);
+        solution = draw(&plan)?;
+    }
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     Ok(Solved { structure, plan, solution })
 }

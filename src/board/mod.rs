@@ -9,6 +9,7 @@
 //!
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
+mod homogeneous;
 mod reckon;
 mod scalar;
 mod tape;
@@ -16,6 +17,7 @@ mod tape;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
+pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
 pub use scalar::Real;
 pub use tape::{Blank, Nudge, Operation, Reason, Recorder, Stroke, Tape};
 
@@ -153,6 +155,8 @@ macro_rules! copy_type {
         impl<B: Bench> Copy for $name<B> {})*
     };
 }
+
+use copy_type;
 
 copy_type!(Point, Direction, Line, Circle, Meet, Pair);
 

@@ -8,6 +8,8 @@ use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::structure::Closing;
 use crate::mechanism::{LinkId, PointId};
 
+pub use super::centres::CentreLine;
+
 /// A place on the paper, millimetres in the diagram's own frame.
 pub type Mm2 = [f64; 2];
 
@@ -20,6 +22,8 @@ pub struct Construction {
     pub velocity: Option<Polygon>,
     /// The acceleration polygon, if any asked quantity needs it.
     pub acceleration: Option<Polygon>,
+    /// The circle diagram, if any instant centre is wanted.
+    pub circle: Option<CircleDiagram>,
     /// The numbered steps, in the order in which they were drawn.
     pub steps: Vec<Step>,
     /// One answer per asked quantity, in order.
@@ -44,6 +48,95 @@ pub struct Space {
     pub places: Vec<Option<Mm2>>,
     /// Arcs, rays and guide lines by which places were found.
     pub lines: Vec<ConstructionLine>,
+}
+
+/// The instant centres that were found, and in which order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CircleDiagram {
+    /// The links on the circle: all of the mechanism.
+    pub links: Vec<LinkId>,
+    /// The centres that were wanted.
+    pub wanted: Vec<[LinkId; 2]>,
+    /// The centres found: the primary ones, then one per step.
+    pub centres: Vec<Centre>,
+    /// Wanted centres to which no construction led.
+    pub stalled: Vec<[LinkId; 2]>,
+}
+
+impl CircleDiagram {
+    /// The centre of two links, where it was found.
+    #[must_use]
+    pub fn centre(&self, links: [LinkId; 2]) -> Option<&Centre> {
+        self.centres.iter().find(|c| c.links == links)
+    }
+
+    /// How many centres the mechanism has: N = n (n − 1) / 2.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.links.len() * self.links.len().saturating_sub(1) / 2
+    }
+}
+
+/// An instant centre on the skeleton.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Centre {
+    /// Its two links, the lower first.
+    pub links: [LinkId; 2],
+    /// Where it lies.
+    pub place: CentrePlace,
+    /// How it was found.
+    pub found: Found,
+}
+
+/// Where an instant centre lies on the skeleton.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CentrePlace {
+    /// On the plane of the paper, however far off the sheet.
+    At(Mm2),
+    /// At infinity in the direction of this unit vector, whose sign has no meaning.
+    Toward([f64; 2]),
+}
+
+/// How an instant centre was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Found {
+    /// Primary: a turning pair.
+    Pin(PointId),
+    /// Primary: a straight guide, by index of the sliding pair; the centre is at infinity.
+    Guide {
+        /// Index of the sliding pair.
+        slide: usize,
+    },
+    /// Primary: the centre of curvature of an arc guide.
+    ArcGuide {
+        /// Index of the sliding pair.
+        slide: usize,
+    },
+    /// Primary: the contact point of a rolling pair.
+    Rolling {
+        /// Index of the rolling pair.
+        roll: usize,
+    },
+    /// By Kennedy's theorem: where two lines of centres meet.
+    Kennedy {
+        /// The two lines.
+        lines: [CentreLine; 2],
+    },
+    /// From the velocity polygon: on the normal to V of this point, at the distance V / ω.
+    Normal {
+        /// The point.
+        point: PointId,
+    },
+    /// From the velocity polygon: the line of both poles divided inversely as the angular velocities.
+    Rates,
+}
+
+impl Found {
+    /// Seen from the pairs, without construction.
+    #[must_use]
+    pub fn is_primary(&self) -> bool {
+        matches!(self, Self::Pin(_) | Self::Guide { .. } | Self::ArcGuide { .. } | Self::Rolling { .. })
+    }
 }
 
 /// A polygon with its pole at (0, 0).

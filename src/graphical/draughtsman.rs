@@ -6,9 +6,10 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::home;
 
+use super::centres::Centres;
 use super::construction::{
-    Act, Calculation, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon,
-    Reading, Space, Step, Vector, VectorKind,
+    Act, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image, Label,
+    LinkImage, Polygon, Reading, Space, Step, Vector, VectorKind,
 };
 use super::pose::Pose;
 use super::{Scales, scale};
@@ -77,6 +78,8 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) sliding_accelerations: Vec<Option<Amount<B>>>,
     /// Velocity of a rolling wheel's centre along the line on which it rolls, by index of the rolling pair.
     pub(super) rolling_speeds: Vec<Option<Amount<B>>>,
+    /// Instant centres found so far.
+    pub(super) centres: Centres<B>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
     pub(super) parts: Vec<Part<B>>,
     /// While a trial is on the board, nothing is recorded.
@@ -114,6 +117,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             slips: vec![None; mechanism.slides.len()],
             sliding_accelerations: vec![None; mechanism.slides.len()],
             rolling_speeds: vec![None; mechanism.rolls.len()],
+            centres: Centres::default(),
             parts: Vec::new(),
             silent: false,
             sides: None,
@@ -122,6 +126,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 space: Space { metres_per_mm: scales.length, places: vec![None; points], lines: Vec::new() },
                 velocity: None,
                 acceleration: None,
+                circle: None,
                 steps: Vec::new(),
                 answers: Vec::new(),
             },
@@ -218,6 +223,25 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             return;
         }
         self.record.space.lines.push(line);
+    }
+
+    /// Opens the circle diagram.
+    pub(super) fn note_circle(&mut self, diagram: CircleDiagram) {
+        self.record.circle = Some(diagram);
+    }
+
+    /// Notes a centre of the circle diagram.
+    pub(super) fn note_centre(&mut self, centre: Centre) {
+        if let Some(circle) = &mut self.record.circle {
+            circle.centres.push(centre);
+        }
+    }
+
+    /// Notes the centres at which the circle diagram stalls.
+    pub(super) fn note_stalled(&mut self, stalled: Vec<[LinkId; 2]>) {
+        if let Some(circle) = &mut self.record.circle {
+            circle.stalled = stalled;
+        }
     }
 
     /// Opens a polygon.

@@ -5,6 +5,7 @@
 //! stands only what the textbook calculates: V = ωl, ω = V/l, Aⁿ = V²/l, Aᵗ = εl, ε = Aᵗ/l, scales.
 
 mod acceleration;
+mod centres;
 pub mod construction;
 mod draughtsman;
 mod link_figure;
@@ -196,6 +197,9 @@ pub fn construct_on(
 ) -> Result<Solution, DrawError> {
     let board = Board::<Recorded>::new(tape);
     let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
+    if !plan.centres.wanted.is_empty() {
+        centres::draw(&mut draughtsman, plan);
+    }
     let (answers, slots) = reading::answers(&mut draughtsman);
     let (construction, tape) = draughtsman.finish(answers);
     Ok(Solution { construction, tape, slots })

@@ -1,9 +1,9 @@
 //! Reads the asked quantities off the finished diagrams.
 
-use crate::board::{Amount, Angle, Bench, Board, MarkOf, Point, Recorded};
+use crate::board::{Amount, Angle, Bench, Board, Direction, Location, MarkOf, Point, Recorded};
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{Form, LinkId, PointId};
-use crate::plan::{home, transmission_points};
+use crate::plan::{chord, home, transmission_points};
 
 use super::construction::{Act, Calculation, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
@@ -13,6 +13,7 @@ enum Read<B: Bench> {
     Vector([Amount<B>; 2]),
     Scalar(Amount<B>),
     Angle(Angle<B>),
+    Toward(Direction<B>, Angle<B>),
     Undefined(&'static str),
 }
 
@@ -37,7 +38,7 @@ impl Draughtsman<'_, Recorded> {
         let marks: Vec<MarkOf<Recorded>> = match &read {
             Read::Vector([x, y]) => vec![x.mark(), y.mark()],
             Read::Scalar(a) => vec![a.mark()],
-            Read::Angle(a) => vec![a.mark()],
+            Read::Angle(a) | Read::Toward(_, a) => vec![a.mark()],
             Read::Undefined(_) => Vec::new(),
         };
         slots.push(marks.clone());
@@ -54,6 +55,9 @@ impl Draughtsman<'_, Recorded> {
             }
             Read::Scalar(a) => Answer::Scalar { value: a.value(), bound: bounds.next().unwrap_or(0.0) },
             Read::Angle(a) => Answer::Scalar { value: a.value(), bound: bounds.next().unwrap_or(0.0) },
+            Read::Toward(direction, _) => {
+                Answer::AtInfinity { direction: direction.value(), bound: bounds.next().unwrap_or(0.0) }
+            }
             Read::Undefined(why) => Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() }),
         }
     }
@@ -99,7 +103,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             | Quantity::CoincidentAcceleration(_, link)
             | Quantity::CoincidentNormal(_, link)
             | Quantity::CoincidentTangential(_, link) => self.read_part(Order::Acceleration, quantity, link),
-            Quantity::Centre(..) => Read::Undefined("instant centres have no construction yet"),
+            Quantity::Centre(i, j) => self.read_centre(i, j),
         }
     }
 
@@ -254,13 +258,33 @@ impl<B: Bench> Draughtsman<'_, B> {
             return Read::Vector([self.board.amount(x), self.board.amount(y)]);
         }
         let at = self.at(p);
+        Read::Vector(self.in_world(at))
+    }
+
+    /// A place of the skeleton in the world.
+    fn in_world(&mut self, at: Point<B>) -> [Amount<B>; 2] {
         let scale = self.length_scale();
         let from = self.board.origin();
         let [x, y] = self.board.between(from, at);
         let origin = self.origin_of_space();
         let along = [x, y].map(|mm| self.board.read(mm, scale));
         let start = origin.map(|g| self.board.amount(g));
-        Read::Vector([self.board.sum(start[0], along[0]), self.board.sum(start[1], along[1])])
+        [self.board.sum(start[0], along[0]), self.board.sum(start[1], along[1])]
+    }
+
+    /// An instant centre: its place in the world, or the direction in which it lies at infinity.
+    fn read_centre(&mut self, i: LinkId, j: LinkId) -> Read<B> {
+        if i == j {
+            return Read::Undefined("a link has no motion against itself");
+        }
+        let Some(&centre) = self.centres.known.get(&chord(i, j)) else {
+            return Read::Undefined("no two triangles of the circle diagram lead to this centre");
+        };
+        let reason = self.reason(&[i, j]);
+        match self.board.locate(centre, reason) {
+            Location::Toward(direction, angle) => Read::Toward(direction, angle),
+            Location::At(at) => Read::Vector(self.in_world(at)),
+        }
     }
 
     /// Angle of a link's own x-axis, by protractor.

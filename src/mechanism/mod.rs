@@ -253,6 +253,17 @@ pub enum Roll {
     },
 }
 
+impl Roll {
+    /// The two bodies that roll on each other.
+    #[must_use]
+    pub fn bodies(&self) -> [LinkId; 2] {
+        match self {
+            Self::Circles { links, .. } => *links,
+            Self::Line { guide, wheel, .. } => [guide.link, *wheel],
+        }
+    }
+}
+
 /// What drives the mechanism.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Input {
