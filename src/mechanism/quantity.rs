@@ -119,6 +119,65 @@ pub struct Unit {
     pub si: f64,
 }
 
+/// By which construction a velocity or an acceleration is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// The velocity and the acceleration polygon.
+    #[default]
+    Polygon,
+    /// Instant centres, by the transfer centre of input and sought link; an acceleration polygon is fed with
+    /// the velocities so found.
+    Centres,
+    /// Instant centres: a velocity is turned about a pole onto the line of centres, and carried over by similar
+    /// triangles.
+    LineOfCentres,
+    /// Instant centres: from pin to pin of a chain of links, by parallels to the links.
+    LinkToLink,
+    /// Instant centres: from pin to pin of a chain of links, each on the gauge line of its link.
+    GaugeLine,
+    /// Klein's construction on the crank of a slider-crank.
+    Klein,
+}
+
+impl Method {
+    /// All methods.
+    pub const ALL: [Self; 6] =
+        [Self::Polygon, Self::Centres, Self::LineOfCentres, Self::LinkToLink, Self::GaugeLine, Self::Klein];
+
+    /// Its name in a scene.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Polygon => "polygon",
+            Self::Centres => "centres",
+            Self::LineOfCentres => "line-of-centres",
+            Self::LinkToLink => "link-to-link",
+            Self::GaugeLine => "gauge-line",
+            Self::Klein => "klein",
+        }
+    }
+
+    /// Whether the method leads to such a quantity at all.
+    #[must_use]
+    pub fn answers(self, quantity: &Quantity) -> bool {
+        match self {
+            Self::Polygon | Self::Centres => true,
+            Self::LineOfCentres | Self::LinkToLink | Self::GaugeLine => {
+                matches!(quantity, Quantity::Velocity(_) | Quantity::Omega(_))
+            }
+            Self::Klein => matches!(
+                quantity,
+                Quantity::Velocity(_)
+                    | Quantity::RelativeVelocity(..)
+                    | Quantity::Acceleration(_)
+                    | Quantity::RelativeAcceleration(..)
+                    | Quantity::Omega(_)
+                    | Quantity::Alpha(_)
+            ),
+        }
+    }
+}
+
 /// One asked quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Asked {
@@ -128,6 +187,8 @@ pub struct Asked {
     pub quantity: Quantity,
     /// In which unit it is answered.
     pub unit: Unit,
+    /// By which construction.
+    pub method: Method,
 }
 
 /// Why a quantity is not determined here.

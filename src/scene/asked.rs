@@ -5,7 +5,7 @@ use super::draft::{Draft, is_straight};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::{Measure, Scale, Scales};
-use crate::mechanism::quantity::{Asked, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId, Rider};
 
 /// Every name, with its form for messages.
@@ -40,9 +40,12 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
             Kind::Object(_) => {
                 let fields = Fields::of(item, keys::FIND, "a name")?;
                 let name = fields.need("name", "the quantity, such as \"v(B)\"")?;
-                // Scenes may say by which method they want it; both are always computed.
-                fields.get("method").map(|method| method.text("the name of a method")).transpose()?;
-                asked(name.text("the name of a quantity")?, name.at, fields.get("unit"), draft)?
+                let mut asked =
+                    asked(name.text("the name of a quantity")?, name.at, fields.get("unit"), draft)?;
+                if let Some(value) = fields.get("method") {
+                    asked.method = method(value, &asked)?;
+                }
+                asked
             }
             _ => return Err(item.unexpected("the name of a quantity, such as \"v(B)\"")),
         };
@@ -50,6 +53,21 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
         draft.anchors.asked.push(item.at);
     }
     Ok(())
+}
+
+/// The method by which a quantity is asked.
+fn method(value: &Value<'_>, asked: &Asked) -> Res<Method> {
+    let name = value.text("the name of a method")?;
+    let methods = || Method::ALL.into_iter();
+    let method = methods().find(|m| m.name() == name).ok_or_else(|| {
+        Fault::new(value.at, format!("`{name}` is not a method")).known(name, methods().map(Method::name))
+    })?;
+    if method.answers(&asked.quantity) {
+        return Ok(method);
+    }
+    let fault = Fault::new(value.at, format!("the method `{name}` does not lead to `{}`", asked.name));
+    let fitting: Vec<&str> = methods().filter(|m| m.answers(&asked.quantity)).map(Method::name).collect();
+    Err(fault.mend(format!("choose {}", list(&fitting))))
 }
 
 /// One asked quantity in its unit.
@@ -62,7 +80,7 @@ pub(super) fn asked(name: &str, at: usize, unit: Option<&Value<'_>>, draft: &Dra
             Scale::parse(symbol, unit.at)?.must_be(measure(&quantity), unit.at)?.unit()
         }
     };
-    Ok(Asked { name: name.to_owned(), quantity, unit })
+    Ok(Asked { name: name.to_owned(), quantity, unit, method: Method::default() })
 }
 
 /// What a quantity measures.
@@ -111,7 +129,7 @@ fn everything(draft: &Draft<'_>) -> Vec<Asked> {
         (0..mechanism.points.len()).map(PointId).filter(|p| !mechanism.is_fixed(*p)).collect();
     let mut asked = Vec::new();
     let mut ask = |name: String, quantity: Quantity| {
-        asked.push(Asked { name, quantity, unit: unit(measure(&quantity)) });
+        asked.push(Asked { name, quantity, unit: unit(measure(&quantity)), method: Method::default() });
     };
     for &point in &points {
         ask(format!("v({})", draft.say_point(point)), Quantity::Velocity(point));

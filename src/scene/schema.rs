@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::sheet::{LANGUAGES, PAPERS};
 use super::units::names;
+use crate::mechanism::quantity::Method;
 
 /// The JSON Schema (draft 2020-12) of a scene: what an editor needs to complete and to check it.
 ///
@@ -318,7 +319,10 @@ fn results() -> Value {
         "asked": object("An asked quantity with its output unit.", &["name"], json!({
             "name": described("quantity", "The quantity."),
             "unit": { "type": "string", "description": "Output unit.", "examples": ["mm/s", "rpm"] },
-            "method": { "type": "string", "description": "Has no effect: both methods are always used." },
+            "method": {
+                "enum": Method::ALL.map(Method::name),
+                "description": "By which construction it is found: the polygons (default), instant centres (direct), one of their three graphical transfers for a v(B) or omega(3), or Klein's construction of a slider-crank."
+            },
         })),
         "pin": pin,
         "published": {
