@@ -6,9 +6,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use crate::mechanism::quantity::{Asked, Order, Quantity};
+use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
-use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Roll, Slide};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// From what instant centres are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -120,7 +120,7 @@ impl Plan {
     #[must_use]
     pub fn with(mechanism: &Mechanism, structure: &Structure, extent: Extent, source: CentreSource) -> Self {
         let mut wanted = Wanted { mechanism, structure, source, steps: BTreeMap::new() };
-        for asked in &mechanism.asked {
+        for asked in mechanism.asked.iter().filter(|a| !a.by_centres()) {
             wanted.quantity(&asked.quantity);
         }
         let centres = wanted.centres(extent);
@@ -166,6 +166,53 @@ impl Plan {
     pub fn explain<'a>(&'a self, mechanism: &'a Mechanism, structure: &'a Structure) -> Explanation<'a> {
         Explanation { plan: self, mechanism, structure }
     }
+}
+
+/// The link that the only input moves: the driven link, or what slides on a driven slide of the frame.
+#[must_use]
+pub fn driver(mechanism: &Mechanism) -> Option<LinkId> {
+    let [input] = mechanism.inputs[..] else { return None };
+    match input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => Some(link),
+        Input::Slide { slide, .. } => {
+            let slide = mechanism.slides[slide];
+            let rider = match slide.rider {
+                Rider::Link { link, .. } | Rider::Pin { block: Some(link), .. } => Some(link),
+                Rider::Pin { block: None, point } => mechanism.point(point).links.first().copied(),
+            };
+            rider.filter(|_| slide.guide.link == LinkId::FRAME)
+        }
+    }
+}
+
+/// The shortest chain of moving links from one to another, each with the pin by which it hangs on the one before;
+/// `None` where no moving pins join them.
+#[must_use]
+pub fn chain(mechanism: &Mechanism, from: LinkId, to: LinkId) -> Option<Vec<(LinkId, PointId)>> {
+    let mut reached: Vec<(LinkId, Option<(usize, PointId)>)> = vec![(from, None)];
+    let mut next = 0;
+    while let Some(&(link, _)) = reached.get(next) {
+        if link == to {
+            let mut hops = Vec::new();
+            let mut at = next;
+            while let (on, Some((before, pin))) = reached[at] {
+                hops.push((on, pin));
+                at = before;
+            }
+            hops.reverse();
+            return Some(hops);
+        }
+        let moving = mechanism.link(link).points.iter().filter(|&&p| !mechanism.is_fixed(p));
+        for &pin in moving {
+            for &other in &mechanism.point(pin).links {
+                if other != LinkId::FRAME && reached.iter().all(|(l, _)| *l != other) {
+                    reached.push((other, Some((next, pin))));
+                }
+            }
+        }
+        next += 1;
+    }
+    None
 }
 
 /// The link whose group finds a point first: `None` for a point of the frame or of no link.
@@ -247,6 +294,47 @@ impl Wanted<'_> {
         }
     }
 
+    /// The centres by which a velocity is carried over from the input link, and the points that it leads to.
+    fn transfer_centres(&mut self, asked: &Asked) -> BTreeSet<[LinkId; 2]> {
+        let mut wanted = BTreeSet::new();
+        let Some(input) = driver(self.mechanism) else { return wanted };
+        let of = |point: PointId| home(self.mechanism, self.structure, point);
+        let (links, points) = match asked.quantity {
+            Quantity::Velocity(p) => (vec![of(p)], vec![p]),
+            Quantity::RelativeVelocity(b, a) => (vec![of(b), of(a)], vec![a, b]),
+            Quantity::CoincidentVelocity(p, l) => (vec![Some(l)], vec![p]),
+            Quantity::Slip(p, l) => (vec![of(p), Some(l)], vec![p]),
+            Quantity::Omega(l) => (vec![Some(l)], Vec::new()),
+            Quantity::RelativeOmega(i, j) | Quantity::Rub(_, i, j) => (vec![Some(i), Some(j)], Vec::new()),
+            _ => (Vec::new(), Vec::new()),
+        };
+        for point in points {
+            self.point(point, Order::Position);
+        }
+        for link in links.into_iter().flatten().filter(|&l| l != LinkId::FRAME) {
+            self.link(link, Order::Position);
+            wanted.insert(chord(LinkId::FRAME, input));
+            wanted.insert(chord(LinkId::FRAME, link));
+            match asked.method {
+                Method::LinkToLink | Method::GaugeLine => {
+                    let hops = chain(self.mechanism, input, link).unwrap_or_default();
+                    wanted.extend(hops.iter().map(|(on, _)| chord(LinkId::FRAME, *on)));
+                    if let Some((on, _)) = hops.last() {
+                        // ω is read between two points of the link.
+                        for &point in self.mechanism.link(*on).points.iter().take(3) {
+                            self.point(point, Order::Position);
+                        }
+                    }
+                }
+                _ if link != input => {
+                    wanted.insert(chord(input, link));
+                }
+                _ => {}
+            }
+        }
+        wanted
+    }
+
     /// The wanted centres, with the links that their own steps solve.
     fn centres(&mut self, extent: Extent) -> CentrePlan {
         let asked = |a: &Asked| match a.quantity {
@@ -254,6 +342,9 @@ impl Wanted<'_> {
             _ => None,
         };
         let mut wanted: BTreeSet<[LinkId; 2]> = self.mechanism.asked.iter().filter_map(asked).collect();
+        for asked in self.mechanism.asked.iter().filter(|a| a.by_centres()) {
+            wanted.extend(self.transfer_centres(asked));
+        }
         if extent == Extent::AllCentres && wanted.is_empty() {
             let all = 0..self.mechanism.links.len();
             wanted = all

@@ -6,10 +6,10 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::home;
 
-use super::centres::Centres;
+use super::centres::{Centres, FromCentres};
 use super::construction::{
     Act, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image, Label,
-    LinkImage, Polygon, Reading, Space, Step, Vector, VectorKind,
+    LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
 use super::pose::Pose;
 use super::{Scales, scale};
@@ -80,6 +80,8 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) rolling_speeds: Vec<Option<Amount<B>>>,
     /// Instant centres found so far.
     pub(super) centres: Centres<B>,
+    /// What the methods of centres led to, by index of the asked quantity.
+    pub(super) transferred: Vec<(usize, Result<FromCentres<B>, &'static str>)>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
     pub(super) parts: Vec<Part<B>>,
     /// While a trial is on the board, nothing is recorded.
@@ -118,6 +120,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             sliding_accelerations: vec![None; mechanism.slides.len()],
             rolling_speeds: vec![None; mechanism.rolls.len()],
             centres: Centres::default(),
+            transferred: Vec::new(),
             parts: Vec::new(),
             silent: false,
             sides: None,
@@ -242,6 +245,16 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         if let Some(circle) = &mut self.record.circle {
             circle.stalled = stalled;
         }
+    }
+
+    /// The transfers of velocities by centres.
+    pub(super) fn transfers_mut(&mut self) -> Option<&mut Vec<Transfer>> {
+        self.record.circle.as_mut().map(|circle| &mut circle.transfers)
+    }
+
+    /// The transfer that is being drawn.
+    pub(super) fn transfer_mut(&mut self) -> Option<&mut Transfer> {
+        self.transfers_mut()?.last_mut()
     }
 
     /// Opens a polygon.

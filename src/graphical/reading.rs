@@ -5,6 +5,7 @@ use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{Form, LinkId, PointId};
 use crate::plan::{chord, home, transmission_points};
 
+use super::centres::{FromCentres, NO_INPUT};
 use super::construction::{Act, Calculation, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
 
@@ -23,8 +24,13 @@ pub(super) fn answers(d: &mut Draughtsman<'_, Recorded>) -> (Vec<Reading>, Vec<V
     let mut slots = Vec::new();
     let readings = asked
         .iter()
-        .map(|asked| {
-            let read = d.read_quantity(&asked.quantity);
+        .enumerate()
+        .map(|(index, asked)| {
+            let read = if asked.by_centres() {
+                d.read_from_centres(index)
+            } else {
+                d.read_quantity(&asked.quantity)
+            };
             let drawn_mm = d.drawn_length(&asked.quantity);
             let answer = d.answer(read, &mut slots);
             Reading { answer, drawn_mm }
@@ -70,6 +76,16 @@ impl<B: Bench> Draughtsman<'_, B> {
             let vector = self.polygon(order)?.vectors.iter().find(|v| v.quantity == *quantity)?;
             Some(libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]))
         })
+    }
+
+    /// A velocity or an angular velocity by one of the methods of instant centres.
+    fn read_from_centres(&self, index: usize) -> Read<B> {
+        match self.transferred.iter().find(|(of, _)| *of == index) {
+            Some((_, Ok(FromCentres::Vector(components)))) => Read::Vector(*components),
+            Some((_, Ok(FromCentres::Scalar(rate)))) => Read::Scalar(*rate),
+            Some((_, Err(why))) => Read::Undefined(why),
+            None => Read::Undefined(NO_INPUT),
+        }
     }
 
     fn read_quantity(&mut self, quantity: &Quantity) -> Read<B> {

@@ -191,6 +191,18 @@ pub struct Asked {
     pub method: Method,
 }
 
+impl Asked {
+    /// Whether it is a velocity that is asked for by a method of instant centres.
+    #[must_use]
+    pub fn by_centres(&self) -> bool {
+        let centres = matches!(
+            self.method,
+            Method::Centres | Method::LineOfCentres | Method::LinkToLink | Method::GaugeLine
+        );
+        centres && self.quantity.order() == Order::Velocity && !matches!(self.quantity, Quantity::Centre(..))
+    }
+}
+
 /// Why a quantity is not determined here.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Indeterminate {

@@ -11,6 +11,7 @@
 //! the normal to V at the distance V / ω.
 
 mod search;
+mod velocities;
 
 use std::collections::BTreeMap;
 
@@ -24,6 +25,7 @@ use super::draughtsman::Draughtsman;
 use super::pose::Track;
 pub use search::CentreLine;
 use search::{Atlas, Chord, Derivation};
+pub(super) use velocities::{FromCentres, NO_INPUT};
 
 /// The centres that stand on the skeleton.
 pub(super) struct Centres<B: Bench> {
@@ -46,6 +48,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         wanted: plan.wanted.iter().copied().collect(),
         centres: Vec::new(),
         stalled: Vec::new(),
+        transfers: Vec::new(),
     });
     d.board.purpose("instant centres");
     d.primary_centres(plan);
@@ -62,6 +65,11 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         stalled = if stalled.is_empty() { stalled } else { d.kennedy(plan) };
     }
     d.note_stalled(stalled);
+    for (index, asked) in d.mechanism.asked.iter().enumerate().filter(|(_, asked)| asked.by_centres()) {
+        d.open_transfer(index, asked.method);
+        let found = d.velocity_from_centres(asked.quantity, asked.method);
+        d.transferred.push((index, found));
+    }
 }
 
 impl<B: Bench> Draughtsman<'_, B> {
