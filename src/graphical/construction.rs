@@ -4,9 +4,11 @@
 //! the draughtsman in their order. Coordinates are paper millimetres in each diagram's own frame: the
 //! pole of a polygon, the first fixed point of the skeleton, is (0, 0).
 
+use std::fmt;
+
 use crate::mechanism::quantity::{Answer, Method, Order, Quantity};
 use crate::mechanism::structure::Closing;
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::{LinkId, Mechanism, PointId};
 
 pub use super::centres::CentreLine;
 
@@ -72,10 +74,57 @@ impl CircleDiagram {
         self.centres.iter().find(|c| c.links == links)
     }
 
+    /// Which centres were marked, which constructed by which triangles, and how many were left out, as text.
+    #[must_use]
+    pub fn explain<'a>(&'a self, mechanism: &'a Mechanism) -> CircleExplanation<'a> {
+        CircleExplanation { circle: self, mechanism }
+    }
+
     /// How many centres the mechanism has: N = n (n − 1) / 2.
     #[must_use]
     pub fn count(&self) -> usize {
         self.links.len() * self.links.len().saturating_sub(1) / 2
+    }
+}
+
+/// The text of [`CircleDiagram::explain`].
+#[derive(Debug, Clone, Copy)]
+pub struct CircleExplanation<'a> {
+    circle: &'a CircleDiagram,
+    mechanism: &'a Mechanism,
+}
+
+impl fmt::Display for CircleExplanation<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = |l: LinkId| self.mechanism.link(l).number;
+        let name = |links: [LinkId; 2]| format!("I({},{})", number(links[0]), number(links[1]));
+        let primary: Vec<String> =
+            self.circle.centres.iter().filter(|c| c.found.is_primary()).map(|c| name(c.links)).collect();
+        writeln!(f, "kept    primary centres: {}", primary.join(", "))?;
+        for centre in self.circle.centres.iter().filter(|c| !c.found.is_primary()) {
+            let [i, j] = centre.links;
+            let how = match centre.found {
+                Found::Kennedy { lines } => {
+                    let line = |line: CentreLine| match line {
+                        CentreLine::Via(k) => format!("triangle {}-{}-{}", number(i), number(k), number(j)),
+                        CentreLine::Normal(_) => "the common normal of the contact".to_owned(),
+                    };
+                    format!("{} and {}", line(lines[0]), line(lines[1]))
+                }
+                _ => "the velocity polygon, where the circle diagram stalls".to_owned(),
+            };
+            writeln!(f, "kept    centre {}: {how}", name(centre.links))?;
+        }
+        for &stalled in &self.circle.stalled {
+            writeln!(f, "stalled centre {}: no two triangles lead to it", name(stalled))?;
+        }
+        let found = self.circle.centres.len() + self.circle.stalled.len();
+        writeln!(
+            f,
+            "skipped {} of {} centres (nothing asked needs them)",
+            self.circle.count() - found,
+            self.circle.count()
+        )
     }
 }
 

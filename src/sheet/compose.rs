@@ -9,7 +9,7 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{centres, circle, polygon, results, skeleton};
+use super::{centres, circle, polygon, results, skeleton, transfer};
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
@@ -32,7 +32,7 @@ const GUTTER: f64 = 8.0;
 /// The names of the figures.
 #[must_use]
 pub const fn figure_names() -> &'static [&'static str] {
-    &["skeleton", "velocity", "acceleration", "centres", "circle", "results", "steps"]
+    &["skeleton", "velocity", "acceleration", "centres", "circle", "transfer", "results", "steps"]
 }
 
 /// The solution sheet: panels, results and steps, paged.
@@ -66,8 +66,10 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    let blocks = [skeleton, first, velocity, acceleration, centres, circle];
-    pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
+    let transfers = construction.circle.as_ref().map_or(0, |c| c.transfers.len());
+    let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
+    let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
+    pager.rows(&blocks.flatten().collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
     }
@@ -95,6 +97,13 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "acceleration" => (panel(Name::Acceleration, construction, &notation)?, words.acceleration_diagram),
         "centres" => (panel(Name::Centres, construction, &notation)?, words.centres_figure),
         "circle" => (panel(Name::Circle, construction, &notation)?, words.circle_diagram),
+        "transfer" => {
+            let figures: Vec<Figure> = (0..construction.circle.as_ref()?.transfers.len())
+                .filter_map(|i| panel(Name::Transfer(i), construction, &notation))
+                .map(|block| tight(scene, block, words.transfer_figure, words))
+                .collect();
+            return (!figures.is_empty()).then(|| stack(&figures));
+        }
         "results" => {
             let table = results::table(construction, &notation, &ORDERS, TEXT);
             (table.draw("results", 0, table.rows.len()), words.results)
@@ -102,6 +111,11 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "steps" => (column(&steps::items(construction, &notation), 90.0), words.steps),
         _ => return None,
     };
+    Some(tight(scene, block, heading, words))
+}
+
+/// A drawing cut to its ink.
+fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
     let mut description = String::new();
     block.group.walk(&mut |node| match node {
         Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
@@ -110,14 +124,14 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
     let mut root = block.group;
     let ink = root.bounds().unwrap_or(Rect::ZERO);
     root.translate(Vec2::new(EDGE - ink.x0, EDGE - ink.y0));
-    Some(Figure {
+    Figure {
         width: ink.width() + 2.0 * EDGE,
         height: ink.height() + 2.0 * EDGE,
         title: format!("{}: {heading}", title(scene, words)),
         description,
         language: words.tag,
         root,
-    })
+    }
 }
 
 /// Several figures below each other as one.
@@ -174,31 +188,41 @@ enum Name {
     Acceleration,
     Centres,
     Circle,
+    /// By index of the transfer.
+    Transfer(usize),
 }
 
 /// A drawing with its caption and scale below, upper left corner at the origin.
 fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
     let words = notation.words;
+    let plain = |caption: &str| Rich::upright(caption);
     let (drawing, letter, caption, scale) = match name {
         Name::Skeleton => {
             let scale = notation.length_scale(construction.space.metres_per_mm);
-            (skeleton::draw(construction, notation), "a", words.skeleton, scale)
+            (skeleton::draw(construction, notation), "a", plain(words.skeleton), scale)
         }
         Name::Centres => {
             let circle = construction.circle.as_ref()?;
             let scale = notation.length_scale(construction.space.metres_per_mm);
-            (centres::draw(circle, construction, notation), "d", words.centres_figure, scale)
+            (centres::draw(circle, construction, notation), "d", plain(words.centres_figure), scale)
         }
         Name::Circle => {
             let circle = construction.circle.as_ref()?;
-            (circle::draw(circle, notation), "e", words.circle_diagram, Rich::default())
+            (circle::draw(circle, notation), "e", plain(words.circle_diagram), Rich::default())
+        }
+        Name::Transfer(index) => {
+            let circle = construction.circle.as_ref()?;
+            let transfer = circle.transfers.get(index)?;
+            let scale = notation.scale(transfer.si_per_mm, Order::Velocity);
+            let drawing = transfer::draw(transfer, circle, construction, notation);
+            (drawing, "f", transfer::title(transfer, notation), scale)
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
             (
                 polygon::draw(p, &construction.steps, notation),
                 "b",
-                words.velocity_diagram,
+                plain(words.velocity_diagram),
                 notation.scale(p.si_per_mm, p.order),
             )
         }
@@ -207,7 +231,7 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
             (
                 polygon::draw(p, &construction.steps, notation),
                 "c",
-                words.acceleration_diagram,
+                plain(words.acceleration_diagram),
                 notation.scale(p.si_per_mm, p.order),
             )
         }
@@ -215,7 +239,7 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
     let mut group = Group::new("panel");
     group.group(drawing);
     let ink = group.bounds().unwrap_or(Rect::ZERO);
-    let mut caption = Rich::bold(format!("({letter})")).up(" ").up(caption);
+    let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
     if !scale.is_empty() {
         caption = caption.up(",\u{2002}").then(&Rich::fill(words.scale, &[("scale", scale)]));
     }

@@ -26,6 +26,7 @@ mod skeleton;
 mod slots;
 mod steps;
 mod table;
+mod transfer;
 mod words;
 
 pub use compose::{figure_names, single, solution, stack};

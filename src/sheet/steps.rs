@@ -60,6 +60,9 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
     }
     if let Some(circle) = &construction.circle {
         all.extend(super::circle::items(circle, notation));
+        for transfer in &circle.transfers {
+            all.extend(super::transfer::items(transfer, construction, notation));
+        }
     }
     all
 }
