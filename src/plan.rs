@@ -185,6 +185,19 @@ pub fn driver(mechanism: &Mechanism) -> Option<LinkId> {
     }
 }
 
+/// The link as whose point a velocity is found by its centre with the input: a slider on a fixed guide, whose pole
+/// is seen from the pair, else the link whose group finds the point.
+#[must_use]
+pub fn transfer_home(mechanism: &Mechanism, structure: &Structure, point: PointId) -> Option<LinkId> {
+    let slider = mechanism.slides.iter().find_map(|s| match s.rider {
+        Rider::Pin { point: pin, block: Some(block) } if pin == point && s.guide.link == LinkId::FRAME => {
+            Some(block)
+        }
+        _ => None,
+    });
+    slider.or_else(|| home(mechanism, structure, point))
+}
+
 /// The shortest chain of moving links from one to another, each with the pin by which it hangs on the one before;
 /// `None` where no moving pins join them.
 #[must_use]
@@ -298,7 +311,10 @@ impl Wanted<'_> {
     fn transfer_centres(&mut self, asked: &Asked) -> BTreeSet<[LinkId; 2]> {
         let mut wanted = BTreeSet::new();
         let Some(input) = driver(self.mechanism) else { return wanted };
-        let of = |point: PointId| home(self.mechanism, self.structure, point);
+        let of = |point: PointId| match asked.method {
+            Method::LinkToLink | Method::GaugeLine => home(self.mechanism, self.structure, point),
+            _ => transfer_home(self.mechanism, self.structure, point),
+        };
         let (links, points) = match asked.quantity {
             Quantity::Velocity(p) => (vec![of(p)], vec![p]),
             Quantity::RelativeVelocity(b, a) => (vec![of(b), of(a)], vec![a, b]),

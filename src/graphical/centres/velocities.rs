@@ -11,8 +11,9 @@
 
 use crate::board::{Amount, Bench, HomogeneousPoint, Line, Location, Mm, Point, Scale};
 use crate::mechanism::quantity::{Method, Order, Quantity};
-use crate::mechanism::{Input, LinkId, PointId};
-use crate::plan::{chain, chord, driver, home};
+use crate::mechanism::structure::Structure;
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
+use crate::plan::{chain, chord, driver, home, transfer_home};
 
 use super::super::construction::{Spot, Transfer, TransferAct, TransferInk};
 use super::super::draughtsman::Draughtsman;
@@ -64,7 +65,9 @@ impl<B: Bench> Draughtsman<'_, B> {
     // --- the direct method ---------------------------------------------------------------------
 
     fn directly(&mut self, quantity: Quantity) -> Result<FromCentres<B>, Why> {
-        let of = |point: PointId, d: &Self| home(d.mechanism, d.structure, point).unwrap_or(LinkId::FRAME);
+        let of = |point: PointId, d: &Self| {
+            transfer_home(d.mechanism, d.structure, point).unwrap_or(LinkId::FRAME)
+        };
         match quantity {
             Quantity::Velocity(p) => self.velocity_of_point(p, of(p, self), true).map(FromCentres::Vector),
             Quantity::CoincidentVelocity(p, l) => self.velocity_of_point(p, l, true).map(FromCentres::Vector),
@@ -205,11 +208,11 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// V of the transfer centre, laid off on the line of centres, and the gauge line from the pole.
     fn by_line_of_centres(&mut self, quantity: Quantity) -> Result<FromCentres<B>, Why> {
-        let (point, link) = self.target(quantity)?;
+        let (point, link) = self.target(quantity, transfer_home)?;
         let (input, driving) = self.input_twist()?;
         let reason = self.reason(&[input, link]);
         if link == input {
-            return self.directly(quantity);
+            return self.of_input(point, link);
         }
         let known = |d: &Self, c| d.centres.known.get(&c).copied();
         let pole = known(self, chord(LinkId::FRAME, link)).ok_or(NO_POLE)?;
@@ -261,6 +264,14 @@ impl<B: Bench> Draughtsman<'_, B> {
                 let (_, radius) = self.board.toward(second, transfer, reason);
                 Ok(FromCentres::Scalar(self.omega_by(link, spot, along, radius)))
             }
+        }
+    }
+
+    /// What is asked of the input link itself: no centre has to be changed.
+    fn of_input(&mut self, point: Option<PointId>, link: LinkId) -> Result<FromCentres<B>, Why> {
+        match point {
+            Some(point) => self.velocity_of_point(point, link, true).map(FromCentres::Vector),
+            None => self.omega_of(link, true).map(FromCentres::Scalar),
         }
     }
 
@@ -337,10 +348,10 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// From the input link along a chain of pins, by gauge lines or by parallels to the links.
     fn by_chain(&mut self, quantity: Quantity, method: Method) -> Result<FromCentres<B>, Why> {
-        let (point, link) = self.target(quantity)?;
+        let (point, link) = self.target(quantity, home)?;
         let (input, driving) = self.input_twist()?;
         if link == input {
-            return self.directly(quantity);
+            return self.of_input(point, link);
         }
         let hops = chain(self.mechanism, input, link).ok_or(NO_CHAIN)?;
         let Some(&(_, first)) = hops.first() else { return Err(NO_CHAIN) };
@@ -500,7 +511,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The point and the link that a transfer leads to; no point for an angular velocity.
-    fn target(&self, quantity: Quantity) -> Result<(Option<PointId>, LinkId), Why> {
+    fn target(
+        &self,
+        quantity: Quantity,
+        home: fn(&Mechanism, &Structure, PointId) -> Option<LinkId>,
+    ) -> Result<(Option<PointId>, LinkId), Why> {
         match quantity {
             Quantity::Velocity(p) => {
                 let link = home(self.mechanism, self.structure, p).ok_or("a fixed point has no velocity")?;
