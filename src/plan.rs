@@ -101,6 +101,8 @@ pub struct CentrePlan {
     pub barred: BTreeSet<[LinkId; 2]>,
     /// Where the diagram stalls, centres are taken from the velocity polygon, which is then planned as well.
     pub with_velocities: bool,
+    /// The velocity diagram is laid off from centres, to feed an acceleration polygon.
+    pub feeds: bool,
 }
 
 /// The links of a centre, the lower first.
@@ -370,6 +372,15 @@ impl Wanted<'_> {
                 .map(|(i, j)| [LinkId(i), LinkId(j)])
                 .collect();
         }
+        let feeds = self.mechanism.asked.iter().any(Asked::fed_by_centres);
+        if feeds && let Some(input) = driver(self.mechanism) {
+            let steps = self.steps.keys().filter(|(order, _)| *order == Order::Velocity);
+            let groups: BTreeSet<usize> = steps.map(|(_, group)| *group).collect();
+            let links = groups.iter().flat_map(|group| &self.structure.groups[*group].links);
+            let links: BTreeSet<LinkId> = links.copied().collect();
+            wanted.extend(links.iter().map(|link| chord(LinkId::FRAME, *link)));
+            wanted.extend(links.iter().filter(|link| **link != input).map(|link| chord(input, *link)));
+        }
         let mut way = Wanted {
             mechanism: self.mechanism,
             structure: self.structure,
@@ -399,6 +410,7 @@ impl Wanted<'_> {
             wanted,
             barred: BTreeSet::new(),
             with_velocities: self.source == CentreSource::Velocities,
+            feeds,
         }
     }
 

@@ -716,6 +716,17 @@ pub enum Act {
         /// The image it coincides with.
         with: Label,
     },
+    /// Lay off a velocity that was found from a link's instant centre with the frame.
+    LayOffFromCentre {
+        /// Index into [`Polygon::vectors`].
+        vector: usize,
+        /// The link.
+        link: LinkId,
+        /// Its magnitude in SI units.
+        value: f64,
+        /// Its length on paper in mm.
+        mm: f64,
+    },
     /// Read a vector off the diagram.
     ReadVector {
         /// Index into [`Polygon::vectors`].

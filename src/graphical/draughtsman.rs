@@ -6,7 +6,7 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::home;
 
-use super::centres::{Centres, FromCentres};
+use super::centres::{Centres, FromCentres, Why};
 use super::construction::{
     Act, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image, Label,
     LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
@@ -81,7 +81,9 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     /// Instant centres found so far.
     pub(super) centres: Centres<B>,
     /// What the methods of centres led to, by index of the asked quantity.
-    pub(super) transferred: Vec<(usize, Result<FromCentres<B>, &'static str>)>,
+    pub(super) transferred: Vec<(usize, Result<FromCentres<B>, Why>)>,
+    /// Why the velocity diagram could not be laid off from centres, where it should have been.
+    pub(super) fed: Result<(), Why>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
     pub(super) parts: Vec<Part<B>>,
     /// While a trial is on the board, nothing is recorded.
@@ -121,6 +123,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             rolling_speeds: vec![None; mechanism.rolls.len()],
             centres: Centres::default(),
             transferred: Vec::new(),
+            fed: Ok(()),
             parts: Vec::new(),
             silent: false,
             sides: None,

@@ -232,13 +232,16 @@ where
 {
     let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
     position::draw(&mut draughtsman, plan)?;
-    if !plan.velocity.is_empty() {
+    if plan.centres.feeds {
+        centres::draw(&mut draughtsman, plan);
+        draughtsman.fed = centres::feed(&mut draughtsman, plan);
+    } else if !plan.velocity.is_empty() {
         velocity::draw(&mut draughtsman, plan);
     }
-    if !plan.acceleration.is_empty() {
+    if !plan.acceleration.is_empty() && draughtsman.fed.is_ok() {
         acceleration::draw(&mut draughtsman, plan);
     }
-    if !plan.centres.wanted.is_empty() {
+    if !plan.centres.wanted.is_empty() && !plan.centres.feeds {
         centres::draw(&mut draughtsman, plan);
     }
     Ok(draughtsman)

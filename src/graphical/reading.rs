@@ -89,6 +89,9 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     fn read_quantity(&mut self, quantity: &Quantity) -> Read<B> {
+        if let (Err(why), false) = (self.fed, matches!(quantity.order(), Order::Position)) {
+            return Read::Undefined(why);
+        }
         match *quantity {
             Quantity::Velocity(p) => self.read_absolute(Order::Velocity, p, *quantity),
             Quantity::Acceleration(p) => self.read_absolute(Order::Acceleration, p, *quantity),

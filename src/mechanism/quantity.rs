@@ -201,6 +201,12 @@ impl Asked {
         );
         centres && self.quantity.order() == Order::Velocity && !matches!(self.quantity, Quantity::Centre(..))
     }
+
+    /// Whether it is an acceleration whose polygon is fed with velocities from instant centres.
+    #[must_use]
+    pub fn fed_by_centres(&self) -> bool {
+        self.method == Method::Centres && self.quantity.order() == Order::Acceleration
+    }
 }
 
 /// Why a quantity is not determined here.

@@ -5,7 +5,7 @@ use super::draft::{Draft, is_straight};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::{Measure, Scale, Scales};
-use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId, Rider};
 
 /// Every name, with its form for messages.
@@ -52,7 +52,20 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
         draft.mechanism.asked.push(asked);
         draft.anchors.asked.push(item.at);
     }
-    Ok(())
+    one_acceleration_polygon(draft)
+}
+
+/// There is one acceleration polygon, fed from one velocity diagram.
+fn one_acceleration_polygon(draft: &Draft<'_>) -> Res<()> {
+    let asked = &draft.mechanism.asked;
+    let other = |a: &Asked| a.quantity.order() == Order::Acceleration && a.method == Method::Polygon;
+    let (Some(fed), Some(other)) = (asked.iter().find(|a| a.fed_by_centres()), asked.iter().position(other))
+    else {
+        return Ok(());
+    };
+    let what = format!("`{}` is asked for by centres, and this acceleration by the polygon", fed.name);
+    Err(Fault::new(draft.anchors.asked[other], what)
+        .mend("there is one acceleration polygon: ask for all accelerations by one method, or in two scenes"))
 }
 
 /// The method by which a quantity is asked.

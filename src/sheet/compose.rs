@@ -66,7 +66,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    let transfers = construction.circle.as_ref().map_or(0, |c| c.transfers.len());
+    let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
     let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
     let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
     pager.rows(&blocks.flatten().collect::<Vec<_>>());
@@ -98,7 +98,7 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "centres" => (panel(Name::Centres, construction, &notation)?, words.centres_figure),
         "circle" => (panel(Name::Circle, construction, &notation)?, words.circle_diagram),
         "transfer" => {
-            let figures: Vec<Figure> = (0..construction.circle.as_ref()?.transfers.len())
+            let figures: Vec<Figure> = (0..transfer::by_method(construction.circle.as_ref()?).len())
                 .filter_map(|i| panel(Name::Transfer(i), construction, &notation))
                 .map(|block| tight(scene, block, words.transfer_figure, words))
                 .collect();
@@ -188,7 +188,7 @@ enum Name {
     Acceleration,
     Centres,
     Circle,
-    /// By index of the transfer.
+    /// Velocities from centres, by index of the method.
     Transfer(usize),
 }
 
@@ -212,10 +212,10 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
         }
         Name::Transfer(index) => {
             let circle = construction.circle.as_ref()?;
-            let transfer = circle.transfers.get(index)?;
-            let scale = notation.scale(transfer.si_per_mm, Order::Velocity);
-            let drawing = transfer::draw(transfer, circle, construction, notation);
-            (drawing, "f", transfer::title(transfer, notation), scale)
+            let same = transfer::by_method(circle).into_iter().nth(index)?;
+            let scale = notation.scale(same.first()?.si_per_mm, Order::Velocity);
+            let drawing = transfer::draw(&same, circle, construction, notation);
+            (drawing, "f", transfer::title(&same, notation), scale)
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;

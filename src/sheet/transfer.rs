@@ -26,27 +26,54 @@ const LARGEST: (f64, f64) = (160.0, 140.0);
 /// Shorter arrows than this are drawn as points.
 const SHORTEST: f64 = 1.0;
 
-/// The skeleton with the strokes of one transfer.
+/// The transfers of each method, in the order in which the methods are first asked.
+#[must_use]
+pub fn by_method(circle: &CircleDiagram) -> Vec<Vec<&Transfer>> {
+    let mut all: Vec<Vec<&Transfer>> = Vec::new();
+    for transfer in &circle.transfers {
+        match all.iter_mut().find(|same| same.iter().any(|t| t.method == transfer.method)) {
+            Some(same) => same.push(transfer),
+            None => all.push(vec![transfer]),
+        }
+    }
+    all
+}
+
+/// The skeleton with the strokes of the transfers of one method.
 #[must_use]
 pub fn draw(
-    transfer: &Transfer,
+    transfers: &[&Transfer],
     circle: &CircleDiagram,
     construction: &Construction,
     notation: &Notation<'_>,
 ) -> Group {
     let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, |ink, _| {
-        let window = window(transfer, ink);
+        let strokes = strokes(transfers);
+        let window = window(&strokes, ink);
         let mut overlay = Overlay { ink: Group::new("strokes"), ..Overlay::default() };
-        for stroke in &transfer.ink {
+        for stroke in &strokes {
             draw_stroke(stroke, window, notation, &mut overlay);
         }
-        centres(transfer, circle, window, notation, &mut overlay);
+        centres(transfers, circle, window, notation, &mut overlay);
         overlay
     });
     let unit = notation.unit(Order::Velocity);
     group.class = "skeleton transfer".to_owned();
-    group = group.data("velocity-scale", format!("{}", transfer.si_per_mm / unit.si));
-    group
+    match transfers.first() {
+        Some(first) => group.data("velocity-scale", format!("{}", first.si_per_mm / unit.si)),
+        None => group,
+    }
+}
+
+/// All strokes, each once: transfers along one chain begin alike.
+fn strokes(transfers: &[&Transfer]) -> Vec<TransferInk> {
+    let mut all: Vec<TransferInk> = Vec::new();
+    for stroke in transfers.iter().flat_map(|t| &t.ink) {
+        if !all.contains(stroke) {
+            all.push(*stroke);
+        }
+    }
+    all
 }
 
 /// The ends of a stroke on the page.
@@ -66,9 +93,9 @@ fn ends(stroke: &TransferInk) -> (Point, Point) {
 }
 
 /// The skeleton's ink with as many ends of strokes as find room.
-fn window(transfer: &Transfer, skeleton: Rect) -> Rect {
+fn window(strokes: &[TransferInk], skeleton: Rect) -> Rect {
     let mut window = skeleton.inflate(BORDER, BORDER);
-    let mut places: Vec<Point> = transfer.ink.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
+    let mut places: Vec<Point> = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
     let middle = skeleton.center();
     places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
     for at in places {
@@ -170,7 +197,7 @@ fn leader(text: Rich, at: Point, radius: f64, class: &'static str) -> Request {
 
 /// The centres that the transfer uses, by name; those of pins are marked by the pins.
 fn centres(
-    transfer: &Transfer,
+    transfers: &[&Transfer],
     circle: &CircleDiagram,
     window: Rect,
     notation: &Notation<'_>,
@@ -185,7 +212,7 @@ fn centres(
             used.push(chord(i, j));
         }
     };
-    for act in &transfer.acts {
+    for act in transfers.iter().flat_map(|t| &t.acts) {
         match act {
             TransferAct::Ratio { input, link, .. } => take(&[*input, *link]),
             TransferAct::CommonSpeed { links, .. } => take(links),
@@ -247,15 +274,15 @@ fn distance(pole: [LinkId; 2], to: &str, notation: &Notation<'_>) -> Rich {
     Rich::upright(format!("({}–{})", strip(&pole), strip(to)))
 }
 
-/// The title of a transfer: ω₄ by the direct method.
+/// The title of transfers by one method: ω₄, V_D by the direct method.
 #[must_use]
-pub fn title(transfer: &Transfer, notation: &Notation<'_>) -> Rich {
-    let symbol = notation
-        .mechanism()
-        .asked
-        .get(transfer.asked)
-        .map_or_else(Rich::default, |asked| notation.symbol(asked.quantity, false));
-    Rich::fill(method(transfer.method, notation), &[("quantity", symbol)])
+pub fn title(transfers: &[&Transfer], notation: &Notation<'_>) -> Rich {
+    let asked = |t: &&Transfer| notation.mechanism().asked.get(t.asked);
+    let symbols: Vec<Rich> =
+        transfers.iter().filter_map(asked).map(|asked| notation.symbol(asked.quantity, false)).collect();
+    let Some(first) = transfers.first() else { return Rich::default() };
+    let symbols = Rich::join(&symbols, &Rich::upright(", "));
+    Rich::fill(method(first.method, notation), &[("quantity", symbols)])
 }
 
 fn method(method: Method, notation: &Notation<'_>) -> &'static str {
@@ -267,12 +294,21 @@ fn method(method: Method, notation: &Notation<'_>) -> &'static str {
     }
 }
 
-/// The steps of a transfer in words.
+/// The steps of all transfers in words; what an earlier transfer of the same method has told is not told again.
 #[must_use]
-pub fn items(transfer: &Transfer, construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
-    let mut all = vec![Item::Head(title(transfer, notation).bolder())];
-    let teller = Teller { notation, metres_per_mm: construction.space.metres_per_mm };
-    all.extend(transfer.acts.iter().map(|act| Item::Sentence(teller.sentence(act))));
+pub fn items(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
+    let mut all = Vec::new();
+    for same in by_method(circle) {
+        all.push(Item::Head(title(&same, notation).bolder()));
+        let teller = Teller { notation, metres_per_mm: construction.space.metres_per_mm };
+        let mut told: Vec<&TransferAct> = Vec::new();
+        for act in same.iter().flat_map(|t| &t.acts) {
+            if !told.contains(&act) {
+                told.push(act);
+                all.push(Item::Sentence(teller.sentence(act)));
+            }
+        }
+    }
     all
 }
 

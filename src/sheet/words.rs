@@ -117,6 +117,7 @@ pub struct Words {
     pub complete_image: &'static str,
     pub same_image: &'static str,
     pub read_vector: &'static str,
+    pub lay_off_from_centre: &'static str,
     pub translation: &'static str,
 
     // The circle diagram.
@@ -223,6 +224,7 @@ const ENGLISH: Words = Words {
     complete_image: "On {base} complete the image of link {link}, similar and of the same reading sense: {label}.",
     same_image: "{label} falls on {with}.",
     read_vector: "Read {vector} = {image}: {reading}.",
+    lay_off_from_centre: "From the instant centre {centre}: {vector} = {value}; lay off {image} = {mm}.",
     translation: "Link {link} only translates: {omega} = 0.",
 
     step_centres: "Instant centres",

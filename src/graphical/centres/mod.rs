@@ -10,6 +10,7 @@
 //! diagram stalls (complex mechanisms, several inputs), the centre is taken from the velocity polygon: it lies on
 //! the normal to V at the distance V / ω.
 
+mod feed;
 mod search;
 mod velocities;
 
@@ -23,9 +24,10 @@ use crate::plan::{CentrePlan, Plan, chord};
 use super::construction::{Centre, CentrePlace, CircleDiagram, Found};
 use super::draughtsman::Draughtsman;
 use super::pose::Track;
+pub(super) use feed::draw as feed;
 pub use search::CentreLine;
 use search::{Atlas, Chord, Derivation};
-pub(super) use velocities::{FromCentres, NO_INPUT};
+pub(super) use velocities::{FromCentres, NO_INPUT, Why};
 
 /// The centres that stand on the skeleton.
 pub(super) struct Centres<B: Bench> {

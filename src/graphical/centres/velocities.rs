@@ -20,7 +20,7 @@ use super::super::draughtsman::Draughtsman;
 use super::super::velocity::FLATTEST_CROSSING;
 
 /// Why a method does not lead to a quantity, in plain English.
-type Why = &'static str;
+pub(in super::super) type Why = &'static str;
 
 /// The motion of a link: its pole, and its rate about it (ω over the pole's weight; for a pole at infinity the
 /// velocity of the translation).
@@ -99,7 +99,12 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// V of a point of a link: its rate about the pole times the radius.
-    fn velocity_of_point(&mut self, point: PointId, link: LinkId, tell: bool) -> Result<[Amount<B>; 2], Why> {
+    pub(super) fn velocity_of_point(
+        &mut self,
+        point: PointId,
+        link: LinkId,
+        tell: bool,
+    ) -> Result<[Amount<B>; 2], Why> {
         if link == LinkId::FRAME {
             return Ok([self.rest(), self.rest()]);
         }
@@ -123,7 +128,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         Ok(velocity)
     }
 
-    fn omega_of(&mut self, link: LinkId, tell: bool) -> Result<Amount<B>, Why> {
+    pub(super) fn omega_of(&mut self, link: LinkId, tell: bool) -> Result<Amount<B>, Why> {
         if link == LinkId::FRAME {
             return Ok(self.rest());
         }
