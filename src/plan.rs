@@ -272,6 +272,8 @@ impl Wanted<'_> {
             Quantity::RelativeOmega(i, j)
             | Quantity::RelativeAlpha(i, j)
             | Quantity::Rub(_, i, j)
+            | Quantity::Ratio(i, j)
+            | Quantity::Advantage(i, j)
             | Quantity::Transmission(i, j) => {
                 self.link(i, order);
                 self.link(j, order);
@@ -323,7 +325,10 @@ impl Wanted<'_> {
             Quantity::CoincidentVelocity(p, l) => (vec![Some(l)], vec![p]),
             Quantity::Slip(p, l) => (vec![of(p), Some(l)], vec![p]),
             Quantity::Omega(l) => (vec![Some(l)], Vec::new()),
-            Quantity::RelativeOmega(i, j) | Quantity::Rub(_, i, j) => (vec![Some(i), Some(j)], Vec::new()),
+            Quantity::RelativeOmega(i, j)
+            | Quantity::Ratio(i, j)
+            | Quantity::Advantage(i, j)
+            | Quantity::Rub(_, i, j) => (vec![Some(i), Some(j)], Vec::new()),
             _ => (Vec::new(), Vec::new()),
         };
         for point in points {

@@ -106,6 +106,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             Quantity::Omega(l) => Read::Scalar(self.rate(Order::Velocity, l)),
             Quantity::Alpha(l) => Read::Scalar(self.rate(Order::Acceleration, l)),
             Quantity::RelativeOmega(i, j) => self.read_difference(Order::Velocity, i, j),
+            Quantity::Ratio(i, j) | Quantity::Advantage(j, i) => {
+                let (first, second) = (self.rate(Order::Velocity, i), self.rate(Order::Velocity, j));
+                let reason = self.reason(&[j]);
+                Read::Scalar(self.board.quotient(first, second, reason))
+            }
             Quantity::RelativeAlpha(i, j) => self.read_difference(Order::Acceleration, i, j),
             Quantity::Rub(pin, i, j) => self.read_rub(pin, i, j),
             Quantity::Position(p) => self.read_position(p),

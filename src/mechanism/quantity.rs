@@ -27,6 +27,11 @@ pub enum Quantity {
     Omega(LinkId),
     /// `omega(3/2)`: ω₃ − ω₂. Signed scalar.
     RelativeOmega(LinkId, LinkId),
+    /// `ratio(4/2)`: ω₄ : ω₂. Signed number, positive where both turn the same way.
+    Ratio(LinkId, LinkId),
+    /// `advantage(4/2)`: mechanical advantage, the torque at link 4 for a unit of torque at link 2 without losses,
+    /// ω₂ : ω₄. Signed number.
+    Advantage(LinkId, LinkId),
     /// `alpha(3)`: angular acceleration. Signed scalar, ccw positive.
     Alpha(LinkId),
     /// `alpha(3/2)`: α₃ − α₂. Signed scalar.
@@ -85,6 +90,8 @@ impl Quantity {
             | Self::RelativeVelocity(..)
             | Self::Omega(_)
             | Self::RelativeOmega(..)
+            | Self::Ratio(..)
+            | Self::Advantage(..)
             | Self::Slip(..)
             | Self::Centre(..)
             | Self::Rub(..)

@@ -9,13 +9,15 @@ use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId, Rider};
 
 /// Every name, with its form for messages.
-const NAMES: [(&str, &str); 16] = [
+const NAMES: [(&str, &str); 18] = [
     ("v", "v(B) or v(B/A)"),
     ("a", "a(B) or a(B/A)"),
     ("an", "an(B/A), or an(B) for a link pivoted to the frame"),
     ("at", "at(B/A), or at(B) for a link pivoted to the frame"),
     ("omega", "omega(3) or omega(3/2)"),
     ("alpha", "alpha(3) or alpha(3/2)"),
+    ("ratio", "ratio(4/2)"),
+    ("advantage", "advantage(4/2)"),
     ("slip", "slip(A/4)"),
     ("aslip", "aslip(A/4)"),
     ("aslipn", "aslipn(A/4)"),
@@ -120,6 +122,7 @@ pub(super) fn measure(quantity: &Quantity) -> Measure {
         | Quantity::Coriolis(..) => Measure::Acceleration,
         Quantity::Omega(_) | Quantity::RelativeOmega(..) => Measure::AngularVelocity,
         Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => Measure::AngularAcceleration,
+        Quantity::Ratio(..) | Quantity::Advantage(..) => Measure::Number,
         Quantity::Centre(..) | Quantity::Position(_) => Measure::Length,
         Quantity::Angle(_) | Quantity::Transmission(..) => Measure::Angle,
     }
@@ -217,6 +220,8 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
         ("angle", None) => Ok(Quantity::Angle(name.link(first)?)),
         ("omega", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeOmega(b, a)),
         ("alpha", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeAlpha(b, a)),
+        ("ratio", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Ratio(b, a)),
+        ("advantage", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Advantage(b, a)),
         ("I", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Centre(b, a)),
         ("transmission", Some(second)) => {
             let (coupler, output) = name.links(first, second)?;

@@ -78,6 +78,11 @@ impl<B: Bench> Draughtsman<'_, B> {
                 let (first, second) = (self.omega_of(i, true)?, self.omega_of(j, true)?);
                 Ok(FromCentres::Scalar(self.board.difference(first, second)))
             }
+            Quantity::Ratio(i, j) | Quantity::Advantage(j, i) => {
+                let (first, second) = (self.omega_of(i, true)?, self.omega_of(j, true)?);
+                let reason = self.reason(&[j]);
+                Ok(FromCentres::Scalar(self.board.quotient(first, second, reason)))
+            }
             Quantity::Rub(pin, i, j) => {
                 let Some(journal) = self.mechanism.point(pin).journal else {
                     return Err("the pin has no journal radius");
