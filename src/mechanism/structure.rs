@@ -91,6 +91,9 @@ pub enum GroupKind {
         pin: PointId,
         /// Index into [`Mechanism::slides`].
         slide: usize,
+        /// The link that has the pin and slides without turning against the solved one, where it is not
+        /// the pin itself or its block that slides.
+        rider: Option<LinkId>,
     },
     /// A lever that carries a guide for a pin of a solved link (slotted lever, Whitworth); or that
     /// carries, or is carried by, a rod which slides against it without turning (oscillating cylinder).
@@ -106,19 +109,38 @@ pub enum GroupKind {
         /// The rod between the pin and the guide, where there is one.
         rod: Option<LinkId>,
     },
-    /// A pin that rides on guides of two solved links.
+    /// A pin that rides on guides of two solved links, itself or with a link that slides without turning.
     Prp {
         /// The pin.
         pin: PointId,
         /// Indices into [`Mechanism::slides`].
         slides: [usize; 2],
+        /// For each pair the link that has the pin and slides without turning against the solved one, where
+        /// it is not the pin itself or its block that slides.
+        riders: [Option<LinkId>; 2],
+    },
+    /// A link that slides without turning against a solved link, and another that slides without turning
+    /// against the first and is pinned to a solved link (Oldham's coupling).
+    Rpp {
+        /// The link between the two sliding pairs.
+        link: LinkId,
+        /// Its first joint, by which it is found.
+        point: PointId,
+        /// The pinned link.
+        lever: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
+        ride: usize,
+        /// Index into [`Mechanism::slides`]: the link and the pinned link.
+        slot: usize,
     },
     /// A link that slides without turning against a solved link and carries a guide for a pin of a
     /// solved link (Scotch yoke).
     Yoke {
         /// The link.
         link: LinkId,
-        /// Index into [`Mechanism::slides`]: the link on the solved link.
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
         ride: usize,
         /// The pin on the solved link.
         pin: PointId,
@@ -140,6 +162,28 @@ pub enum GroupKind {
         centre: PointId,
         /// Index into [`Mechanism::rolls`].
         roll: usize,
+    },
+    /// A link that slides without turning against a solved link and is driven by a solved wheel.
+    Rack {
+        /// The link.
+        link: LinkId,
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
+        ride: usize,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
+    /// A driven wheel that rolls on a solved body; its centre is held by the contact, or rides on a guide.
+    DrivenWheel {
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// Index into [`Mechanism::slides`]: the centre on a guide of a solved link.
+        guide: Option<usize>,
+        /// Index into [`Mechanism::inputs`].
+        input: usize,
     },
     /// A rod and a wheel pinned to its end, which rolls on a solved body and is held against it.
     Rolling {
@@ -218,9 +262,12 @@ impl fmt::Display for GroupKind {
             Self::Rrp { .. } => "RRP",
             Self::Rpr { .. } => "RPR",
             Self::Prp { .. } => "PRP",
+            Self::Rpp { .. } => "RPP",
             Self::Yoke { .. } => "PPR",
             Self::DrivenSlide { .. } => "driven slide",
             Self::Wheel { .. } => "wheel",
+            Self::Rack { .. } => "rack",
+            Self::DrivenWheel { .. } => "driven wheel",
             Self::Rolling { .. } => "rod with a rolling wheel",
             Self::TrialDriver { .. } => "trial driver",
             Self::Higher { .. } => "group of higher class",
@@ -761,16 +808,25 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             GroupKind::Other
         };
     }
-    if !held.is_empty() {
-        return GroupKind::Other;
-    }
-    if let &[roll] = rolls.as_slice() {
-        return match (rods.as_slice(), outer.as_slice(), slides.is_empty() && inputs.is_empty()) {
-            (&[wheel], &[(_, centre)], true) if turns_about(&mechanism.rolls[roll], wheel, centre) => {
-                GroupKind::Wheel { wheel, centre, roll }
+    if let (&[roll], &[link]) = (rolls.as_slice(), rods.as_slice()) {
+        return match (outer.as_slice(), inputs.as_slice(), slides.as_slice(), held.as_slice()) {
+            (&[(_, centre)], [], [], []) if turns_about(&mechanism.rolls[roll], link, centre) => {
+                GroupKind::Wheel { wheel: link, centre, roll }
+            }
+            ([], [], &[ride], []) if glider(mechanism, &rods, ride) == Some(link) && points.is_empty() => {
+                match mechanism.rolls[roll] {
+                    Roll::Line { guide, .. } if guide.link == link => GroupKind::Rack { link, ride, roll },
+                    _ => GroupKind::Other,
+                }
+            }
+            ([], &[input], guides, contacts) if guides.len() + contacts.len() == 1 => {
+                driven_wheel(mechanism, link, points, (roll, guides.first().copied(), input))
             }
             _ => GroupKind::Other,
         };
+    }
+    if !rolls.is_empty() {
+        return GroupKind::Other;
     }
     match (rods.as_slice(), points, inputs.as_slice(), slides.as_slice()) {
         ([_], [], &[input], []) => match (outer.as_slice(), mechanism.inputs[input]) {
@@ -792,11 +848,30 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
         },
         (&[rod], &[pin], [], &[slide]) => match (outer.as_slice(), mechanism.slides[slide].rider) {
             (&[(_, base)], Rider::Pin { point, .. }) if point == pin => {
-                GroupKind::Rrp { rod, base, pin, slide }
+                GroupKind::Rrp { rod, base, pin, slide, rider: None }
             }
             _ => GroupKind::Other,
         },
-        ([], &[pin], [], &[first, second]) => GroupKind::Prp { pin, slides: [first, second] },
+        (&[_, _], &[pin], [], &[slide]) => match (outer.as_slice(), glider(mechanism, &rods, slide)) {
+            (&[(rod, base)], Some(rider)) if rider != rod => {
+                GroupKind::Rrp { rod, base, pin, slide, rider: Some(rider) }
+            }
+            _ => GroupKind::Other,
+        },
+        (_, &[pin], [], &[first, second]) if outer.is_empty() => {
+            let slides = [first, second];
+            let riders = slides.map(|slide| glider(mechanism, &rods, slide));
+            let rides = |slide: usize| match mechanism.slides[slide].rider {
+                Rider::Pin { point, .. } => point == pin,
+                Rider::Link { .. } => glider(mechanism, &rods, slide).is_some(),
+            };
+            let all_ride = slides.into_iter().all(rides) && riders[0] != riders[1] || rods.is_empty();
+            if all_ride && riders.iter().flatten().count() == rods.len() {
+                GroupKind::Prp { pin, slides, riders }
+            } else {
+                GroupKind::Other
+            }
+        }
         (&[lever], [], [], &[slide]) => {
             let Slide { rider, guide } = mechanism.slides[slide];
             match (outer.as_slice(), rider) {
@@ -821,13 +896,28 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                 _ => GroupKind::Other,
             }
         }
+        (&[a, b], [], [], &[first, second]) => {
+            let Some(&(lever, base)) = outer.first().filter(|_| outer.len() == 1) else {
+                return GroupKind::Other;
+            };
+            let link = if lever == a { b } else { a };
+            let (ride, slot) =
+                if glider(mechanism, &rods, first) == Some(link) { (first, second) } else { (second, first) };
+            let between = matches!(mechanism.slides[slot],
+                Slide { rider: Rider::Link { link: rider, .. }, guide }
+                    if rods.contains(&rider) && rods.contains(&guide.link));
+            match mechanism.link(link).points.first() {
+                Some(&point) if between && glider(mechanism, &rods, ride) == Some(link) => {
+                    GroupKind::Rpp { link, point, lever, base, ride, slot }
+                }
+                _ => GroupKind::Other,
+            }
+        }
         (&[link], [], [], &[first, second]) if outer.is_empty() => {
             let pair = |ride: usize, slot: usize| {
-                let (ride_on, slot_on) = (mechanism.slides[ride], mechanism.slides[slot]);
-                match (ride_on.rider, slot_on.rider) {
-                    (Rider::Link { link: rider, .. }, Rider::Pin { point, .. })
-                        if rider == link && slot_on.guide.link == link && is_straight(slot_on.guide) =>
-                    {
+                let on = mechanism.slides[slot];
+                match (glider(mechanism, &rods, ride), on.rider) {
+                    (Some(_), Rider::Pin { point, .. }) if on.guide.link == link => {
                         Some(GroupKind::Yoke { link, ride, pin: point, slot })
                     }
                     _ => None,
@@ -836,6 +926,43 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             pair(first, second).or_else(|| pair(second, first)).unwrap_or(GroupKind::Other)
         }
         _ => GroupKind::Other,
+    }
+}
+
+/// The link of a group that slides without turning against a solved link: it rides on a guide of that link,
+/// or carries the guide on which that link rides.
+fn glider(mechanism: &Mechanism, rods: &[LinkId], slide: usize) -> Option<LinkId> {
+    let Slide { rider: Rider::Link { link, .. }, guide } = mechanism.slides[slide] else { return None };
+    match (rods.contains(&link), rods.contains(&guide.link)) {
+        (true, false) => Some(link),
+        (false, true) => Some(guide.link),
+        _ => None,
+    }
+}
+
+/// A driven wheel whose centre is free but for its rolling, or rides on a guide of a solved link.
+fn driven_wheel(
+    mechanism: &Mechanism,
+    wheel: LinkId,
+    points: &[PointId],
+    (roll, guide, input): (usize, Option<usize>, usize),
+) -> GroupKind {
+    let centre = match mechanism.rolls[roll] {
+        Roll::Circles { links, centres, .. } => (0..2).find(|&i| links[i] == wheel).map(|i| centres[i]),
+        Roll::Line { wheel: own, centre, .. } => (own == wheel).then_some(centre),
+    };
+    let turned = matches!(mechanism.inputs[input], Input::Angle { .. } | Input::Speed { .. });
+    let Some(centre) = centre.filter(|c| turned && points.iter().all(|p| p == c)) else {
+        return GroupKind::Other;
+    };
+    let rides = |slide: usize| {
+        let Slide { rider, guide } = mechanism.slides[slide];
+        matches!(rider, Rider::Pin { point, .. } if point == centre) && guide.link != wheel
+    };
+    if guide.is_none_or(rides) {
+        GroupKind::DrivenWheel { wheel, centre, roll, guide, input }
+    } else {
+        GroupKind::Other
     }
 }
 
