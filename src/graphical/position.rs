@@ -352,6 +352,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
         self.board.purpose("contact point");
         self.wheel_points(step, wheel, centre);
+        if matches!(self.mechanism.link(wheel).form, Form::Single) && self.carries_guide(wheel) {
+            // The axes of a wheel are the world's.
+            let (own_anchor, anchor, x) = (self.own(wheel, centre), self.at(centre), self.board.rightward());
+            self.poses[wheel.0] = Some(Pose { own_anchor, anchor, own_along: x, along: x });
+        }
         self.contact(wheel, roll);
     }
 

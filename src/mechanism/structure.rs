@@ -9,7 +9,7 @@
 
 use std::fmt;
 
-use super::{Guide, Input, LinkId, Mechanism, Path, PointId, Rider, Roll, Slide};
+use super::{Guide, GuidePoint, Input, LinkId, Mechanism, Path, PointId, Rider, Roll, Slide};
 
 /// A pair or an input, as a constraint between two links.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -529,9 +529,15 @@ impl Structure {
         }
         game.free_frame();
         let mut structure = Self::assemble(mechanism, mobility, &nodes, &game);
+        let held: Vec<usize> = structure
+            .groups
+            .iter()
+            .flat_map(|group| &group.joints)
+            .filter_map(|joint| if let Joint::Contact(roll) = *joint { Some(roll) } else { None })
+            .collect();
         for group in &mut structure.groups {
             if group.kind == GroupKind::Other
-                && let Some(trial) = Trial::of(mechanism, group)
+                && let Some(trial) = Trial::of(mechanism, &held, group)
             {
                 group.kind = GroupKind::Higher { trial: structure.trials.len() };
                 structure.trials.push(trial);
@@ -643,18 +649,30 @@ fn roll_ends(roll: &Roll) -> [usize; 2] {
     }
 }
 
-/// Whether one link holds both centres of a rolling pair, or the wheel's centre rides on a guide of the
-/// body on whose line it rolls.
+/// Whether other pairs hold two rolling bodies together: one link has both centres, or one centre rides on an
+/// arc about the other; the wheel's centre rides on the body of the line, or that body slides without turning
+/// against a link that has the centre.
 fn holds_distance(mechanism: &Mechanism, roll: &Roll) -> bool {
+    let has = |link: LinkId, point: PointId| mechanism.point(point).links.contains(&link);
     match roll {
         Roll::Circles { centres, .. } => {
             let second = &mechanism.point(centres[1]).links;
             mechanism.point(centres[0]).links.iter().any(|l| second.contains(l))
+                || mechanism.slides.iter().any(|slide| match (slide.rider, slide.guide.path) {
+                    (Rider::Pin { point, .. }, Path::Arc { centre: GuidePoint::Point(about), .. }) => {
+                        [point, about] == *centres || [about, point] == *centres
+                    }
+                    _ => false,
+                })
         }
         Roll::Line { guide, centre, .. } => mechanism.slides.iter().any(|slide| {
-            slide.guide.link == guide.link
-                && matches!(slide.guide.path, Path::Straight { .. })
-                && matches!(slide.rider, Rider::Pin { point, .. } if point == *centre)
+            let held = match slide.rider {
+                Rider::Pin { point, .. } => slide.guide.link == guide.link && point == *centre,
+                Rider::Link { link, .. } => [[link, slide.guide.link], [slide.guide.link, link]]
+                    .into_iter()
+                    .any(|[body, other]| body == guide.link && has(other, *centre)),
+            };
+            held && is_straight(slide.guide)
         }),
     }
 }
@@ -982,7 +1000,7 @@ fn turns_about(roll: &Roll, wheel: LinkId, centre: PointId) -> bool {
 
 impl Trial {
     /// Finds a link to drive and a constraint to leave open, so that the rest can be constructed.
-    fn of(mechanism: &Mechanism, group: &Group) -> Option<Self> {
+    fn of(mechanism: &Mechanism, held: &[usize], group: &Group) -> Option<Self> {
         let outer: Vec<(LinkId, PointId)> = group
             .joints
             .iter()
@@ -1003,7 +1021,7 @@ impl Trial {
                 if matches!(closing, Closing::Rod { link, .. } if link == driver) {
                     continue;
                 }
-                if let Some(groups) = subgroups(mechanism, group, driver, closing) {
+                if let Some(groups) = subgroups(mechanism, held, group, driver, closing) {
                     return Some(Self { driver, base, closing, groups });
                 }
             }
@@ -1025,8 +1043,15 @@ fn closings(mechanism: &Mechanism, group: &Group, outer: &[(LinkId, PointId)]) -
     for &(link, far) in outer {
         let inner: Vec<PointId> =
             mechanism.link(link).points.iter().copied().filter(|p| group.points.contains(p)).collect();
-        let carries_guide = mechanism.slides.iter().any(|s| s.guide.link == link);
-        if let (&[near], false) = (inner.as_slice(), carries_guide) {
+        // A rod on which the group itself slides cannot be left open; what is solved later may slide on it.
+        let slides = group.joints.iter().any(|joint| match *joint {
+            Joint::Slide(slide) => {
+                let Slide { rider, guide } = mechanism.slides[slide];
+                guide.link == link || matches!(rider, Rider::Link { link: rider, .. } if rider == link)
+            }
+            _ => false,
+        });
+        if let (&[near], false) = (inner.as_slice(), slides) {
             list.push(Closing::Rod { link, near, far });
         }
     }
@@ -1044,7 +1069,13 @@ fn closings(mechanism: &Mechanism, group: &Group, outer: &[(LinkId, PointId)]) -
 
 /// The groups into which a group falls with one link driven and one constraint open, if all of them can be
 /// constructed.
-fn subgroups(mechanism: &Mechanism, group: &Group, driver: LinkId, closing: Closing) -> Option<Vec<Group>> {
+fn subgroups(
+    mechanism: &Mechanism,
+    contacts: &[usize],
+    group: &Group,
+    driver: LinkId,
+    closing: Closing,
+) -> Option<Vec<Group>> {
     let nodes = Nodes::of(mechanism);
     let mut game = Game::new(&nodes);
     let open = |joint: Joint| match (closing, joint) {
@@ -1058,6 +1089,11 @@ fn subgroups(mechanism: &Mechanism, group: &Group, driver: LinkId, closing: Clos
             if !open(joint) && !game.insert(ends, joint) {
                 return None;
             }
+        }
+    }
+    for &roll in contacts {
+        if !game.insert(roll_ends(&mechanism.rolls[roll]), Joint::Contact(roll)) {
+            return None;
         }
     }
     for (index, input) in mechanism.inputs.iter().enumerate() {
