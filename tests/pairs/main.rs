@@ -267,7 +267,9 @@ proptest! {
     #[test]
     fn rolling_does_not_slip(plan in plan(4)) {
         let Some(made) = build(&plan) else { return Ok(()) };
-        prop_assume!(!made.contacts.is_empty());
+        if made.contacts.is_empty() {
+            return Ok(());
+        }
         let Some(both) = answers(&made.scene)? else { return Ok(()) };
         for answers in &both {
             for Contact { bodies, at, normal } in &made.contacts {
