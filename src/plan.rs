@@ -300,6 +300,7 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
         | GroupKind::TrialDriver { base } => [Some(base), None],
         GroupKind::Prp { .. }
         | GroupKind::Rack { .. }
+        | GroupKind::DrivenBar { .. }
         | GroupKind::DrivenWheel { .. }
         | GroupKind::DrivenSlide { .. }
         | GroupKind::Higher { .. }
@@ -311,7 +312,9 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
 fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
     match kind {
         GroupKind::Rrp { slide, .. } | GroupKind::Rpr { slide, .. } => [Some(slide), None],
-        GroupKind::Prp { slides: [a, b], .. } => [Some(a), Some(b)],
+        GroupKind::Prp { slides: [a, b], .. } | GroupKind::DrivenBar { slides: [a, b], .. } => {
+            [Some(a), Some(b)]
+        }
         GroupKind::Yoke { ride, slot, .. } | GroupKind::Rpp { ride, slot, .. } => [Some(ride), Some(slot)],
         GroupKind::DrivenSlide { slide, .. } | GroupKind::Rack { ride: slide, .. } => [Some(slide), None],
         GroupKind::DrivenWheel { guide, .. } => [guide, None],
@@ -342,6 +345,7 @@ fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
         GroupKind::Rpp { base, point: pin, .. } | GroupKind::Rolling { base, centre: pin, .. } => {
             [Some(base), Some(pin), None]
         }
+        GroupKind::DrivenBar { pins: [a, b], .. } => [Some(a), Some(b), None],
         GroupKind::Wheel { centre: base, .. }
         | GroupKind::DrivenWheel { centre: base, .. }
         | GroupKind::TrialDriver { base } => [Some(base), None, None],

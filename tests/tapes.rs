@@ -37,6 +37,7 @@ const SCENES: &[&str] = &[
     "pairs/riding-link",
     "pairs/riding-link-on-slot",
     "pairs/rod-on-moving-guide",
+    "pairs/trammel-driven-by-bar",
     "pairs/wheel-on-moving-plane",
     "pairs/wheel-on-plane",
 ];

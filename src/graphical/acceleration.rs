@@ -42,6 +42,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
             GroupKind::DrivenSlide { slide, input } => self.acceleration_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.acceleration_of_wheel(step, wheel, centre, roll),
+            GroupKind::DrivenBar { link, input, .. } => {
+                let alpha = self.given_rate(Order::Acceleration, input);
+                self.alphas[link.0] = Some(alpha);
+                self.dyad(Order::Acceleration, step, group);
+            }
             GroupKind::DrivenWheel { wheel, centre, input, .. } => {
                 let alpha = self.given_rate(Order::Acceleration, input);
                 self.alphas[wheel.0] = Some(alpha);

@@ -9,7 +9,9 @@ use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{LinkId, PointId, Rider, Roll};
 use crate::plan::GroupStep;
 
-use super::construction::{Act, Claim, Equation, Label, Reference, Term, TermDirection, Vector, VectorKind};
+use super::construction::{
+    Act, Calculation, Claim, Equation, Label, Reference, Term, TermDirection, Vector, VectorKind,
+};
 use super::draughtsman::Draughtsman;
 
 /// A way to the sought image: where its known parts end, and from there a line of unknown length.
@@ -36,6 +38,9 @@ pub(super) enum Unknown {
         /// The rider is solved and the guide is sought.
         back: bool,
     },
+    /// Another pin of a driven link slides along its guide; the link's rotation leads from it to the pin
+    /// that is sought.
+    Carried { slide: usize, link: LinkId, pin: PointId },
     /// A wheel's centre runs along the body on which it rolls.
     Roll {
         /// Index of the rolling pair.
@@ -135,6 +140,10 @@ impl<B: Bench> Draughtsman<'_, B> {
                 Target::Under(*self.mechanism.contacts.get(roll)?, link),
                 [slide(ride, Some(link)), Unknown::Contact { roll, body: link }],
             ),
+            GroupKind::DrivenBar { link, pins: [first, second], slides, .. } => (
+                Target::Pin(first),
+                [slide(slides[0], None), Unknown::Carried { slide: slides[1], link, pin: second }],
+            ),
             GroupKind::DrivenWheel { wheel, centre, roll, guide, .. } => {
                 let held = match guide {
                     Some(guide) => slide(guide, None),
@@ -178,8 +187,15 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn route(&mut self, order: Order, unknown: Unknown, target: Target, index: &mut u8) -> Route<B> {
         let pin = target.pin();
         let first = *index;
-        *index += if matches!(unknown, Unknown::Turn { .. }) { 1 } else { 2 };
+        *index += match unknown {
+            Unknown::Turn { .. } => 1,
+            Unknown::Carried { .. } => 4,
+            _ => 2,
+        };
         match (order, unknown) {
+            (_, Unknown::Carried { slide, link, pin: other }) => {
+                self.carried_route(order, slide, link, [other, pin], first)
+            }
             (_, Unknown::Contact { roll, body }) => self.contact_route(order, roll, body),
             (_, Unknown::Spin { roll, wheel, centre }) => {
                 self.spin_route(order, (roll, wheel, centre), first)
@@ -254,8 +270,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             (Order::Acceleration, Unknown::Contact { roll, body }) => {
                 self.read_contact_normal((roll, body), route.claim, head, route.foot);
             }
-            // Rolling without slip: the velocities are one, and of a driven wheel nothing is unknown.
-            (_, Unknown::Contact { .. } | Unknown::Spin { .. }) => {}
+            // Rolling without slip: the velocities are one, and of a driven wheel nothing is unknown. The
+            // sliding of another pin is read when its own image stands.
+            (_, Unknown::Contact { .. } | Unknown::Spin { .. } | Unknown::Carried { .. }) => {}
         }
     }
 
@@ -267,6 +284,83 @@ impl<B: Bench> Draughtsman<'_, B> {
         let (along, claim) = self.common_normal(roll);
         self.act(Act::DrawRay { from: foot.0, claim });
         Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
+    }
+
+    /// From the image of the guide's point under another pin of a driven link, after the known parts of its
+    /// sliding, the parts that the link's rotation gives; from their end a line along that guide.
+    fn carried_route(
+        &mut self,
+        order: Order,
+        slide: usize,
+        link: LinkId,
+        [other, pin]: [PointId; 2],
+        index: u8,
+    ) -> Route<B> {
+        let second = order == Order::Acceleration;
+        let sliding = if second {
+            self.acceleration_slide(slide, false, other, 1)
+        } else {
+            self.velocity_slide(slide, false, other)
+        };
+        let scale = self.polygon_scale(order);
+        let line = Reference::Points(other, pin);
+        let length = self.length_to(link, other, pin);
+        let omega = self.rate(Order::Velocity, link);
+        let outward = self.outward(link, other, pin);
+        let square = self.board.quarter_turn(outward);
+        let mut foot = sliding.foot;
+        let mut next = index;
+        let mut parts = Vec::new();
+        if second {
+            let speed = self.board.product(omega, length);
+            let normal = self.board.product(omega, speed);
+            let quantity = Quantity::RelativeNormal(pin, other);
+            self.act(Act::Calculate(Calculation::Normal {
+                quantity,
+                velocity: Quantity::RelativeVelocity(pin, other),
+                ends: [other, pin],
+                speed: speed.value().abs(),
+                length: length.value(),
+                value: normal.value(),
+            }));
+            let inward = self.board.reverse(outward);
+            parts.push((VectorKind::Normal, quantity, Claim::Parallel(line), inward, normal));
+        }
+        let rate = self.rate(order, link);
+        let part = self.board.product(rate, length);
+        let (kind, quantity) = if second {
+            (VectorKind::Tangential, Quantity::RelativeTangential(pin, other))
+        } else {
+            (VectorKind::Relative, Quantity::RelativeVelocity(pin, other))
+        };
+        self.act_turning(order, quantity, link, [other, pin], [rate, length, part]);
+        parts.push((kind, quantity, Claim::Perpendicular(line), square, part));
+        for (kind, quantity, claim, direction, amount) in parts {
+            let mm = self.board.to_paper(amount, scale);
+            let at = self.board.lay_off(foot.1, direction, mm);
+            let label = Label::Foot { point: pin, link: None, index: next };
+            next += 1;
+            let vector = self.note_vector(order, (kind, quantity, Some(claim)), foot, (label, at));
+            self.act(Act::LayOffVector { vector, value: amount.value().abs(), mm: mm.value().abs() });
+            self.note_foot(order, label, at);
+            foot = (label, at);
+        }
+        let (along, claim) = (sliding.ray.along, sliding.claim);
+        self.act(Act::DrawRay { from: foot.0, claim });
+        let unknown = Unknown::Carried { slide, link, pin: other };
+        Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
+    }
+
+    /// The second pin of a driven link: its image about the first, and what its sliding is.
+    fn second_pin(&mut self, order: Order, kind: GroupKind) {
+        let GroupKind::DrivenBar { link, pins: [first, second], slides, .. } = kind else { return };
+        let image = self.image_about(order, link, first, second);
+        self.note_image(order, second, image);
+        self.absolute_of(order, second, image);
+        let loud = !std::mem::replace(&mut self.silent, true);
+        let slide = Unknown::Slide { slide: slides[1], back: false };
+        self.read_closing(order, slide, Target::Pin(second), (self.label(second), image));
+        self.silent = !loud;
     }
 
     fn contact_label(&self, roll: usize, body: LinkId) -> Label {
@@ -376,6 +470,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.set_rate(order, rod, rate);
         }
         self.whole_vectors(order, target, unknowns, (label, meet.at));
+        self.second_pin(order, kind);
         self.further_images(order, step, kind);
     }
 
@@ -415,7 +510,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             (Order::Acceleration, _) => false,
             (_, Unknown::Turn { base, .. }) => d.mechanism.is_fixed(base),
             (_, Unknown::Roll { roll, wheel, .. }) => d.rolled_on(roll, wheel) == LinkId::FRAME,
-            (_, Unknown::Contact { .. } | Unknown::Spin { .. }) => false,
+            (_, Unknown::Contact { .. } | Unknown::Spin { .. } | Unknown::Carried { .. }) => false,
         };
         let second_first = match target {
             Target::Under(..) => true,
@@ -541,6 +636,25 @@ impl<B: Bench> Draughtsman<'_, B> {
                 drawn.push(sought(quantity, Claim::Parallel(line)));
                 return Side { known, unknown: drawn, back: reversed };
             }
+            Unknown::Carried { slide, pin: other, .. } => {
+                let sliding = Unknown::Slide { slide, back: false };
+                let side = self.side_of(order, Target::Pin(other), sliding);
+                known.extend(side.known);
+                drawn.extend(side.unknown);
+                let line = Reference::Points(other, pin);
+                let (parallel, square) = (Claim::Parallel(line), Claim::Perpendicular(line));
+                let parts = if second {
+                    vec![
+                        (Quantity::RelativeNormal(pin, other), parallel),
+                        (Quantity::RelativeTangential(pin, other), square),
+                    ]
+                } else {
+                    vec![(Quantity::RelativeVelocity(pin, other), square)]
+                };
+                for (part, claim) in parts {
+                    drawn.extend(self.laid_off(order, part, TermDirection::Claim(claim)));
+                }
+            }
             Unknown::Contact { roll, body } => {
                 let other = self.rolled_on(roll, body);
                 if other != LinkId::FRAME {
@@ -593,7 +707,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let about = match kind {
                 GroupKind::Rpr { lever, base, .. } if link == lever => Some(base),
                 GroupKind::Rpp { lever, base, .. } if link == lever => Some(base),
-                GroupKind::Rpr { pin, .. } => Some(pin),
+                GroupKind::Rpr { pin, .. } | GroupKind::DrivenBar { pins: [pin, _], .. } => Some(pin),
                 _ => None,
             };
             let carried = match kind {

@@ -54,6 +54,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot)?,
             GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.wheel(step, wheel, centre, roll),
+            GroupKind::DrivenBar { link, pins, slides, input } => {
+                self.driven_bar(step, link, pins, slides, input)?;
+            }
             GroupKind::Rack { link, roll, .. } => self.rack(step, link, roll)?,
             GroupKind::DrivenWheel { wheel, centre, roll, input, .. } => {
                 self.driven_wheel(step, (wheel, centre), roll, input)?;
@@ -298,6 +301,70 @@ impl<B: Bench> Draughtsman<'_, B> {
             let [dx, dy] = [0, 1].map(|k| origin[k] + at[k] * self.scales.length - hint[k]);
             dx * dx + dy * dy
         })
+    }
+
+    /// A driven link with two pins on guides: where its second pin may stand, the first lies on that guide
+    /// carried over by the link's own length and direction.
+    fn driven_bar(
+        &mut self,
+        step: &GroupStep,
+        link: LinkId,
+        [first, second]: [PointId; 2],
+        slides: [usize; 2],
+        input: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("driven link on two guides");
+        for slide in slides {
+            self.act(Act::DrawGuide { slide });
+        }
+        let (own_first, own_second) = (self.own(link, first), self.own(link, second));
+        let (own_along, along) = match self.driven_angle(input) {
+            Some(angle) if !matches!(self.mechanism.link(link).form, Form::Placed) => {
+                let angle = self.board.angle(angle);
+                (self.own_line_of(link), self.board.protractor(angle))
+            }
+            _ => {
+                let x = self.board.rightward();
+                (x, x)
+            }
+        };
+        let pose = |own_anchor, anchor| Some(Pose { own_anchor, anchor, own_along, along });
+        if self.prick_given(first) {
+            self.act(Act::MarkPlaces);
+        } else {
+            let own_track = self.track(slides[0], Some(first));
+            let track = self.track(slides[1], Some(second));
+            let from = match track {
+                Track::Straight(line) => line.through,
+                Track::Arc(arc) => arc.centre,
+            };
+            self.poses[link.0] = pose(own_second, from);
+            let through = self.carried_point(link, own_first);
+            let carried = match track {
+                Track::Straight(line) => Track::Straight(Line { through, along: line.along }),
+                Track::Arc(arc) => Track::Arc(Circle { centre: through, radius: arc.radius }),
+            };
+            self.meet_tracks([own_track, carried], first, slides)?;
+        }
+        self.poses[link.0] = pose(own_first, self.at(first));
+        if !self.prick_given(second) {
+            let at = self.carried_point(link, own_second);
+            self.place(second, at);
+            self.act(Act::TransferPoint { link, point: second });
+        }
+        self.transfer_by_pose(step, link);
+        Ok(())
+    }
+
+    /// The direction of a link's first-to-second line in its own figure.
+    fn own_line_of(&mut self, link: LinkId) -> Direction<B> {
+        let points = self.mechanism.link(link).points.clone();
+        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
+            return self.board.rightward();
+        };
+        let (a, b) = (self.own(link, first), self.own(link, second));
+        let reason = self.reason(&[link]);
+        self.board.toward(a, b, reason).0
     }
 
     /// A rack or a wheel that rolls from where it is placed: rolling says nothing of where it began.

@@ -45,6 +45,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             GroupKind::DrivenSlide { slide, input } => self.velocity_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.velocity_of_wheel(step, wheel, centre, roll),
             GroupKind::DrivenWheel { .. } => self.velocity_of_driven_wheel(step, group.kind),
+            GroupKind::DrivenBar { link, input, .. } => {
+                let omega = self.given_rate(Order::Velocity, input);
+                self.omegas[link.0] = Some(omega);
+                self.dyad(Order::Velocity, step, group);
+            }
             GroupKind::Rolling { wheel, centre, roll, .. } => {
                 self.dyad(Order::Velocity, step, group);
                 self.velocity_of_wheel(step, wheel, centre, roll);

@@ -334,6 +334,7 @@ fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
         | GroupKind::DrivenSlide { .. }
         | GroupKind::DrivenWheel { .. }
         | GroupKind::TrialDriver { .. } => (1, 1),
+        GroupKind::DrivenBar { .. } => (1, 2),
         GroupKind::Higher { .. } | GroupKind::Other => contour(mechanism, group),
         GroupKind::Rrr { .. }
         | GroupKind::Rrp { .. }

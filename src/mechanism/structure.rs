@@ -172,6 +172,17 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
+    /// A driven link of which two pins ride on guides of solved links (trammel driven by its bar).
+    DrivenBar {
+        /// The link.
+        link: LinkId,
+        /// Its pins.
+        pins: [PointId; 2],
+        /// For each pin the index into [`Mechanism::slides`].
+        slides: [usize; 2],
+        /// Index into [`Mechanism::inputs`].
+        input: usize,
+    },
     /// A driven wheel that rolls on a solved body; its centre is held by the contact, or rides on a guide.
     DrivenWheel {
         /// The wheel.
@@ -267,6 +278,7 @@ impl fmt::Display for GroupKind {
             Self::DrivenSlide { .. } => "driven slide",
             Self::Wheel { .. } => "wheel",
             Self::Rack { .. } => "rack",
+            Self::DrivenBar { .. } => "driven bar",
             Self::DrivenWheel { .. } => "driven wheel",
             Self::Rolling { .. } => "rod with a rolling wheel",
             Self::TrialDriver { .. } => "trial driver",
@@ -856,6 +868,19 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                 && matches!(mechanism.inputs[input], Input::Slide { slide: s, .. } if s == slide) =>
         {
             GroupKind::DrivenSlide { slide, input }
+        }
+        (&[link], &[_, _], &[input], &[first, second]) if outer.is_empty() => {
+            let slides = [first, second];
+            let pin_of = |slide: usize| match mechanism.slides[slide] {
+                Slide { rider: Rider::Pin { point, .. }, guide } if guide.link != link => Some(point),
+                _ => None,
+            };
+            match (slides.map(pin_of), mechanism.inputs[input]) {
+                ([Some(a), Some(b)], Input::Angle { .. } | Input::Speed { .. }) if a != b => {
+                    GroupKind::DrivenBar { link, pins: [a, b], slides, input }
+                }
+                _ => GroupKind::Other,
+            }
         }
         (&[first, second], &[pin], [], []) => match outer.as_slice() {
             &[(a, base_a), (b, base_b)] if a != b => {

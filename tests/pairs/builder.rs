@@ -58,7 +58,7 @@ fn recipe() -> impl Strategy<Value = Recipe> {
 }
 
 /// How many kinds of groups [`Built::hang`] knows.
-const KINDS: u8 = 19;
+const KINDS: u8 = 20;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Plan {
@@ -520,6 +520,23 @@ impl Built {
                 };
                 self.drive(json!({ "slide": rider, "at": apart(start, reach),
                                    "velocity": between(-2.0, 2.0, n[6]), "acceleration": between(-2.0, 2.0, n[7]) }));
+            }
+            // A driven link with two pins on guides.
+            18 => {
+                let along = between(-PI, PI, n[2]);
+                let [first, second] = [reach, plus(reach, 1.1, dir(along))].map(|at| self.joint(at));
+                let extra = self.joint(plus(reach, 0.7, dir(along + 0.8)));
+                self.shaped(number, &[&first, &second, &extra], along);
+                let direction = between(-PI, PI, n[3]);
+                let guides = [
+                    self.guide(carrier, reach, direction, c2, n[4]),
+                    self.guide(1, self.at(&second), direction + steep(n[5]), n[6], n[7]),
+                ];
+                let [one, other] = guides;
+                self.slide_pin(&first, block, one);
+                self.slide_pin(&second, n[0] < 0.5, other);
+                self.drive(json!({ "link": number, "angle": along, "omega": between(-3.0, 3.0, n[0]),
+                                   "alpha": between(-3.0, 3.0, n[1]) }));
             }
             // A triad: a ternary link on three rods, two of them about fixed pivots.
             _ => {

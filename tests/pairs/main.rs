@@ -418,6 +418,7 @@ fn the_generator_reaches_every_group_and_most_of_it_is_solved() {
         "RPP",
         "wheel",
         "rack",
+        "driven bar",
         "driven wheel",
         "driven slide",
         "rod with a rolling wheel",
