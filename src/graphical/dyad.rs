@@ -309,7 +309,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         let outward = self.outward(link, other, pin);
         let square = self.board.quarter_turn(outward);
         let mut foot = sliding.foot;
-        let mut next = index;
         let mut parts = Vec::new();
         if second {
             let speed = self.board.product(omega, length);
@@ -335,11 +334,10 @@ impl<B: Bench> Draughtsman<'_, B> {
         };
         self.act_turning(order, quantity, link, [other, pin], [rate, length, part]);
         parts.push((kind, quantity, Claim::Perpendicular(line), square, part));
-        for (kind, quantity, claim, direction, amount) in parts {
+        for (next, (kind, quantity, claim, direction, amount)) in (index..).zip(parts) {
             let mm = self.board.to_paper(amount, scale);
             let at = self.board.lay_off(foot.1, direction, mm);
             let label = Label::Foot { point: pin, link: None, index: next };
-            next += 1;
             let vector = self.note_vector(order, (kind, quantity, Some(claim)), foot, (label, at));
             self.act(Act::LayOffVector { vector, value: amount.value().abs(), mm: mm.value().abs() });
             self.note_foot(order, label, at);
