@@ -304,8 +304,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// Lays off Coriolis and, on an arc, the normal part of the sliding; from their end a line along the
-    /// guide. Backwards, they end at the rider's known image.
+    /// From the end of the known parts of a sliding a line along the guide.
     pub(super) fn acceleration_slide(
         &mut self,
         slide: usize,
@@ -313,6 +312,22 @@ impl<B: Bench> Draughtsman<'_, B> {
         pin: PointId,
         index: u8,
     ) -> Route<B> {
+        let (foot, along) = self.sliding_foot(slide, back, pin, index);
+        let claim = Claim::Parallel(Reference::Guide(slide));
+        self.act(Act::DrawRay { from: foot.0, claim });
+        let unknown = Unknown::Slide { slide, back };
+        Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
+    }
+
+    /// Lays off Coriolis and, on an arc, the normal part of the sliding; tells their end and the direction of
+    /// the guide. Backwards, they end at the rider's known image.
+    pub(super) fn sliding_foot(
+        &mut self,
+        slide: usize,
+        back: bool,
+        pin: PointId,
+        index: u8,
+    ) -> ((Label, Point<B>), Direction<B>) {
         let guide = self.mechanism.slides[slide].guide;
         let rider = self.riding_point(slide, pin);
         let (along, inward) = self.tangent(slide, pin);
@@ -341,14 +356,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let foot = Label::Foot { point: pin, link: self.foot_link(slide, back), index: index + 1 };
             (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, foot));
         }
-        let claim = Claim::Parallel(Reference::Guide(slide));
-        self.act(Act::DrawRay { from: label, claim });
-        Route {
-            foot: (label, at),
-            ray: Line { through: at, along },
-            claim,
-            unknown: Unknown::Slide { slide, back },
-        }
+        ((label, at), along)
     }
 
     /// The known parts of a rolling wheel's centre: Aⁿ = V²/l towards the other centre; on a straight line

@@ -6,7 +6,7 @@
 use crate::board::{Bench, Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Group, GroupKind};
-use crate::mechanism::{LinkId, PointId, Rider, Roll};
+use crate::mechanism::{Guide, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::GroupStep;
 
 use super::construction::{
@@ -188,9 +188,14 @@ impl<B: Bench> Draughtsman<'_, B> {
         let pin = target.pin();
         let first = *index;
         *index += match unknown {
-            Unknown::Turn { .. } => 1,
-            Unknown::Carried { .. } => 4,
-            _ => 2,
+            _ if order == Order::Velocity => 0,
+            Unknown::Turn { .. } | Unknown::Roll { .. } | Unknown::Spin { .. } => 1,
+            Unknown::Carried { .. } => 2,
+            Unknown::Contact { .. } => 0,
+            Unknown::Slide { slide, .. } => match self.mechanism.slides[slide].guide {
+                Guide { path: Path::Arc { .. }, .. } => 2,
+                Guide { link, .. } => u8::from(!self.translates[link.0]),
+            },
         };
         match (order, unknown) {
             (_, Unknown::Carried { slide, link, pin: other }) => {
@@ -296,28 +301,46 @@ impl<B: Bench> Draughtsman<'_, B> {
         [other, pin]: [PointId; 2],
         index: u8,
     ) -> Route<B> {
-        let second = order == Order::Acceleration;
-        let sliding = if second {
-            self.acceleration_slide(slide, false, other, 1)
-        } else {
-            self.velocity_slide(slide, false, other)
+        let (start, along) = match order {
+            Order::Acceleration => self.sliding_foot(slide, false, other, 1),
+            _ => {
+                let (along, _) = self.tangent(slide, other);
+                (self.slide_start(order, (slide, false), other), along)
+            }
         };
+        let foot = self.lay_off_turn(order, link, [other, pin], start, (index, None));
+        let claim = Claim::Parallel(Reference::Guide(slide));
+        self.act(Act::DrawRay { from: foot.0, claim });
+        let unknown = Unknown::Carried { slide, link, pin: other };
+        Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
+    }
+
+    /// Lays off what the rotation of a link of known rates gives between two of its points: V = ω l, or
+    /// Aⁿ = ω² l and Aᵗ = ε l. Feet count from `index`; the last may be an image.
+    pub(super) fn lay_off_turn(
+        &mut self,
+        order: Order,
+        link: LinkId,
+        [base, point]: [PointId; 2],
+        start: (Label, Point<B>),
+        (index, last): (u8, Option<Label>),
+    ) -> (Label, Point<B>) {
+        let second = order == Order::Acceleration;
         let scale = self.polygon_scale(order);
-        let line = Reference::Points(other, pin);
-        let length = self.length_to(link, other, pin);
-        let omega = self.rate(Order::Velocity, link);
-        let outward = self.outward(link, other, pin);
+        let line = Reference::Points(base, point);
+        let length = self.length_to(link, base, point);
+        let outward = self.outward(link, base, point);
         let square = self.board.quarter_turn(outward);
-        let mut foot = sliding.foot;
         let mut parts = Vec::new();
         if second {
+            let omega = self.rate(Order::Velocity, link);
             let speed = self.board.product(omega, length);
             let normal = self.board.product(omega, speed);
-            let quantity = Quantity::RelativeNormal(pin, other);
+            let quantity = Quantity::RelativeNormal(point, base);
             self.act(Act::Calculate(Calculation::Normal {
                 quantity,
-                velocity: Quantity::RelativeVelocity(pin, other),
-                ends: [other, pin],
+                velocity: Quantity::RelativeVelocity(point, base),
+                ends: [base, point],
                 speed: speed.value().abs(),
                 length: length.value(),
                 value: normal.value(),
@@ -328,25 +351,28 @@ impl<B: Bench> Draughtsman<'_, B> {
         let rate = self.rate(order, link);
         let part = self.board.product(rate, length);
         let (kind, quantity) = if second {
-            (VectorKind::Tangential, Quantity::RelativeTangential(pin, other))
+            (VectorKind::Tangential, Quantity::RelativeTangential(point, base))
         } else {
-            (VectorKind::Relative, Quantity::RelativeVelocity(pin, other))
+            (VectorKind::Relative, Quantity::RelativeVelocity(point, base))
         };
-        self.act_turning(order, quantity, link, [other, pin], [rate, length, part]);
+        self.act_turning(order, quantity, link, [base, point], [rate, length, part]);
         parts.push((kind, quantity, Claim::Perpendicular(line), square, part));
-        for (next, (kind, quantity, claim, direction, amount)) in (index..).zip(parts) {
+        let count = parts.len();
+        let mut foot = start;
+        for (place, (kind, quantity, claim, direction, amount)) in parts.into_iter().enumerate() {
             let mm = self.board.to_paper(amount, scale);
             let at = self.board.lay_off(foot.1, direction, mm);
-            let label = Label::Foot { point: pin, link: None, index: next };
+            let next = index + u8::from(place > 0);
+            let here = last.filter(|_| place + 1 == count);
+            let label = here.unwrap_or(Label::Foot { point, link: None, index: next });
             let vector = self.note_vector(order, (kind, quantity, Some(claim)), foot, (label, at));
             self.act(Act::LayOffVector { vector, value: amount.value().abs(), mm: mm.value().abs() });
-            self.note_foot(order, label, at);
+            if here.is_none() {
+                self.note_foot(order, label, at);
+            }
             foot = (label, at);
         }
-        let (along, claim) = (sliding.ray.along, sliding.claim);
-        self.act(Act::DrawRay { from: foot.0, claim });
-        let unknown = Unknown::Carried { slide, link, pin: other };
-        Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
+        foot
     }
 
     /// The second pin of a driven link: its image about the first, and what its sliding is.

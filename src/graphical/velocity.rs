@@ -729,23 +729,9 @@ impl<B: Bench> Draughtsman<'_, B> {
         if self.mechanism.link(link).points.contains(&pin) {
             return self.image_about(order, link, pin, point);
         }
-        let square = self.square_to(link, pin, point);
-        let length = self.measured(pin, point);
-        let scale = self.polygon_scale(order);
-        if order == Order::Velocity {
-            let speed = self.board.product(omega, length);
-            let mm = self.board.to_paper(speed, scale);
-            return self.board.lay_off(from, square, mm);
-        }
-        let outward = self.outward(link, pin, point);
-        let inward = self.board.reverse(outward);
-        let speed = self.board.product(omega, length);
-        let normal = self.board.product(omega, speed);
-        let tangential = self.board.product(alpha, length);
-        let mm = self.board.to_paper(normal, scale);
-        let foot = self.board.lay_off(from, inward, mm);
-        let mm = self.board.to_paper(tangential, scale);
-        self.board.lay_off(foot, square, mm)
+        let start = (self.label_under(pin, link), from);
+        let head = self.label_under(point, link);
+        self.lay_off_turn(order, link, [pin, point], start, (1, Some(head))).1
     }
 
     /// base→point : base→pin on a straight link, signed; `None` for other links.

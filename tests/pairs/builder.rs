@@ -508,7 +508,7 @@ impl Built {
                     let end = self.joint(plus(reach, 1.2, dir(along + n[5])));
                     self.bar(number, &pin, &end);
                     let guide = self.guide(1, self.at(&end), along + n[5] + flat(n[1]), c2, n[0]);
-                    self.slide_pin(&end, block % 2 == 0, guide);
+                    self.slide_pin(&end, block.is_multiple_of(2), guide);
                     json!(block)
                 } else {
                     let turned = between(-PI, PI, n[5]);
