@@ -499,10 +499,11 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// The distance of a point from a link's pin: the link's own length, or measured where the point is not
+    /// The distance of a point from a link's pin: the link's own length, or measured where one of them is not
     /// the link's.
     pub(super) fn length_to(&mut self, link: LinkId, base: PointId, point: PointId) -> Amount<B> {
-        if self.mechanism.link(link).points.contains(&point) {
+        let own = &self.mechanism.link(link).points;
+        if own.contains(&base) && own.contains(&point) {
             return self.length(link, base, point);
         }
         if let Some(radius) = self.contact_radius(link, base, point) {
