@@ -8,6 +8,7 @@ mod builder;
 use std::f64::consts::PI;
 
 use linkgram::check::agreement;
+use linkgram::graphical::construction::Label;
 use linkgram::mechanism::quantity::Answer;
 use linkgram::plan::Extent;
 use linkgram::scene::{self, Scene};
@@ -259,6 +260,23 @@ proptest! {
     fn both_solvers_agree(plan in plan(4)) {
         if let Some(made) = build(&plan) {
             answers(&made.scene)?;
+        }
+    }
+
+    /// Every vector runs from the image that it names to the image that it names.
+    #[test]
+    fn polygons_close(plan in plan(3)) {
+        let Some(made) = build(&plan) else { return Ok(()) };
+        let Ok(solved) = solve(&read(&made.scene), Extent::Asked, scale::for_scene) else { return Ok(()) };
+        let construction = &solved.solution.construction;
+        for polygon in [&construction.velocity, &construction.acceleration].into_iter().flatten() {
+            for vector in &polygon.vectors {
+                for (label, at) in [(vector.tail, vector.from), (vector.head, vector.to)] {
+                    let stands = label == Label::Pole && at == [0.0; 2]
+                        || polygon.images.iter().any(|i| i.label == label && i.at == at);
+                    prop_assert!(stands, "{:?} of {:?} is at no {:?}\n{}", vector.kind, vector.quantity, label, made.scene);
+                }
+            }
         }
     }
 
