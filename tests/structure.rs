@@ -274,7 +274,8 @@ fn loose_links_are_named() {
 
 #[test]
 fn links_that_slide_without_turning_are_known_either_way_round() {
-    let kinds: &[(&str, &[(&str, &[u32])])] = &[
+    type Groups<'a> = &'a [(&'a str, &'a [u32])];
+    let kinds: &[(&str, Groups<'_>)] = &[
         ("oldham", &[("driver", &[2]), ("RPP", &[3, 4])]),
         ("riding-link", &[("driver", &[2]), ("RRP", &[3, 4])]),
         ("riding-link-on-slot", &[("driver", &[2]), ("PRP", &[3, 4])]),
