@@ -228,7 +228,9 @@ fn the_figures_of_every_scene_are_clear() {
         for figure in ["centres", "circle"] {
             let drawn =
                 sheet::single(&scene, &solved.solution.construction, figure, Language::English).unwrap();
-            bad.extend(overlaps(&drawn).into_iter().map(|touching| format!("{name}, {figure}: {touching:?}")));
+            bad.extend(
+                overlaps(&drawn).into_iter().map(|touching| format!("{name}, {figure}: {touching:?}")),
+            );
         }
     }
     assert!(bad.is_empty(), "{}", bad.join("\n"));
