@@ -4,6 +4,7 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::feet::told_apart;
 use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
+use super::font::Face;
 use super::notation::Notation;
 use super::rich::Rich;
 use super::steps::{self, Item};
@@ -97,7 +98,7 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
             let table = results::table(construction, &notation, &ORDERS, TEXT);
             (table.draw("results", 0, table.rows.len()), words.results)
         }
-        "steps" => (column(&steps::items(construction, &notation), 90.0), words.steps),
+        "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
         _ => return None,
     };
     let mut description = String::new();
@@ -153,7 +154,7 @@ fn description(construction: &Construction, words: &Words) -> String {
     if construction.acceleration.is_some() {
         what.push(words.acceleration_diagram);
     }
-    words.description.replace("{what}", &what.join(", ").to_lowercase())
+    words.description.replace("{what}", &what.join(words.comma).to_lowercase())
 }
 
 /// Width and height of the paper, upright.
@@ -178,13 +179,13 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
     let (drawing, letter, caption, scale) = match name {
         Name::Skeleton => {
             let scale = notation.length_scale(construction.space.metres_per_mm);
-            (skeleton::draw(construction, notation), "a", words.skeleton, scale)
+            (skeleton::draw(construction, notation), words.panels[0], words.skeleton, scale)
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
             (
                 polygon::draw(p, &construction.steps, notation),
-                "b",
+                words.panels[1],
                 words.velocity_diagram,
                 notation.scale(p.si_per_mm, p.order),
             )
@@ -193,7 +194,7 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
             let p = construction.acceleration.as_ref()?;
             (
                 polygon::draw(p, &construction.steps, notation),
-                "c",
+                words.panels[2],
                 words.acceleration_diagram,
                 notation.scale(p.si_per_mm, p.order),
             )
@@ -203,7 +204,8 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
     group.group(drawing);
     let ink = group.bounds().unwrap_or(Rect::ZERO);
     let scale = Rich::fill(words.scale, &[("scale", scale)]);
-    let caption = Rich::bold(format!("({letter})")).up(" ").up(caption).up(",\u{2002}").then(&scale);
+    let comma = words.comma.trim_end();
+    let caption = Rich::bold(format!("({letter})")).up(" ").up(caption).up(comma).up("\u{2002}").then(&scale);
     let line = caption.set(TEXT);
     let width = ink.width().max(line.width);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
@@ -253,7 +255,9 @@ fn terms_in(table: &Table, width: f64) -> Vec<Table> {
 }
 
 /// The items of the steps as strips of this width.
-fn strips(items: &[Item], width: f64) -> Vec<Strip> {
+fn strips(items: &[Item], width: f64, words: &Words) -> Vec<Strip> {
+    // Where a piece of this width begins that is so far from the edge at which the reader begins.
+    let at = |indent: f64, own: f64| if words.right_to_left { width - indent - own } else { indent };
     let mut all = Vec::new();
     for (i, item) in items.iter().enumerate() {
         match item {
@@ -261,7 +265,8 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                 for (k, line) in text.wrap(TEXT, width).iter().enumerate() {
                     let mut group = Group::new("step-head");
                     let above = if k == 0 { 3.2 } else { 0.0 };
-                    line.set(TEXT).put(&mut group, Point::new(0.0, above + TEXT), "heading");
+                    let line = line.set(TEXT);
+                    line.put(&mut group, Point::new(at(0.0, line.width), above + TEXT), "heading");
                     all.push(Strip { group, height: above + LEADING + 0.4, blank: above, keep: true });
                 }
             }
@@ -270,7 +275,7 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                 for (k, table) in tables.iter().enumerate() {
                     let block = table.draw("terms", 0, table.rows.len());
                     let mut group = block.group;
-                    group.translate(Vec2::new(0.0, 1.2));
+                    group.translate(Vec2::new(at(0.0, block.width), 1.2));
                     let keep = k + 1 < tables.len() || matches!(items.get(i + 1), Some(Item::Sentence(_)));
                     let below = if k + 1 < tables.len() { 1.4 } else { 3.2 };
                     all.push(Strip { group, height: block.height + below, blank: 0.0, keep });
@@ -281,9 +286,11 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                 for (k, line) in lines.iter().enumerate() {
                     let mut group = Group::new("sentence");
                     if k == 0 {
-                        Rich::upright("–").set(TEXT).put(&mut group, Point::new(0.0, TEXT), "mark");
+                        let dash = Rich::upright("–").set(TEXT);
+                        dash.put(&mut group, Point::new(at(0.0, dash.width), TEXT), "mark");
                     }
-                    line.set(TEXT).put(&mut group, Point::new(4.0, TEXT), "sentence");
+                    let line = line.set(TEXT);
+                    line.put(&mut group, Point::new(at(4.0, line.width), TEXT), "sentence");
                     all.push(Strip { group, height: LEADING, blank: 0.0, keep: k + 1 < lines.len() });
                 }
             }
@@ -293,10 +300,10 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
 }
 
 /// All strips below each other.
-fn column(items: &[Item], width: f64) -> Block {
+fn column(items: &[Item], width: f64, words: &Words) -> Block {
     let mut group = Group::new("steps");
     let mut y = 0.0;
-    for mut strip in strips(items, width) {
+    for mut strip in strips(items, width, words) {
         strip.group.translate(Vec2::new(0.0, y));
         y += strip.height;
         group.group(strip.group);
@@ -335,6 +342,11 @@ impl Pager {
         self.y = MARGIN + 7.0;
     }
 
+    /// Where a piece of this width begins that is so far from the edge at which the reader begins.
+    fn from_edge(&self, indent: f64, width: f64) -> f64 {
+        if self.words.right_to_left { self.paper.0 - indent - width } else { indent }
+    }
+
     fn add(&mut self, mut group: Group, x: f64, y: f64) {
         group.translate(Vec2::new(x, y));
         if let Some(page) = self.pages.last_mut() {
@@ -346,14 +358,17 @@ impl Pager {
     fn heading(&mut self, given: &Rich) {
         let mut group = Group::new("heading");
         let mut y = 0.0;
-        for line in Rich::bold(self.title.clone()).wrap(5.6, self.width()) {
+        let from_edge = |width: f64| self.from_edge(MARGIN, width) - MARGIN;
+        for line in Rich::written(&self.title, Face::Bold).wrap(5.6, self.width()) {
             y += 6.2;
-            line.set(5.6).put(&mut group, Point::new(0.0, y), "title");
+            let line = line.set(5.6);
+            line.put(&mut group, Point::new(from_edge(line.width), y), "title");
         }
         y += 1.0;
         for line in given.wrap(TEXT, self.width()) {
             y += LEADING;
-            line.set(TEXT).put(&mut group, Point::new(0.0, y), "given");
+            let line = line.set(TEXT);
+            line.put(&mut group, Point::new(from_edge(line.width), y), "given");
         }
         y += 2.6;
         let rule = Shape::Line(Point::new(0.0, y), Point::new(self.width(), y));
@@ -386,7 +401,7 @@ impl Pager {
                 // Captions of a row stand on one line; a table stands in the middle.
                 let free = height - block.height;
                 let down = if block.group.class == "panel" { free } else { free / 2.0 };
-                self.add(block.group.clone(), x, y + down);
+                self.add(block.group.clone(), self.from_edge(x, block.width), y + down);
                 x += block.width + between;
             }
             self.y += height + 6.0;
@@ -421,7 +436,7 @@ impl Pager {
                     let x = MARGIN + column as f64 * pitch + ((pitch - block.width) / 2.0).max(0.0);
                     let y = self.y;
                     deepest = deepest.max(y + block.height);
-                    self.add(block.group, x, y);
+                    self.add(block.group, self.from_edge(x, block.width), y);
                 }
             }
             self.y = deepest + 8.0;
@@ -433,7 +448,7 @@ impl Pager {
     fn steps(&mut self, items: &[Item]) {
         let width = self.column();
         let mut chunks: Vec<Vec<Strip>> = vec![Vec::new()];
-        for strip in strips(items, width) {
+        for strip in strips(items, width, self.words) {
             let keep = strip.keep;
             if let Some(chunk) = chunks.last_mut() {
                 chunk.push(strip);
@@ -472,7 +487,7 @@ impl Pager {
                 let mut y = top;
                 for strip in chunks.iter().flatten() {
                     let lift = if y == top { strip.blank } else { 0.0 };
-                    self.add(strip.group.clone(), x, y - lift);
+                    self.add(strip.group.clone(), self.from_edge(x, width), y - lift);
                     y += strip.height - lift;
                 }
                 self.y = self.y.max(y);
@@ -496,12 +511,15 @@ impl Pager {
                 &[("page", Rich::upright((i + 1).to_string())), ("pages", Rich::upright(count.to_string()))],
             );
             let line = number.set(3.0);
-            let at = Point::new(self.paper.0 - MARGIN - line.width, self.paper.1 - 10.0);
+            let far = self.paper.0 - MARGIN - line.width;
+            let at = Point::new(self.from_edge(far, line.width), self.paper.1 - 10.0);
             line.put(&mut page, at, "page-number");
             if i > 0 {
-                let title = Rich::italic(self.title.clone());
+                let title = Rich::written(&self.title, Face::Italic);
                 if let Some(line) = title.wrap(3.2, self.width()).first() {
-                    line.set(3.2).put(&mut page, Point::new(MARGIN, MARGIN - 3.0), "running-title");
+                    let line = line.set(3.2);
+                    let at = Point::new(self.from_edge(MARGIN, line.width), MARGIN - 3.0);
+                    line.put(&mut page, at, "running-title");
                 }
                 let rule = Shape::Line(
                     Point::new(MARGIN, MARGIN - 0.8),

@@ -5,11 +5,13 @@
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
+mod bidi;
 mod compose;
 mod coriolis;
 mod feet;
 pub mod figure;
 pub mod font;
+mod grid;
 mod human;
 mod ink;
 mod labels;

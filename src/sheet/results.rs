@@ -3,7 +3,7 @@
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
-use super::table::{Align, Table};
+use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{Construction, Reading};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
 use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, Place, PointId, Rider};
@@ -26,6 +26,7 @@ pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Ord
         rows,
         size,
         gap: 4.0,
+        flow: if words.right_to_left { Flow::Leftward } else { Flow::Rightward },
     }
 }
 
@@ -73,7 +74,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
             let angle = libm::remainder(libm::atan2(*y, *x), std::f64::consts::PI);
             let angle = if angle < 0.0 { angle + std::f64::consts::PI } else { angle };
             let text = Rich::upright("∠\u{a0}").then(&human::degrees(angle));
-            vec![symbol, Rich::upright("∞").up("\u{a0}").up(words.at_infinity), text]
+            vec![symbol, Rich::upright("∞").word(words.at_infinity), text]
         }
         Answer::Indeterminate(why) => vec![symbol, Rich::upright("—"), Rich::italic(reason(why, notation))],
     }
@@ -83,7 +84,7 @@ fn reason(why: &Indeterminate, notation: &Notation<'_>) -> String {
     match why {
         Indeterminate::DeadCentre { links } if !links.is_empty() => {
             let numbers: Vec<String> = links.iter().map(u32::to_string).collect();
-            format!("{} ({})", notation.words.dead_centre, numbers.join(", "))
+            format!("{} ({})", notation.words.dead_centre, numbers.join(notation.words.comma))
         }
         Indeterminate::DeadCentre { .. } => notation.words.dead_centre.to_owned(),
         Indeterminate::Singular => notation.words.not_determined.to_owned(),
@@ -173,7 +174,7 @@ pub fn given(notation: &Notation<'_>) -> Rich {
                     let unit = notation.angular_unit(order);
                     let number = human::stated_quantity(value.abs(), &unit);
                     let sense = notation.sense(value);
-                    if sense.is_empty() { number } else { number.up("\u{a0}").up(sense) }
+                    if sense.is_empty() { number } else { number.word(sense) }
                 };
                 let velocity = rotation(omega.value, Order::Velocity);
                 parts.push(equals(notation.symbol(Quantity::Omega(*link), false), velocity));
@@ -191,7 +192,7 @@ pub fn given(notation: &Notation<'_>) -> Rich {
                 }
                 let unit = notation.unit(Order::Velocity);
                 let value = human::stated_quantity(speed.value.abs(), &unit);
-                let value = value.up("\u{a0}").up(notation.sense(speed.value));
+                let value = value.word(notation.sense(speed.value));
                 parts.push(equals(notation.symbol(Quantity::Velocity(*point), false), value));
             }
             Input::Slide { slide, velocity, acceleration, .. } => {
@@ -222,5 +223,5 @@ pub fn given(notation: &Notation<'_>) -> Rich {
     if parts.is_empty() {
         return Rich::default();
     }
-    Rich::italic(notation.words.given).up(" ").then(&Rich::join(&parts, &Rich::upright(", ")))
+    Rich::italic(notation.words.given).up(" ").then(&Rich::join(&parts, &Rich::upright(notation.words.comma)))
 }

@@ -561,11 +561,10 @@ impl Artist<'_> {
 
     fn rotations(&mut self, group: &mut Group) {
         let mut all = Group::new("rotations");
+        let ink = Obstacles::of(group);
+        let mut arcs = Obstacles::default();
         for ((link, second), value) in self.known_rotations() {
-            let Some((arc, cost)) = self.best_arc(&Obstacles::of(group), &Obstacles::of(&all), link, second)
-            else {
-                continue;
-            };
+            let Some((arc, cost)) = self.best_arc(&ink, &arcs, link, second) else { continue };
             if cost > 400.0 {
                 continue;
             }
@@ -587,6 +586,7 @@ impl Artist<'_> {
                 let (sin, cos) = libm::sincos(angle - sign * back / 2.0);
                 own.mark(head(tip, Vec2::new(-sin, -cos) * sign, HEAD * 0.9));
             }
+            arcs.extend(&own);
             all.group(own);
             let at = on_circle(centre, radius, middle);
             let site = Site::Around { at, radius: 0.2, toward: Some(middle) };
@@ -602,7 +602,11 @@ impl Artist<'_> {
         for (turn, taste) in self.arcs(link, second) {
             let mut cost = taste;
             let pieces = 9;
+            let least = best.as_ref().map_or(f64::INFINITY, |(_, least)| *least);
             for i in 0..=pieces {
+                if cost >= least {
+                    break;
+                }
                 let angle = turn.middle + turn.half * (f64::from(i) / f64::from(pieces) * 2.0 - 1.0);
                 let at = on_circle(turn.centre, turn.radius, angle);
                 let own = Rect::from_center_size(at, (1.0, 1.0));
