@@ -10,7 +10,7 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{polygon, results, skeleton};
+use super::{given, human, polygon, results, skeleton};
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
@@ -23,6 +23,10 @@ const EDGE: f64 = 4.0;
 const TEXT: f64 = 3.5;
 /// From base line to base line of running text.
 const LEADING: f64 = 4.9;
+/// The same where Arabic script reaches further up and down; lines whose letters come too near keep more.
+const ARABIC_LEADING: f64 = 5.5;
+/// Blank between the letters of two lines, at least.
+const BETWEEN_LINES: f64 = 0.3;
 /// The result table stands beside the skeleton if it is no taller than this.
 const TALLEST_BESIDE: f64 = 112.0;
 /// Everything.
@@ -51,7 +55,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
     let [skeleton, velocity, acceleration] = panels;
     let mut pager = Pager::new(width, height, title(scene, words), words);
-    pager.heading(&results::given(&notation));
+    pager.heading(&given::paragraph(&notation));
 
     let beside = pager.width() - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
     // All results beside the skeleton, or those of velocity there and the others below the panels.
@@ -84,6 +88,60 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     }
 }
 
+/// The question sheet: the given data, the dimensioned skeleton, what is asked; nothing that the solution
+/// finds but the position in which the skeleton is drawn.
+#[must_use]
+pub fn question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    let words = language.words();
+    let notation = Notation { scene, words };
+    let skeleton = asked_skeleton(construction, &notation);
+    let (width, height) = paper(scene);
+    let width = width.max(skeleton.width + 2.0 * MARGIN);
+    let height = height.max(skeleton.height + 4.0 * MARGIN);
+    let mut pager = Pager::new(width, height, title(scene, words), words);
+    pager.heading(&given::paragraph(&notation));
+    pager.rows(&[skeleton]);
+    let mut items = vec![Item::Head(Rich::bold(words.required))];
+    items.extend(given::asked(&notation).into_iter().map(Item::Sentence));
+    if let Some(scales) = results::stated_scales(&notation) {
+        items.push(Item::Sentence(scales));
+    }
+    let list = column(&items, pager.width(), words);
+    pager.block(list);
+    let (pages, count) = pager.finish();
+    Figure {
+        width,
+        height: height * count as f64,
+        title: title(scene, words),
+        description: words.question.to_owned(),
+        language: words.tag,
+        root: pages,
+    }
+}
+
+/// The dimensioned skeleton of the question, cut to its ink.
+#[must_use]
+pub fn single_of_question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    let words = language.words();
+    let notation = Notation { scene, words };
+    let block = asked_skeleton(construction, &notation);
+    cut(block.group, format!("{}: {}", title(scene, words), words.skeleton), words.question.to_owned(), words)
+}
+
+/// The dimensioned skeleton with its caption.
+fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> Block {
+    let words = notation.words;
+    let unit = Rich::upright(human::pretty(&notation.scene.units.length.symbol));
+    let scale = notation.length_scale(construction.space.metres_per_mm);
+    let comma = format!("{}\u{2002}", words.comma.trim_end());
+    let caption = Rich::upright(words.skeleton)
+        .up(&comma)
+        .then(&Rich::fill(words.dimensions_in, &[("unit", unit)]))
+        .up(&comma)
+        .then(&Rich::fill(words.scale, &[("scale", scale)]));
+    captioned(skeleton::question(construction, notation), &caption)
+}
+
 /// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
 #[must_use]
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
@@ -106,17 +164,21 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
         _ => {}
     });
-    let mut root = block.group;
+    Some(cut(block.group, format!("{}: {heading}", title(scene, words)), description, words))
+}
+
+/// A drawing as a figure of its own, tight to its ink.
+fn cut(mut root: Group, title: String, description: String, words: &Words) -> Figure {
     let ink = root.bounds().unwrap_or(Rect::ZERO);
     root.translate(Vec2::new(EDGE - ink.x0, EDGE - ink.y0));
-    Some(Figure {
+    Figure {
         width: ink.width() + 2.0 * EDGE,
         height: ink.height() + 2.0 * EDGE,
-        title: format!("{}: {heading}", title(scene, words)),
+        title,
         description,
         language: words.tag,
         root,
-    })
+    }
 }
 
 /// Several figures below each other as one.
@@ -157,13 +219,23 @@ fn description(construction: &Construction, words: &Words) -> String {
     words.description.replace("{what}", &what.join(words.comma).to_lowercase())
 }
 
-/// Width and height of the paper, upright.
-fn paper(scene: &Scene) -> (f64, f64) {
-    match scene.sheet.paper.as_deref().map(str::to_ascii_uppercase).as_deref() {
-        Some("A3") => (297.0, 420.0),
-        Some("LETTER") => (215.9, 279.4),
+/// Width and height of the paper, mm.
+#[must_use]
+pub fn paper(scene: &Scene) -> (f64, f64) {
+    let stated = scene.sheet.paper.as_deref().unwrap_or_default().to_ascii_lowercase();
+    let mut words = stated.split_whitespace();
+    let (width, height) = match words.next() {
+        Some("a0") => (841.0, 1189.0),
+        Some("a1") => (594.0, 841.0),
+        Some("a2") => (420.0, 594.0),
+        Some("a3") => (297.0, 420.0),
+        Some("a5") => (148.0, 210.0),
+        Some("a6") => (105.0, 148.0),
+        Some("letter") => (215.9, 279.4),
+        Some("legal") => (215.9, 355.6),
         _ => (210.0, 297.0),
-    }
+    };
+    if words.next() == Some("landscape") { (height, width) } else { (width, height) }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -173,7 +245,7 @@ enum Name {
     Acceleration,
 }
 
-/// A drawing with its caption and scale below, upper left corner at the origin.
+/// A drawing of the solution with its caption and scale.
 fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
     let words = notation.words;
     let (drawing, letter, caption, scale) = match name {
@@ -200,18 +272,45 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
             )
         }
     };
-    let mut group = Group::new("panel");
-    group.group(drawing);
-    let ink = group.bounds().unwrap_or(Rect::ZERO);
     let scale = Rich::fill(words.scale, &[("scale", scale)]);
     let comma = words.comma.trim_end();
     let caption = Rich::bold(format!("({letter})")).up(" ").up(caption).up(comma).up("\u{2002}").then(&scale);
+    Some(captioned(drawing, &caption))
+}
+
+/// A drawing with its caption below, upper left corner at the origin.
+fn captioned(drawing: Group, caption: &Rich) -> Block {
+    let mut group = Group::new("panel");
+    group.group(drawing);
+    let ink = group.bounds().unwrap_or(Rect::ZERO);
     let line = caption.set(TEXT);
     let width = ink.width().max(line.width);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
     let base = ink.height() + 7.0;
     line.put(&mut group, Point::new((width - line.width) / 2.0, base), "caption");
-    Some(Block { group, width, height: base + 1.5 })
+    Block { group, width, height: base + 1.5 }
+}
+
+fn leading(words: &Words) -> f64 {
+    if words.right_to_left { ARABIC_LEADING } else { LEADING }
+}
+
+/// How far below `above` what is set in `below` must stand to keep clear of it, both set on one base line.
+fn clear_of(above: &[Rect], below: &[Rect]) -> f64 {
+    let beside = |a: &Rect, b: &Rect| a.x0 < b.x1 && b.x0 < a.x1;
+    let pairs = above.iter().flat_map(|a| below.iter().filter(move |b| beside(a, b)).map(move |b| (a, b)));
+    pairs.map(|(a, b)| a.y1 - b.y0 + BETWEEN_LINES).fold(0.0, f64::max)
+}
+
+/// The boxes of the texts in a group.
+fn text_boxes(group: &Group) -> Vec<Rect> {
+    let mut all = Vec::new();
+    group.walk(&mut |node| {
+        if let Node::Text(text) = node {
+            all.extend(text.boxes());
+        }
+    });
+    all
 }
 
 /// The lines of a column, with what may not be parted from the next line.
@@ -267,7 +366,7 @@ fn strips(items: &[Item], width: f64, words: &Words) -> Vec<Strip> {
                     let above = if k == 0 { 3.2 } else { 0.0 };
                     let line = line.set(TEXT);
                     line.put(&mut group, Point::new(at(0.0, line.width), above + TEXT), "heading");
-                    all.push(Strip { group, height: above + LEADING + 0.4, blank: above, keep: true });
+                    all.push(Strip { group, height: above + leading(words) + 0.4, blank: above, keep: true });
                 }
             }
             Item::Terms(table) => {
@@ -291,9 +390,16 @@ fn strips(items: &[Item], width: f64, words: &Words) -> Vec<Strip> {
                     }
                     let line = line.set(TEXT);
                     line.put(&mut group, Point::new(at(4.0, line.width), TEXT), "sentence");
-                    all.push(Strip { group, height: LEADING, blank: 0.0, keep: k + 1 < lines.len() });
+                    all.push(Strip { group, height: leading(words), blank: 0.0, keep: k + 1 < lines.len() });
                 }
             }
+        }
+    }
+    if words.right_to_left {
+        // Letters of Arabic script reach up and down by very different amounts.
+        for i in 1..all.len() {
+            let (above, below) = (text_boxes(&all[i - 1].group), text_boxes(&all[i].group));
+            all[i - 1].height = all[i - 1].height.max(clear_of(&above, &below));
         }
     }
     all
@@ -365,17 +471,33 @@ impl Pager {
             line.put(&mut group, Point::new(from_edge(line.width), y), "title");
         }
         y += 1.0;
+        let mut above = text_boxes(&group);
+        above.iter_mut().for_each(|own| *own = *own - Vec2::new(0.0, y));
         for line in given.wrap(TEXT, self.width()) {
-            y += LEADING;
             let line = line.set(TEXT);
+            let below = line.boxes_at(Point::new(from_edge(line.width), 0.0));
+            let crowded = if self.words.right_to_left { clear_of(&above, &below) } else { 0.0 };
+            y += leading(self.words).max(crowded);
             line.put(&mut group, Point::new(from_edge(line.width), y), "given");
+            above = below;
         }
-        y += 2.6;
+        let deepest = above.iter().map(|own| own.y1).fold(0.0, f64::max);
+        y += if self.words.right_to_left { f64::max(2.6, deepest + 0.8) } else { 2.6 };
         let rule = Shape::Line(Point::new(0.0, y), Point::new(self.width(), y));
         group.mark(Mark::stroke(rule, Pen::solid(0.35)).class("rule"));
         let top = self.y - 4.0;
         self.add(group, MARGIN, top);
         self.y = top + y + 6.0;
+    }
+
+    /// A block below what stands already.
+    fn block(&mut self, block: Block) {
+        if self.y + block.height > self.bottom() && self.y > MARGIN + 30.0 {
+            self.page();
+        }
+        let (x, y) = (self.from_edge(MARGIN, block.width), self.y);
+        self.y += block.height + 6.0;
+        self.add(block.group, x, y);
     }
 
     /// Panels in their order, side by side where they fit.

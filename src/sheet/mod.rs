@@ -8,9 +8,11 @@
 mod bidi;
 mod compose;
 mod coriolis;
+mod dimensions;
 mod feet;
 pub mod figure;
 pub mod font;
+mod given;
 mod grid;
 mod human;
 mod ink;
@@ -28,7 +30,7 @@ mod steps;
 mod table;
 mod words;
 
-pub use compose::{figure_names, single, solution, stack};
+pub use compose::{figure_names, question, single, single_of_question, solution, stack};
 pub use figure::Figure;
 pub use words::Language;
 

@@ -21,7 +21,7 @@ pub enum Align {
 pub enum Flow {
     /// The first column at the left.
     Rightward,
-    /// The first column at the right, cells aligned the other way round.
+    /// The first column at the right; what stands at the left elsewhere stands at the right.
     Leftward,
     /// The first column, of labels, at the right of the others, which follow each other to the right as the
     /// terms of an equation do.
@@ -161,8 +161,9 @@ impl Table {
             let free = width - line.width;
             let shift = match (align, self.flow) {
                 (Align::Middle, _) => free / 2.0,
-                (Align::Left, Flow::Rightward) | (Align::Right, Flow::Leftward | Flow::LabelsRight) => 0.0,
-                (Align::Right, Flow::Rightward) | (Align::Left, Flow::Leftward | Flow::LabelsRight) => free,
+                (Align::Left, Flow::Rightward) => 0.0,
+                // Numbers run the same way everywhere, so their last digits stand below each other.
+                (Align::Right, _) | (Align::Left, Flow::Leftward | Flow::LabelsRight) => free,
             };
             line.put(group, Point::new(x + shift, base), "cell");
             x += width + self.gap;
