@@ -17,8 +17,21 @@ pub(super) struct Job {
     pub(super) scene: PathBuf,
     pub(super) output: Vec<PathBuf>,
     pub(super) figure: Vec<String>,
+    pub(super) kind: Kind,
+    pub(super) paper: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) dpi: f32,
+}
+
+/// What is drawn of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Kind {
+    /// The dimensioned skeleton, what is given and what is asked
+    Question,
+    /// Everything
+    Solution,
+    /// One small figure per step
+    Steps,
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
@@ -29,7 +42,13 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if !(job.dpi.is_finite() && (10.0..=2400.0).contains(&job.dpi)) {
         return Err(Failure(format!("--dpi {}: choose between 10 and 2400", job.dpi)));
     }
-    let (_, scene) = read_scene(&job.scene)?;
+    let (_, mut scene) = read_scene(&job.scene)?;
+    if let Some(paper) = &job.paper {
+        let size = crate::scene::paper_size(paper);
+        scene.sheet.paper = Some(size.ok_or_else(|| {
+            Failure(format!("--paper {paper}: choose A0 to A6, letter or legal, such as \"A3 landscape\""))
+        })?);
+    }
     let scene = &scene;
     if let Some(unknown) = scene.sheet.figures.iter().find_map(|name| unknown_figure(name)) {
         return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
@@ -40,15 +59,24 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     } else {
         job.figure.iter().map(String::as_str).collect()
     };
+    let scales = match job.kind {
+        Kind::Question => sheet::scale::for_question,
+        Kind::Solution | Kind::Steps => sheet::scale::for_scene,
+    };
     let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
     let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
-    let solved = crate::solve::solve(scene, extent, sheet::scale::for_scene)
-        .map_err(|error| failure(scene, &error))?;
+    let solved = crate::solve::solve(scene, extent, scales).map_err(|error| failure(scene, &error))?;
     let construction = &solved.solution.construction;
-    let figure = if names.is_empty() {
-        sheet::solution(scene, construction, language)
-    } else {
-        sheet::stack(&singles(scene, construction, language, &names)?)
+    let figure = match (job.kind, &names[..]) {
+        (Kind::Question, []) => sheet::question(scene, construction, language),
+        (Kind::Question, ["skeleton"]) => sheet::single_of_question(scene, construction, language),
+        (Kind::Question, _) => {
+            return Err(Failure(
+                "--as question: the only figure that gives no answer away is skeleton".to_owned(),
+            ));
+        }
+        (_, []) => sheet::solution(scene, construction, language),
+        (_, names) => sheet::stack(&singles(scene, construction, language, names)?),
     };
     if figure.width > LARGEST_SHEET || figure.height > LARGEST_SHEET {
         let [width, height] = [figure.width, figure.height].map(|mm| short(mm / 1000.0));

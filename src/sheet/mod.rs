@@ -5,13 +5,17 @@
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
+mod bidi;
 mod centres;
 mod circle;
 mod compose;
 mod coriolis;
+mod dimensions;
 mod feet;
 pub mod figure;
 pub mod font;
+mod given;
+mod grid;
 mod human;
 mod ink;
 mod labels;
@@ -29,7 +33,7 @@ mod table;
 mod transfer;
 mod words;
 
-pub use compose::{figure_names, single, solution, stack};
+pub use compose::{figure_names, question, single, single_of_question, solution, stack};
 pub use figure::Figure;
 pub use words::Language;
 

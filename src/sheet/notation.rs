@@ -57,7 +57,7 @@ impl<'a> Notation<'a> {
         let template = if links.len() == 1 { self.words.link } else { self.words.links };
         let list = match numbers.split_last() {
             Some((last, rest)) if !rest.is_empty() => {
-                Rich::join(rest, &Rich::upright(", ")).up(self.words.and).then(last)
+                Rich::join(rest, &Rich::upright(self.words.comma)).up(self.words.and).then(last)
             }
             _ => Rich::join(&numbers, &Rich::default()),
         };
@@ -303,7 +303,7 @@ impl<'a> Notation<'a> {
     pub fn rotation(&self, si: f64, unit: &Unit) -> Rich {
         let sense = self.sense(si);
         let value = human::quantity(si.abs(), unit);
-        if sense.is_empty() { value } else { value.up("\u{a0}").up(sense) }
+        if sense.is_empty() { value } else { value.word(sense) }
     }
 
     /// ccw, cw, or nothing for zero.

@@ -22,16 +22,39 @@ const NAMES: f64 = 13.0;
 /// Width of a caption.
 const CAPTION: f64 = 70.0;
 
+/// Room for the skeleton of a question with its dimension lines, width and height in mm.
+pub const QUESTION: (f64, f64) = (112.0, 96.0);
+
+/// The scales of a question: as for a solution, but the skeleton has the row to itself.
+#[must_use]
+pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
+    let [w, h] = with_wheels(&scene.mechanism, extents.space);
+    let (wide, high) = stretch(scene);
+    let free = (QUESTION.0 * wide, QUESTION.1 * high);
+    let stated = scene.sheet.length_scale.map(|ratio| ratio / 1000.0);
+    let length = stated.or(choose_length(w, h, free)).unwrap_or(0.001);
+    Scales { length, ..for_scene(scene, extents) }
+}
+
+/// How much wider and higher than those of upright A4 the panels are.
+fn stretch(scene: &Scene) -> (f64, f64) {
+    let (width, height) = super::compose::paper(scene);
+    let free = |side: f64, margins: f64| (side - margins).max(40.0);
+    (free(width, 34.0) / 176.0, (free(height, 34.0) / 263.0).max(free(width, 34.0).min(176.0) / 176.0))
+}
+
 /// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels.
 #[must_use]
 pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
     let length = scene.units.length.si;
+    let (wide, high) = stretch(scene);
+    let stretched = |room: (f64, f64)| (room.0 * wide, room.1 * high);
     let time = scene.units.time.si;
     let units = [length / time, length / (time * time)];
-    let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units);
+    let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units, (wide, high));
     let [w, h] = with_wheels(&scene.mechanism, extents.space);
-    let upright = choose_length(w, h, SKELETON);
-    let long = choose_length(w, h, LONG_SKELETON);
+    let upright = choose_length(w, h, stretched(SKELETON));
+    let long = choose_length(w, h, stretched(LONG_SKELETON));
     let skeleton = upright.zip(long).map(|(a, b)| a.min(b));
     let stated = &scene.sheet;
     Scales {
@@ -62,11 +85,14 @@ fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2]) -> [f64; 2] {
 
 /// Scales of both polygons: each fits into its half of a row, and a narrow one leaves its room to the
 /// other.
-fn polygons(sizes: [[f64; 2]; 2], units: [f64; 2]) -> [Option<f64>; 2] {
+fn polygons(sizes: [[f64; 2]; 2], units: [f64; 2], (wide, high): (f64, f64)) -> [Option<f64>; 2] {
+    let stretched = |room: (f64, f64)| (room.0 * wide, room.1 * high);
     let fit = |i: usize, free| choose_for(sizes[i][0], sizes[i][1], free, units[i]);
-    let halves = [fit(0, HALF_POLYGON), fit(1, HALF_POLYGON)];
-    let [Some(velocity), Some(acceleration)] = halves else { return [fit(0, POLYGON), fit(1, POLYGON)] };
-    let wider = |taken: f64| (ROW - f64::max(taken + NAMES, CAPTION) - NAMES, POLYGON.1);
+    let halves = [fit(0, stretched(HALF_POLYGON)), fit(1, stretched(HALF_POLYGON))];
+    let [Some(velocity), Some(acceleration)] = halves else {
+        return [fit(0, stretched(POLYGON)), fit(1, stretched(POLYGON))];
+    };
+    let wider = |taken: f64| (ROW * wide - f64::max(taken + NAMES, CAPTION) - NAMES, POLYGON.1 * high);
     let acceleration = fit(1, wider(sizes[0][0] / velocity)).map_or(acceleration, |s| s.min(acceleration));
     let velocity = fit(0, wider(sizes[1][0] / acceleration)).map_or(velocity, |s| s.min(velocity));
     [Some(velocity), Some(acceleration)]

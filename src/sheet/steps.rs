@@ -4,7 +4,7 @@ use super::human;
 use super::notation::Notation;
 use super::polygon::vector_name;
 use super::rich::Rich;
-use super::table::{Align, Table};
+use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, Equation, Label, Polygon, Reference, Step, Term, TermDirection,
     Vector, VectorKind,
@@ -109,11 +109,12 @@ impl Teller<'_> {
             columns: vec![Align::Left],
             head: vec![Rich::default()],
             rows: vec![
-                vec![label(words.magnitude).up(", ").up(&human::pretty(&unit.symbol))],
+                vec![label(words.magnitude).up(words.comma).up(&human::pretty(&unit.symbol))],
                 vec![label(words.direction)],
             ],
             size: 3.3,
             gap: 2.2,
+            flow: if words.right_to_left { Flow::LabelsRight } else { Flow::Rightward },
         };
         let sides = [&equation.left, &equation.right];
         for (side, terms) in sides.into_iter().enumerate() {
@@ -189,7 +190,7 @@ impl Teller<'_> {
                 Rich::fill(
                     words.mark_places,
                     &[
-                        ("points", Rich::join(&points, &Rich::upright(", "))),
+                        ("points", Rich::join(&points, &Rich::upright(words.comma))),
                         ("scale", n.length_scale(per_mm)),
                     ],
                 )
@@ -340,7 +341,7 @@ impl Teller<'_> {
     /// The direction in which a vector is laid off, with its sense.
     fn direction_of(&self, vector: &Vector) -> Rich {
         let n = self.notation;
-        let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.up(", ").then(&b) };
+        let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.aside(n.words.comma, &b) };
         let Some(claim) = vector.claim else { return Rich::default() };
         if vector.kind == VectorKind::Coriolis {
             let head = ("head", n.image(vector.head, self.step.order));
@@ -410,7 +411,10 @@ impl Teller<'_> {
             if *omega == 0.0 || *speed == 0.0 {
                 return Rich::default();
             }
-            Rich::upright("; ").then(&self.coriolis_rule(*link, *slip, *omega))
+            self.coriolis_rule(*link, *slip, *omega)
+        };
+        let ruled = |formula: Rich, rule: Rich| {
+            if rule.is_empty() { formula } else { formula.aside(n.words.semicolon, &rule) }
         };
         let text = match calculation {
             Calculation::Speed { quantity, link, ends, omega, length: l, value } => n
@@ -474,23 +478,24 @@ impl Teller<'_> {
                 .then(&number(*l, length.si))
                 .up(equals)
                 .then(&n.rotation(*value, &e)),
-            Calculation::Coriolis { quantity, link, slip, speed, omega, value } => n
-                .symbol(*quantity, false)
-                .up(equals)
-                .up("2")
-                .up(times)
-                .then(&n.symbol(*slip, false))
-                .up(times)
-                .then(&n.symbol(Quantity::Omega(*link), false))
-                .up(equals)
-                .up("2")
-                .up(cross)
-                .then(&number(*speed, v.si))
-                .up(cross)
-                .then(&number(omega.abs(), w.si))
-                .up(equals)
-                .then(&human::quantity(*value, &a))
-                .then(&rule(link, slip, omega, speed)),
+            Calculation::Coriolis { quantity, link, slip, speed, omega, value } => ruled(
+                n.symbol(*quantity, false)
+                    .up(equals)
+                    .up("2")
+                    .up(times)
+                    .then(&n.symbol(*slip, false))
+                    .up(times)
+                    .then(&n.symbol(Quantity::Omega(*link), false))
+                    .up(equals)
+                    .up("2")
+                    .up(cross)
+                    .then(&number(*speed, v.si))
+                    .up(cross)
+                    .then(&number(omega.abs(), w.si))
+                    .up(equals)
+                    .then(&human::quantity(*value, &a)),
+                rule(link, slip, omega, speed),
+            ),
             Calculation::SlipNormal { quantity, slip, speed, radius, value } => n
                 .symbol(*quantity, false)
                 .up(equals)
