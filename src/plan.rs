@@ -6,7 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use crate::mechanism::quantity::{Asked, Order, Quantity};
+use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
+use crate::mechanism::slider_crank::SliderCrank;
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
@@ -17,6 +18,18 @@ pub enum CentreSource {
     Diagram,
     /// Where the diagram stalls, from the velocity polygon as well.
     Velocities,
+}
+
+/// A construction on the skeleton besides the polygons and the circle diagram.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Auxiliary {
+    /// Klein's construction on a slider-crank.
+    Klein {
+        /// The slider-crank.
+        crank: SliderCrank,
+        /// Velocities only, or accelerations as well.
+        order: Order,
+    },
 }
 
 /// How much of the skeleton is drawn.
@@ -77,7 +90,7 @@ pub struct GroupStep {
 }
 
 /// The steps that the asked quantities need, in order of transmission.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Plan {
     /// Steps of the skeleton.
     pub position: Vec<GroupStep>,
@@ -87,6 +100,8 @@ pub struct Plan {
     pub acceleration: Vec<GroupStep>,
     /// The circle diagram.
     pub centres: CentrePlan,
+    /// The constructions on the skeleton.
+    pub auxiliary: Vec<Auxiliary>,
 }
 
 /// What the circle diagram must lead to, and with which links.
@@ -119,9 +134,28 @@ impl Plan {
     /// Plans again where the circle diagram stalls; see [`CentreSource`].
     #[must_use]
     pub fn with(mechanism: &Mechanism, structure: &Structure, extent: Extent, source: CentreSource) -> Self {
-        let mut wanted = Wanted { mechanism, structure, source, steps: BTreeMap::new() };
+        Self::with_auxiliary(mechanism, structure, extent, source, &[])
+    }
+
+    /// The same with constructions on the skeleton, besides those by which a quantity is asked.
+    #[must_use]
+    pub fn with_auxiliary(
+        mechanism: &Mechanism,
+        structure: &Structure,
+        extent: Extent,
+        source: CentreSource,
+        auxiliary: &[Auxiliary],
+    ) -> Self {
+        let mut wanted =
+            Wanted { mechanism, structure, source, steps: BTreeMap::new(), auxiliary: Vec::new() };
         for asked in &mechanism.asked {
-            wanted.quantity(&asked.quantity);
+            match asked.method {
+                Method::Klein => wanted.klein(&asked.quantity),
+                _ => wanted.quantity(&asked.quantity),
+            }
+        }
+        for &auxiliary in auxiliary {
+            wanted.auxiliary(auxiliary);
         }
         let centres = wanted.centres(extent);
         if extent != Extent::Asked {
@@ -148,6 +182,7 @@ impl Plan {
             velocity: steps_of(Order::Velocity),
             acceleration: steps_of(Order::Acceleration),
             centres,
+            auxiliary: wanted.auxiliary,
         }
     }
 
@@ -188,9 +223,34 @@ struct Wanted<'a> {
     structure: &'a Structure,
     source: CentreSource,
     steps: BTreeMap<(Order, usize), BTreeSet<(LinkId, PointId)>>,
+    auxiliary: Vec<Auxiliary>,
 }
 
 impl Wanted<'_> {
+    /// Klein's construction needs the skeleton and no polygon.
+    fn klein(&mut self, quantity: &Quantity) {
+        if let Some(crank) = SliderCrank::with(self.mechanism, self.structure, quantity) {
+            self.auxiliary(Auxiliary::Klein { crank, order: quantity.order() });
+        }
+    }
+
+    fn auxiliary(&mut self, auxiliary: Auxiliary) {
+        match auxiliary {
+            Auxiliary::Klein { crank, order } => {
+                self.point(crank.crank_pin, Order::Position);
+                self.link(crank.rod, Order::Position);
+                let same = self.auxiliary.iter_mut().find_map(|known| match known {
+                    Auxiliary::Klein { crank: c, order } if *c == crank => Some(order),
+                    _ => None,
+                });
+                match same {
+                    Some(known) => *known = order.max(*known),
+                    None => self.auxiliary.push(auxiliary),
+                }
+            }
+        }
+    }
+
     fn quantity(&mut self, quantity: &Quantity) {
         let order = quantity.order();
         match *quantity {
@@ -268,6 +328,7 @@ impl Wanted<'_> {
             structure: self.structure,
             source: self.source,
             steps: BTreeMap::new(),
+            auxiliary: Vec::new(),
         };
         for &[i, j] in &wanted {
             self.centre(i, j);

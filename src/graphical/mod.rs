@@ -5,6 +5,7 @@
 //! stands only what the textbook calculates: V = ωl, ω = V/l, Aⁿ = V²/l, Aᵗ = εl, ε = Aᵗ/l, scales.
 
 mod acceleration;
+pub mod auxiliary;
 mod centres;
 pub mod construction;
 mod draughtsman;
@@ -200,6 +201,7 @@ pub fn construct_on(
     if !plan.centres.wanted.is_empty() {
         centres::draw(&mut draughtsman, plan);
     }
+    auxiliary::draw(&mut draughtsman, plan);
     let (answers, slots) = reading::answers(&mut draughtsman);
     let (construction, tape) = draughtsman.finish(answers);
     Ok(Solution { construction, tape, slots })

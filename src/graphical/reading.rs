@@ -1,10 +1,11 @@
 //! Reads the asked quantities off the finished diagrams.
 
 use crate::board::{Amount, Angle, Bench, Board, Direction, Location, MarkOf, Point, Recorded};
-use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{Form, LinkId, PointId};
-use crate::plan::{chord, home, transmission_points};
+use crate::plan::{Auxiliary, chord, home, transmission_points};
 
+use super::auxiliary::KleinAnswer;
 use super::construction::{Act, Calculation, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
 
@@ -24,6 +25,10 @@ pub(super) fn answers(d: &mut Draughtsman<'_, Recorded>) -> (Vec<Reading>, Vec<V
     let readings = asked
         .iter()
         .map(|asked| {
+            if asked.method == Method::Klein {
+                let read = d.read_klein(&asked.quantity);
+                return Reading { answer: d.answer(read, &mut slots), drawn_mm: None };
+            }
             let read = d.read_quantity(&asked.quantity);
             let drawn_mm = d.drawn_length(&asked.quantity);
             let answer = d.answer(read, &mut slots);
@@ -70,6 +75,23 @@ impl<B: Bench> Draughtsman<'_, B> {
             let vector = self.polygon(order)?.vectors.iter().find(|v| v.quantity == *quantity)?;
             Some(libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]))
         })
+    }
+
+    /// What Klein's construction says of a quantity.
+    fn read_klein(&mut self, quantity: &Quantity) -> Read<B> {
+        match self.klein_answer(quantity) {
+            KleinAnswer::Vector(vector) => Read::Vector(vector),
+            KleinAnswer::Scalar(scalar) => Read::Scalar(scalar),
+            KleinAnswer::None => {
+                let refused = self.record().auxiliary.iter().find_map(|drawing| match drawing.kind {
+                    Auxiliary::Klein { crank, .. } if crank.leads_to(quantity) => drawing.refused,
+                    _ => None,
+                });
+                Read::Undefined(refused.unwrap_or(
+                    "Klein's construction leads to the pins and the rod of a slider-crank with a driven crank only",
+                ))
+            }
+        }
     }
 
     fn read_quantity(&mut self, quantity: &Quantity) -> Read<B> {

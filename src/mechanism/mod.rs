@@ -8,6 +8,7 @@
 
 pub mod quantity;
 pub mod report;
+pub mod slider_crank;
 pub mod structure;
 
 pub use crate::given::Given;

@@ -29,9 +29,47 @@ pub(super) const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
 /// How far a guide reaches beyond its rider.
 pub(super) const GUIDE: f64 = 13.0;
 
+/// Which links show their rotation by a curved arrow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Arrows {
+    /// Every link whose ω or angular acceleration is known.
+    All,
+    /// The driven links only: for figures that have lines enough.
+    Inputs,
+}
+
+/// The link that an input turns.
+fn driven(input: &Input) -> Option<LinkId> {
+    match input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => Some(*link),
+        Input::Slide { .. } => None,
+    }
+}
+
+/// Ink and labels that are laid over a skeleton.
+#[derive(Debug, Default)]
+pub struct Overlay {
+    /// The ink.
+    pub ink: Group,
+    /// Its labels, placed together with those of the skeleton.
+    pub labels: Vec<Request>,
+}
+
 /// The skeleton with the first fixed point at the origin of the group.
 #[must_use]
 pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
+    draw_under(construction, notation, Arrows::All, |_, _| Overlay::default())
+}
+
+/// The skeleton with what is laid over it: asked for when the skeleton's own ink stands, with the places of the
+/// points on the page.
+#[must_use]
+pub fn draw_under(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    arrows: Arrows,
+    overlay: impl FnOnce(Rect, &[Option<Point>]) -> Overlay,
+) -> Group {
     let space = &construction.space;
     let unit = &notation.scene.units.length;
     let mut group = Group::new("skeleton")
@@ -60,8 +98,15 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
     group.group(artist.construction_lines());
     group.group(artist.joints());
     group.group(artist.crank_angles());
-    artist.rotations(&mut group);
+    artist.rotations(&mut group, arrows);
     artist.number_links();
+    let places: Vec<Option<Point>> =
+        (0..notation.mechanism().points.len()).map(|i| artist.pose.place(PointId(i))).collect();
+    let mut over = overlay(group.bounds().unwrap_or(Rect::ZERO), &places);
+    if !over.ink.children.is_empty() {
+        group.group(over.ink);
+    }
+    artist.labels.append(&mut over.labels);
     let labels = artist.placed_labels(&group);
     group.group(labels);
     group
@@ -559,9 +604,13 @@ impl Artist<'_> {
         known
     }
 
-    fn rotations(&mut self, group: &mut Group) {
+    fn rotations(&mut self, group: &mut Group, arrows: Arrows) {
         let mut all = Group::new("rotations");
+        let inputs: Vec<LinkId> = self.notation.mechanism().inputs.iter().filter_map(driven).collect();
         for ((link, second), value) in self.known_rotations() {
+            if arrows == Arrows::Inputs && (second || !inputs.contains(&link)) {
+                continue;
+            }
             let Some((arc, cost)) = self.best_arc(&Obstacles::of(group), &Obstacles::of(&all), link, second)
             else {
                 continue;
