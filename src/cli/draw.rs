@@ -35,14 +35,16 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
     }
     let language = language(job, scene)?;
-    let solved = crate::solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)
-        .map_err(|error| failure(scene, &error))?;
-    let construction = &solved.solution.construction;
     let names: Vec<&str> = if job.figure.is_empty() {
         scene.sheet.figures.iter().map(String::as_str).collect()
     } else {
         job.figure.iter().map(String::as_str).collect()
     };
+    let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
+    let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
+    let solved = crate::solve::solve(scene, extent, sheet::scale::for_scene)
+        .map_err(|error| failure(scene, &error))?;
+    let construction = &solved.solution.construction;
     let figure = if names.is_empty() {
         sheet::solution(scene, construction, language)
     } else {

@@ -9,7 +9,7 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{polygon, results, skeleton};
+use super::{centres, circle, polygon, results, skeleton};
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
@@ -32,7 +32,7 @@ const GUTTER: f64 = 8.0;
 /// The names of the figures.
 #[must_use]
 pub const fn figure_names() -> &'static [&'static str] {
-    &["skeleton", "velocity", "acceleration", "results", "steps"]
+    &["skeleton", "velocity", "acceleration", "centres", "circle", "results", "steps"]
 }
 
 /// The solution sheet: panels, results and steps, paged.
@@ -42,13 +42,13 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let notation = Notation { scene, words };
     let construction = &told_apart(construction, &notation);
     let drawn = |name| panel(name, construction, &notation);
-    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration].map(drawn);
+    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration, Name::Centres, Name::Circle].map(drawn);
     // Scales stated in the scene may outgrow the paper: then the paper grows, and nothing is clipped.
     let largest = |side: fn(&Block) -> f64| panels.iter().flatten().map(side).fold(0.0, f64::max);
     let (width, height) = paper(scene);
     let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
-    let [skeleton, velocity, acceleration] = panels;
+    let [skeleton, velocity, acceleration, centres, circle] = panels;
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&results::given(&notation));
 
@@ -66,7 +66,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    let blocks = [skeleton, first, velocity, acceleration];
+    let blocks = [skeleton, first, velocity, acceleration, centres, circle];
     pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
@@ -93,6 +93,8 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
         "velocity" => (panel(Name::Velocity, construction, &notation)?, words.velocity_diagram),
         "acceleration" => (panel(Name::Acceleration, construction, &notation)?, words.acceleration_diagram),
+        "centres" => (panel(Name::Centres, construction, &notation)?, words.centres_figure),
+        "circle" => (panel(Name::Circle, construction, &notation)?, words.circle_diagram),
         "results" => {
             let table = results::table(construction, &notation, &ORDERS, TEXT);
             (table.draw("results", 0, table.rows.len()), words.results)
@@ -170,6 +172,8 @@ enum Name {
     Skeleton,
     Velocity,
     Acceleration,
+    Centres,
+    Circle,
 }
 
 /// A drawing with its caption and scale below, upper left corner at the origin.
@@ -179,6 +183,15 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
         Name::Skeleton => {
             let scale = notation.length_scale(construction.space.metres_per_mm);
             (skeleton::draw(construction, notation), "a", words.skeleton, scale)
+        }
+        Name::Centres => {
+            let circle = construction.circle.as_ref()?;
+            let scale = notation.length_scale(construction.space.metres_per_mm);
+            (centres::draw(circle, construction, notation), "d", words.centres_figure, scale)
+        }
+        Name::Circle => {
+            let circle = construction.circle.as_ref()?;
+            (circle::draw(circle, notation), "e", words.circle_diagram, Rich::default())
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
@@ -202,8 +215,10 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
     let mut group = Group::new("panel");
     group.group(drawing);
     let ink = group.bounds().unwrap_or(Rect::ZERO);
-    let scale = Rich::fill(words.scale, &[("scale", scale)]);
-    let caption = Rich::bold(format!("({letter})")).up(" ").up(caption).up(",\u{2002}").then(&scale);
+    let mut caption = Rich::bold(format!("({letter})")).up(" ").up(caption);
+    if !scale.is_empty() {
+        caption = caption.up(",\u{2002}").then(&Rich::fill(words.scale, &[("scale", scale)]));
+    }
     let line = caption.set(TEXT);
     let width = ink.width().max(line.width);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));

@@ -5,6 +5,8 @@
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
+mod centres;
+mod circle;
 mod compose;
 mod coriolis;
 mod feet;

@@ -58,6 +58,9 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
             all.extend(teller.act(act).map(Item::Sentence));
         }
     }
+    if let Some(circle) = &construction.circle {
+        all.extend(super::circle::items(circle, notation));
+    }
     all
 }
 

@@ -50,6 +50,8 @@ pub struct Words {
     pub skeleton: &'static str,
     pub velocity_diagram: &'static str,
     pub acceleration_diagram: &'static str,
+    pub circle_diagram: &'static str,
+    pub centres_figure: &'static str,
     pub steps: &'static str,
     pub results: &'static str,
     pub given: &'static str,
@@ -116,6 +118,17 @@ pub struct Words {
     pub same_image: &'static str,
     pub read_vector: &'static str,
     pub translation: &'static str,
+
+    // The circle diagram.
+    pub step_centres: &'static str,
+    pub centre_count: &'static str,
+    pub primary_centres: &'static str,
+    pub centre_meet: &'static str,
+    pub centre_parallel: &'static str,
+    pub common_normal: &'static str,
+    pub centre_by_velocity: &'static str,
+    pub centre_by_rates: &'static str,
+    pub centre_stalled: &'static str,
 }
 
 const ENGLISH: Words = Words {
@@ -126,6 +139,8 @@ const ENGLISH: Words = Words {
     skeleton: "Kinematic skeleton",
     velocity_diagram: "Velocity diagram",
     acceleration_diagram: "Acceleration diagram",
+    circle_diagram: "Circle diagram",
+    centres_figure: "Instant centres",
     steps: "Steps",
     results: "Results",
     given: "Given:",
@@ -188,4 +203,14 @@ const ENGLISH: Words = Words {
     same_image: "{label} falls on {with}.",
     read_vector: "Read {vector} = {image}: {reading}.",
     translation: "Link {link} only translates: {omega} = 0.",
+
+    step_centres: "Instant centres",
+    centre_count: "N = {n} ({n} − 1) / 2 = {count} centres.",
+    primary_centres: "Primary centres, seen from the pairs: {centres}.",
+    centre_meet: "{centre}, triangles {triangles}: the lines {first} and {second} meet there.",
+    centre_parallel: "{centre}, triangles {triangles}: the lines {first} and {second} are parallel; it lies at infinity.",
+    common_normal: "normal to the {guide}",
+    centre_by_velocity: "{centre}: the circle diagram stalls here. The centre lies on the normal to {velocity} through {point}, at the distance {velocity} / {omega}, both from the velocity diagram.",
+    centre_by_rates: "{centre}: the circle diagram stalls here. The centre divides the line {first}{second} inversely as {one} and {other} of the velocity diagram.",
+    centre_stalled: "{centre}: no two triangles lead to it.",
 };
