@@ -30,6 +30,40 @@ pub enum Auxiliary {
         /// Velocities only, or accelerations as well.
         order: Order,
     },
+    /// The inflection circle and the acceleration centre of a link.
+    Inflection {
+        /// The link.
+        link: LinkId,
+    },
+    /// Kennedy's theorem on three links; the first is common to the two centres that are taken as known.
+    Kennedy {
+        /// The links.
+        links: [LinkId; 3],
+    },
+    /// The centre of the rotation of a link from the present position to another.
+    Rotation {
+        /// The link.
+        link: LinkId,
+        /// Where the one input stands then: radians, or metres of a slide.
+        to: f64,
+    },
+    /// The loci of an instant centre in both its links.
+    Centrodes {
+        /// The links: in the first the locus is called fixed.
+        links: [LinkId; 2],
+    },
+}
+
+impl Auxiliary {
+    /// The instant centres that it needs.
+    #[must_use]
+    pub fn centres(&self) -> Vec<[LinkId; 2]> {
+        match *self {
+            Self::Kennedy { links: [i, j, k] } => vec![chord(i, j), chord(i, k), chord(j, k)],
+            Self::Centrodes { links: [i, j] } => vec![chord(i, j)],
+            Self::Klein { .. } | Self::Inflection { .. } | Self::Rotation { .. } => Vec::new(),
+        }
+    }
 }
 
 /// How much of the skeleton is drawn.
@@ -235,6 +269,9 @@ impl Wanted<'_> {
     }
 
     fn auxiliary(&mut self, auxiliary: Auxiliary) {
+        if self.auxiliary.contains(&auxiliary) {
+            return;
+        }
         match auxiliary {
             Auxiliary::Klein { crank, order } => {
                 self.point(crank.crank_pin, Order::Position);
@@ -248,6 +285,21 @@ impl Wanted<'_> {
                     None => self.auxiliary.push(auxiliary),
                 }
             }
+            Auxiliary::Inflection { link } => {
+                self.link(link, Order::Acceleration);
+                for point in self.mechanism.link(link).points.clone() {
+                    self.point(point, Order::Acceleration);
+                }
+                self.auxiliary.push(auxiliary);
+            }
+            Auxiliary::Rotation { link, .. } => {
+                for point in self.mechanism.link(link).points.clone() {
+                    self.point(point, Order::Position);
+                }
+                self.auxiliary.push(auxiliary);
+            }
+            // Their centres are planned with the circle diagram.
+            Auxiliary::Kennedy { .. } | Auxiliary::Centrodes { .. } => self.auxiliary.push(auxiliary),
         }
     }
 
@@ -258,6 +310,7 @@ impl Wanted<'_> {
             | Quantity::Acceleration(p)
             | Quantity::Normal(p)
             | Quantity::Tangential(p)
+            | Quantity::PathRadius(p)
             | Quantity::Position(p) => self.point(p, order),
             Quantity::RelativeVelocity(b, a)
             | Quantity::RelativeAcceleration(b, a)
@@ -314,7 +367,9 @@ impl Wanted<'_> {
             _ => None,
         };
         let mut wanted: BTreeSet<[LinkId; 2]> = self.mechanism.asked.iter().filter_map(asked).collect();
-        if extent == Extent::AllCentres && wanted.is_empty() {
+        let none_asked = wanted.is_empty();
+        wanted.extend(self.auxiliary.iter().flat_map(Auxiliary::centres));
+        if extent == Extent::AllCentres && none_asked {
             let all = 0..self.mechanism.links.len();
             wanted = all
                 .clone()

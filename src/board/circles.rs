@@ -41,6 +41,16 @@ impl<B: Bench> Board<B> {
         self.stroke(Operation::Divide, point)
     }
 
+    /// Whether a length is zero as far as its own error tells.
+    pub fn is_nothing(&mut self, length: super::Mm<B>) -> bool {
+        self.vanishes(length.0)
+    }
+
+    /// A length of the draughtsman's own choice.
+    pub fn millimetres(&mut self, length: f64) -> super::Mm<B> {
+        super::Mm(self.exact(length))
+    }
+
     /// Half of a length.
     pub fn half(&mut self, length: super::Mm<B>) -> super::Mm<B> {
         super::Mm(self.times(length.0, 0.5))

@@ -7,6 +7,7 @@
 mod acceleration;
 pub mod auxiliary;
 mod centres;
+pub mod centrodes;
 pub mod construction;
 mod draughtsman;
 mod link_figure;

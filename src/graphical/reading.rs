@@ -1,6 +1,6 @@
 //! Reads the asked quantities off the finished diagrams.
 
-use crate::board::{Amount, Angle, Bench, Board, Direction, Location, MarkOf, Point, Recorded};
+use crate::board::{Amount, Angle, Bench, Board, Direction, Line, Location, MarkOf, Point, Recorded};
 use crate::mechanism::quantity::{Answer, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{Form, LinkId, PointId};
 use crate::plan::{Auxiliary, chord, home, transmission_points};
@@ -111,6 +111,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             Quantity::RelativeOmega(i, j) => self.read_difference(Order::Velocity, i, j),
             Quantity::RelativeAlpha(i, j) => self.read_difference(Order::Acceleration, i, j),
             Quantity::Rub(pin, i, j) => self.read_rub(pin, i, j),
+            Quantity::PathRadius(p) => self.read_path_radius(p),
             Quantity::Position(p) => self.read_position(p),
             Quantity::Angle(l) => Read::Angle(self.read_angle(l)),
             Quantity::Transmission(i, j) => self.read_transmission(i, j),
@@ -272,6 +273,31 @@ impl<B: Bench> Draughtsman<'_, B> {
             value: value.value(),
         }));
         Read::Scalar(value)
+    }
+
+    /// ρ = V² / Aⁿ, with Aⁿ the part of the acceleration square to V.
+    fn read_path_radius(&mut self, p: PointId) -> Read<B> {
+        if self.mechanism.is_fixed(p) {
+            return Read::Undefined("the point does not move");
+        }
+        let (pole, end) = (self.board.origin(), self.image(Order::Velocity, p));
+        let reason = self.reason(&[]);
+        let (along, mm) = self.board.toward(pole, end, reason);
+        if self.board.is_nothing(mm) {
+            return Read::Undefined("the point stands still here");
+        }
+        let image = self.image(Order::Acceleration, p);
+        let [_, across] = self.board.square_off(Line { through: pole, along }, image);
+        if self.board.is_nothing(across) {
+            return Read::Undefined("the path runs straight here");
+        }
+        let (velocity, acceleration) =
+            (self.polygon_scale(Order::Velocity), self.polygon_scale(Order::Acceleration));
+        let speed = self.board.read(mm, velocity);
+        let normal = self.board.read(across, acceleration);
+        let normal = self.board.magnitude(normal);
+        let radius = self.board.square_over(speed, normal, reason);
+        Read::Scalar(radius)
     }
 
     /// The place in the world: as given for a fixed or placed point, else read off the skeleton.

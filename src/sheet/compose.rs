@@ -9,7 +9,8 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{centres, circle, polygon, results, skeleton};
+use super::{auxiliary, centres, circle, polygon, results, skeleton, wanted};
+use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
@@ -32,7 +33,20 @@ const GUTTER: f64 = 8.0;
 /// The names of the figures.
 #[must_use]
 pub const fn figure_names() -> &'static [&'static str] {
-    &["skeleton", "velocity", "acceleration", "centres", "circle", "results", "steps"]
+    &[
+        "skeleton",
+        "velocity",
+        "acceleration",
+        "centres",
+        "circle",
+        "klein",
+        "inflection",
+        "centrodes",
+        "kennedy",
+        "rotation-centre",
+        "results",
+        "steps",
+    ]
 }
 
 /// The solution sheet: panels, results and steps, paged.
@@ -66,8 +80,10 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
+    let drawn = construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none());
+    let further = drawn.map(|drawing| auxiliary_panel(drawing, construction, &notation));
     let blocks = [skeleton, first, velocity, acceleration, centres, circle];
-    pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
+    pager.rows(&blocks.into_iter().flatten().chain(further).collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
     }
@@ -100,7 +116,11 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
             (table.draw("results", 0, table.rows.len()), words.results)
         }
         "steps" => (column(&steps::items(construction, &notation), 90.0), words.steps),
-        _ => return None,
+        _ => {
+            let kind = wanted::auxiliary(name, scene).ok()??;
+            let drawing = construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;
+            (with_steps(drawing, construction, &notation), words.auxiliary_figure)
+        }
     };
     let mut description = String::new();
     block.group.walk(&mut |node| match node {
@@ -118,6 +138,19 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         language: words.tag,
         root,
     })
+}
+
+/// A construction on the skeleton with its steps below.
+fn with_steps(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Block {
+    let mut block = auxiliary_panel(drawing, construction, notation);
+    let items = auxiliary::items(drawing, construction, notation);
+    // The caption says already what the head of the steps would say.
+    let mut steps = column(&items[1.min(items.len())..], block.width.max(120.0));
+    let width = block.width.max(steps.width);
+    block.group.translate(Vec2::new((width - block.width) / 2.0, 0.0));
+    steps.group.translate(Vec2::new(0.0, block.height + 2.0));
+    block.group.group(steps.group);
+    Block { width, height: block.height + 2.0 + steps.height, ..block }
 }
 
 /// Several figures below each other as one.
@@ -212,19 +245,40 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
             )
         }
     };
+    let scale = (!scale.is_empty()).then(|| Rich::fill(words.scale, &[("scale", scale)]));
+    Some(captioned(drawing, letter, &Rich::upright(caption), scale.as_ref()))
+}
+
+/// A construction on the skeleton with its caption.
+fn auxiliary_panel(
+    drawing: &AuxiliaryDrawing,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Block {
+    let index = construction.auxiliary.iter().position(|other| other.kind == drawing.kind).unwrap_or(0);
+    // After those of the panels that every sheet may have.
+    let letter = char::from_u32('f' as u32 + index as u32).unwrap_or('f').to_string();
+    let scale = notation.length_scale(construction.space.metres_per_mm);
+    let scale = Rich::fill(notation.words.scale, &[("scale", scale)]);
+    let ink = auxiliary::draw(drawing, construction, notation);
+    captioned(ink, &letter, &auxiliary::title(&drawing.kind, notation), Some(&scale))
+}
+
+/// A drawing with a line below it: letter, caption, scale.
+fn captioned(drawing: Group, letter: &str, caption: &Rich, scale: Option<&Rich>) -> Block {
     let mut group = Group::new("panel");
     group.group(drawing);
     let ink = group.bounds().unwrap_or(Rect::ZERO);
-    let mut caption = Rich::bold(format!("({letter})")).up(" ").up(caption);
-    if !scale.is_empty() {
-        caption = caption.up(",\u{2002}").then(&Rich::fill(words.scale, &[("scale", scale)]));
+    let mut caption = Rich::bold(format!("({letter})")).up(" ").then(caption);
+    if let Some(scale) = scale {
+        caption = caption.up(",\u{2002}").then(scale);
     }
     let line = caption.set(TEXT);
     let width = ink.width().max(line.width);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
     let base = ink.height() + 7.0;
     line.put(&mut group, Point::new((width - line.width) / 2.0, base), "caption");
-    Some(Block { group, width, height: base + 1.5 })
+    Block { group, width, height: base + 1.5 }
 }
 
 /// The lines of a column, with what may not be parted from the next line.

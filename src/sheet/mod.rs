@@ -5,6 +5,7 @@
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
+mod auxiliary;
 mod centres;
 mod circle;
 mod compose;
@@ -26,10 +27,12 @@ mod skeleton;
 mod slots;
 mod steps;
 mod table;
+mod wanted;
 mod words;
 
 pub use compose::{figure_names, single, solution, stack};
 pub use figure::Figure;
+pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
 
 #[cfg(test)]

@@ -12,7 +12,7 @@
 //! 4. A crank that gathers speed (ε ≠ 0) has Aᵗ as well: ε/ω² times the crank, square to it at a, and the normal
 //!    part of the rod is moved along.
 
-use crate::board::{Amount, Bench, Circle, Line, Point, Side};
+use crate::board::{Amount, Bench, Direction, Line, Point, Recorded};
 use crate::given::Given;
 use crate::mechanism::Input;
 use crate::mechanism::quantity::{Order, Quantity};
@@ -63,7 +63,7 @@ impl<B: Bench> Clone for Accelerations<B> {
 
 impl<B: Bench> Copy for Accelerations<B> {}
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_, Recorded> {
     /// Draws the velocity part, and for accelerations both.
     pub(super) fn draw_klein(&mut self, crank: SliderCrank, order: Order) {
         self.board.purpose("Klein's construction");
@@ -75,7 +75,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let SliderCrank { pivot, crank_pin, slider_pin, rod, slide, .. } = crank;
         let (pole, pin, end) = (self.at(pivot), self.at(crank_pin), self.at(slider_pin));
         let reason = self.reason(&[crank.crank, rod]);
-        let (along_rod, rod_mm) = self.board.toward(pin, end, reason);
+        let (along_rod, _) = self.board.toward(pin, end, reason);
         let (guide, _) = self.tangent(slide, slider_pin);
         let across = self.board.quarter_turn(guide);
         let rod_line = Line { through: pin, along: along_rod };
@@ -89,6 +89,9 @@ impl<B: Bench> Draughtsman<'_, B> {
 
         let meet = self.board.meet_lines(Line { through: pole, along: across }, rod_line, reason);
         let image = meet.at;
+        if !self.stands(image) {
+            self.refuse_auxiliary("the rod stands square to its guide: a dead centre");
+        }
         let label = |point| Label::Image { point, link: None };
         let (a, b) = (label(crank_pin), label(slider_pin));
         self.aux_point(PointName::Image(Label::Pole, Order::Velocity), pole);
@@ -98,13 +101,13 @@ impl<B: Bench> Draughtsman<'_, B> {
         let on_rod = Claim::Parallel(Reference::Points(crank_pin, slider_pin));
         self.aux_line(pole, image, StrokeRole::Produced, Some(square));
         self.aux_line(pin, image, StrokeRole::Produced, Some(on_rod));
-        self.aux_line(pole, image, StrokeRole::Vector, Some(square));
-        self.aux_line(pin, image, StrokeRole::Vector, Some(on_rod));
+        self.aux_line(pole, image, StrokeRole::Image, Some(square));
+        self.aux_line(pin, image, StrokeRole::Image, Some(on_rod));
         self.act_auxiliary(AuxiliaryAct::AcrossGuide { crank, crossing: meet.crossing });
         let length = self.length(rod, crank_pin, slider_pin);
         let mut klein = Klein { crank, omega, pole, pin, image, rod: rod_line, length, acceleration: None };
         if order == Order::Acceleration {
-            let accelerations = self.klein_accelerations(&klein, alpha, end, (guide, rod_mm));
+            let accelerations = self.klein_accelerations(&klein, alpha, end, guide);
             klein.acceleration = Some(accelerations);
         }
         self.kleins.push(klein);
@@ -112,7 +115,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// ω and ε of the crank as the input gives them.
-    fn crank_rates(&mut self, crank: SliderCrank) -> Option<(Amount<B>, Given)> {
+    fn crank_rates(&mut self, crank: SliderCrank) -> Option<(Amount<Recorded>, Given)> {
         match self.mechanism.inputs[crank.input] {
             Input::Angle { omega, alpha, .. } => Some((self.board.amount(omega), alpha)),
             Input::Speed { point, speed, alpha, .. } => {
@@ -128,31 +131,16 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     fn klein_accelerations(
         &mut self,
-        klein: &Klein<B>,
+        klein: &Klein<Recorded>,
         alpha: Given,
-        end: Point<B>,
-        (guide, rod_mm): (crate::board::Direction<B>, crate::board::Mm<B>),
-    ) -> Accelerations<B> {
+        end: Point<Recorded>,
+        guide: Direction<Recorded>,
+    ) -> Accelerations<Recorded> {
         let Klein { crank, omega, pole, pin, image, rod, .. } = *klein;
         let SliderCrank { crank_pin, slider_pin, pivot, slide, .. } = crank;
         let reason = self.reason(&[crank.crank, crank.rod]);
-        let opening = self.board.distance(pin, image);
-        let about_pin = Circle { centre: pin, radius: opening };
-        let middle = self.board.middle(pin, end);
-        let half = self.board.half(rod_mm);
-        let on_rod = Circle { centre: middle, radius: half };
-        self.aux_circle(pin, opening.value(), StrokeRole::Construction);
-        let (cut, chord) = match self.board.meet_circles(about_pin, on_rod, reason) {
-            Ok(pair) => {
-                self.aux_circle(middle, half.value(), StrokeRole::Construction);
-                let chord = self.board.common_chord(about_pin, on_rod, reason);
-                let ends = [Side::First, Side::Second].map(|side| self.board.look(&pair, side));
-                self.note_chord(ends);
-                self.act_auxiliary(AuxiliaryAct::ChordOnRod { crank });
-                (chord.through, chord.along)
-            }
-            Err(_) => self.tangent_on_rod(klein, end, about_pin),
-        };
+        let ((cut, chord), proportion) = self.third_proportional(pin, end, image, reason);
+        self.act_auxiliary(AuxiliaryAct::NormalOnRod { crank, proportion });
 
         // A crank that gathers speed: a′ leaves a, and the normal part goes with it.
         let (start, foot) = if alpha == Given::exact(0.0) {
@@ -172,7 +160,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let [normal, _] = self.board.square_off(rod, cut);
             let foot = self.board.lay_off(start, rod.along, normal);
             let radius = Claim::Perpendicular(Reference::Points(pivot, crank_pin));
-            self.aux_line(pin, start, StrokeRole::Vector, Some(radius));
+            self.aux_line(pin, start, StrokeRole::Image, Some(radius));
             self.aux_square(pin, pole, start);
             self.act_auxiliary(AuxiliaryAct::TangentialOnCrank { crank, mm: mm.value().abs() });
             (start, foot)
@@ -184,9 +172,9 @@ impl<B: Bench> Draughtsman<'_, B> {
         let square = Claim::Perpendicular(Reference::Points(crank_pin, slider_pin));
         self.aux_line(pole, meet.at, StrokeRole::Produced, Some(on_guide));
         self.aux_line(foot, meet.at, StrokeRole::Produced, Some(square));
-        self.aux_line(start, foot, StrokeRole::Vector, Some(parallel));
-        self.aux_line(foot, meet.at, StrokeRole::Vector, Some(square));
-        self.aux_line(pole, meet.at, StrokeRole::Vector, Some(on_guide));
+        self.aux_line(start, foot, StrokeRole::Image, Some(parallel));
+        self.aux_line(foot, meet.at, StrokeRole::Image, Some(square));
+        self.aux_line(pole, meet.at, StrokeRole::Image, Some(on_guide));
         self.aux_square(foot, start, meet.at);
         let label = |point| Label::Image { point, link: None };
         self.aux_point(PointName::Image(Label::Pole, Order::Acceleration), pole);
@@ -197,44 +185,14 @@ impl<B: Bench> Draughtsman<'_, B> {
         Accelerations { pin: start, foot, image: meet.at }
     }
 
-    /// Where ab is longer than AB: the line square to the rod at B meets the circle about A, and the tangent
-    /// there meets the rod's line in the end of the normal part.
-    fn tangent_on_rod(
-        &mut self,
-        klein: &Klein<B>,
-        end: Point<B>,
-        about_pin: Circle<B>,
-    ) -> (Point<B>, crate::board::Direction<B>) {
-        let Klein { crank, pin, rod, .. } = *klein;
-        let reason = self.reason(&[crank.crank, crank.rod]);
-        let square = self.board.quarter_turn(rod.along);
-        let upright = Line { through: end, along: square };
-        let Ok(pair) = self.board.meet_line_circle(upright, about_pin, reason) else {
-            // The circles neither meet nor does one contain the other's end: they touch within their errors.
-            let nowhere = self.board.nowhere(reason);
-            return (nowhere, square);
-        };
-        let touch = self.board.take(pair, Side::First);
-        let (radius, _) = self.board.toward(pin, touch, reason);
-        let tangent = self.board.quarter_turn(radius);
-        let meet = self.board.meet_lines(rod, Line { through: touch, along: tangent }, reason);
-        self.aux_line(end, touch, StrokeRole::Construction, None);
-        self.aux_line(pin, touch, StrokeRole::Construction, None);
-        self.aux_line(touch, meet.at, StrokeRole::Construction, None);
-        self.aux_square(end, pin, touch);
-        self.aux_square(touch, pin, meet.at);
-        self.act_auxiliary(AuxiliaryAct::TangentOnRod { crank });
-        (meet.at, square)
-    }
-
     /// What is read off the images, for the step list.
-    fn read_klein_images(&mut self, klein: &Klein<B>) {
+    fn read_klein_images(&mut self, klein: &Klein<Recorded>) {
         let Klein { crank, omega, pole, pin, image, length, .. } = *klein;
         let SliderCrank { crank_pin, slider_pin, rod, .. } = crank;
         let rate = omega.value();
         let label = |point| Label::Image { point, link: None };
         let (a, b) = (label(crank_pin), label(slider_pin));
-        let apart = |p: Point<B>, q: Point<B>| {
+        let apart = |p: Point<Recorded>, q: Point<Recorded>| {
             let (p, q) = (p.value(), q.value());
             libm::hypot(q[0] - p[0], q[1] - p[1])
         };
@@ -267,7 +225,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.act_auxiliary(AuxiliaryAct::Calculate(alpha));
         }
     }
+}
 
+impl<B: Bench> Draughtsman<'_, B> {
     /// ω of the rod: ω of the crank times ab : AB.
     fn klein_omega(&mut self, klein: &Klein<B>) -> Amount<B> {
         let [along, _] = self.board.square_off(klein.rod, klein.image);
