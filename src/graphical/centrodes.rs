@@ -53,6 +53,8 @@ pub enum BranchEnd {
     Infinity([f64; 2]),
     /// Further away than the locus is followed; it comes back.
     Reach,
+    /// At a position in which the centre is not determined (a change point); it goes on beyond it.
+    Gap,
 }
 
 /// Why there are no centrodes.
@@ -121,6 +123,8 @@ const LONGEST_MOVE: f64 = 0.08;
 const HALVINGS: u32 = 40;
 /// Halvings of a piece of a locus until it is as straight as wanted.
 const REFINEMENTS: u32 = 10;
+/// A piece whose middle lies nearer to one of its ends than this part of it is not yet followed closely enough.
+const UNEVEN: f64 = 0.05;
 /// Turns of the input after which every mechanism that is traced has come back, or is taken as it is.
 const MOST_TURNS: usize = 8;
 
@@ -447,18 +451,30 @@ impl<'a> Rig<'a> {
         let mut ring: Vec<Station> = stations.to_vec();
         if closed {
             if let Some(out) = ring.iter().position(|s| !within(s)) {
-                // Begin outside, so that no piece is cut where the input happens to stand.
+                // Begin outside, so that no piece is cut where the input happens to stand; what is moved behind
+                // the end comes one round later.
+                let round = ring.last().map_or(0.0, |last| last.input - ring[0].input);
                 ring.pop();
-                ring.rotate_left(out);
-                ring.extend(ring.first().cloned());
+                let mut later: Vec<Station> = ring.drain(..out).collect();
+                ring.append(&mut later);
+                let count = ring.len();
+                for station in &mut ring[count - out..] {
+                    station.input += round;
+                }
+                if let Some(mut again) = ring.first().cloned() {
+                    again.input += round;
+                    ring.push(again);
+                }
             } else {
-                let mut points = self.fine(&ring, which, fineness);
-                if let Some(&first) = points.first()
+                let mut pieces = self.fine(&ring, which, fineness);
+                if let [points] = pieces.as_mut_slice()
+                    && let Some(first) = points.first().copied()
                     && let Some(last) = points.last_mut()
                 {
                     *last = first;
+                    return vec![Branch { points: std::mem::take(points), ends: [BranchEnd::Closed; 2] }];
                 }
-                return vec![Branch { points, ends: [BranchEnd::Closed; 2] }];
+                return connected(pieces, [BranchEnd::Gap; 2]);
             }
         }
         let mut all = Vec::new();
@@ -484,7 +500,7 @@ impl<'a> Rig<'a> {
                 run.extend(edge);
                 ends[1] = end;
             }
-            all.push(Branch { points: self.fine(&run, which, fineness), ends });
+            all.append(&mut connected(self.fine(&run, which, fineness), ends));
         }
         all
     }
@@ -532,36 +548,66 @@ impl<'a> Rig<'a> {
         (Some(near), BranchEnd::Infinity([sign * x / length, sign * y / length]))
     }
 
-    /// The points of a run of stations, as many as its curvature needs.
-    fn fine(&self, run: &[Station], which: usize, fineness: Fineness) -> Vec<[f64; 2]> {
-        let mut points: Vec<[f64; 2]> = run.first().and_then(|s| finite(s.loci[which])).into_iter().collect();
+    /// The points of a run of stations, as many as its curvature needs, in as many pieces as it has jumps.
+    fn fine(&self, run: &[Station], which: usize, fineness: Fineness) -> Vec<Vec<[f64; 2]>> {
+        let mut tracing = Tracing { rig: self, which, tolerance: fineness.tolerance, pieces: Vec::new() };
+        tracing.pieces.push(run.first().and_then(|s| finite(s.loci[which])).into_iter().collect());
         for pair in run.windows(2) {
-            self.refine(&pair[0], &pair[1], which, fineness, REFINEMENTS, &mut points);
+            tracing.refine(&pair[0], &pair[1], REFINEMENTS);
         }
-        points
+        tracing.pieces.retain(|piece| piece.len() > 1);
+        tracing.pieces
     }
+}
 
-    fn refine(
-        &self,
-        a: &Station,
-        b: &Station,
-        which: usize,
-        fineness: Fineness,
-        left: u32,
-        points: &mut Vec<[f64; 2]>,
-    ) {
-        let (Some(p), Some(q)) = (finite(a.loci[which]), finite(b.loci[which])) else { return };
-        if left > 0
-            && let Some(middle) = self.between(a, b)
-            && let Some(m) = finite(middle.loci[which])
-            && off_chord(m, p, q) > fineness.tolerance
+/// A locus while it is refined.
+struct Tracing<'a> {
+    rig: &'a Rig<'a>,
+    which: usize,
+    tolerance: f64,
+    pieces: Vec<Vec<[f64; 2]>>,
+}
+
+impl Tracing<'_> {
+    fn refine(&mut self, a: &Station, b: &Station, left: u32) {
+        let (Some(p), Some(q)) = (finite(a.loci[self.which]), finite(b.loci[self.which])) else { return };
+        let middle = self.rig.between(a, b);
+        if let Some(middle) = middle
+            && let Some(m) = finite(middle.loci[self.which])
         {
-            self.refine(a, &middle, which, fineness, left - 1, points);
-            self.refine(&middle, b, which, fineness, left - 1, points);
-            return;
+            let chord = libm::hypot(q[0] - p[0], q[1] - p[1]);
+            let first = libm::hypot(m[0] - p[0], m[1] - p[1]);
+            let second = libm::hypot(q[0] - m[0], q[1] - m[1]);
+            // A middle that lies at one end betrays a jump: a position in which the centre is not determined.
+            let even = first.min(second) > UNEVEN * chord || chord < self.tolerance;
+            if left > 0 && !(even && off_chord(m, p, q) <= self.tolerance) {
+                self.refine(a, &middle, left - 1);
+                self.refine(&middle, b, left - 1);
+                return;
+            }
+            if !even {
+                self.pieces.push(vec![q]);
+                return;
+            }
         }
-        points.push(q);
+        match self.pieces.last_mut() {
+            Some(piece) => piece.push(q),
+            None => self.pieces.push(vec![q]),
+        }
     }
+}
+
+/// Pieces as branches: the outer ends as they are, those between at gaps.
+fn connected(pieces: Vec<Vec<[f64; 2]>>, ends: [BranchEnd; 2]) -> Vec<Branch> {
+    let count = pieces.len();
+    let pieces = pieces.into_iter().enumerate();
+    pieces
+        .map(|(i, points)| {
+            let first = if i == 0 { ends[0] } else { BranchEnd::Gap };
+            let last = if i + 1 == count { ends[1] } else { BranchEnd::Gap };
+            Branch { points, ends: [first, last] }
+        })
+        .collect()
 }
 
 /// A mechanism whose placed links keep their shapes while they move.

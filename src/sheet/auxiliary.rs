@@ -88,6 +88,12 @@ fn window(drawing: &AuxiliaryDrawing, skeleton: Rect) -> Rect {
             let size = 2.0 * (radius + 2.0);
             grow(Rect::from_center_size(page(centre), (size, size)));
         }
+        if let StrokeShape::Curve { points, ends: [None, None] } = &stroke.shape
+            && let Some(first) = points.first()
+        {
+            let start = Rect::from_center_size(page(*first), (0.0, 0.0));
+            grow(points.iter().fold(start, |box_, p| box_.union_pt(page(*p))).inflate(2.0, 2.0));
+        }
     }
     window
 }
@@ -192,7 +198,9 @@ impl Plate<'_> {
         let mut pieces: Vec<Vec<Point>> = Vec::new();
         for pair in points.windows(2) {
             let Some((t0, t1)) = clip(pair[0], pair[1], self.window) else { continue };
-            let (a, b) = (pair[0].lerp(pair[1], t0), pair[0].lerp(pair[1], t1));
+            // What is not cut is kept to its last bit, so that the pieces join.
+            let a = if t0 > 0.0 { pair[0].lerp(pair[1], t0) } else { pair[0] };
+            let b = if t1 < 1.0 { pair[0].lerp(pair[1], t1) } else { pair[1] };
             match pieces.last_mut() {
                 Some(piece) if piece.last() == Some(&a) => piece.push(b),
                 _ => pieces.push(vec![a, b]),

@@ -3,13 +3,18 @@
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::slider_crank::SliderCrank;
 use crate::mechanism::structure::Structure;
-use crate::mechanism::{Input, LinkId, Mechanism};
+use crate::mechanism::{Input, LinkId, Mechanism, Rider};
 use crate::plan::Auxiliary;
 use crate::scene::Scene;
 
 /// The figures of constructions on the skeleton, with the form of their arguments.
-const FORMS: [(&str, &str); 2] =
-    [("klein", "klein or klein(3)"), ("inflection", "inflection or inflection(3)")];
+const FORMS: [(&str, &str); 5] = [
+    ("klein", "klein or klein(3), with the number of the rod"),
+    ("inflection", "inflection or inflection(3), with the number of a link"),
+    ("centrodes", "centrodes or centrodes(1,3), with two links"),
+    ("kennedy", "kennedy or kennedy(1,2,3), with three links"),
+    ("rotation-centre", "rotation-centre(90) or rotation-centre(3,90), with a link and where the input goes"),
+];
 
 /// The name of a figure without its arguments.
 #[must_use]
@@ -119,19 +124,26 @@ impl Asking<'_> {
         }
     }
 
-    /// The frame, a link that is pivoted to it, and a coupler pinned to that link.
+    /// The frame and two links that have no pin in common, each pivoted to it or sliding on it: two centres are seen,
+    /// the third is the one on trial.
     fn kennedy(&self) -> Result<Auxiliary, String> {
-        let Some(coupler) = self.coupler() else {
-            return self.refuse("no link moves in general; name three, as in kennedy(1,2,3)");
+        let points = |link: LinkId| self.mechanism.link(link).points.iter();
+        let seen = |link: &LinkId| {
+            let pivoted = points(*link).any(|&p| self.mechanism.is_fixed(p));
+            let slides = self.mechanism.slides.iter().any(|s| {
+                let rider = match s.rider {
+                    Rider::Pin { block, .. } => block,
+                    Rider::Link { link, .. } => Some(link),
+                };
+                s.guide.link == LinkId::FRAME && rider == Some(*link)
+            });
+            pivoted || slides
         };
-        let pinned = |link: &LinkId| {
-            let own = self.mechanism.link(*link);
-            own.points.iter().any(|p| self.mechanism.link(coupler).points.contains(p))
-                && own.points.iter().any(|&p| self.mechanism.is_fixed(p))
-        };
-        match self.mechanism.moving().find(pinned) {
-            // The pins are seen; the coupler's pole is the centre on trial.
-            Some(link) => Ok(Auxiliary::Kennedy { links: [link, LinkId::FRAME, coupler] }),
+        let all: Vec<LinkId> = self.mechanism.moving().filter(seen).collect();
+        let apart = |i: LinkId, j: LinkId| !points(i).any(|p| points(j).any(|q| p == q));
+        let pairs = all.iter().enumerate().flat_map(|(n, &i)| all[n + 1..].iter().map(move |&j| (i, j)));
+        match pairs.into_iter().find(|&(i, j)| apart(i, j)) {
+            Some((i, j)) => Ok(Auxiliary::Kennedy { links: [LinkId::FRAME, i, j] }),
             None => self.refuse("name three links, as in kennedy(1,2,3)"),
         }
     }

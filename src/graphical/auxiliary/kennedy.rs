@@ -61,7 +61,15 @@ impl Draughtsman<'_, Recorded> {
         }
         // Off the line, beside its middle: anywhere else would do as well.
         let middle = finite.get(1).map_or(first, |&second| self.board.middle(first, second));
-        let across = self.board.quarter_turn(along);
+        let mut across = self.board.quarter_turn(along);
+        // On the side where fewer links stand in the way.
+        let [ax, ay] = across.value();
+        let [mx, my] = middle.value();
+        let lean: f64 =
+            self.places.iter().flatten().map(|p| p.value()).map(|[x, y]| (x - mx) * ax + (y - my) * ay).sum();
+        if lean > 0.0 {
+            across = self.board.reverse(across);
+        }
         let off = self.board.millimetres((OFF.0 * gap).clamp(OFF.1, OFF.2));
         let trial = self.board.lay_off(middle, across, off);
 

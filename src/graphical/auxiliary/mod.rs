@@ -367,7 +367,7 @@ impl Draughtsman<'_, Recorded> {
                 let points: Vec<Mm2> = branch.points.iter().map(|p| p.map(|x| x / per_mm)).collect();
                 let ends = branch.ends.map(|end| match end {
                     BranchEnd::Infinity(direction) => Some(direction),
-                    BranchEnd::Closed | BranchEnd::Limit | BranchEnd::Reach => None,
+                    BranchEnd::Closed | BranchEnd::Limit | BranchEnd::Reach | BranchEnd::Gap => None,
                 });
                 self.note_stroke(Stroke { shape: StrokeShape::Curve { points, ends }, role, claim: None });
             }
