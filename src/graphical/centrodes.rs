@@ -461,10 +461,9 @@ impl<'a> Rig<'a> {
                 for station in &mut ring[count - out..] {
                     station.input += round;
                 }
-                if let Some(mut again) = ring.first().cloned() {
-                    again.input += round;
-                    ring.push(again);
-                }
+                // The stretch outside is looked at from both its sides.
+                let stretch: Vec<Station> = ring.iter().take_while(|s| !within(s)).cloned().collect();
+                ring.extend(stretch.into_iter().map(|s| Station { input: s.input + round, ..s }));
             } else {
                 let mut pieces = self.fine(&ring, which, fineness);
                 if let [points] = pieces.as_mut_slice()
@@ -528,7 +527,9 @@ impl<'a> Rig<'a> {
             if within(&middle) { near = middle } else { far = middle }
         }
         // The outside stretch, as long as it lasts, looked at from beyond: at infinity the inverse passes zero.
-        let stretch = std::iter::once(&far).chain(outward.iter().copied().take_while(|s| !within(s)));
+        // It may pass there in the last step before it is within again.
+        let lasting = outward.iter().take_while(|s| !within(s)).count();
+        let stretch = std::iter::once(&far).chain(outward.iter().copied().take(lasting + 1));
         let stretch: Vec<&Station> = stretch.collect();
         let crossing = stretch.windows(2).find(|pair| {
             let (u, v) = (inverse(pair[0].loci[which]), inverse(pair[1].loci[which]));
