@@ -9,7 +9,7 @@ use std::fmt;
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
 use crate::mechanism::slider_crank::SliderCrank;
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
-use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Roll, Slide};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// From what instant centres are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -150,6 +150,8 @@ pub struct CentrePlan {
     pub barred: BTreeSet<[LinkId; 2]>,
     /// Where the diagram stalls, centres are taken from the velocity polygon, which is then planned as well.
     pub with_velocities: bool,
+    /// The velocity diagram is laid off from centres, to feed an acceleration polygon.
+    pub feeds: bool,
 }
 
 /// The links of a centre, the lower first.
@@ -182,7 +184,7 @@ impl Plan {
     ) -> Self {
         let mut wanted =
             Wanted { mechanism, structure, source, steps: BTreeMap::new(), auxiliary: Vec::new() };
-        for asked in &mechanism.asked {
+        for asked in mechanism.asked.iter().filter(|a| !a.by_centres()) {
             match asked.method {
                 Method::Klein => wanted.klein(&asked.quantity),
                 _ => wanted.quantity(&asked.quantity),
@@ -235,6 +237,66 @@ impl Plan {
     pub fn explain<'a>(&'a self, mechanism: &'a Mechanism, structure: &'a Structure) -> Explanation<'a> {
         Explanation { plan: self, mechanism, structure }
     }
+}
+
+/// The link that the only input moves: the driven link, or what slides on a driven slide of the frame.
+#[must_use]
+pub fn driver(mechanism: &Mechanism) -> Option<LinkId> {
+    let [input] = mechanism.inputs[..] else { return None };
+    match input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => Some(link),
+        Input::Slide { slide, .. } => {
+            let slide = mechanism.slides[slide];
+            let rider = match slide.rider {
+                Rider::Link { link, .. } | Rider::Pin { block: Some(link), .. } => Some(link),
+                Rider::Pin { block: None, point } => mechanism.point(point).links.first().copied(),
+            };
+            rider.filter(|_| slide.guide.link == LinkId::FRAME)
+        }
+    }
+}
+
+/// The link as whose point a velocity is found by its centre with the input: a slider on a fixed guide, whose pole
+/// is seen from the pair, else the link whose group finds the point.
+#[must_use]
+pub fn transfer_home(mechanism: &Mechanism, structure: &Structure, point: PointId) -> Option<LinkId> {
+    let slider = mechanism.slides.iter().find_map(|s| match s.rider {
+        Rider::Pin { point: pin, block: Some(block) } if pin == point && s.guide.link == LinkId::FRAME => {
+            Some(block)
+        }
+        _ => None,
+    });
+    slider.or_else(|| home(mechanism, structure, point))
+}
+
+/// The shortest chain of moving links from one to another, each with the pin by which it hangs on the one before;
+/// `None` where no moving pins join them.
+#[must_use]
+pub fn chain(mechanism: &Mechanism, from: LinkId, to: LinkId) -> Option<Vec<(LinkId, PointId)>> {
+    let mut reached: Vec<(LinkId, Option<(usize, PointId)>)> = vec![(from, None)];
+    let mut next = 0;
+    while let Some(&(link, _)) = reached.get(next) {
+        if link == to {
+            let mut hops = Vec::new();
+            let mut at = next;
+            while let (on, Some((before, pin))) = reached[at] {
+                hops.push((on, pin));
+                at = before;
+            }
+            hops.reverse();
+            return Some(hops);
+        }
+        let moving = mechanism.link(link).points.iter().filter(|&&p| !mechanism.is_fixed(p));
+        for &pin in moving {
+            for &other in &mechanism.point(pin).links {
+                if other != LinkId::FRAME && reached.iter().all(|(l, _)| *l != other) {
+                    reached.push((other, Some((next, pin))));
+                }
+            }
+        }
+        next += 1;
+    }
+    None
 }
 
 /// The link whose group finds a point first: `None` for a point of the frame or of no link.
@@ -323,6 +385,8 @@ impl Wanted<'_> {
             Quantity::RelativeOmega(i, j)
             | Quantity::RelativeAlpha(i, j)
             | Quantity::Rub(_, i, j)
+            | Quantity::Ratio(i, j)
+            | Quantity::Advantage(i, j)
             | Quantity::Transmission(i, j) => {
                 self.link(i, order);
                 self.link(j, order);
@@ -360,6 +424,53 @@ impl Wanted<'_> {
         }
     }
 
+    /// The centres by which a velocity is carried over from the input link, and the points that it leads to.
+    fn transfer_centres(&mut self, asked: &Asked) -> BTreeSet<[LinkId; 2]> {
+        let mut wanted = BTreeSet::new();
+        let Some(input) = driver(self.mechanism) else { return wanted };
+        let of = |point: PointId| match asked.method {
+            Method::LinkToLink | Method::GaugeLine => home(self.mechanism, self.structure, point),
+            _ => transfer_home(self.mechanism, self.structure, point),
+        };
+        let (links, points) = match asked.quantity {
+            Quantity::Velocity(p) => (vec![of(p)], vec![p]),
+            Quantity::RelativeVelocity(b, a) => (vec![of(b), of(a)], vec![a, b]),
+            Quantity::CoincidentVelocity(p, l) => (vec![Some(l)], vec![p]),
+            Quantity::Slip(p, l) => (vec![of(p), Some(l)], vec![p]),
+            Quantity::Omega(l) => (vec![Some(l)], Vec::new()),
+            Quantity::RelativeOmega(i, j)
+            | Quantity::Ratio(i, j)
+            | Quantity::Advantage(i, j)
+            | Quantity::Rub(_, i, j) => (vec![Some(i), Some(j)], Vec::new()),
+            _ => (Vec::new(), Vec::new()),
+        };
+        for point in points {
+            self.point(point, Order::Position);
+        }
+        for link in links.into_iter().flatten().filter(|&l| l != LinkId::FRAME) {
+            self.link(link, Order::Position);
+            wanted.insert(chord(LinkId::FRAME, input));
+            wanted.insert(chord(LinkId::FRAME, link));
+            match asked.method {
+                Method::LinkToLink | Method::GaugeLine => {
+                    let hops = chain(self.mechanism, input, link).unwrap_or_default();
+                    wanted.extend(hops.iter().map(|(on, _)| chord(LinkId::FRAME, *on)));
+                    if let Some((on, _)) = hops.last() {
+                        // ω is read between two points of the link.
+                        for &point in self.mechanism.link(*on).points.iter().take(3) {
+                            self.point(point, Order::Position);
+                        }
+                    }
+                }
+                _ if link != input => {
+                    wanted.insert(chord(input, link));
+                }
+                _ => {}
+            }
+        }
+        wanted
+    }
+
     /// The wanted centres, with the links that their own steps solve.
     fn centres(&mut self, extent: Extent) -> CentrePlan {
         let asked = |a: &Asked| match a.quantity {
@@ -367,6 +478,9 @@ impl Wanted<'_> {
             _ => None,
         };
         let mut wanted: BTreeSet<[LinkId; 2]> = self.mechanism.asked.iter().filter_map(asked).collect();
+        for asked in self.mechanism.asked.iter().filter(|a| a.by_centres()) {
+            wanted.extend(self.transfer_centres(asked));
+        }
         let none_asked = wanted.is_empty();
         wanted.extend(self.auxiliary.iter().flat_map(Auxiliary::centres));
         if extent == Extent::AllCentres && none_asked {
@@ -377,6 +491,15 @@ impl Wanted<'_> {
                 .filter(|(i, j)| i < j)
                 .map(|(i, j)| [LinkId(i), LinkId(j)])
                 .collect();
+        }
+        let feeds = self.mechanism.asked.iter().any(Asked::fed_by_centres);
+        if feeds && let Some(input) = driver(self.mechanism) {
+            let steps = self.steps.keys().filter(|(order, _)| *order == Order::Velocity);
+            let groups: BTreeSet<usize> = steps.map(|(_, group)| *group).collect();
+            let links = groups.iter().flat_map(|group| &self.structure.groups[*group].links);
+            let links: BTreeSet<LinkId> = links.copied().collect();
+            wanted.extend(links.iter().map(|link| chord(LinkId::FRAME, *link)));
+            wanted.extend(links.iter().filter(|link| **link != input).map(|link| chord(input, *link)));
         }
         let mut way = Wanted {
             mechanism: self.mechanism,
@@ -408,6 +531,7 @@ impl Wanted<'_> {
             wanted,
             barred: BTreeSet::new(),
             with_velocities: self.source == CentreSource::Velocities,
+            feeds,
         }
     }
 

@@ -64,6 +64,7 @@ impl State {
                 }
             }
             Quantity::Omega(link) => self.turning(link, None, 1),
+            Quantity::Ratio(link, other) | Quantity::Advantage(other, link) => self.ratio(link, other),
             Quantity::RelativeOmega(link, other) => self.turning(link, Some(other), 1),
             Quantity::Alpha(link) => self.turning(link, None, 2),
             Quantity::RelativeAlpha(link, other) => self.turning(link, Some(other), 2),
@@ -107,6 +108,8 @@ impl State {
             | Quantity::RelativeTangential(p, o) => (vec![p, o], vec![]),
             Quantity::Omega(l) | Quantity::Alpha(l) | Quantity::Angle(l) => (vec![], vec![l]),
             Quantity::RelativeOmega(a, b)
+            | Quantity::Ratio(a, b)
+            | Quantity::Advantage(a, b)
             | Quantity::RelativeAlpha(a, b)
             | Quantity::Centre(a, b)
             | Quantity::Transmission(a, b) => (vec![], vec![a, b]),
@@ -315,6 +318,15 @@ impl State {
                 None => own,
             }
         })
+    }
+
+    /// ω of the first link over that of the second.
+    fn ratio(&self, link: LinkId, other: LinkId) -> Read {
+        let [turns] = self.read(1, self.solved.as_ref(), |s| [s.angle(other.0).d])?;
+        if turns.value.abs() <= ZERO * turns.bound {
+            return undefined(format!("link {} does not turn", self.number(other)));
+        }
+        self.scalar(1, 1.0, |s| s.angle(link.0).d / s.angle(other.0).d)
     }
 
     fn slipping(&self, quantity: &Quantity, point: PointId, link: LinkId) -> Read {

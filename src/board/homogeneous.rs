@@ -215,11 +215,28 @@ impl<B: Bench> Board<B> {
         let (first, second) = (self.run(from, to), self.run(other, to));
         let longer = if norm(&first) >= norm(&second) { first } else { second };
         if longer.iter().all(|n| self.vanishes(*n)) {
-            return None;
+            return self.segments_at_infinity([from, other, to], reason);
         }
         let along = self.unit(longer, reason);
         let first = self.dot(first[0], along.x, first[1], along.y);
         let second = self.dot(second[0], along.x, second[1], along.y);
+        Some(Ratio(self.div(first, second, reason)))
+    }
+
+    /// [`Board::segments`] of three points at infinity: bodies that translate have velocities whose difference is
+    /// square to the direction of their centre.
+    fn segments_at_infinity(&mut self, points: [HomogeneousPoint<B>; 3], reason: Reason) -> Option<Ratio<B>> {
+        let [from, other, to] = points;
+        if !points.into_iter().all(|p| self.vanishes(p.weight)) {
+            return None;
+        }
+        let moment = |board: &mut Self, p: HomogeneousPoint<B>| {
+            board.cross(p.reach[0], to.reach[1], p.reach[1], to.reach[0])
+        };
+        let (first, second) = (moment(self, from), moment(self, other));
+        if self.vanishes(first) && self.vanishes(second) {
+            return None;
+        }
         Some(Ratio(self.div(first, second, reason)))
     }
 
@@ -246,6 +263,18 @@ impl<B: Bench> Board<B> {
     /// infinity.
     pub fn turning(&mut self, centre: HomogeneousPoint<B>, rate: Amount<B>) -> Amount<B> {
         Amount(self.mul(centre.weight, rate.0))
+    }
+
+    /// The rate of a body about its centre that turns it with ω: the reverse of [`Board::turning`].
+    pub fn rate_of(&mut self, centre: HomogeneousPoint<B>, omega: Amount<B>, reason: Reason) -> Amount<B> {
+        Amount(self.div(omega.0, centre.weight, reason))
+    }
+
+    /// The direction from a point of the paper to a point of the extended plane.
+    pub fn direction_to(&mut self, from: Point<B>, to: HomogeneousPoint<B>, reason: Reason) -> Direction<B> {
+        let from = self.proper(from);
+        let run = self.run(from, to);
+        self.unit(run, reason)
     }
 
     /// The rate of a body about its centre from the velocity of one of its points; see [`Board::velocity_about`].

@@ -454,6 +454,31 @@ impl<B: Bench> Board<B> {
         self.stroke(Operation::LayOff, point)
     }
 
+    /// A point moved by two components.
+    pub fn moved(&mut self, from: Point<B>, by: [Mm<B>; 2]) -> Point<B> {
+        let point = Point { x: self.add(from.x, by[0].0), y: self.add(from.y, by[1].0) };
+        self.stroke(Operation::LayOff, point)
+    }
+
+    /// An arrow's tip turned clockwise by 90° about its tail, with the set square.
+    pub fn turned_about(&mut self, tail: Point<B>, tip: Point<B>) -> Point<B> {
+        let [dx, dy] = self.between(tail, tip);
+        let down = Mm(self.neg(dx.0));
+        self.moved(tail, [dy, down])
+    }
+
+    /// An arrow's tip turned counter-clockwise by 90° about its tail.
+    pub fn turned_back(&mut self, tail: Point<B>, tip: Point<B>) -> Point<B> {
+        let [dx, dy] = self.between(tail, tip);
+        let left = Mm(self.neg(dy.0));
+        self.moved(tail, [left, dx])
+    }
+
+    /// The components of a quantity that has a direction.
+    pub fn components(&mut self, along: Direction<B>, size: Amount<B>) -> [Amount<B>; 2] {
+        [Amount(self.mul(along.x, size.0)), Amount(self.mul(along.y, size.0))]
+    }
+
     fn shifted(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
         let dx = self.mul(along.x, length.0);
         let dy = self.mul(along.y, length.0);

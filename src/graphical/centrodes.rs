@@ -11,7 +11,7 @@ use crate::mechanism::structure::Structure;
 use crate::mechanism::{Form, Input, LinkId, Mechanism, Path, Place, PointId, Rider};
 use crate::plan::{CentreSource, Extent, Plan, chord};
 
-use super::{DrawError, Scales, centres, draw, provisional_scales};
+use super::{DrawError, Scales, draw, provisional_scales};
 
 /// How fine and how far the loci are followed, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -449,6 +449,8 @@ impl<'a> Rig<'a> {
         let within =
             |s: &Station| finite(s.loci[which]).is_some_and(|p| libm::hypot(p[0], p[1]) <= fineness.reach);
         let mut ring: Vec<Station> = stations.to_vec();
+        // What lies beyond the two ends of a closed ring: where it is within reach next.
+        let mut around: [Option<Station>; 2] = [None, None];
         if closed {
             if let Some(out) = ring.iter().position(|s| !within(s)) {
                 // Begin outside, so that no piece is cut where the input happens to stand; what is moved behind
@@ -463,7 +465,10 @@ impl<'a> Rig<'a> {
                 }
                 // The stretch outside is looked at from both its sides.
                 let stretch: Vec<Station> = ring.iter().take_while(|s| !within(s)).cloned().collect();
-                ring.extend(stretch.into_iter().map(|s| Station { input: s.input + round, ..s }));
+                let beyond = |s: &Station, by: f64| Station { input: s.input + by, ..s.clone() };
+                around[0] = ring.iter().rev().find(|s| within(s)).map(|s| beyond(s, -round));
+                around[1] = ring.iter().find(|s| within(s)).map(|s| beyond(s, round));
+                ring.extend(stretch.iter().map(|s| beyond(s, round)));
             } else {
                 let mut pieces = self.fine(&ring, which, fineness);
                 if let [points] = pieces.as_mut_slice()
@@ -490,12 +495,14 @@ impl<'a> Rig<'a> {
             let mut run: Vec<Station> = ring[first..i].to_vec();
             let mut ends = [BranchEnd::Limit; 2];
             if first > 0 {
-                let (edge, end) = self.leave(&ring[..first], &ring[first], which, fineness, true);
+                let before: Vec<Station> = around[0].iter().chain(&ring[..first]).cloned().collect();
+                let (edge, end) = self.leave(&before, &ring[first], which, fineness, true);
                 run.splice(0..0, edge);
                 ends[0] = end;
             }
             if i < ring.len() {
-                let (edge, end) = self.leave(&ring[i..], &ring[i - 1], which, fineness, false);
+                let after: Vec<Station> = ring[i..].iter().chain(&around[1]).cloned().collect();
+                let (edge, end) = self.leave(&after, &ring[i - 1], which, fineness, false);
                 run.extend(edge);
                 ends[1] = end;
             }
@@ -643,8 +650,7 @@ fn position(
     scales: Scales,
     links: [LinkId; 2],
 ) -> Result<Option<Position>, DrawError> {
-    let mut drawn = draw(Board::<Trial>::new(Blank), mechanism, structure, plan, scales)?;
-    centres::draw(&mut drawn, plan);
+    let drawn = draw(Board::<Trial>::new(Blank), mechanism, structure, plan, scales)?;
     let places = drawn.record().space.places.iter();
     let places = places.map(|p| p.map(|at| at.map(|x| x * scales.length))).collect();
     let known = drawn.centres.known.get(&chord(links[0], links[1]));

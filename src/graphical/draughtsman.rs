@@ -7,10 +7,10 @@ use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::{Auxiliary, home};
 
 use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, Klein, NamedPoint, Stroke, StrokeRole, StrokeShape};
-use super::centres::Centres;
+use super::centres::{Centres, FromCentres, Why};
 use super::construction::{
     Act, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image, Label,
-    LinkImage, Polygon, Reading, Space, Step, Vector, VectorKind,
+    LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
 use super::pose::Pose;
 use super::{Scales, scale};
@@ -83,6 +83,10 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) centres: Centres<B>,
     /// Klein's constructions drawn so far.
     pub(super) kleins: Vec<Klein<B>>,
+    /// What the methods of centres led to, by index of the asked quantity.
+    pub(super) transferred: Vec<(usize, Result<FromCentres<B>, Why>)>,
+    /// Why the velocity diagram could not be laid off from centres, where it should have been.
+    pub(super) fed: Result<(), Why>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
     pub(super) parts: Vec<Part<B>>,
     /// While a trial is on the board, nothing is recorded.
@@ -122,6 +126,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             rolling_speeds: vec![None; mechanism.rolls.len()],
             centres: Centres::default(),
             kleins: Vec::new(),
+            transferred: Vec::new(),
+            fed: Ok(()),
             parts: Vec::new(),
             silent: false,
             sides: None,
@@ -292,6 +298,16 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         if let Some(drawing) = self.record.auxiliary.last_mut() {
             drawing.refused = Some(why);
         }
+    }
+
+    /// The transfers of velocities by centres.
+    pub(super) fn transfers_mut(&mut self) -> Option<&mut Vec<Transfer>> {
+        self.record.circle.as_mut().map(|circle| &mut circle.transfers)
+    }
+
+    /// The transfer that is being drawn.
+    pub(super) fn transfer_mut(&mut self) -> Option<&mut Transfer> {
+        self.transfers_mut()?.last_mut()
     }
 
     /// Opens a polygon.

@@ -6,6 +6,7 @@ use crate::mechanism::{Form, LinkId, PointId};
 use crate::plan::{Auxiliary, chord, home, transmission_points};
 
 use super::auxiliary::KleinAnswer;
+use super::centres::{FromCentres, NO_INPUT};
 use super::construction::{Act, Calculation, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
 
@@ -24,13 +25,17 @@ pub(super) fn answers(d: &mut Draughtsman<'_, Recorded>) -> (Vec<Reading>, Vec<V
     let mut slots = Vec::new();
     let readings = asked
         .iter()
-        .map(|asked| {
-            if asked.method == Method::Klein {
-                let read = d.read_klein(&asked.quantity);
-                return Reading { answer: d.answer(read, &mut slots), drawn_mm: None };
-            }
-            let read = d.read_quantity(&asked.quantity);
-            let drawn_mm = d.drawn_length(&asked.quantity);
+        .enumerate()
+        .map(|(index, asked)| {
+            let read = if asked.method == Method::Klein {
+                d.read_klein(&asked.quantity)
+            } else if asked.by_centres() {
+                d.read_from_centres(index)
+            } else {
+                d.read_quantity(&asked.quantity)
+            };
+            let of_polygon = asked.method != Method::Klein;
+            let drawn_mm = of_polygon.then(|| d.drawn_length(&asked.quantity)).flatten();
             let answer = d.answer(read, &mut slots);
             Reading { answer, drawn_mm }
         })
@@ -94,7 +99,20 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
+    /// A velocity or an angular velocity by one of the methods of instant centres.
+    fn read_from_centres(&self, index: usize) -> Read<B> {
+        match self.transferred.iter().find(|(of, _)| *of == index) {
+            Some((_, Ok(FromCentres::Vector(components)))) => Read::Vector(*components),
+            Some((_, Ok(FromCentres::Scalar(rate)))) => Read::Scalar(*rate),
+            Some((_, Err(why))) => Read::Undefined(why),
+            None => Read::Undefined(NO_INPUT),
+        }
+    }
+
     fn read_quantity(&mut self, quantity: &Quantity) -> Read<B> {
+        if let (Err(why), false) = (self.fed, matches!(quantity.order(), Order::Position)) {
+            return Read::Undefined(why);
+        }
         match *quantity {
             Quantity::Velocity(p) => self.read_absolute(Order::Velocity, p, *quantity),
             Quantity::Acceleration(p) => self.read_absolute(Order::Acceleration, p, *quantity),
@@ -109,6 +127,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             Quantity::Omega(l) => Read::Scalar(self.rate(Order::Velocity, l)),
             Quantity::Alpha(l) => Read::Scalar(self.rate(Order::Acceleration, l)),
             Quantity::RelativeOmega(i, j) => self.read_difference(Order::Velocity, i, j),
+            Quantity::Ratio(i, j) | Quantity::Advantage(j, i) => {
+                let (first, second) = (self.rate(Order::Velocity, i), self.rate(Order::Velocity, j));
+                let reason = self.reason(&[j]);
+                Read::Scalar(self.board.quotient(first, second, reason))
+            }
             Quantity::RelativeAlpha(i, j) => self.read_difference(Order::Acceleration, i, j),
             Quantity::Rub(pin, i, j) => self.read_rub(pin, i, j),
             Quantity::PathRadius(p) => self.read_path_radius(p),

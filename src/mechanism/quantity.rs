@@ -27,6 +27,11 @@ pub enum Quantity {
     Omega(LinkId),
     /// `omega(3/2)`: ω₃ − ω₂. Signed scalar.
     RelativeOmega(LinkId, LinkId),
+    /// `ratio(4/2)`: ω₄ : ω₂. Signed number, positive where both turn the same way.
+    Ratio(LinkId, LinkId),
+    /// `advantage(4/2)`: mechanical advantage, the torque at link 4 for a unit of torque at link 2 without losses,
+    /// ω₂ : ω₄. Signed number.
+    Advantage(LinkId, LinkId),
     /// `alpha(3)`: angular acceleration. Signed scalar, ccw positive.
     Alpha(LinkId),
     /// `alpha(3/2)`: α₃ − α₂. Signed scalar.
@@ -87,6 +92,8 @@ impl Quantity {
             | Self::RelativeVelocity(..)
             | Self::Omega(_)
             | Self::RelativeOmega(..)
+            | Self::Ratio(..)
+            | Self::Advantage(..)
             | Self::Slip(..)
             | Self::Centre(..)
             | Self::Rub(..)
@@ -192,6 +199,24 @@ pub struct Asked {
     pub unit: Unit,
     /// By which construction.
     pub method: Method,
+}
+
+impl Asked {
+    /// Whether it is a velocity that is asked for by a method of instant centres.
+    #[must_use]
+    pub fn by_centres(&self) -> bool {
+        let centres = matches!(
+            self.method,
+            Method::Centres | Method::LineOfCentres | Method::LinkToLink | Method::GaugeLine
+        );
+        centres && self.quantity.order() == Order::Velocity && !matches!(self.quantity, Quantity::Centre(..))
+    }
+
+    /// Whether it is an acceleration whose polygon is fed with velocities from instant centres.
+    #[must_use]
+    pub fn fed_by_centres(&self) -> bool {
+        self.method == Method::Centres && self.quantity.order() == Order::Acceleration
+    }
 }
 
 /// Why a quantity is not determined here.

@@ -5,17 +5,19 @@ use super::draft::{Draft, is_straight};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::{Measure, Scale, Scales};
-use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId, Rider};
 
 /// Every name, with its form for messages.
-const NAMES: [(&str, &str); 17] = [
+const NAMES: [(&str, &str); 19] = [
     ("v", "v(B) or v(B/A)"),
     ("a", "a(B) or a(B/A)"),
     ("an", "an(B/A), or an(B) for a link pivoted to the frame"),
     ("at", "at(B/A), or at(B) for a link pivoted to the frame"),
     ("omega", "omega(3) or omega(3/2)"),
     ("alpha", "alpha(3) or alpha(3/2)"),
+    ("ratio", "ratio(4/2)"),
+    ("advantage", "advantage(4/2)"),
     ("slip", "slip(A/4)"),
     ("aslip", "aslip(A/4)"),
     ("aslipn", "aslipn(A/4)"),
@@ -53,7 +55,20 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
         draft.mechanism.asked.push(asked);
         draft.anchors.asked.push(item.at);
     }
-    Ok(())
+    one_acceleration_polygon(draft)
+}
+
+/// There is one acceleration polygon, fed from one velocity diagram.
+fn one_acceleration_polygon(draft: &Draft<'_>) -> Res<()> {
+    let asked = &draft.mechanism.asked;
+    let other = |a: &Asked| a.quantity.order() == Order::Acceleration && a.method == Method::Polygon;
+    let (Some(fed), Some(other)) = (asked.iter().find(|a| a.fed_by_centres()), asked.iter().position(other))
+    else {
+        return Ok(());
+    };
+    let what = format!("`{}` is asked for by centres, and this acceleration by the polygon", fed.name);
+    Err(Fault::new(draft.anchors.asked[other], what)
+        .mend("there is one acceleration polygon: ask for all accelerations by one method, or in two scenes"))
 }
 
 /// The method by which a quantity is asked.
@@ -108,6 +123,7 @@ pub(super) fn measure(quantity: &Quantity) -> Measure {
         | Quantity::Coriolis(..) => Measure::Acceleration,
         Quantity::Omega(_) | Quantity::RelativeOmega(..) => Measure::AngularVelocity,
         Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => Measure::AngularAcceleration,
+        Quantity::Ratio(..) | Quantity::Advantage(..) => Measure::Number,
         Quantity::Centre(..) | Quantity::Position(_) | Quantity::PathRadius(_) => Measure::Length,
         Quantity::Angle(_) | Quantity::Transmission(..) => Measure::Angle,
     }
@@ -205,6 +221,8 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
         ("angle", None) => Ok(Quantity::Angle(name.link(first)?)),
         ("omega", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeOmega(b, a)),
         ("alpha", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeAlpha(b, a)),
+        ("ratio", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Ratio(b, a)),
+        ("advantage", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Advantage(b, a)),
         ("I", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Centre(b, a)),
         ("transmission", Some(second)) => {
             let (coupler, output) = name.links(first, second)?;

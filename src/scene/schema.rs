@@ -309,7 +309,7 @@ fn results() -> Value {
             "examples": [
                 "v(B)", "v(B/A)", "a(B)", "a(B/A)", "an(B/A)", "at(B/A)", "an(B)", "at(B)", "omega(3)", "omega(3/2)",
                 "alpha(3)", "alpha(3/2)", "slip(A/4)", "aslip(A/4)", "aslipn(A/4)", "aslipt(A/4)", "coriolis(A/4)",
-                "I(1,3)", "rub(B)", "rub(B,3/4)", "rho(B)", "x(B)", "angle(3)", "transmission(3/4)",
+                "ratio(4/2)", "advantage(4/2)", "I(1,3)", "rub(B)", "rub(B,3/4)", "rho(B)", "x(B)", "angle(3)", "transmission(3/4)",
             ],
         },
         "find": {

@@ -9,7 +9,7 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{auxiliary, centres, circle, polygon, results, skeleton, wanted};
+use super::{auxiliary, centres, circle, polygon, results, skeleton, transfer, wanted};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
@@ -39,6 +39,7 @@ pub const fn figure_names() -> &'static [&'static str] {
         "acceleration",
         "centres",
         "circle",
+        "transfer",
         "klein",
         "inflection",
         "centrodes",
@@ -82,8 +83,10 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
     let drawn = construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none());
     let further = drawn.map(|drawing| auxiliary_panel(drawing, construction, &notation));
-    let blocks = [skeleton, first, velocity, acceleration, centres, circle];
-    pager.rows(&blocks.into_iter().flatten().chain(further).collect::<Vec<_>>());
+    let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
+    let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
+    let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
+    pager.rows(&blocks.flatten().chain(further).collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
     }
@@ -111,6 +114,13 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "acceleration" => (panel(Name::Acceleration, construction, &notation)?, words.acceleration_diagram),
         "centres" => (panel(Name::Centres, construction, &notation)?, words.centres_figure),
         "circle" => (panel(Name::Circle, construction, &notation)?, words.circle_diagram),
+        "transfer" => {
+            let figures: Vec<Figure> = (0..transfer::by_method(construction.circle.as_ref()?).len())
+                .filter_map(|i| panel(Name::Transfer(i), construction, &notation))
+                .map(|block| tight(scene, block, words.transfer_figure, words))
+                .collect();
+            return (!figures.is_empty()).then(|| stack(&figures));
+        }
         "results" => {
             let table = results::table(construction, &notation, &ORDERS, TEXT);
             (table.draw("results", 0, table.rows.len()), words.results)
@@ -122,6 +132,11 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
             (with_steps(drawing, construction, &notation), words.auxiliary_figure)
         }
     };
+    Some(tight(scene, block, heading, words))
+}
+
+/// A drawing cut to its ink.
+fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
     let mut description = String::new();
     block.group.walk(&mut |node| match node {
         Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
@@ -130,14 +145,14 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
     let mut root = block.group;
     let ink = root.bounds().unwrap_or(Rect::ZERO);
     root.translate(Vec2::new(EDGE - ink.x0, EDGE - ink.y0));
-    Some(Figure {
+    Figure {
         width: ink.width() + 2.0 * EDGE,
         height: ink.height() + 2.0 * EDGE,
         title: format!("{}: {heading}", title(scene, words)),
         description,
         language: words.tag,
         root,
-    })
+    }
 }
 
 /// A construction on the skeleton with its steps below.
@@ -207,31 +222,41 @@ enum Name {
     Acceleration,
     Centres,
     Circle,
+    /// Velocities from centres, by index of the method.
+    Transfer(usize),
 }
 
 /// A drawing with its caption and scale below, upper left corner at the origin.
 fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
     let words = notation.words;
+    let plain = |caption: &str| Rich::upright(caption);
     let (drawing, letter, caption, scale) = match name {
         Name::Skeleton => {
             let scale = notation.length_scale(construction.space.metres_per_mm);
-            (skeleton::draw(construction, notation), "a", words.skeleton, scale)
+            (skeleton::draw(construction, notation), "a", plain(words.skeleton), scale)
         }
         Name::Centres => {
             let circle = construction.circle.as_ref()?;
             let scale = notation.length_scale(construction.space.metres_per_mm);
-            (centres::draw(circle, construction, notation), "d", words.centres_figure, scale)
+            (centres::draw(circle, construction, notation), "d", plain(words.centres_figure), scale)
         }
         Name::Circle => {
             let circle = construction.circle.as_ref()?;
-            (circle::draw(circle, notation), "e", words.circle_diagram, Rich::default())
+            (circle::draw(circle, notation), "e", plain(words.circle_diagram), Rich::default())
+        }
+        Name::Transfer(index) => {
+            let circle = construction.circle.as_ref()?;
+            let same = transfer::by_method(circle).into_iter().nth(index)?;
+            let scale = notation.scale(same.first()?.si_per_mm, Order::Velocity);
+            let drawing = transfer::draw(&same, circle, construction, notation);
+            (drawing, "f", transfer::title(&same, notation), scale)
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
             (
                 polygon::draw(p, &construction.steps, notation),
                 "b",
-                words.velocity_diagram,
+                plain(words.velocity_diagram),
                 notation.scale(p.si_per_mm, p.order),
             )
         }
@@ -240,13 +265,13 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
             (
                 polygon::draw(p, &construction.steps, notation),
                 "c",
-                words.acceleration_diagram,
+                plain(words.acceleration_diagram),
                 notation.scale(p.si_per_mm, p.order),
             )
         }
     };
     let scale = (!scale.is_empty()).then(|| Rich::fill(words.scale, &[("scale", scale)]));
-    Some(captioned(drawing, letter, &Rich::upright(caption), scale.as_ref()))
+    Some(captioned(drawing, letter, &caption, scale.as_ref()))
 }
 
 /// A construction on the skeleton with its caption.
@@ -257,7 +282,7 @@ fn auxiliary_panel(
 ) -> Block {
     let index = construction.auxiliary.iter().position(|other| other.kind == drawing.kind).unwrap_or(0);
     // After those of the panels that every sheet may have.
-    let letter = char::from_u32('f' as u32 + index as u32).unwrap_or('f').to_string();
+    let letter = char::from_u32('g' as u32 + index as u32).unwrap_or('g').to_string();
     let scale = notation.length_scale(construction.space.metres_per_mm);
     let scale = Rich::fill(notation.words.scale, &[("scale", scale)]);
     let ink = auxiliary::draw(drawing, construction, notation);

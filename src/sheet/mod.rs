@@ -27,6 +27,7 @@ mod skeleton;
 mod slots;
 mod steps;
 mod table;
+mod transfer;
 mod wanted;
 mod words;
 

@@ -151,6 +151,14 @@ impl<'a> Notation<'a> {
             Quantity::Tangential(p) => n("t", of(p)),
             Quantity::Omega(l) => Rich::italic("ω").sub(&self.number(l)),
             Quantity::RelativeOmega(a, b) => Rich::italic("ω").sub(&numbers(a, b)),
+            Quantity::Ratio(a, b) => {
+                let rate = |l| Rich::italic("ω").sub(&self.number(l));
+                rate(a).up("/").then(&rate(b))
+            }
+            Quantity::Advantage(a, b) => {
+                let torque = |l| Rich::italic("T").sub(&self.number(l));
+                torque(a).up("/").then(&torque(b))
+            }
             Quantity::Alpha(l) => Rich::italic(self.alpha()).sub(&self.number(l)),
             Quantity::RelativeAlpha(a, b) => Rich::italic(self.alpha()).sub(&numbers(a, b)),
             Quantity::Slip(p, l) => letter("V").sub(&self.coincident(p, l)),
@@ -256,6 +264,8 @@ impl<'a> Notation<'a> {
             Quantity::Tangential(a) => format!("at({})", p(a)),
             Quantity::Omega(a) => format!("omega({})", l(a)),
             Quantity::RelativeOmega(a, b) => format!("omega({}/{})", l(a), l(b)),
+            Quantity::Ratio(a, b) => format!("ratio({}/{})", l(a), l(b)),
+            Quantity::Advantage(a, b) => format!("advantage({}/{})", l(a), l(b)),
             Quantity::Alpha(a) => format!("alpha({})", l(a)),
             Quantity::RelativeAlpha(a, b) => format!("alpha({}/{})", l(a), l(b)),
             Quantity::Slip(a, b) => format!("slip({}/{})", p(a), l(b)),

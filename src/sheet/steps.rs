@@ -60,6 +60,7 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
     }
     if let Some(circle) = &construction.circle {
         all.extend(super::circle::items(circle, notation));
+        all.extend(super::transfer::items(circle, construction, notation));
     }
     for drawing in construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none()) {
         all.extend(super::auxiliary::items(drawing, construction, notation));
@@ -328,6 +329,19 @@ impl Teller<'_> {
             ),
             Act::SameImage { label, with } => {
                 Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(*with))])
+            }
+            Act::LayOffFromCentre { vector, link, value, mm } => {
+                let vector = self.vector(*vector)?;
+                Rich::fill(
+                    words.lay_off_from_centre,
+                    &[
+                        ("centre", super::circle::name([LinkId::FRAME, *link], n)),
+                        ("vector", self.name(vector)),
+                        ("value", human::quantity(*value, &n.unit(order))),
+                        ("image", n.image_line(vector.tail, vector.head, order)),
+                        ("mm", human::millimetres(*mm)),
+                    ],
+                )
             }
             Act::ReadVector { vector, mm, value } => {
                 let vector = self.vector(*vector)?;

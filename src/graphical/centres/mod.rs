@@ -10,7 +10,9 @@
 //! diagram stalls (complex mechanisms, several inputs), the centre is taken from the velocity polygon: it lies on
 //! the normal to V at the distance V / ω.
 
+mod feed;
 mod search;
+mod velocities;
 
 use std::collections::BTreeMap;
 
@@ -22,8 +24,10 @@ use crate::plan::{CentrePlan, Plan, chord};
 use super::construction::{Centre, CentrePlace, CircleDiagram, Found};
 use super::draughtsman::Draughtsman;
 use super::pose::Track;
+pub(super) use feed::draw as feed;
 pub use search::CentreLine;
 use search::{Atlas, Chord, Derivation};
+pub(super) use velocities::{FromCentres, NO_INPUT, Why};
 
 /// The centres that stand on the skeleton.
 pub(super) struct Centres<B: Bench> {
@@ -46,6 +50,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         wanted: plan.wanted.iter().copied().collect(),
         centres: Vec::new(),
         stalled: Vec::new(),
+        transfers: Vec::new(),
     });
     d.board.purpose("instant centres");
     d.primary_centres(plan);
@@ -62,6 +67,11 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         stalled = if stalled.is_empty() { stalled } else { d.kennedy(plan) };
     }
     d.note_stalled(stalled);
+    for (index, asked) in d.mechanism.asked.iter().enumerate().filter(|(_, asked)| asked.by_centres()) {
+        d.open_transfer(index, asked.method);
+        let found = d.velocity_from_centres(asked.quantity, asked.method);
+        d.transferred.push((index, found));
+    }
 }
 
 impl<B: Bench> Draughtsman<'_, B> {

@@ -62,13 +62,9 @@ impl Atlas {
         if goals.iter().any(|goal| !places.contains_key(goal)) {
             return None;
         }
-        if goals.len() > FEW {
-            return Some(self.sweep(&places, &goals));
-        }
-        FLATTEST
-            .into_iter()
-            .find_map(|flattest| self.shortest(&places, &goals, flattest))
-            .or_else(|| Some(self.sweep(&places, &goals)))
+        let all_at_once =
+            if goals.len() <= FEW { self.shortest(&places, &self.points, &goals) } else { None };
+        Some(all_at_once.unwrap_or_else(|| self.one_by_one(&places, goals)))
     }
 
     /// Where all reachable centres lie, each found by the best crossing at the earliest possible time.
@@ -145,24 +141,24 @@ impl Atlas {
         Some((point, crossing.min(seen).min(seen_too)))
     }
 
-    /// Every chord in turn until all goals stand, then without those that none of them needs.
-    fn sweep(&self, places: &BTreeMap<Chord, [f64; 3]>, goals: &[Chord]) -> Vec<Derivation> {
+    /// Goal by goal, the one that is nearest to what is known next.
+    fn one_by_one(&self, places: &BTreeMap<Chord, [f64; 3]>, mut goals: Vec<Chord>) -> Vec<Derivation> {
         let mut known = self.points.clone();
         let mut all = Vec::new();
-        while goals.iter().any(|goal| !known.contains_key(goal)) {
-            let Some((derivation, _)) = self.next(&known) else { break };
-            let chord = derivation.chord;
-            let Some(at) = places.get(&chord) else { break };
-            known.insert(chord, *at);
-            all.push(derivation);
-        }
-        let mut needed: BTreeSet<Chord> = goals.iter().copied().collect();
-        for derivation in all.iter().rev() {
-            if needed.contains(&derivation.chord) {
-                needed.extend(sources(*derivation));
+        while !goals.is_empty() {
+            let near =
+                |length: usize| goals.iter().find_map(|goal| self.way(places, &known, &[*goal], length));
+            // Where no way is short enough to be sought, the next chord by number.
+            let way = (1..=LONGEST).find_map(near).or_else(|| self.next(&known).map(|(next, _)| vec![next]));
+            let Some(way) = way else { break };
+            for derivation in way {
+                if let Some(at) = places.get(&derivation.chord) {
+                    known.insert(derivation.chord, *at);
+                }
+                goals.retain(|goal| *goal != derivation.chord);
+                all.push(derivation);
             }
         }
-        all.retain(|d| needed.contains(&d.chord));
         all
     }
 
@@ -170,13 +166,25 @@ impl Atlas {
     fn shortest(
         &self,
         places: &BTreeMap<Chord, [f64; 3]>,
+        known: &BTreeMap<Chord, [f64; 3]>,
         goals: &[Chord],
-        flattest: f64,
     ) -> Option<Vec<Derivation>> {
-        for length in goals.len()..=LONGEST.max(goals.len()) {
+        (goals.len()..=LONGEST.max(goals.len())).find_map(|length| self.way(places, known, goals, length))
+    }
+
+    /// A way of this length to the goals; with flat crossings only where there is none without.
+    fn way(
+        &self,
+        places: &BTreeMap<Chord, [f64; 3]>,
+        known: &BTreeMap<Chord, [f64; 3]>,
+        goals: &[Chord],
+        length: usize,
+    ) -> Option<Vec<Derivation>> {
+        FLATTEST.into_iter().find_map(|flattest| {
             let mut hunt = Hunt {
                 atlas: self,
                 places,
+                known,
                 flattest,
                 length,
                 chosen: Vec::new(),
@@ -185,11 +193,8 @@ impl Atlas {
                 ways: BTreeMap::new(),
             };
             hunt.go(goals.to_vec(), 1.0);
-            if let Some((_, best)) = hunt.best {
-                return Some(best);
-            }
-        }
-        None
+            hunt.best.map(|(_, best)| best)
+        })
     }
 }
 
@@ -197,6 +202,7 @@ impl Atlas {
 struct Hunt<'a> {
     atlas: &'a Atlas,
     places: &'a BTreeMap<Chord, [f64; 3]>,
+    known: &'a BTreeMap<Chord, [f64; 3]>,
     flattest: f64,
     length: usize,
     chosen: Vec<Derivation>,
@@ -247,7 +253,7 @@ impl Hunt<'_> {
 
     /// The chosen derivations in an order in which each has what it needs; `None` where they go in a circle.
     fn sorted(&self) -> Option<Vec<Derivation>> {
-        let mut known: BTreeSet<Chord> = self.atlas.points.keys().copied().collect();
+        let mut known: BTreeSet<Chord> = self.known.keys().copied().collect();
         let mut rest = self.chosen.clone();
         let mut order = Vec::new();
         while !rest.is_empty() {
