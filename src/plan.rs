@@ -6,8 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
+use crate::mechanism::engine::SliderCrank;
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
-use crate::mechanism::slider_crank::SliderCrank;
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 

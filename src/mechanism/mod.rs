@@ -6,9 +6,9 @@
 //!
 //! **Architecture Invariant:** nothing here knows a file format, paper or a solver.
 
+pub mod engine;
 pub mod quantity;
 pub mod report;
-pub mod slider_crank;
 pub mod structure;
 
 pub use crate::given::Given;

@@ -1,7 +1,7 @@
 //! Figures that take arguments: `klein(3)`, `inflection(3)`.
 
+use crate::mechanism::engine::SliderCrank;
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::slider_crank::SliderCrank;
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, Rider};
 use crate::plan::Auxiliary;

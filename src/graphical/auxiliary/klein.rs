@@ -15,8 +15,8 @@
 use crate::board::{Amount, Bench, Direction, Line, Point, Recorded};
 use crate::given::Given;
 use crate::mechanism::Input;
+use crate::mechanism::engine::SliderCrank;
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::slider_crank::SliderCrank;
 
 use super::super::construction::{Calculation, Claim, Label, Reference};
 use super::super::draughtsman::Draughtsman;

@@ -11,8 +11,8 @@ mod proportion;
 mod rotation;
 
 use crate::board::{Bench, Location, Point, Recorded};
+use crate::mechanism::engine::SliderCrank;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::slider_crank::SliderCrank;
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::{Auxiliary, Plan};
 
