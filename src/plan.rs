@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use crate::mechanism::engine::SliderCrank;
+use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
@@ -26,7 +26,7 @@ pub enum Auxiliary {
     /// Klein's construction on a slider-crank.
     Klein {
         /// The slider-crank.
-        crank: SliderCrank,
+        crank: Engine,
         /// Velocities only, or accelerations as well.
         order: Order,
     },
@@ -325,7 +325,7 @@ struct Wanted<'a> {
 impl Wanted<'_> {
     /// Klein's construction needs the skeleton and no polygon.
     fn klein(&mut self, quantity: &Quantity) {
-        if let Some(crank) = SliderCrank::with(self.mechanism, self.structure, quantity) {
+        if let Some(crank) = Engine::with(self.mechanism, self.structure, quantity) {
             self.auxiliary(Auxiliary::Klein { crank, order: quantity.order() });
         }
     }
@@ -599,8 +599,12 @@ impl Wanted<'_> {
             if let GroupKind::Higher { .. } = kind {
                 self.surroundings(group, lower);
             }
-            if let GroupKind::Wheel { wheel, roll, .. } | GroupKind::Rolling { wheel, roll, .. } = kind {
-                self.rolled_on(roll, wheel, lower);
+            if let GroupKind::Wheel { wheel: link, roll, .. }
+            | GroupKind::DrivenWheel { wheel: link, roll, .. }
+            | GroupKind::Rolling { wheel: link, roll, .. }
+            | GroupKind::Rack { link, roll, .. } = kind
+            {
+                self.rolled_on(roll, link, lower);
             }
             for slide in slides_of(kind).into_iter().flatten() {
                 let slide = self.mechanism.slides[slide];
@@ -631,10 +635,14 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
         }
         GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
         GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin)],
-        GroupKind::Yoke { pin, .. } => [Some(pin), None],
-        GroupKind::Wheel { centre, .. } => [Some(centre), None],
-        GroupKind::TrialDriver { base } => [Some(base), None],
+        GroupKind::Yoke { pin: base, .. }
+        | GroupKind::Rpp { base, .. }
+        | GroupKind::Wheel { centre: base, .. }
+        | GroupKind::TrialDriver { base } => [Some(base), None],
         GroupKind::Prp { .. }
+        | GroupKind::Rack { .. }
+        | GroupKind::DrivenBar { .. }
+        | GroupKind::DrivenWheel { .. }
         | GroupKind::DrivenSlide { .. }
         | GroupKind::Higher { .. }
         | GroupKind::Other => [None, None],
@@ -645,9 +653,12 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
 fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
     match kind {
         GroupKind::Rrp { slide, .. } | GroupKind::Rpr { slide, .. } => [Some(slide), None],
-        GroupKind::Prp { slides: [a, b], .. } => [Some(a), Some(b)],
-        GroupKind::Yoke { ride, slot, .. } => [Some(ride), Some(slot)],
-        GroupKind::DrivenSlide { slide, .. } => [Some(slide), None],
+        GroupKind::Prp { slides: [a, b], .. } | GroupKind::DrivenBar { slides: [a, b], .. } => {
+            [Some(a), Some(b)]
+        }
+        GroupKind::Yoke { ride, slot, .. } | GroupKind::Rpp { ride, slot, .. } => [Some(ride), Some(slot)],
+        GroupKind::DrivenSlide { slide, .. } | GroupKind::Rack { ride: slide, .. } => [Some(slide), None],
+        GroupKind::DrivenWheel { guide, .. } => [guide, None],
         GroupKind::Wheel { .. }
         | GroupKind::Rolling { .. }
         | GroupKind::TrialDriver { .. }
@@ -672,10 +683,17 @@ fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
         GroupKind::Rrr { bases: [a, b], pin, .. } => [Some(a), Some(b), Some(pin)],
         GroupKind::Rrp { base, pin, .. } | GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin), None],
         GroupKind::Prp { pin, .. } | GroupKind::Yoke { pin, .. } => [Some(pin), None, None],
-        GroupKind::Rolling { base, centre, .. } => [Some(base), Some(centre), None],
-        GroupKind::Wheel { centre: base, .. } => [Some(base), None, None],
-        GroupKind::TrialDriver { base } => [Some(base), None, None],
-        GroupKind::DrivenSlide { .. } | GroupKind::Higher { .. } | GroupKind::Other => [None, None, None],
+        GroupKind::Rpp { base, point: pin, .. } | GroupKind::Rolling { base, centre: pin, .. } => {
+            [Some(base), Some(pin), None]
+        }
+        GroupKind::DrivenBar { pins: [a, b], .. } => [Some(a), Some(b), None],
+        GroupKind::Wheel { centre: base, .. }
+        | GroupKind::DrivenWheel { centre: base, .. }
+        | GroupKind::TrialDriver { base } => [Some(base), None, None],
+        GroupKind::Rack { .. }
+        | GroupKind::DrivenSlide { .. }
+        | GroupKind::Higher { .. }
+        | GroupKind::Other => [None, None, None],
     }
 }
 

@@ -54,7 +54,7 @@ impl SolveError {
             Self::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. }) => {
                 Some(Refusal::CannotAssemble)
             }
-            Self::Draw(DrawError::Ambiguous { .. }) => Some(Refusal::Ambiguous),
+            Self::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Some(Refusal::Ambiguous),
             Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
             Self::Unanswered { .. } | Self::Structure(_) | Self::Draw(DrawError::NoConstruction { .. }) => {
                 None

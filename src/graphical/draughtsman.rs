@@ -2,7 +2,7 @@
 
 use crate::board::{Amount, Bench, Board, Point, Reason, Scale, Side};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::Structure;
+use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::{Auxiliary, home};
 
@@ -371,8 +371,14 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         if self.mechanism.is_fixed(point) {
             return Label::Pole;
         }
+        let moving = |slide: usize| self.mechanism.slides[slide].guide.link != LinkId::FRAME;
         let on_moving_guide = self.mechanism.slides.iter().any(|s| {
             s.guide.link != LinkId::FRAME && matches!(s.rider, Rider::Pin { point: p, .. } if p == point)
+        }) || self.structure.groups.iter().any(|group| match group.kind {
+            GroupKind::Rrp { pin, slide, rider: Some(_), .. } => pin == point && moving(slide),
+            GroupKind::Prp { pin, slides, .. } => pin == point && slides.into_iter().any(moving),
+            GroupKind::Rpp { point: pin, .. } => pin == point,
+            _ => false,
         });
         let link = if on_moving_guide { home(self.mechanism, self.structure, point) } else { None };
         Label::Image { point, link }
@@ -380,7 +386,11 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// The label of the point of a link under a pin of another.
     pub(super) fn label_under(&self, pin: PointId, link: LinkId) -> Label {
-        if link == LinkId::FRAME { Label::Pole } else { Label::Image { point: pin, link: Some(link) } }
+        match link {
+            LinkId::FRAME => Label::Pole,
+            _ if self.mechanism.link(link).points.contains(&pin) => self.label(pin),
+            _ => Label::Image { point: pin, link: Some(link) },
+        }
     }
 
     /// Notes a vector that answers a quantity, for reading.

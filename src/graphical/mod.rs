@@ -10,6 +10,7 @@ mod centres;
 pub mod centrodes;
 pub mod construction;
 mod draughtsman;
+mod dyad;
 mod link_figure;
 mod pose;
 mod position;
@@ -88,6 +89,12 @@ pub enum DrawError {
         pin: PointId,
         /// The least distance by which it is missed, metres.
         least: f64,
+    },
+    /// A wheel or rack that rolls on without saying where it stands.
+    #[error("rolling does not say where the point stands")]
+    NotPlaced {
+        /// The point.
+        point: PointId,
     },
     /// No construction is known for a group.
     #[error("no construction is known for a group")]

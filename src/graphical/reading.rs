@@ -174,7 +174,14 @@ impl<B: Bench> Draughtsman<'_, B> {
             None if matches!(quantity, Quantity::Coriolis(..)) && self.translates[link.0] => {
                 Read::Vector([self.rest(), self.rest()])
             }
-            None => Read::Undefined("no construction drew this vector"),
+            None => match *quantity {
+                Quantity::CoincidentVelocity(pin, _) | Quantity::CoincidentAcceleration(pin, _) => {
+                    self.step(order, &[link], Vec::new());
+                    let (pole, image) = (self.board.origin(), self.image_under(order, pin, link));
+                    self.read_vector(order, pole, image)
+                }
+                _ => Read::Undefined("no construction drew this vector"),
+            },
         }
     }
 

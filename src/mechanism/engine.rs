@@ -1,13 +1,13 @@
-//! Slider-cranks in a mechanism: a driven crank on a fixed pivot, a rod, and its pin on a straight guide of the
+//! Engines: slider-cranks with a driven crank. A crank on a fixed pivot, a rod, and its pin on a straight guide of the
 //! frame.
 
 use super::quantity::Quantity;
 use super::structure::{GroupKind, Structure};
 use super::{Input, LinkId, Mechanism, Path, PointId};
 
-/// A slider-crank whose crank is driven.
+/// A slider-crank whose crank is driven: what Klein's construction starts from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct SliderCrank {
+pub struct Engine {
     /// The crank.
     pub crank: LinkId,
     /// Its fixed pivot.
@@ -24,7 +24,7 @@ pub struct SliderCrank {
     pub slide: usize,
 }
 
-impl SliderCrank {
+impl Engine {
     /// Every slider-crank of a mechanism, in order of transmission.
     #[must_use]
     pub fn all(mechanism: &Mechanism, structure: &Structure) -> Vec<Self> {
@@ -42,11 +42,21 @@ impl SliderCrank {
             })
         };
         let of = |kind: GroupKind| {
-            let GroupKind::Rrp { rod, base: crank_pin, pin: slider_pin, slide } = kind else { return None };
+            let GroupKind::Rrp { rod, base: crank_pin, pin: slider_pin, slide, rider } = kind else {
+                return None;
+            };
             let guide = mechanism.slides[slide].guide;
             let straight = guide.link == LinkId::FRAME && matches!(guide.path, Path::Straight { .. });
             let (crank, pivot, input) = crank_with(crank_pin)?;
-            straight.then_some(Self { crank, pivot, input, crank_pin, rod, slider_pin, slide })
+            (straight && rider.is_none()).then_some(Self {
+                crank,
+                pivot,
+                input,
+                crank_pin,
+                rod,
+                slider_pin,
+                slide,
+            })
         };
         structure.groups.iter().filter_map(|group| of(group.kind)).collect()
     }

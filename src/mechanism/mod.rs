@@ -9,6 +9,7 @@
 pub mod engine;
 pub mod quantity;
 pub mod report;
+pub mod slider_crank;
 pub mod structure;
 
 pub use crate::given::Given;

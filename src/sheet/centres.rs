@@ -9,7 +9,7 @@ use super::human;
 use super::ink::{FINE, HEAD, SMALL, THIN, dot, head, page};
 use super::labels::{Request, Site};
 use super::notation::Notation;
-use super::overlap::clip;
+use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay, PIN};
 use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found};
@@ -23,14 +23,28 @@ const BORDER: f64 = 9.0;
 /// Centres closer than this on paper have one label.
 const COINCIDENT: f64 = 0.3;
 
-/// The skeleton with the lines of centres and the centres' names.
+/// The skeleton with the lines of centres and the centres' names. In a crowd that leaves no room for all names, pins
+/// have none: their centres are seen.
 #[must_use]
 pub fn draw(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>) -> Group {
+    let full = drawn(circle, construction, notation, Pins::Named);
+    if overlaps_in(&full, None).is_empty() { full } else { drawn(circle, construction, notation, Pins::Bare) }
+}
+
+/// Whether the centres of pins are named.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pins {
+    Named,
+    Bare,
+}
+
+fn drawn(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>, pins: Pins) -> Group {
     skeleton::draw_under(construction, notation, Arrows::Inputs, |ink, places| {
         let mut chart = Chart {
             circle,
             notation: *notation,
             places,
+            pins,
             window: window(circle, ink),
             metres_per_mm: construction.space.metres_per_mm,
             overlay: Overlay { ink: Group::new("centres"), ..Overlay::default() },
@@ -74,6 +88,7 @@ struct Chart<'a> {
     notation: Notation<'a>,
     /// Places of the mechanism's points on the page.
     places: &'a [Option<Point>],
+    pins: Pins,
     window: Rect,
     metres_per_mm: f64,
     overlay: Overlay,
@@ -247,6 +262,9 @@ impl Chart<'_> {
                 }
                 own.mark(dot(at, 0.55).class("centre").precise());
                 group.group(own);
+            }
+            if at_pin && self.pins == Pins::Bare {
+                continue;
             }
             let texts: Vec<Rich> = crowd.iter().map(|c| name(c.links, &self.notation)).collect();
             let text = Rich::join(&texts, &Rich::upright(","));

@@ -60,8 +60,8 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
         },
         Answer::Vector { value: [x, y], bound } => {
             if let Quantity::Position(_) | Quantity::Centre(..) = asked.quantity {
-                // What is not told from zero is zero.
-                let part = |v: &f64| human::number(if v.abs() > *bound { v / asked.unit.si } else { 0.0 });
+                // A coordinate that is zero within its bound reads as zero.
+                let part = |v: &f64| human::number(if v.abs() <= *bound { 0.0 } else { v / asked.unit.si });
                 let pair = Rich::upright("(").then(&part(x)).up(";\u{a0}").then(&part(y)).up(")");
                 return vec![symbol, human::with_unit(&pair, &asked.unit.symbol), Rich::default()];
             }

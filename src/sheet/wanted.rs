@@ -1,6 +1,6 @@
 //! Figures that take arguments: `klein(3)`, `inflection(3)`.
 
-use crate::mechanism::engine::SliderCrank;
+use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, Rider};
@@ -81,7 +81,7 @@ impl Asking<'_> {
 
     /// The slider-crank with this rod, else the first one.
     fn klein(&self, rod: Option<LinkId>) -> Result<Auxiliary, String> {
-        let all = SliderCrank::all(self.mechanism, self.structure);
+        let all = Engine::all(self.mechanism, self.structure);
         let crank = all.into_iter().find(|c| rod.is_none_or(|rod| rod == c.rod));
         match (crank, rod) {
             (Some(crank), _) => Ok(Auxiliary::Klein { crank, order: Order::Acceleration }),

@@ -15,7 +15,7 @@
 use crate::board::{Amount, Bench, Direction, Line, Point, Recorded};
 use crate::given::Given;
 use crate::mechanism::Input;
-use crate::mechanism::engine::SliderCrank;
+use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::{Order, Quantity};
 
 use super::super::construction::{Calculation, Claim, Label, Reference};
@@ -24,7 +24,7 @@ use super::{AuxiliaryAct, PointName, StrokeRole};
 
 /// Klein's polygons on the skeleton.
 pub(in super::super) struct Klein<B: Bench> {
-    pub(in super::super) crank: SliderCrank,
+    pub(in super::super) crank: Engine,
     omega: Amount<B>,
     pole: Point<B>,
     /// A: a of the velocities.
@@ -65,14 +65,14 @@ impl<B: Bench> Copy for Accelerations<B> {}
 
 impl Draughtsman<'_, Recorded> {
     /// Draws the velocity part, and for accelerations both.
-    pub(super) fn draw_klein(&mut self, crank: SliderCrank, order: Order) {
+    pub(super) fn draw_klein(&mut self, crank: Engine, order: Order) {
         self.board.purpose("Klein's construction");
         let Some((omega, alpha)) = self.crank_rates(crank) else { return };
         if omega.value() == 0.0 {
             self.refuse_auxiliary("Klein's construction needs a crank that turns");
             return;
         }
-        let SliderCrank { pivot, crank_pin, slider_pin, rod, slide, .. } = crank;
+        let Engine { pivot, crank_pin, slider_pin, rod, slide, .. } = crank;
         let (pole, pin, end) = (self.at(pivot), self.at(crank_pin), self.at(slider_pin));
         let reason = self.reason(&[crank.crank, rod]);
         let (along_rod, _) = self.board.toward(pin, end, reason);
@@ -115,7 +115,7 @@ impl Draughtsman<'_, Recorded> {
     }
 
     /// ω and ε of the crank as the input gives them.
-    fn crank_rates(&mut self, crank: SliderCrank) -> Option<(Amount<Recorded>, Given)> {
+    fn crank_rates(&mut self, crank: Engine) -> Option<(Amount<Recorded>, Given)> {
         match self.mechanism.inputs[crank.input] {
             Input::Angle { omega, alpha, .. } => Some((self.board.amount(omega), alpha)),
             Input::Speed { point, speed, alpha, .. } => {
@@ -137,7 +137,7 @@ impl Draughtsman<'_, Recorded> {
         guide: Direction<Recorded>,
     ) -> Accelerations<Recorded> {
         let Klein { crank, omega, pole, pin, image, rod, .. } = *klein;
-        let SliderCrank { crank_pin, slider_pin, pivot, slide, .. } = crank;
+        let Engine { crank_pin, slider_pin, pivot, slide, .. } = crank;
         let reason = self.reason(&[crank.crank, crank.rod]);
         let ((cut, chord), proportion) = self.third_proportional(pin, end, image, reason);
         self.act_auxiliary(AuxiliaryAct::NormalOnRod { crank, proportion });
@@ -188,7 +188,7 @@ impl Draughtsman<'_, Recorded> {
     /// What is read off the images, for the step list.
     fn read_klein_images(&mut self, klein: &Klein<Recorded>) {
         let Klein { crank, omega, pole, pin, image, length, .. } = *klein;
-        let SliderCrank { crank_pin, slider_pin, rod, .. } = crank;
+        let Engine { crank_pin, slider_pin, rod, .. } = crank;
         let rate = omega.value();
         let label = |point| Label::Image { point, link: None };
         let (a, b) = (label(crank_pin), label(slider_pin));
@@ -300,7 +300,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 }
 
 /// The end of the normal part of the rod.
-fn rod_foot(crank: SliderCrank) -> Label {
+fn rod_foot(crank: Engine) -> Label {
     Label::Foot { point: crank.slider_pin, link: None, index: 2 }
 }
 

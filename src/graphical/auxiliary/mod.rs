@@ -11,7 +11,7 @@ mod proportion;
 mod rotation;
 
 use crate::board::{Bench, Location, Point, Recorded};
-use crate::mechanism::engine::SliderCrank;
+use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::{Auxiliary, Plan};
@@ -139,7 +139,7 @@ pub enum AuxiliaryAct {
     /// ω² times that of accelerations.
     CrankAsImage {
         /// The slider-crank.
-        crank: SliderCrank,
+        crank: Engine,
         /// ω of the crank, signed.
         omega: f64,
         /// m/s per millimetre.
@@ -150,35 +150,35 @@ pub enum AuxiliaryAct {
     /// Square to the guide through the pole to the rod's line.
     AcrossGuide {
         /// The slider-crank.
-        crank: SliderCrank,
+        crank: Engine,
         /// Angle at which the lines cross, radians, 0 to π/2.
         crossing: f64,
     },
     /// The normal part of the rod as the third proportional of the rod and its velocity image.
     NormalOnRod {
         /// The slider-crank.
-        crank: SliderCrank,
+        crank: Engine,
         /// How it is drawn.
         proportion: Proportion,
     },
     /// A crank that gathers speed: the tangential part of its pin, and the normal part of the rod moved along.
     TangentialOnCrank {
         /// The slider-crank.
-        crank: SliderCrank,
+        crank: Engine,
         /// What is laid off, ε/ω² times the crank, mm.
         mm: f64,
     },
     /// The tangential part meets the line through the pole along the guide.
     AlongGuide {
         /// The slider-crank.
-        crank: SliderCrank,
+        crank: Engine,
         /// Angle at which the lines cross, radians, 0 to π/2.
         crossing: f64,
     },
     /// How directions are read off an image that is turned.
     ReadTurned {
         /// The slider-crank.
-        crank: SliderCrank,
+        crank: Engine,
         /// Accelerations are read as well.
         accelerations: bool,
     },

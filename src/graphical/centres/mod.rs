@@ -84,7 +84,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             for (n, &i) in links.iter().enumerate() {
                 for &j in links[n + 1..].iter().filter(|&&j| takes_part(&chord(i, j))) {
                     let centre = self.board.proper(at);
-                    self.found(chord(i, j), centre, Found::Pin(point));
+                    self.centre_found(chord(i, j), centre, Found::Pin(point));
                 }
             }
         }
@@ -117,7 +117,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let links = chord(links[0], links[1]);
             if let (true, Some(at)) = (takes_part(&links), self.places[self.mechanism.contacts[roll].0]) {
                 let centre = self.board.proper(at);
-                self.found(links, centre, Found::Rolling { roll });
+                self.centre_found(links, centre, Found::Rolling { roll });
             }
         }
     }
@@ -128,11 +128,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             Track::Straight(line) => {
                 let across = self.board.quarter_turn(line.along);
                 let centre = self.board.at_infinity(across);
-                self.found(links, centre, Found::Guide { slide });
+                self.centre_found(links, centre, Found::Guide { slide });
             }
             Track::Arc(circle) => {
                 let centre = self.board.proper(circle.centre);
-                self.found(links, centre, Found::ArcGuide { slide });
+                self.centre_found(links, centre, Found::ArcGuide { slide });
             }
         }
     }
@@ -147,7 +147,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Notes a centre, unless an earlier pair has shown it.
-    fn found(&mut self, links: Chord, centre: HomogeneousPoint<B>, found: Found) {
+    fn centre_found(&mut self, links: Chord, centre: HomogeneousPoint<B>, found: Found) {
         if self.centres.known.contains_key(&links) {
             return;
         }
@@ -199,7 +199,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let [first, second] = lines.map(|line| self.line_of_centres(links, line));
         let (Some(first), Some(second)) = (first, second) else { return false };
         let Some(centre) = self.board.cross_lines(first, second) else { return false };
-        self.found(links, centre, Found::Kennedy { lines });
+        self.centre_found(links, centre, Found::Kennedy { lines });
         true
     }
 
@@ -222,7 +222,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let omega = self.rate(Order::Velocity, link);
         let (at, scale) = (self.at(point), self.length_scale());
         if let Some(centre) = self.board.on_normal(at, velocity, omega, scale) {
-            self.found(links, centre, Found::Normal { point });
+            self.centre_found(links, centre, Found::Normal { point });
         }
     }
 
@@ -255,7 +255,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             return false;
         };
         let Some(centre) = self.board.divide_by_rates([p, q], [rate_p, rate_q]) else { return false };
-        self.found(links, centre, Found::Rates);
+        self.centre_found(links, centre, Found::Rates);
         true
     }
 }
