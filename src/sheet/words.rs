@@ -297,7 +297,7 @@ const ENGLISH: Words = Words {
     klein_across: "Through {pole} draw a line square to the {guide}. It meets {rod}, produced if need be, in {image}.",
     klein_chord: "Strike a circle on {rod} as diameter, and about {pin} a circle with the radius {opening}. Their common chord is square to {rod} and cuts it in {foot}.",
     klein_tangent: "{opening} is longer than {rod}. Square to {rod} in {end} draw a line to the circle about {pin} with the radius {opening}. The tangent there meets {rod} produced in {foot}.",
-    klein_gathering: "The crank gathers or loses speed. At {pin} lay off {mm} square to it, {alpha}/{omega}² times {crank}: {image}. Move the normal part of the rod along: {foot}.",
+    klein_gathering: "The crank gathers or loses speed. At {pin} lay off {mm} square to it against the sense of {alpha}, {alpha}/{omega}² times {crank}: {image}. The normal part of the rod moves along, and its end {foot} with it.",
     klein_along: "Through {foot} draw a line square to {rod}, through {pole} a line along the {guide}. They meet in {image}.",
     klein_turned: "Velocities are read turned by 90° in the sense of {omega}.",
     klein_reversed: "Accelerations are read backwards: {acceleration} from {image} to {pole}.",

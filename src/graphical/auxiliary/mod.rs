@@ -355,10 +355,12 @@ impl Draughtsman<'_, Recorded> {
             Err(why) => return self.refuse_auxiliary(centrodes::clause(&why)),
         };
         let pair = crate::plan::chord(links[0], links[1]);
+        let mut present = None;
         if let Some(&centre) = self.centres.known.get(&pair) {
             let reason = self.reason(&links);
             if let Location::At(at) = self.board.locate(centre, reason) {
                 self.aux_point(PointName::Centre(pair), at);
+                present = Some(at.value());
             }
         }
         let curves = [(found.fixed, StrokeRole::Result), (found.moving, StrokeRole::Counterpart)];
@@ -373,7 +375,8 @@ impl Draughtsman<'_, Recorded> {
             }
             // The curve is named at one of its points near the skeleton.
             let near = branches.iter().flat_map(|b| b.points.iter()).map(|p| p.map(|x| x / per_mm));
-            let near = near.min_by(|a, b| self.name_cost(*a).total_cmp(&self.name_cost(*b)));
+            let near =
+                near.min_by(|a, b| self.name_cost(*a, present).total_cmp(&self.name_cost(*b, present)));
             if let Some(at) = near {
                 self.note_named(NamedPoint { name: PointName::CentrodeIn(link), at });
             }
@@ -382,12 +385,15 @@ impl Draughtsman<'_, Recorded> {
     }
 
     /// How badly a curve is named at a place: far from the skeleton, or close to the present centre.
-    fn name_cost(&self, at: Mm2) -> f64 {
+    fn name_cost(&self, at: Mm2, present: Option<Mm2>) -> f64 {
         let places: Vec<Mm2> = self.places.iter().flatten().map(Point::value).collect();
         let count = places.len().max(1) as f64;
         let middle = [0, 1].map(|k| places.iter().map(|p| p[k]).sum::<f64>() / count);
         // About a hand's breadth from the middle: clear of the links, and on the sheet.
-        (libm::hypot(at[0] - middle[0], at[1] - middle[1]) - 45.0).abs()
+        let off = (libm::hypot(at[0] - middle[0], at[1] - middle[1]) - 45.0).abs();
+        // Where they touch, the two curves run beside each other.
+        let apart = present.map_or(f64::INFINITY, |p| libm::hypot(at[0] - p[0], at[1] - p[1]));
+        off + 3.0 * (40.0 - apart).max(0.0)
     }
 
     /// Whether a point is determined: no divisor behind it is weak.
