@@ -6,6 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
+use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
@@ -17,6 +18,52 @@ pub enum CentreSource {
     Diagram,
     /// Where the diagram stalls, from the velocity polygon as well.
     Velocities,
+}
+
+/// A construction on the skeleton besides the polygons and the circle diagram.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Auxiliary {
+    /// Klein's construction on a slider-crank.
+    Klein {
+        /// The slider-crank.
+        crank: Engine,
+        /// Velocities only, or accelerations as well.
+        order: Order,
+    },
+    /// The inflection circle and the acceleration centre of a link.
+    Inflection {
+        /// The link.
+        link: LinkId,
+    },
+    /// Kennedy's theorem on three links; the first is common to the two centres that are taken as known.
+    Kennedy {
+        /// The links.
+        links: [LinkId; 3],
+    },
+    /// The centre of the rotation of a link from the present position to another.
+    Rotation {
+        /// The link.
+        link: LinkId,
+        /// Where the one input stands then: radians, or metres of a slide.
+        to: f64,
+    },
+    /// The loci of an instant centre in both its links.
+    Centrodes {
+        /// The links: in the first the locus is called fixed.
+        links: [LinkId; 2],
+    },
+}
+
+impl Auxiliary {
+    /// The instant centres that it needs.
+    #[must_use]
+    pub fn centres(&self) -> Vec<[LinkId; 2]> {
+        match *self {
+            Self::Kennedy { links: [i, j, k] } => vec![chord(i, j), chord(i, k), chord(j, k)],
+            Self::Centrodes { links: [i, j] } => vec![chord(i, j)],
+            Self::Klein { .. } | Self::Inflection { .. } | Self::Rotation { .. } => Vec::new(),
+        }
+    }
 }
 
 /// How much of the skeleton is drawn.
@@ -77,7 +124,7 @@ pub struct GroupStep {
 }
 
 /// The steps that the asked quantities need, in order of transmission.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Plan {
     /// Steps of the skeleton.
     pub position: Vec<GroupStep>,
@@ -87,6 +134,8 @@ pub struct Plan {
     pub acceleration: Vec<GroupStep>,
     /// The circle diagram.
     pub centres: CentrePlan,
+    /// The constructions on the skeleton.
+    pub auxiliary: Vec<Auxiliary>,
 }
 
 /// What the circle diagram must lead to, and with which links.
@@ -121,9 +170,28 @@ impl Plan {
     /// Plans again where the circle diagram stalls; see [`CentreSource`].
     #[must_use]
     pub fn with(mechanism: &Mechanism, structure: &Structure, extent: Extent, source: CentreSource) -> Self {
-        let mut wanted = Wanted { mechanism, structure, source, steps: BTreeMap::new() };
+        Self::with_auxiliary(mechanism, structure, extent, source, &[])
+    }
+
+    /// The same with constructions on the skeleton, besides those by which a quantity is asked.
+    #[must_use]
+    pub fn with_auxiliary(
+        mechanism: &Mechanism,
+        structure: &Structure,
+        extent: Extent,
+        source: CentreSource,
+        auxiliary: &[Auxiliary],
+    ) -> Self {
+        let mut wanted =
+            Wanted { mechanism, structure, source, steps: BTreeMap::new(), auxiliary: Vec::new() };
         for asked in mechanism.asked.iter().filter(|a| !a.by_centres()) {
-            wanted.quantity(&asked.quantity);
+            match asked.method {
+                Method::Klein => wanted.klein(&asked.quantity),
+                _ => wanted.quantity(&asked.quantity),
+            }
+        }
+        for &auxiliary in auxiliary {
+            wanted.auxiliary(auxiliary);
         }
         let centres = wanted.centres(extent);
         if extent != Extent::Asked {
@@ -150,6 +218,7 @@ impl Plan {
             velocity: steps_of(Order::Velocity),
             acceleration: steps_of(Order::Acceleration),
             centres,
+            auxiliary: wanted.auxiliary,
         }
     }
 
@@ -250,9 +319,52 @@ struct Wanted<'a> {
     structure: &'a Structure,
     source: CentreSource,
     steps: BTreeMap<(Order, usize), BTreeSet<(LinkId, PointId)>>,
+    auxiliary: Vec<Auxiliary>,
 }
 
 impl Wanted<'_> {
+    /// Klein's construction needs the skeleton and no polygon.
+    fn klein(&mut self, quantity: &Quantity) {
+        if let Some(crank) = Engine::with(self.mechanism, self.structure, quantity) {
+            self.auxiliary(Auxiliary::Klein { crank, order: quantity.order() });
+        }
+    }
+
+    fn auxiliary(&mut self, auxiliary: Auxiliary) {
+        if self.auxiliary.contains(&auxiliary) {
+            return;
+        }
+        match auxiliary {
+            Auxiliary::Klein { crank, order } => {
+                self.point(crank.crank_pin, Order::Position);
+                self.link(crank.rod, Order::Position);
+                let same = self.auxiliary.iter_mut().find_map(|known| match known {
+                    Auxiliary::Klein { crank: c, order } if *c == crank => Some(order),
+                    _ => None,
+                });
+                match same {
+                    Some(known) => *known = order.max(*known),
+                    None => self.auxiliary.push(auxiliary),
+                }
+            }
+            Auxiliary::Inflection { link } => {
+                self.link(link, Order::Acceleration);
+                for point in self.mechanism.link(link).points.clone() {
+                    self.point(point, Order::Acceleration);
+                }
+                self.auxiliary.push(auxiliary);
+            }
+            Auxiliary::Rotation { link, .. } => {
+                for point in self.mechanism.link(link).points.clone() {
+                    self.point(point, Order::Position);
+                }
+                self.auxiliary.push(auxiliary);
+            }
+            // Their centres are planned with the circle diagram.
+            Auxiliary::Kennedy { .. } | Auxiliary::Centrodes { .. } => self.auxiliary.push(auxiliary),
+        }
+    }
+
     fn quantity(&mut self, quantity: &Quantity) {
         let order = quantity.order();
         match *quantity {
@@ -260,6 +372,7 @@ impl Wanted<'_> {
             | Quantity::Acceleration(p)
             | Quantity::Normal(p)
             | Quantity::Tangential(p)
+            | Quantity::PathRadius(p)
             | Quantity::Position(p) => self.point(p, order),
             Quantity::RelativeVelocity(b, a)
             | Quantity::RelativeAcceleration(b, a)
@@ -368,7 +481,9 @@ impl Wanted<'_> {
         for asked in self.mechanism.asked.iter().filter(|a| a.by_centres()) {
             wanted.extend(self.transfer_centres(asked));
         }
-        if extent == Extent::AllCentres && wanted.is_empty() {
+        let none_asked = wanted.is_empty();
+        wanted.extend(self.auxiliary.iter().flat_map(Auxiliary::centres));
+        if extent == Extent::AllCentres && none_asked {
             let all = 0..self.mechanism.links.len();
             wanted = all
                 .clone()
@@ -391,6 +506,7 @@ impl Wanted<'_> {
             structure: self.structure,
             source: self.source,
             steps: BTreeMap::new(),
+            auxiliary: Vec::new(),
         };
         for &[i, j] in &wanted {
             self.centre(i, j);

@@ -5,7 +5,7 @@ use crate::graphical::construction::Reading;
 use crate::graphical::{self, DrawError, Extents, Scales, Solution};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
-use crate::plan::{CentreSource, Extent, Plan};
+use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
 
 /// A scene taken apart, planned and drawn.
@@ -73,15 +73,29 @@ pub fn solve(
     extent: Extent,
     choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
+    solve_with(scene, extent, &[], choose)
+}
+
+/// As [`solve`], with constructions on the skeleton besides those by which a quantity is asked.
+///
+/// # Errors
+/// See [`SolveError`].
+pub fn solve_with(
+    scene: &Scene,
+    extent: Extent,
+    auxiliary: &[Auxiliary],
+    choose: impl Fn(&Scene, Extents) -> Scales,
+) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
     let draw = |plan: &Plan| {
         let extents = graphical::extents(&scene.mechanism, &structure, plan)?;
         graphical::construct(&scene.mechanism, &structure, plan, choose(scene, extents))
     };
-    let mut plan = Plan::new(&scene.mechanism, &structure, extent);
+    let plan_from = |source| Plan::with_auxiliary(&scene.mechanism, &structure, extent, source, auxiliary);
+    let mut plan = plan_from(CentreSource::Diagram);
     let mut solution = draw(&plan)?;
     if solution.construction.circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty()) {
-        plan = Plan::with(&scene.mechanism, &structure, extent, CentreSource::Velocities);
+        plan = plan_from(CentreSource::Velocities);
         solution = draw(&plan)?;
     }
     determined(&scene.mechanism.asked, &solution.construction.answers)?;

@@ -86,6 +86,7 @@ impl State {
             Quantity::ContactNormal(..) => undefined("it is drawn, not asked"),
             Quantity::Centre(a, b) => self.centre(a, b),
             Quantity::Rub(p, a, b) => self.rubbing(p, a, b),
+            Quantity::PathRadius(p) => self.path_radius(p),
             Quantity::Position(p) => self.position(p),
             Quantity::Angle(link) => self.scalar(0, 1.0, |s| s.angle(link.0).v.wrapped()),
             Quantity::Transmission(coupler, output) => self.transmission(coupler, output),
@@ -99,6 +100,7 @@ impl State {
             | Quantity::Acceleration(p)
             | Quantity::Normal(p)
             | Quantity::Tangential(p)
+            | Quantity::PathRadius(p)
             | Quantity::Position(p) => (vec![p], vec![]),
             Quantity::RelativeVelocity(p, o)
             | Quantity::RelativeAcceleration(p, o)
@@ -281,6 +283,30 @@ impl State {
             let [x, y] = difference(parts(s.site(&site), 0), parts(s.site(&centre), 0));
             let alpha = s.angle(link.0).a;
             [-(y * alpha), x * alpha]
+        })
+    }
+
+    /// |v|³ / |v × a|.
+    fn path_radius(&self, point: PointId) -> Read {
+        if self.model.mechanism.is_fixed(point) {
+            return undefined(format!("{} does not move", self.name(point)));
+        }
+        let site = self.carrier(point, None)?;
+        let [speed, bending] = self.read(2, self.solved.as_ref(), |s| {
+            let place = s.site(&site);
+            let (v, a) = (parts(place, 1), parts(place, 2));
+            [square(v), v[0] * a[1] - v[1] * a[0]]
+        })?;
+        if speed.value <= ZERO * speed.bound {
+            return undefined(format!("{} stands still here", self.name(point)));
+        }
+        if bending.value.abs() <= ZERO * bending.bound {
+            return undefined(format!("the path of {} runs straight here", self.name(point)));
+        }
+        self.scalar(2, self.unit(1, 0), |s| {
+            let place = s.site(&site);
+            let (v, a) = (parts(place, 1), parts(place, 2));
+            square(v) * square(v).sqrt() / (v[0] * a[1] - v[1] * a[0]).abs()
         })
     }
 

@@ -54,6 +54,17 @@ impl<B: Bench> HomogeneousPoint<B> {
     }
 }
 
+impl<B: Bench> HomogeneousPoint<B> {
+    /// Rounded homogeneous coordinates: the point (x, y)/w of the paper, in millimetres.
+    #[must_use]
+    pub fn in_paper(&self) -> [f64; 3] {
+        let [x, y] = self.base.value();
+        let weight = self.weight.value.to_f64();
+        let reach = self.reach.map(|n| n.value.to_f64());
+        [reach[0] + weight * x, reach[1] + weight * y, weight]
+    }
+}
+
 impl<B: Bench> HomogeneousLine<B> {
     /// Rounded coordinates (a, b, c) of the line a x + b y + c w = 0, with w counted as in
     /// [`HomogeneousPoint::look`].
@@ -136,7 +147,7 @@ impl<B: Bench> Board<B> {
     }
 
     /// Whether a number is zero as far as its own error tells.
-    fn vanishes(&mut self, n: Num<B>) -> bool {
+    pub(super) fn vanishes(&mut self, n: Num<B>) -> bool {
         let value = n.value.to_f64().abs();
         value == 0.0 || self.recorder.error(n.mark).is_some_and(|error| value <= ERRORS * error)
     }

@@ -9,6 +9,7 @@
 //!
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
+mod circles;
 mod homogeneous;
 mod reckon;
 mod scalar;

@@ -10,6 +10,7 @@ use crate::mechanism::quantity::{Answer, Method, Order, Quantity};
 use crate::mechanism::structure::Closing;
 use crate::mechanism::{LinkId, Mechanism, PointId};
 
+use super::auxiliary::AuxiliaryDrawing;
 pub use super::centres::CentreLine;
 
 /// A place on the paper, millimetres in the diagram's own frame.
@@ -26,6 +27,8 @@ pub struct Construction {
     pub acceleration: Option<Polygon>,
     /// The circle diagram, if any instant centre is wanted.
     pub circle: Option<CircleDiagram>,
+    /// The other constructions on the skeleton, in the order of the plan.
+    pub auxiliary: Vec<AuxiliaryDrawing>,
     /// The numbered steps, in the order in which they were drawn.
     pub steps: Vec<Step>,
     /// One answer per asked quantity, in order.

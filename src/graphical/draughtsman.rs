@@ -4,8 +4,9 @@ use crate::board::{Amount, Bench, Board, Point, Reason, Scale, Side};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
-use crate::plan::home;
+use crate::plan::{Auxiliary, home};
 
+use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, Klein, NamedPoint, Stroke, StrokeRole, StrokeShape};
 use super::centres::{Centres, FromCentres, Why};
 use super::construction::{
     Act, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image, Label,
@@ -80,6 +81,8 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) rolling_speeds: Vec<Option<Amount<B>>>,
     /// Instant centres found so far.
     pub(super) centres: Centres<B>,
+    /// Klein's constructions drawn so far.
+    pub(super) kleins: Vec<Klein<B>>,
     /// What the methods of centres led to, by index of the asked quantity.
     pub(super) transferred: Vec<(usize, Result<FromCentres<B>, Why>)>,
     /// Why the velocity diagram could not be laid off from centres, where it should have been.
@@ -122,6 +125,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             sliding_accelerations: vec![None; mechanism.slides.len()],
             rolling_speeds: vec![None; mechanism.rolls.len()],
             centres: Centres::default(),
+            kleins: Vec::new(),
             transferred: Vec::new(),
             fed: Ok(()),
             parts: Vec::new(),
@@ -133,6 +137,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 velocity: None,
                 acceleration: None,
                 circle: None,
+                auxiliary: Vec::new(),
                 steps: Vec::new(),
                 answers: Vec::new(),
             },
@@ -247,6 +252,51 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     pub(super) fn note_stalled(&mut self, stalled: Vec<[LinkId; 2]>) {
         if let Some(circle) = &mut self.record.circle {
             circle.stalled = stalled;
+        }
+    }
+
+    /// Opens a construction on the skeleton.
+    pub(super) fn open_auxiliary(&mut self, kind: Auxiliary) {
+        self.record.auxiliary.push(AuxiliaryDrawing {
+            kind,
+            strokes: Vec::new(),
+            points: Vec::new(),
+            acts: Vec::new(),
+            refused: None,
+        });
+    }
+
+    /// Notes a stroke of the construction on the skeleton that is being drawn.
+    pub(super) fn note_stroke(&mut self, stroke: Stroke) {
+        if let Some(drawing) = self.record.auxiliary.last_mut() {
+            drawing.strokes.push(stroke);
+        }
+    }
+
+    /// Notes the chord between two meeting points.
+    pub(super) fn note_chord(&mut self, [from, to]: [[f64; 2]; 2]) {
+        let shape = StrokeShape::Line(from, to);
+        self.note_stroke(Stroke { shape, role: StrokeRole::Produced, claim: None });
+    }
+
+    /// Notes a named point of the construction on the skeleton that is being drawn.
+    pub(super) fn note_named(&mut self, point: NamedPoint) {
+        if let Some(drawing) = self.record.auxiliary.last_mut() {
+            drawing.points.push(point);
+        }
+    }
+
+    /// Records an act of the construction on the skeleton that is being drawn.
+    pub(super) fn act_auxiliary(&mut self, act: AuxiliaryAct) {
+        if let Some(drawing) = self.record.auxiliary.last_mut() {
+            drawing.acts.push(act);
+        }
+    }
+
+    /// Notes why the construction on the skeleton that is being drawn does not exist here.
+    pub(super) fn refuse_auxiliary(&mut self, why: &'static str) {
+        if let Some(drawing) = self.record.auxiliary.last_mut() {
+            drawing.refused = Some(why);
         }
     }
 

@@ -5,7 +5,9 @@
 //! stands only what the textbook calculates: V = ωl, ω = V/l, Aⁿ = V²/l, Aᵗ = εl, ε = Aᵗ/l, scales.
 
 mod acceleration;
+pub mod auxiliary;
 mod centres;
+pub mod centrodes;
 pub mod construction;
 mod draughtsman;
 mod dyad;
@@ -204,6 +206,7 @@ pub fn construct_on(
 ) -> Result<Solution, DrawError> {
     let board = Board::<Recorded>::new(tape);
     let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
+    auxiliary::draw(&mut draughtsman, plan);
     let (answers, slots) = reading::answers(&mut draughtsman);
     let (construction, tape) = draughtsman.finish(answers);
     Ok(Solution { construction, tape, slots })

@@ -1,10 +1,11 @@
 //! Reads the asked quantities off the finished diagrams.
 
-use crate::board::{Amount, Angle, Bench, Board, Direction, Location, MarkOf, Point, Recorded};
-use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
+use crate::board::{Amount, Angle, Bench, Board, Direction, Line, Location, MarkOf, Point, Recorded};
+use crate::mechanism::quantity::{Answer, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{Form, LinkId, PointId};
-use crate::plan::{chord, home, transmission_points};
+use crate::plan::{Auxiliary, chord, home, transmission_points};
 
+use super::auxiliary::KleinAnswer;
 use super::centres::{FromCentres, NO_INPUT};
 use super::construction::{Act, Calculation, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
@@ -26,12 +27,15 @@ pub(super) fn answers(d: &mut Draughtsman<'_, Recorded>) -> (Vec<Reading>, Vec<V
         .iter()
         .enumerate()
         .map(|(index, asked)| {
-            let read = if asked.by_centres() {
+            let read = if asked.method == Method::Klein {
+                d.read_klein(&asked.quantity)
+            } else if asked.by_centres() {
                 d.read_from_centres(index)
             } else {
                 d.read_quantity(&asked.quantity)
             };
-            let drawn_mm = d.drawn_length(&asked.quantity);
+            let of_polygon = asked.method != Method::Klein;
+            let drawn_mm = of_polygon.then(|| d.drawn_length(&asked.quantity)).flatten();
             let answer = d.answer(read, &mut slots);
             Reading { answer, drawn_mm }
         })
@@ -78,6 +82,23 @@ impl<B: Bench> Draughtsman<'_, B> {
         })
     }
 
+    /// What Klein's construction says of a quantity.
+    fn read_klein(&mut self, quantity: &Quantity) -> Read<B> {
+        match self.klein_answer(quantity) {
+            KleinAnswer::Vector(vector) => Read::Vector(vector),
+            KleinAnswer::Scalar(scalar) => Read::Scalar(scalar),
+            KleinAnswer::None => {
+                let refused = self.record().auxiliary.iter().find_map(|drawing| match drawing.kind {
+                    Auxiliary::Klein { crank, .. } if crank.leads_to(quantity) => drawing.refused,
+                    _ => None,
+                });
+                Read::Undefined(refused.unwrap_or(
+                    "Klein's construction leads to the pins and the rod of a slider-crank with a driven crank only",
+                ))
+            }
+        }
+    }
+
     /// A velocity or an angular velocity by one of the methods of instant centres.
     fn read_from_centres(&self, index: usize) -> Read<B> {
         match self.transferred.iter().find(|(of, _)| *of == index) {
@@ -113,6 +134,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
             Quantity::RelativeAlpha(i, j) => self.read_difference(Order::Acceleration, i, j),
             Quantity::Rub(pin, i, j) => self.read_rub(pin, i, j),
+            Quantity::PathRadius(p) => self.read_path_radius(p),
             Quantity::Position(p) => self.read_position(p),
             Quantity::Angle(l) => Read::Angle(self.read_angle(l)),
             Quantity::Transmission(i, j) => self.read_transmission(i, j),
@@ -281,6 +303,31 @@ impl<B: Bench> Draughtsman<'_, B> {
             value: value.value(),
         }));
         Read::Scalar(value)
+    }
+
+    /// ρ = V² / Aⁿ, with Aⁿ the part of the acceleration square to V.
+    fn read_path_radius(&mut self, p: PointId) -> Read<B> {
+        if self.mechanism.is_fixed(p) {
+            return Read::Undefined("the point does not move");
+        }
+        let (pole, end) = (self.board.origin(), self.image(Order::Velocity, p));
+        let reason = self.reason(&[]);
+        let (along, mm) = self.board.toward(pole, end, reason);
+        if self.board.is_nothing(mm) {
+            return Read::Undefined("the point stands still here");
+        }
+        let image = self.image(Order::Acceleration, p);
+        let [_, across] = self.board.square_off(Line { through: pole, along }, image);
+        if self.board.is_nothing(across) {
+            return Read::Undefined("the path runs straight here");
+        }
+        let (velocity, acceleration) =
+            (self.polygon_scale(Order::Velocity), self.polygon_scale(Order::Acceleration));
+        let speed = self.board.read(mm, velocity);
+        let normal = self.board.read(across, acceleration);
+        let normal = self.board.magnitude(normal);
+        let radius = self.board.square_over(speed, normal, reason);
+        Read::Scalar(radius)
     }
 
     /// The place in the world: as given for a fixed or placed point, else read off the skeleton.

@@ -6,6 +6,7 @@
 //!
 //! **Architecture Invariant:** nothing here knows a file format, paper or a solver.
 
+pub mod engine;
 pub mod quantity;
 pub mod report;
 pub mod slider_crank;

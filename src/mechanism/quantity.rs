@@ -61,6 +61,8 @@ pub enum Quantity {
     Centre(LinkId, LinkId),
     /// `rub(B)`, `rub(B,3/4)`: rubbing speed at a pin, journal radius × |relative ω|. Scalar, not negative.
     Rub(PointId, LinkId, LinkId),
+    /// `rho(B)`: radius of curvature of the path of a point. Scalar, not negative.
+    PathRadius(PointId),
     /// `x(B)`: place of a point. Vector.
     Position(PointId),
     /// `angle(3)`: angle of a link's own x-axis from +x, in (−π, π]. Scalar.
@@ -104,6 +106,7 @@ impl Quantity {
             | Self::RelativeAlpha(..)
             | Self::SlipAcceleration(..)
             | Self::SlipTangential(..)
+            | Self::PathRadius(_)
             // These need velocities only, but they are vectors of the acceleration polygon.
             | Self::RelativeNormal(..)
             | Self::Normal(_)

@@ -9,7 +9,7 @@ use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId, Rider};
 
 /// Every name, with its form for messages.
-const NAMES: [(&str, &str); 18] = [
+const NAMES: [(&str, &str); 19] = [
     ("v", "v(B) or v(B/A)"),
     ("a", "a(B) or a(B/A)"),
     ("an", "an(B/A), or an(B) for a link pivoted to the frame"),
@@ -25,6 +25,7 @@ const NAMES: [(&str, &str); 18] = [
     ("coriolis", "coriolis(A/4)"),
     ("I", "I(1,3)"),
     ("rub", "rub(B) or rub(B,3/4)"),
+    ("rho", "rho(B)"),
     ("x", "x(B)"),
     ("angle", "angle(3)"),
     ("transmission", "transmission(3/4)"),
@@ -123,7 +124,7 @@ pub(super) fn measure(quantity: &Quantity) -> Measure {
         Quantity::Omega(_) | Quantity::RelativeOmega(..) => Measure::AngularVelocity,
         Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => Measure::AngularAcceleration,
         Quantity::Ratio(..) | Quantity::Advantage(..) => Measure::Number,
-        Quantity::Centre(..) | Quantity::Position(_) => Measure::Length,
+        Quantity::Centre(..) | Quantity::Position(_) | Quantity::PathRadius(_) => Measure::Length,
         Quantity::Angle(_) | Quantity::Transmission(..) => Measure::Angle,
     }
 }
@@ -238,6 +239,7 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
             name.sliding(first, link, true).map(|(p, l)| Quantity::SlipTangential(p, l))
         }
         ("rub", links) => name.rubbing(first, links),
+        ("rho", None) => Ok(Quantity::PathRadius(name.point(first)?)),
         ("x", None) => Ok(Quantity::Position(name.point(first)?)),
         _ => Err(unknown(head)),
     }

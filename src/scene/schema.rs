@@ -304,12 +304,12 @@ fn results() -> Value {
     json!({
         "quantity": {
             "type": "string",
-            "pattern": "^\\s*(v|a|an|at|omega|alpha|slip|aslip|aslipn|aslipt|coriolis|I|rub|x|angle|transmission)\\s*\\(.+\\)\\s*$",
+            "pattern": "^\\s*(v|a|an|at|omega|alpha|slip|aslip|aslipn|aslipt|coriolis|I|rub|rho|x|angle|transmission)\\s*\\(.+\\)\\s*$",
             "description": "Name of a quantity; `/` reads \"relative to\".",
             "examples": [
                 "v(B)", "v(B/A)", "a(B)", "a(B/A)", "an(B/A)", "at(B/A)", "an(B)", "at(B)", "omega(3)", "omega(3/2)",
                 "alpha(3)", "alpha(3/2)", "slip(A/4)", "aslip(A/4)", "aslipn(A/4)", "aslipt(A/4)", "coriolis(A/4)",
-                "ratio(4/2)", "advantage(4/2)", "I(1,3)", "rub(B)", "rub(B,3/4)", "x(B)", "angle(3)", "transmission(3/4)",
+                "ratio(4/2)", "advantage(4/2)", "I(1,3)", "rub(B)", "rub(B,3/4)", "rho(B)", "x(B)", "angle(3)", "transmission(3/4)",
             ],
         },
         "find": {
@@ -354,7 +354,7 @@ fn sheet() -> Value {
             "length": length, "velocity": velocity, "acceleration": acceleration,
             "figures": {
                 "type": "array", "items": { "type": "string" }, "description": "Figures wanted; all where it is left out.",
-                "examples": [["skeleton", "velocity"]],
+                "examples": [["skeleton", "velocity"], ["klein", "centrodes(1,3)"]],
             },
         })),
     })

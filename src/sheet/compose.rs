@@ -10,7 +10,8 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{centres, circle, given, human, polygon, results, skeleton, transfer};
+use super::{auxiliary, centres, circle, given, human, polygon, results, skeleton, transfer, wanted};
+use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
@@ -37,7 +38,21 @@ const GUTTER: f64 = 8.0;
 /// The names of the figures.
 #[must_use]
 pub const fn figure_names() -> &'static [&'static str] {
-    &["skeleton", "velocity", "acceleration", "centres", "circle", "transfer", "results", "steps"]
+    &[
+        "skeleton",
+        "velocity",
+        "acceleration",
+        "centres",
+        "circle",
+        "transfer",
+        "klein",
+        "inflection",
+        "centrodes",
+        "kennedy",
+        "rotation-centre",
+        "results",
+        "steps",
+    ]
 }
 
 /// The solution sheet: panels, results and steps, paged.
@@ -71,10 +86,12 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
+    let drawn = construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none());
+    let further = drawn.map(|drawing| auxiliary_panel(drawing, construction, &notation));
     let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
     let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
     let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
-    pager.rows(&blocks.flatten().collect::<Vec<_>>());
+    pager.rows(&blocks.flatten().chain(further).collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
     }
@@ -168,7 +185,11 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
             (table.draw("results", 0, table.rows.len()), words.results)
         }
         "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
-        _ => return None,
+        _ => {
+            let kind = wanted::auxiliary(name, scene).ok()??;
+            let drawing = construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;
+            (with_steps(drawing, construction, &notation), words.auxiliary_figure)
+        }
     };
     Some(tight(scene, block, heading, words))
 }
@@ -195,6 +216,19 @@ fn cut(mut root: Group, title: String, description: String, words: &Words) -> Fi
         language: words.tag,
         root,
     }
+}
+
+/// A construction on the skeleton with its steps below.
+fn with_steps(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Block {
+    let mut block = auxiliary_panel(drawing, construction, notation);
+    let items = auxiliary::items(drawing, construction, notation);
+    // The caption says already what the head of the steps would say.
+    let mut steps = column(&items[1.min(items.len())..], block.width.max(120.0), notation.words);
+    let width = block.width.max(steps.width);
+    block.group.translate(Vec2::new((width - block.width) / 2.0, 0.0));
+    steps.group.translate(Vec2::new(0.0, block.height + 2.0));
+    block.group.group(steps.group);
+    Block { width, height: block.height + 2.0 + steps.height, ..block }
 }
 
 /// Several figures below each other as one.
@@ -314,6 +348,27 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
         caption = caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale);
     }
     Some(captioned(drawing, &caption))
+}
+
+/// A construction on the skeleton with its caption.
+fn auxiliary_panel(
+    drawing: &AuxiliaryDrawing,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Block {
+    let words = notation.words;
+    let index = construction.auxiliary.iter().position(|other| other.kind == drawing.kind).unwrap_or(0);
+    // After those of the panels that every sheet may have.
+    let before = match &construction.circle {
+        Some(circle) => letter(Name::Transfer(transfer::by_method(circle).len()), construction),
+        None => letter(Name::Centres, construction),
+    };
+    let letter = words.panels[(before + index).min(words.panels.len() - 1)];
+    let scale = notation.length_scale(construction.space.metres_per_mm);
+    let scale = Rich::fill(words.scale, &[("scale", scale)]);
+    let ink = auxiliary::draw(drawing, construction, notation);
+    let caption = Rich::bold(format!("({letter})")).up(" ").then(&auxiliary::title(&drawing.kind, notation));
+    captioned(ink, &caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale))
 }
 
 /// Which panel of the solution it is, counted from zero.

@@ -5,6 +5,7 @@
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
+mod auxiliary;
 mod bidi;
 mod centres;
 mod circle;
@@ -31,10 +32,12 @@ mod slots;
 mod steps;
 mod table;
 mod transfer;
+mod wanted;
 mod words;
 
 pub use compose::{figure_names, question, single, single_of_question, solution, stack};
 pub use figure::Figure;
+pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
 
 #[cfg(test)]

@@ -44,6 +44,20 @@ impl<'a> Notation<'a> {
         Rich::italic(letters).sub(index)
     }
 
+    /// A point with a further index: A with w, O with 2w.
+    #[must_use]
+    pub fn point_with(&self, point: PointId, more: &str) -> Rich {
+        let (letters, index) = split(self.point_name(point));
+        Rich::italic(letters).sub(&format!("{index}{more}"))
+    }
+
+    /// A point in another position: A′.
+    #[must_use]
+    pub fn point_primed(&self, point: PointId) -> Rich {
+        let (letters, index) = split(self.point_name(point));
+        Rich::italic(letters).scripts("′", Face::Italic, index)
+    }
+
     /// A length by its ends: O₂A.
     #[must_use]
     pub fn length(&self, from: PointId, to: PointId) -> Rich {
@@ -161,6 +175,7 @@ impl<'a> Notation<'a> {
             Quantity::Rub(p, ..) => {
                 Rich::italic("V").sub(&format!("{},{}", self.words.rubbing_mark, self.point_name(p)))
             }
+            Quantity::PathRadius(p) => Rich::italic("ρ").sub(self.point_name(p)),
             Quantity::Position(p) => self.point(p),
             Quantity::Angle(l) => Rich::italic("θ").sub(&self.number(l)),
             Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
@@ -265,6 +280,7 @@ impl<'a> Notation<'a> {
             Quantity::ContactNormal(a, b, c) => format!("an({}@{}/{})", p(a), l(b), l(c)),
             Quantity::Centre(a, b) => format!("I({},{})", l(a), l(b)),
             Quantity::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
+            Quantity::PathRadius(a) => format!("rho({})", p(a)),
             Quantity::Position(a) => format!("x({})", p(a)),
             Quantity::Angle(a) => format!("angle({})", l(a)),
             Quantity::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),

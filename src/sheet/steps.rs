@@ -62,7 +62,35 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
         all.extend(super::circle::items(circle, notation));
         all.extend(super::transfer::items(circle, construction, notation));
     }
+    for drawing in construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none()) {
+        all.extend(super::auxiliary::items(drawing, construction, notation));
+    }
     all
+}
+
+/// The sentence of a calculation.
+#[must_use]
+pub fn calculation(
+    calculation: &Calculation,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Option<Rich> {
+    let order = match calculation {
+        Calculation::Alpha { .. } => Order::Acceleration,
+        _ => Order::Velocity,
+    };
+    let step = Step { order, links: Vec::new(), equations: Vec::new(), acts: Vec::new() };
+    Teller { construction, notation, step: &step }.calculation(calculation)
+}
+
+/// A sentence with a warning after it where lines cross too flat to be read by hand.
+#[must_use]
+pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
+    if crossing.to_degrees() >= FLAT {
+        return sentence;
+    }
+    let angle = ("angle", human::degrees(crossing));
+    sentence.up(" ").then(&Rich::fill(notation.words.flat_crossing, &[angle]))
 }
 
 fn only_rubs(step: &Step) -> bool {
@@ -247,7 +275,7 @@ impl Teller<'_> {
             Act::DrawGuide { slide } => Rich::fill(words.draw_guide, &[("guide", n.guide(*slide))]),
             Act::MarkIntersection { point, crossing } => {
                 let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
-                self.warned(met, *crossing)
+                warned(met, *crossing, n)
             }
             Act::TransferPoint { link, point } => Rich::fill(
                 words.transfer_point,
@@ -281,7 +309,7 @@ impl Teller<'_> {
             }
             Act::MarkMeet { label, crossing } => {
                 let met = Rich::fill(words.mark_meet, &[("label", image(*label))]);
-                self.warned(met, *crossing)
+                warned(met, *crossing, n)
             }
             Act::DivideImage { label, from, to, ratio } => Rich::fill(
                 words.divide_image,
@@ -386,14 +414,6 @@ impl Teller<'_> {
                 ("sense", Rich::upright(n.sense(omega))),
             ],
         )
-    }
-
-    fn warned(&self, sentence: Rich, crossing: f64) -> Rich {
-        if crossing.to_degrees() >= FLAT {
-            return sentence;
-        }
-        let angle = ("angle", human::degrees(crossing));
-        sentence.up(" ").then(&Rich::fill(self.notation.words.flat_crossing, &[angle]))
     }
 
     fn calculation(&self, calculation: &Calculation) -> Option<Rich> {

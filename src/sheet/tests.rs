@@ -369,6 +369,7 @@ fn placed(json: &str) -> (Scene, Construction) {
         velocity: None,
         acceleration: None,
         circle: None,
+        auxiliary: Vec::new(),
         steps: vec![],
         answers: vec![],
     };
