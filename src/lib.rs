@@ -7,6 +7,7 @@ pub mod board;
 pub mod catalogue;
 pub mod check;
 pub mod cli;
+pub mod double_double;
 pub mod given;
 pub mod graphical;
 pub mod mechanism;

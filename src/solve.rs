@@ -1,12 +1,20 @@
 //! From a scene to its checked solution: the whole way in one call.
 
 use crate::analytic::{self, AnalyticError, State};
+pub use crate::board::Arithmetic;
 use crate::graphical::construction::Reading;
 use crate::graphical::{self, DrawError, Extents, Scales, Solution};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Extent, Plan};
 use crate::scene::{Refusal, Scene};
+
+/// How to solve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Settings {
+    /// The arithmetic of the board.
+    pub arithmetic: Arithmetic,
+}
 
 /// A scene taken apart, planned and drawn.
 #[derive(Debug, Clone)]
@@ -15,6 +23,8 @@ pub struct Solved {
     pub structure: Structure,
     /// The steps that were needed.
     pub plan: Plan,
+    /// The scales at which it was drawn.
+    pub scales: Scales,
     /// The graphical solution.
     pub solution: Solution,
 }
@@ -64,7 +74,7 @@ impl SolveError {
 }
 
 /// Draws the solution of a scene, at the scales that it states or that `choose` finds for the size of its
-/// diagrams.
+/// diagrams, in double precision.
 ///
 /// # Errors
 /// See [`SolveError`].
@@ -73,13 +83,27 @@ pub fn solve(
     extent: Extent,
     choose: impl FnOnce(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
+    solve_with(scene, extent, Settings::default(), choose)
+}
+
+/// As [`solve`], with settings of choice.
+///
+/// # Errors
+/// See [`SolveError`].
+pub fn solve_with(
+    scene: &Scene,
+    extent: Extent,
+    settings: Settings,
+    choose: impl FnOnce(&Scene, Extents) -> Scales,
+) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
     let plan = Plan::new(&scene.mechanism, &structure, extent);
     let extents = graphical::extents(&scene.mechanism, &structure, &plan)?;
     let scales = choose(scene, extents);
-    let solution = graphical::construct(&scene.mechanism, &structure, &plan, scales)?;
+    let solution =
+        graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, &plan, scales)?;
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
-    Ok(Solved { structure, plan, solution })
+    Ok(Solved { structure, plan, scales, solution })
 }
 
 /// Refuses where none of the asked quantities is determined.

@@ -278,7 +278,7 @@ fn an_uncertain_divisor_is_weak_when_its_error_passes_an_eighth() {
     for (error, weak) in [(0.1, false), (0.124, false), (0.126, true), (2.0, true)] {
         let b = &mut board();
         let one = b.amount(Given::exact(1.0));
-        let divisor = b.amount(Given { value: -1.0, error });
+        let divisor = b.amount(Given::within(-1.0, error));
         let quotient = b.quotient(one, divisor, 5);
         assert_eq!(b.recorder().weakness(quotient.mark()).is_some(), weak, "error {error}");
         if !weak {

@@ -7,6 +7,7 @@ use super::{Ending, Failure, failure, files, print, read_scene};
 use crate::plan::Extent;
 use crate::scene::{Scene, Subject};
 use crate::sheet::{self, Figure};
+use crate::solve::Settings;
 
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
@@ -19,6 +20,7 @@ pub(super) struct Job {
     pub(super) figure: Vec<String>,
     pub(super) lang: Option<String>,
     pub(super) dpi: f32,
+    pub(super) settings: Settings,
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
@@ -35,8 +37,9 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
     }
     let language = language(job, scene)?;
-    let solved = crate::solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)
-        .map_err(|error| failure(scene, &error))?;
+    let solved =
+        crate::solve::solve_with(scene, Extent::WholeSkeleton, job.settings, sheet::scale::for_scene)
+            .map_err(|error| failure(scene, &error))?;
     let construction = &solved.solution.construction;
     let names: Vec<&str> = if job.figure.is_empty() {
         scene.sheet.figures.iter().map(String::as_str).collect()

@@ -22,6 +22,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::scene::{Diagnostic, Scene};
+use crate::solve::{Arithmetic, Settings};
 
 /// Draws and checks graphical solutions of planar mechanisms.
 #[derive(Debug, Parser)]
@@ -49,6 +50,9 @@ enum Command {
         /// Resolution of a PNG
         #[arg(long, value_name = "DPI", default_value_t = 150.0)]
         dpi: f32,
+        /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+        #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
+        arith: Arithmetic,
     },
     /// Print the asked quantities, graphical beside analytic
     Solve {
@@ -60,6 +64,9 @@ enum Command {
         /// Say which steps the asked quantities needed, and which were left out
         #[arg(long)]
         explain: bool,
+        /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+        #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
+        arith: Arithmetic,
     },
     /// Check scenes: graphical against analytic, and both against what was published
     Check {
@@ -72,6 +79,9 @@ enum Command {
         /// Allowed deviation of published values where the scene states none
         #[arg(long, value_name = "PERCENT", default_value = "5%", value_parser = parse_percent)]
         tolerance: f64,
+        /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+        #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
+        arith: Arithmetic,
     },
     /// Report links, pairs, mobility, groups, Grashof class and dead positions
     Structure {
@@ -107,6 +117,15 @@ impl From<Diagnostic> for Failure {
     }
 }
 
+fn parse_arithmetic(text: &str) -> Result<Arithmetic, String> {
+    match text {
+        "f32" => Ok(Arithmetic::Single),
+        "f64" => Ok(Arithmetic::Double),
+        "dd" => Ok(Arithmetic::DoubleDouble),
+        _ => Err("expected f32, f64 or dd".to_owned()),
+    }
+}
+
 fn parse_percent(text: &str) -> Result<f64, String> {
     let (number, factor) = match text.trim().strip_suffix('%') {
         Some(number) => (number, 0.01),
@@ -138,11 +157,16 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let ending = match arguments.command {
-        Command::Draw { scene, output, figure, lang, dpi } => {
-            draw::run(&draw::Job { scene, output, figure, lang, dpi })
+        Command::Draw { scene, output, figure, lang, dpi, arith } => {
+            let settings = Settings { arithmetic: arith };
+            draw::run(&draw::Job { scene, output, figure, lang, dpi, settings })
         }
-        Command::Solve { scene, json, explain } => solve::run(&scene, json, explain),
-        Command::Check { paths, json, tolerance } => check::run(&paths, json, tolerance),
+        Command::Solve { scene, json, explain, arith } => {
+            solve::run(&solve::Job { scene, json, explain, settings: Settings { arithmetic: arith } })
+        }
+        Command::Check { paths, json, tolerance, arith } => {
+            check::run(&paths, json, tolerance, Settings { arithmetic: arith })
+        }
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::New { kind } => new::run(kind.as_deref()),
         Command::Schema => schema(),

@@ -1,25 +1,37 @@
 //! `linkgram solve`.
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 
 use super::report::{describe, short};
 use super::{Ending, Failure, failure, print, read_scene};
 use crate::check::{Agreement, Compared};
+use crate::double_double::DoubleDouble;
+use crate::graphical::construction::Fine;
 use crate::mechanism::quantity::{Answer, Asked, Quantity};
 use crate::plan::Extent;
 use crate::scene::Scene;
+use crate::solve::Settings;
 
-pub(super) fn run(path: &Path, as_json: bool, explain: bool) -> Result<Ending, Failure> {
-    let (file, scene) = read_scene(path)?;
+/// What to solve and how to print it.
+pub(super) struct Job {
+    pub(super) scene: PathBuf,
+    pub(super) json: bool,
+    pub(super) explain: bool,
+    pub(super) settings: Settings,
+}
+
+pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
+    let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
-    let solved = crate::solve::solve(scene, Extent::Asked, crate::sheet::scale::for_scene)
-        .map_err(|error| failure(scene, &error))?;
+    let solved =
+        crate::solve::solve_with(scene, Extent::Asked, job.settings, crate::sheet::scale::for_scene)
+            .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
-    let explanation = explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
-    let text = if as_json {
+    let explanation = job.explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
+    let text = if job.json {
         let mut object = object(&file, scene, &solved, &agreement);
         if let (Some(explanation), Some(map)) = (&explanation, object.as_object_mut()) {
             let lines: Vec<&str> = explanation.lines().collect();
@@ -51,6 +63,11 @@ fn table(solved: &crate::solve::Solved, agreement: &Agreement) -> String {
             ),
             (None, _) => writeln!(out, "   analytic {}", describe(asked, &compared.analytic)),
         };
+        if let Some(fine) = &compared.graphical.fine {
+            let bound = short(fine_bound(fine, asked));
+            let digits = digits(fine, asked).join(", ");
+            let _ = writeln!(out, "{:width$}  {digits} {}, within {bound}", "", asked.unit.symbol);
+        }
     }
     let _ = writeln!(out, "{}", verdict(agreement));
     out
@@ -94,6 +111,12 @@ fn quantity(compared: &Compared) -> Value {
         return Value::Object(map);
     }
     insert_value(&mut map, asked, &compared.graphical.answer);
+    if let Some(fine) = &compared.graphical.fine {
+        let digits = digits(fine, asked);
+        let digits = if digits.len() == 1 { json!(digits[0]) } else { json!(digits) };
+        map.insert("digits".to_owned(), digits);
+        map.insert("digits_bound".to_owned(), json!(fine_bound(fine, asked)));
+    }
     let in_unit = |x: f64| json!(x / asked.unit.si);
     match &compared.analytic {
         Answer::Scalar { value, bound } => {
@@ -118,6 +141,28 @@ fn quantity(compared: &Compared) -> Value {
         map.insert("drawn_mm".to_owned(), json!(mm));
     }
     Value::Object(map)
+}
+
+/// A fine value in its unit, with the digits that its bound leaves.
+fn digits(fine: &Fine, asked: &Asked) -> Vec<String> {
+    let bound = fine_bound(fine, asked);
+    let si = crate::scene::si_of(&asked.unit);
+    let in_unit = |v: &DoubleDouble| *v / si;
+    let digits = |v: DoubleDouble| {
+        // One digit beyond the first that the bound reaches.
+        let clear = libm::log10(v.abs().hi() / bound);
+        let most = 31.0;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 31")]
+        let digits = if clear.is_nan() { most } else { (clear.ceil() + 1.0).clamp(1.0, most) } as usize;
+        v.decimals(digits)
+    };
+    fine.value.iter().map(in_unit).map(digits).collect()
+}
+
+/// The bound of a fine value in its unit, with the rounding of the division.
+fn fine_bound(fine: &Fine, asked: &Asked) -> f64 {
+    let size = fine.value.iter().fold(0.0, |sum, v| libm::hypot(sum, v.hi())) / asked.unit.si;
+    fine.bound / asked.unit.si * (1.0 + f64::EPSILON) + size * 4.0 * DoubleDouble::ROUNDOFF
 }
 
 /// A bound in the unit of the answer, with the roundings that this costs: the unit's own two and the

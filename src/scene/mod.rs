@@ -24,6 +24,7 @@ mod units;
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
 pub use source::{Source, Subject};
+pub use units::si_of;
 
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Unit;
