@@ -44,7 +44,8 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// π/16 in three parts, for the reduction of angles.
-const SIXTEENTH: [f64; 3] = [0.196_349_540_849_362_07, 7.654_042_494_670_958e-18, -1.871_731_131_073_962_3e-34];
+const SIXTEENTH: [f64; 3] =
+    [0.196_349_540_849_362_07, 7.654_042_494_670_958e-18, -1.871_731_131_073_962_3e-34];
 
 /// Sine and cosine of 0, π/16 … 4π/16.
 const ARCS: [[DoubleDouble; 2]; 5] = [
@@ -256,11 +257,11 @@ impl DoubleDouble {
         if rest.hi.is_finite() { angle } else { Self::of(rough) }
     }
 
-    /// `digits` significant digits, as in `-1.234567e-3`; at most 31 mean something.
+    /// `digits` significant digits, as in `-123.4567` or `1.2e-9`; at most 31 mean something.
     #[must_use]
     pub fn decimals(self, digits: usize) -> String {
         if self.hi == 0.0 || !self.hi.is_finite() {
-            return format!("{:e}", self.hi);
+            return format!("{}", self.hi);
         }
         let digits = digits.clamp(1, 32);
         #[expect(clippy::cast_possible_truncation, reason = "an exponent of a double")]
@@ -303,17 +304,21 @@ impl DoubleDouble {
                 exponent += 1;
             }
         }
-        let mut text = String::from(if self.hi < 0.0 { "-" } else { "" });
-        for (place, figure) in figures.iter().enumerate() {
-            if place == 1 {
-                text.push('.');
+        let sign = if self.hi < 0.0 { "-" } else { "" };
+        let figures: String = figures.iter().map(|f| char::from(b'0' + f)).collect();
+        let last = i32::try_from(digits).unwrap_or(i32::MAX) - 1;
+        let point = |at: usize| if at < figures.len() { "." } else { "" };
+        match usize::try_from(exponent) {
+            Ok(whole) if exponent <= last => {
+                let (whole, part) = figures.split_at(whole + 1);
+                format!("{sign}{whole}{}{part}", point(whole.len()))
             }
-            text.push(char::from(b'0' + figure));
+            Err(_) if exponent > -5 => {
+                let zeros = "0".repeat(usize::try_from(-1 - exponent).unwrap_or(0));
+                format!("{sign}0.{zeros}{figures}")
+            }
+            _ => format!("{sign}{}{}{}e{exponent}", &figures[..1], point(1), &figures[1..]),
         }
-        if exponent != 0 {
-            text.push_str(&format!("e{exponent}"));
-        }
-        text
     }
 }
 

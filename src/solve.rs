@@ -100,8 +100,7 @@ pub fn solve_with(
     let plan = Plan::new(&scene.mechanism, &structure, extent);
     let extents = graphical::extents(&scene.mechanism, &structure, &plan)?;
     let scales = choose(scene, extents);
-    let solution =
-        graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, &plan, scales)?;
+    let solution = graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, &plan, scales)?;
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     Ok(Solved { structure, plan, scales, solution })
 }

@@ -399,8 +399,7 @@ impl<B: Bench> Board<B> {
 
     /// Prick a point at given coordinates.
     pub fn prick(&mut self, x: Mm<B>, y: Mm<B>) -> Point<B> {
-        let point =
-            Point { x: self.pencilled(x.0, Pencil::Length), y: self.pencilled(y.0, Pencil::Length) };
+        let point = Point { x: self.pencilled(x.0, Pencil::Length), y: self.pencilled(y.0, Pencil::Length) };
         self.stroke(Operation::Prick, point)
     }
 
@@ -565,8 +564,8 @@ impl<B: Bench> Board<B> {
         second: Circle<B>,
         reason: Reason,
     ) -> Result<Pair<B>, NoMeet> {
-        let [first, second] = [first, second]
-            .map(|c| Circle { radius: Mm(self.pencilled(c.radius.0, Pencil::Length)), ..c });
+        let [first, second] =
+            [first, second].map(|c| Circle { radius: Mm(self.pencilled(c.radius.0, Pencil::Length)), ..c });
         let (toward, distance) = self.toward(first.centre, second.centre, reason);
         let (d, r1, r2) = (distance.0, first.radius.0, second.radius.0);
         let sum = self.add(r1, r2);

@@ -149,10 +149,8 @@ impl<B: Bench> Board<B> {
         let inner = B::Real::UNIT_ROUNDOFF * B::Real::TRANSCENDENTAL_ULPS;
         let (s, c) = (sin.to_f64(), cos.to_f64());
         if exact {
-            let mut along = |value, step, by| Num {
-                value,
-                mark: self.recorder.result(step, &[(angle.mark, by)], 0.0),
-            };
+            let mut along =
+                |value, step, by| Num { value, mark: self.recorder.result(step, &[(angle.mark, by)], 0.0) };
             return [along(cos, Reckoning::Cosine, -s), along(sin, Reckoning::Sine, c)];
         }
         let size = |x: f64| inner * x.abs().max(B::Real::SINE_FLOOR);

@@ -26,11 +26,11 @@ pub(super) struct Job {
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
-    let solved =
-        crate::solve::solve_with(scene, Extent::Asked, job.settings, crate::sheet::scale::for_scene)
-            .map_err(|error| failure(scene, &error))?;
+    let solved = crate::solve::solve_with(scene, Extent::Asked, job.settings, crate::sheet::scale::for_scene)
+        .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
-    let explanation = job.explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
+    let explanation =
+        job.explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
     let text = if job.json {
         let mut object = object(&file, scene, &solved, &agreement);
         if let (Some(explanation), Some(map)) = (&explanation, object.as_object_mut()) {
@@ -64,9 +64,9 @@ fn table(solved: &crate::solve::Solved, agreement: &Agreement) -> String {
             (None, _) => writeln!(out, "   analytic {}", describe(asked, &compared.analytic)),
         };
         if let Some(fine) = &compared.graphical.fine {
-            let bound = short(fine_bound(fine, asked));
+            let bound = fine_bound(fine, asked);
             let digits = digits(fine, asked).join(", ");
-            let _ = writeln!(out, "{:width$}  {digits} {}, within {bound}", "", asked.unit.symbol);
+            let _ = writeln!(out, "{:width$}  {digits} {}, within {bound:.1e}", "", asked.unit.symbol);
         }
     }
     let _ = writeln!(out, "{}", verdict(agreement));

@@ -198,7 +198,9 @@ pub fn construct_in(
     match arithmetic {
         Arithmetic::Single => taped::<f32>(Tape::default(), mechanism, structure, plan, scales),
         Arithmetic::Double => taped::<f64>(Tape::default(), mechanism, structure, plan, scales),
-        Arithmetic::DoubleDouble => taped::<DoubleDouble>(Tape::default(), mechanism, structure, plan, scales),
+        Arithmetic::DoubleDouble => {
+            taped::<DoubleDouble>(Tape::default(), mechanism, structure, plan, scales)
+        }
     }
 }
 

@@ -6,8 +6,8 @@ use super::Units;
 use super::diagnostic::{Fault, Res};
 use super::json::{Fields, Kind, Value};
 use super::keys;
-use crate::mechanism::quantity::Unit;
 use crate::double_double::DoubleDouble;
+use crate::mechanism::quantity::Unit;
 use crate::mechanism::{Given, Sense};
 
 /// Half a unit in the last place, relative.
