@@ -1,9 +1,9 @@
 //! From a scene to its checked solution: the whole way in one call.
 
 use crate::analytic::{self, AnalyticError, State};
-pub use crate::board::Arithmetic;
+pub use crate::board::{Arithmetic, Hand};
 use crate::graphical::construction::Reading;
-use crate::graphical::{self, DrawError, Extents, Scales, Solution};
+use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Extent, Plan};
@@ -103,6 +103,20 @@ pub fn solve_with(
     let solution = graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, &plan, scales)?;
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     Ok(Solved { structure, plan, scales, solution })
+}
+
+/// The errors that careful draughtsmen make in each asked quantity, at the scales of the solution.
+///
+/// # Errors
+/// [`SolveError::Draw`], where not even a perfect hand can draw it.
+pub fn by_hand(
+    scene: &Scene,
+    solved: &Solved,
+    draughtsmen: Draughtsmen,
+) -> Result<Vec<HandError>, SolveError> {
+    let errors =
+        graphical::by_hand(&scene.mechanism, &solved.structure, &solved.plan, solved.scales, draughtsmen)?;
+    Ok(errors)
 }
 
 /// Refuses where none of the asked quantities is determined.

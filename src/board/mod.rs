@@ -9,6 +9,7 @@
 //!
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
+mod hand;
 mod reckon;
 mod scalar;
 mod tape;
@@ -16,6 +17,7 @@ mod tape;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
+pub use hand::{Hand, PencilTape, Tremor};
 pub use reckon::TOO_LARGE;
 pub use scalar::{Arithmetic, Real};
 pub use tape::{Blank, Nudge, Operation, Pencil, Reason, Reckoning, Recorder, Stroke, Tape};

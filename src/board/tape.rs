@@ -295,7 +295,7 @@ impl Tape {
         self.adjoint.get(slot as usize).copied().unwrap_or(0.0)
     }
 
-    fn first_order_error(&mut self, mark: u32) -> f64 {
+    pub(super) fn first_order_error(&mut self, mark: u32) -> f64 {
         self.sweep_back(mark);
         self.adjoint.iter().zip(&self.slots).map(|(a, s)| a.abs() * s.rounding).sum()
     }

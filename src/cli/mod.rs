@@ -22,7 +22,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::scene::{Diagnostic, Scene};
-use crate::solve::{Arithmetic, Settings};
+use crate::solve::{Arithmetic, Hand, Settings};
 
 /// Draws and checks graphical solutions of planar mechanisms.
 #[derive(Debug, Parser)]
@@ -64,6 +64,10 @@ enum Command {
         /// Say which steps the asked quantities needed, and which were left out
         #[arg(long)]
         explain: bool,
+        /// What a draughtsman would get whose lengths and readings slip by up to this many millimetres of
+        /// paper, and whose directions by this many degrees
+        #[arg(long, value_name = "MM,DEG", value_parser = parse_hand)]
+        hand: Option<Hand>,
         /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
         arith: Arithmetic,
@@ -126,6 +130,22 @@ fn parse_arithmetic(text: &str) -> Result<Arithmetic, String> {
     }
 }
 
+/// `0.2mm,0.3deg`, with or without the units.
+fn parse_hand(text: &str) -> Result<Hand, String> {
+    let wrong = || "expected a slip in millimetres and one in degrees, such as 0.2mm,0.3deg".to_owned();
+    let (length, angle) = text.split_once(',').ok_or_else(wrong)?;
+    let part = |text: &str, unit: &str, most: f64| {
+        let text = text.trim();
+        let digits = text.strip_suffix(unit).unwrap_or(text).trim_end();
+        match digits.parse::<f64>() {
+            Ok(value) if (0.0..=most).contains(&value) => Ok(value),
+            Ok(_) => Err(format!("a hand slips by 0 to {most} {unit}")),
+            Err(_) => Err(wrong()),
+        }
+    };
+    Ok(Hand { length: part(length, "mm", 10.0)?, angle: part(angle, "deg", 10.0)?.to_radians() })
+}
+
 fn parse_percent(text: &str) -> Result<f64, String> {
     let (number, factor) = match text.trim().strip_suffix('%') {
         Some(number) => (number, 0.01),
@@ -161,8 +181,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             let settings = Settings { arithmetic: arith };
             draw::run(&draw::Job { scene, output, figure, lang, dpi, settings })
         }
-        Command::Solve { scene, json, explain, arith } => {
-            solve::run(&solve::Job { scene, json, explain, settings: Settings { arithmetic: arith } })
+        Command::Solve { scene, json, explain, hand, arith } => {
+            let settings = Settings { arithmetic: arith };
+            solve::run(&solve::Job { scene, json, explain, hand, settings })
         }
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith })

@@ -5,6 +5,7 @@
 //! stands only what the textbook calculates: V = ωl, ω = V/l, Aⁿ = V²/l, Aᵗ = εl, ε = Aᵗ/l, scales.
 
 mod acceleration;
+mod by_hand;
 pub mod construction;
 mod draughtsman;
 mod link_figure;
@@ -13,6 +14,8 @@ mod position;
 mod reading;
 mod trial;
 mod velocity;
+
+pub use by_hand::{Draughtsmen, HandError, Spread, by_hand};
 
 use crate::board::{Arithmetic, Bench, Board, Real, Recorded, Recorder, Scale, Tape, Taped, Trial};
 use crate::double_double::DoubleDouble;
