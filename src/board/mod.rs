@@ -10,6 +10,7 @@
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
 mod hand;
+mod program;
 mod reckon;
 mod scalar;
 mod tape;
@@ -18,6 +19,7 @@ use std::fmt::Debug;
 use std::marker::PhantomData;
 
 pub use hand::{Hand, PencilTape, Tremor};
+pub use program::{Block, LANES, Lane, Moving, Place, Program, Transcript};
 pub use reckon::TOO_LARGE;
 pub use scalar::{Arithmetic, Real};
 pub use tape::{Blank, Nudge, Operation, Pencil, Reason, Reckoning, Recorder, Stroke, Tape};
@@ -281,14 +283,14 @@ impl<B: Bench> Board<B> {
         Angle(self.given(given))
     }
 
-    /// The input angle that a sweep turns.
-    pub fn input_angle(&mut self, given: crate::given::Given) -> Angle<B> {
-        Angle(self.turned_input(given))
+    /// The angle of an input, by the input's index: a sweep turns it.
+    pub fn input_angle(&mut self, index: usize, given: crate::given::Given) -> Angle<B> {
+        Angle(self.input(index, given))
     }
 
-    /// The input place that a sweep moves.
-    pub fn input_amount(&mut self, given: crate::given::Given) -> Amount<B> {
-        Amount(self.turned_input(given))
+    /// The place of a driven slide, by the input's index: a sweep moves it.
+    pub fn input_amount(&mut self, index: usize, given: crate::given::Given) -> Amount<B> {
+        Amount(self.input(index, given))
     }
 
     // --- what the textbook calculates ----------------------------------------------------------
@@ -612,7 +614,7 @@ impl<B: Bench> Board<B> {
                 _ => return Err(NoMeet),
             }
         }
-        Ok((Mm(self.sqrt(square)), tangent))
+        Ok((Mm(self.half_root(square)), tangent))
     }
 
     /// One of the two points of a pair.

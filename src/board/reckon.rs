@@ -18,10 +18,13 @@ impl<B: Bench> Board<B> {
         Num { value, mark }
     }
 
-    /// The number that a sweep turns.
-    pub(super) fn turned_input(&mut self, given: Given) -> Num<B> {
+    /// The place of an input, which a sweep varies.
+    pub(super) fn input(&mut self, index: usize, given: Given) -> Num<B> {
         let (value, error) = B::Real::from_given(given);
-        Num { value, mark: self.recorder.input(value.to_f64(), error) }
+        let (value, finite) = finite(value);
+        let mark = self.recorder.input(index, value.to_f64(), error);
+        self.in_range(mark, finite);
+        Num { value, mark }
     }
 
     /// An exact number.
@@ -117,10 +120,19 @@ impl<B: Bench> Board<B> {
 
     /// √a of a number that is not negative.
     pub(super) fn sqrt(&mut self, a: Num<B>) -> Num<B> {
+        self.root(Reckoning::Root, a)
+    }
+
+    /// √a of the square of a half chord.
+    pub(super) fn half_root(&mut self, a: Num<B>) -> Num<B> {
+        self.root(Reckoning::HalfChord, a)
+    }
+
+    fn root(&mut self, step: Reckoning, a: Num<B>) -> Num<B> {
         let value = a.value.sqrt();
         let root = value.to_f64();
         let partial = if root > 0.0 { 0.5 / root } else { 0.0 };
-        self.push(Reckoning::Root, value, &[(a, partial)], 0.0)
+        self.push(step, value, &[(a, partial)], 0.0)
     }
 
     /// a·b + c·d.

@@ -78,6 +78,8 @@ pub enum Reckoning {
     Quotient,
     /// √a; zero for a negative a.
     Root,
+    /// √a of the square of a half chord: one of two meeting points hangs on its sign.
+    HalfChord,
     /// a·b + c·d.
     Dot,
     /// a·b − c·d.
@@ -109,8 +111,8 @@ pub trait Recorder {
     type Mark: Copy + Debug + Default;
     /// A number from outside with its radius of uncertainty.
     fn given(&mut self, value: f64, error: f64) -> Self::Mark;
-    /// As [`Recorder::given`], for the number that a sweep turns.
-    fn input(&mut self, value: f64, error: f64) -> Self::Mark {
+    /// As [`Recorder::given`], for the place of an input, by its index.
+    fn input(&mut self, _index: usize, value: f64, error: f64) -> Self::Mark {
         self.given(value, error)
     }
     /// A result: how it was reckoned from what, and the rounding of this operation alone.

@@ -12,10 +12,12 @@ mod link_figure;
 mod pose;
 mod position;
 mod reading;
+mod transcribe;
 mod trial;
 mod velocity;
 
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand};
+pub use transcribe::{Transcribed, transcribe};
 
 use crate::board::{Arithmetic, Bench, Board, Real, Recorded, Recorder, Scale, Tape, Taped, Trial};
 use crate::double_double::DoubleDouble;

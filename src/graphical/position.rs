@@ -118,7 +118,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         };
         match angle {
             Some(angle) => {
-                let angle = self.board.input_angle(angle);
+                let angle = self.board.input_angle(input, angle);
                 let along = self.board.protractor(angle);
                 self.driver_along(step, link, base, along);
             }
@@ -190,7 +190,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             && let (Input::Slide { at: Some(at), .. }, Track::Straight(line)) =
                 (self.mechanism.inputs[input], self.track(slide, None))
         {
-            let at = self.board.input_amount(at);
+            let at = self.board.input_amount(input, at);
             let scale = self.length_scale();
             let mm = self.board.to_paper(at, scale);
             let place = self.board.lay_off(line.through, line.along, mm);
