@@ -16,3 +16,4 @@ pub mod render;
 pub mod scene;
 pub mod sheet;
 pub mod solve;
+pub mod sweep;

@@ -323,14 +323,7 @@ impl<B: Bench> Board<B> {
 
     /// |a|.
     pub fn magnitude(&mut self, a: Amount<B>) -> Amount<B> {
-        if self.is_negative(a.0) { Amount(self.neg(a.0)) } else { a }
-    }
-
-    /// Which of two ways to go on.
-    fn is_negative(&mut self, a: Num<B>) -> bool {
-        let negative = a.value.to_f64() < 0.0;
-        self.recorder.parting(a.mark, negative);
-        negative
+        if a.value() < 0.0 { Amount(self.neg(a.0)) } else { a }
     }
 
     /// −a.
@@ -473,7 +466,7 @@ impl<B: Bench> Board<B> {
     /// Angle between two directions, 0 to π.
     pub fn unsigned_angle(&mut self, from: Direction<B>, to: Direction<B>) -> Angle<B> {
         let sin = self.cross(from.x, to.y, from.y, to.x);
-        let sin = if self.is_negative(sin) { self.neg(sin) } else { sin };
+        let sin = if sin.value.to_f64() < 0.0 { self.neg(sin) } else { sin };
         let cos = self.dot(from.x, to.x, from.y, to.y);
         let angle = self.atan2(sin, cos);
         Angle(self.pencilled(angle, Pencil::AngleReading))

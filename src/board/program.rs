@@ -5,10 +5,10 @@
 //! once; what no asked number and no condition needs is left out. A [`Program`] holds no string, no label
 //! and no branch, and runs without allocation.
 //!
-//! Three things that a drawing decides by looking stay as they were in the drawing that was transcribed:
-//! which of two meeting points is taken (a [`Program::chords`] sign, which can be turned at a change point),
-//! which of two ways was gone on from a number's sign ([`Program::partings`]), and that every divisor is not
-//! zero ([`Program::divisors`]). Whoever runs the program watches them.
+//! What a drawing decides by looking stays as it was in the drawing that was transcribed: which of two
+//! meeting points is taken (a sign of [`Program::chords`], which can be turned at a change point), whether a
+//! magnitude was taken of a negative number (the program then gives it with either sign), and that no
+//! divisor is zero ([`Program::divisors`]). Whoever runs the program watches them.
 
 use std::collections::HashMap;
 
@@ -57,7 +57,6 @@ pub struct Transcript {
     constants: HashMap<u64, u32>,
     chords: Vec<u32>,
     divisors: Vec<(u32, Reason)>,
-    partings: Vec<(u32, bool)>,
 }
 
 impl Transcript {
@@ -170,12 +169,8 @@ impl Transcript {
     #[must_use]
     pub fn program(self, asked: &[u32]) -> Program {
         let mut needed = vec![false; self.nodes.len()];
-        let roots = asked
-            .iter()
-            .copied()
-            .chain(self.divisors.iter().map(|d| d.0))
-            .chain(self.partings.iter().map(|p| p.0))
-            .chain(self.chords.iter().copied());
+        let roots =
+            asked.iter().copied().chain(self.divisors.iter().map(|d| d.0)).chain(self.chords.iter().copied());
         for root in roots {
             if let Some(needed) = needed.get_mut(root as usize) {
                 *needed = true;
@@ -196,7 +191,6 @@ impl Transcript {
             asked: Vec::new(),
             chords: Vec::new(),
             divisors: Vec::new(),
-            partings: Vec::new(),
         };
         for (slot, node) in self.nodes.iter().enumerate() {
             if !needed[slot] {
@@ -246,8 +240,6 @@ impl Transcript {
             self.divisors.iter().filter(|d| open(d.0)).map(|&(slot, why)| (slot_of(slot), why)).collect();
         program.divisors.sort_unstable();
         program.divisors.dedup_by_key(|d| d.0);
-        program.partings =
-            self.partings.iter().filter(|p| open(p.0)).map(|&(slot, way)| (slot_of(slot), way)).collect();
         program
     }
 }
@@ -310,10 +302,6 @@ impl Recorder for Transcript {
         self.make(kind, of)
     }
 
-    fn parting(&mut self, mark: u32, negative: bool) {
-        self.partings.push((mark, negative));
-    }
-
     fn divisor(&mut self, mark: u32, _: f64, reason: Reason) {
         self.divisors.push((mark, reason));
     }
@@ -373,7 +361,6 @@ pub struct Program {
     asked: Vec<u32>,
     chords: Vec<u32>,
     divisors: Vec<(u32, Reason)>,
-    partings: Vec<(u32, bool)>,
 }
 
 /// A number, how it changes with the input, and to first order how far rounding may have put it off.
@@ -497,6 +484,8 @@ impl Program {
     /// Reckons one position, with the derivative of every number by the input and its running error.
     pub fn look(&self, input: f64, signs: &[f64], place: &mut Place) {
         const U: f64 = f64::EPSILON / 2.0;
+        /// A number stands clear of its error as a divisor does on the tape.
+        const CLEAR: f64 = 8.0;
         let rows = &mut place.rows;
         rows.clear();
         rows.resize(self.rows as usize, Moving::default());
@@ -508,7 +497,11 @@ impl Program {
         for step in &self.steps {
             let of = step.from.map(|row| rows.get(row as usize).copied().unwrap_or_default());
             let sign = signs.get(step.from[1] as usize).copied().unwrap_or(1.0);
-            let values = of.map(|m| m.value);
+            let mut values = of.map(|m| m.value);
+            if step.kind == Kind::HalfChord && values[0].abs() <= CLEAR * of[0].error {
+                // The arcs just touch: what is left of the chord is rounding.
+                values[0] = 0.0;
+            }
             let value = reckon(step.kind, values, sign);
             let partials = partials(step.kind, values, value);
             let mut out = Moving { value, slope: 0.0, error: 2.0 * U * value.abs() };
@@ -545,9 +538,23 @@ impl Program {
         self.divisors.iter().map(|&(row, _)| place.rows[row as usize])
     }
 
-    /// Every number by whose sign the drawing took its way, and whether it was negative then.
-    pub fn partings<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = (Moving, bool)> + 'a {
-        self.partings.iter().map(|&(row, way)| (place.rows[row as usize], way))
+    /// The reason that was noted with a divisor.
+    #[must_use]
+    pub fn reason_of_divisor(&self, index: usize) -> Option<Reason> {
+        self.divisors.get(index).map(|d| d.1)
+    }
+
+    /// The reason that was noted with a chord.
+    #[must_use]
+    pub fn reason_of_chord(&self, index: usize) -> Option<Reason> {
+        let row = self.chords.get(index)?;
+        self.divisors.iter().find(|d| d.0 == *row).map(|d| d.1)
+    }
+
+    /// Whether a divisor is the square of a half chord.
+    #[must_use]
+    pub fn is_chord(&self, index: usize) -> bool {
+        self.divisors.get(index).is_some_and(|d| self.chords.contains(&d.0))
     }
 }
 

@@ -117,8 +117,6 @@ pub trait Recorder {
     }
     /// A result: how it was reckoned from what, and the rounding of this operation alone.
     fn result(&mut self, step: Reckoning, parts: &[(Self::Mark, f64)], rounding: f64) -> Self::Mark;
-    /// The drawing goes on in one of two ways because this number is negative or not.
-    fn parting(&mut self, _mark: Self::Mark, _negative: bool) {}
     /// The slip of a human hand in one act, in millimetres or radians; `None` where the hand is perfect.
     fn pencil(&mut self, _kind: Pencil) -> Option<(f64, Self::Mark)> {
         None

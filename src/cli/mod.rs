@@ -13,6 +13,7 @@ mod new;
 mod report;
 mod solve;
 mod structure;
+mod sweep;
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -94,6 +95,29 @@ enum Command {
         /// Print one JSON object
         #[arg(long)]
         json: bool,
+    },
+    /// Move a mechanism through the range of its first input: limits, dead positions, strokes, extremes;
+    /// tables and diagrams
+    Sweep {
+        /// The scene file; - for standard input
+        scene: PathBuf,
+        /// Equal steps over the range; one position more than steps
+        #[arg(long, value_name = "N", conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+        steps: Option<u32>,
+        /// As many positions as it takes for no column to stray from the line between two of them by more
+        /// than this part of its range
+        #[arg(long, value_name = "PERCENT", value_parser = parse_percent)]
+        tolerance: Option<f64>,
+        /// Where to begin, in the scene's unit of the input; a whole turn from 0 where nothing is said
+        #[arg(long, value_name = "PLACE", allow_negative_numbers = true, requires = "to")]
+        from: Option<f64>,
+        /// Where to end
+        #[arg(long, value_name = "PLACE", allow_negative_numbers = true, requires = "from")]
+        to: Option<f64>,
+        /// Where to write; the extension chooses the format (.csv, .json, .svg). What happens on the way, on
+        /// stdout, without it
+        #[arg(short, long, value_name = "FILE")]
+        output: Vec<PathBuf>,
     },
     /// List the mechanism catalogue, or write a ready scene of a kind
     New {
@@ -189,6 +213,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith })
         }
         Command::Structure { scene, json } => structure::run(&scene, json),
+        Command::Sweep { scene, steps, tolerance, from, to, output } => {
+            sweep::run(&sweep::Job { scene, steps, tolerance, from, to, output })
+        }
         Command::New { kind } => new::run(kind.as_deref()),
         Command::Schema => schema(),
     };

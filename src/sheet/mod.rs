@@ -7,6 +7,7 @@
 
 mod compose;
 mod coriolis;
+pub mod diagrams;
 mod feet;
 pub mod figure;
 pub mod font;
