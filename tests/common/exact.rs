@@ -54,6 +54,17 @@ impl Exact {
         Self(if power < 0 { (digits << BITS) / ten } else { (digits * ten) << BITS })
     }
 
+    /// So many digits after the point, cut off.
+    pub(crate) fn to_decimal(&self, digits: u32) -> String {
+        let scaled = (&self.0 * BigInt::from(10).pow(digits)) >> BITS;
+        let negative = scaled.sign() == num_bigint::Sign::Minus;
+        let text = format!("{:0>width$}", scaled.magnitude().to_string(), width = digits as usize + 1);
+        let (whole, part) = text.split_at(text.len() - digits as usize);
+        let part = part.trim_end_matches('0');
+        let point = if part.is_empty() { "" } else { "." };
+        format!("{}{whole}{point}{part}", if negative { "-" } else { "" })
+    }
+
     /// π, by Machin's formula.
     pub(crate) fn pi() -> Self {
         let arc_cotangent = |x: i64| {
