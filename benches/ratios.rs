@@ -206,14 +206,14 @@ fn sweeps() {
     row("eight-link, sweep: its quantities", swept(&example("eight-link").mechanism), None);
 }
 
-/// A crank and so many dyads one after the other, each between the last pin and a fixed one.
+/// A crank and so many dyads one after the other, each between the last pin and a fixed one: parallelograms.
 fn chain(dyads: usize) -> Scene {
     let (mut fixed, mut links, mut near) = (String::new(), String::new(), String::new());
     for i in 1..=dyads {
         let x = 120.0 * i as f64;
         let _ = write!(fixed, r#", "G{i}": [{x}, 0]"#);
         let (two, three) = (2 * i + 1, 2 * i + 2);
-        let _ = write!(links, r#", "{two}": {{ "joins": ["P{}", "P{i}"], "length": 121.5 }}"#, i - 1);
+        let _ = write!(links, r#", "{two}": {{ "joins": ["P{}", "P{i}"], "length": 120 }}"#, i - 1);
         let _ = write!(links, r#", "{three}": {{ "joins": ["G{i}", "P{i}"], "length": 60 }}"#);
         let _ = write!(near, r#"{}"P{i}": [{x}, 60]"#, if i > 1 { ", " } else { "" });
     }
@@ -255,8 +255,8 @@ fn lengths() {
             Err(error) => panic!("{error}"),
         };
         let plan = Plan::new(m, &structure, Extent::Asked);
-        let program = match transcribe(m, &structure, &plan, 0) {
-            Ok(transcribed) => transcribed.program,
+        let program = match transcribe(m, &structure, &plan, (0, m.asked.len())) {
+            Ok(transcribed) => transcribed.lean,
             Err(error) => panic!("{error}"),
         };
         let signs = vec![1.0; program.chord_count()];

@@ -165,24 +165,17 @@ impl Transcript {
         slot
     }
 
-    /// The program that reckons these numbers.
+    /// The program that reckons these numbers; with every divisor to be watched, or without.
     #[must_use]
-    pub fn program(self, asked: &[u32]) -> Program {
-        let mut needed = vec![false; self.nodes.len()];
-        let roots =
-            asked.iter().copied().chain(self.divisors.iter().map(|d| d.0)).chain(self.chords.iter().copied());
-        for root in roots {
-            if let Some(needed) = needed.get_mut(root as usize) {
-                *needed = true;
-            }
-        }
-        for slot in (0..self.nodes.len()).rev() {
-            if let (true, Node::Made(kind, operands_of)) = (needed[slot], self.nodes[slot]) {
-                for &operand in &operands_of[..operands(kind)] {
-                    needed[operand as usize] = true;
-                }
-            }
-        }
+    pub fn program(&self, asked: &[u32], watched: bool) -> Program {
+        let divisors: &[(u32, Reason)] = if watched { &self.divisors } else { &[] };
+        let kept: Vec<u32> = asked
+            .iter()
+            .copied()
+            .chain(divisors.iter().map(|d| d.0))
+            .chain(self.chords.iter().copied())
+            .collect();
+        let last_use = self.last_uses(&kept);
         let mut slots = vec![0_u32; self.nodes.len()];
         let mut program = Program {
             steps: Vec::new(),
@@ -192,8 +185,10 @@ impl Transcript {
             chords: Vec::new(),
             divisors: Vec::new(),
         };
+        // Rows whose number nobody needs any more: few rows stay in the nearest cache.
+        let mut free: Vec<u32> = Vec::new();
         for (slot, node) in self.nodes.iter().enumerate() {
-            if !needed[slot] {
+            if last_use[slot] == Use::Never {
                 continue;
             }
             let Node::Made(kind, of) = *node else {
@@ -207,41 +202,73 @@ impl Transcript {
             if kind == Kind::HalfChord {
                 from[1] = of[1];
             }
-            // Sine and cosine of one angle are reckoned in one go.
+            // Sine and cosine of one angle are reckoned in one go: the second stands with the first.
             let partner = match kind {
-                Kind::Cosine => Some(Kind::Sine),
-                Kind::Sine => Some(Kind::Cosine),
+                Kind::Cosine => self.made.get(&(Kind::Sine, of)),
+                Kind::Sine => self.made.get(&(Kind::Cosine, of)),
                 _ => None,
             };
-            if let Some(partner) = partner
-                && let Some(earlier) = self.made.get(&(partner, of))
-                && (*earlier as usize) < slot
-                && needed[*earlier as usize]
-                && let Some(step) = program
-                    .steps
-                    .iter_mut()
-                    .find(|s| s.from[0] == from[0] && matches!(s.kind, Kind::Cosine | Kind::Sine))
-            {
-                let row = program.rows;
-                program.rows += 1;
-                step.second = row;
-                slots[slot] = row;
+            let partner = partner.map(|&p| p as usize).filter(|&p| last_use[p] != Use::Never);
+            if partner.is_some_and(|p| p < slot) {
                 continue;
             }
-            let to = program.row();
+            let mut row = |program: &mut Program| free.pop().unwrap_or_else(|| program.row());
+            let to = row(&mut program);
             slots[slot] = to;
-            program.steps.push(Step { kind, to, second: 0, from });
+            let second = partner.map_or(0, |p| {
+                slots[p] = row(&mut program);
+                slots[p]
+            });
+            program.steps.push(Step { kind, to, second, from });
+            let mut done: Vec<u32> = of[..operands(kind)].to_vec();
+            done.sort_unstable();
+            done.dedup();
+            for operand in done {
+                let made = matches!(self.nodes[operand as usize], Node::Made(..));
+                if made && last_use[operand as usize] == Use::At(slot) {
+                    free.push(slots[operand as usize]);
+                }
+            }
         }
         let slot_of = |slot: u32| slots.get(slot as usize).copied().unwrap_or(0);
         program.asked = asked.iter().map(|&slot| slot_of(slot)).collect();
         program.chords = self.chords.iter().map(|&slot| slot_of(slot)).collect();
         let open = |slot: u32| !matches!(self.nodes.get(slot as usize), Some(Node::Constant(_)) | None);
         program.divisors =
-            self.divisors.iter().filter(|d| open(d.0)).map(|&(slot, why)| (slot_of(slot), why)).collect();
+            divisors.iter().filter(|d| open(d.0)).map(|&(slot, why)| (slot_of(slot), why)).collect();
         program.divisors.sort_unstable();
         program.divisors.dedup_by_key(|d| d.0);
         program
     }
+
+    /// Which node is the last to need each number; kept numbers are needed to the end.
+    fn last_uses(&self, kept: &[u32]) -> Vec<Use> {
+        let mut uses = vec![Use::Never; self.nodes.len()];
+        for &slot in kept {
+            if let Some(u) = uses.get_mut(slot as usize) {
+                *u = Use::End;
+            }
+        }
+        for slot in (0..self.nodes.len()).rev() {
+            if let (true, Node::Made(kind, of)) = (uses[slot] != Use::Never, self.nodes[slot]) {
+                // What is reckoned with its partner is reckoned when the first of them is.
+                for &operand in &of[..operands(kind)] {
+                    if uses[operand as usize] == Use::Never {
+                        uses[operand as usize] = Use::At(slot);
+                    }
+                }
+            }
+        }
+        uses
+    }
+}
+
+/// When a number is needed for the last time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Use {
+    Never,
+    At(usize),
+    End,
 }
 
 impl Recorder for Transcript {

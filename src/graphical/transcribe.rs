@@ -11,8 +11,11 @@ use super::{DrawError, Scales, draw};
 /// A transcribed drawing and what its numbers mean.
 #[derive(Debug, Clone)]
 pub struct Transcribed {
-    /// The program; its asked numbers are those of the asked quantities one after the other.
+    /// The program, with every divisor that must not vanish; its asked numbers are those of the asked
+    /// quantities one after the other.
     pub program: Program,
+    /// The same for the first asked quantities only and without divisors: what a sweep runs.
+    pub lean: Program,
     /// How many numbers each asked quantity has; none for what has no meaning here.
     pub numbers: Vec<usize>,
     /// Link numbers behind each reason of a divisor.
@@ -28,7 +31,7 @@ impl Transcribed {
 }
 
 /// Draws the mechanism once, at the place of its inputs, and writes the drawing down as a program of the
-/// input `swept`. Paper and reality have the same scale: nobody looks at this drawing.
+/// input `swept`; `lean` of the asked quantities are wanted for every position. Paper and reality have the same scale: nobody looks at this drawing.
 ///
 /// # Errors
 /// See [`DrawError`]; [`DrawError::NoConstruction`] for groups of higher class, whose trials are not steps of
@@ -37,7 +40,7 @@ pub fn transcribe(
     mechanism: &Mechanism,
     structure: &Structure,
     plan: &Plan,
-    swept: usize,
+    (swept, lean): (usize, usize),
 ) -> Result<Transcribed, DrawError> {
     let higher = plan.position.iter().map(|step| &structure.groups[step.group]).find(|group| {
         matches!(group.kind, GroupKind::Higher { .. } | GroupKind::TrialDriver { .. } | GroupKind::Other)
@@ -50,10 +53,17 @@ pub fn transcribe(
     let board = Board::<Equipped<f64, Transcript>>::new(Transcript::of_input(swept));
     let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
     let readings = read_all(&mut draughtsman);
-    let numbers = readings.iter().map(|(numbers, _)| numbers.as_ref().map_or(0, Vec::len)).collect();
+    let numbers: Vec<usize> =
+        readings.iter().map(|(numbers, _)| numbers.as_ref().map_or(0, Vec::len)).collect();
     let asked: Vec<u32> =
         readings.iter().flat_map(|(numbers, _)| numbers.iter().flatten().map(|(mark, _)| *mark)).collect();
     let reasons = draughtsman.all_reasons();
     let transcript = std::mem::take(draughtsman.board.recorder());
-    Ok(Transcribed { program: transcript.program(&asked), numbers, reasons })
+    let few = numbers.iter().take(lean).sum::<usize>().min(asked.len());
+    Ok(Transcribed {
+        program: transcript.program(&asked, true),
+        lean: transcript.program(&asked[..few], false),
+        numbers,
+        reasons,
+    })
 }

@@ -150,7 +150,7 @@ impl Sweep {
         let structure = Structure::of(&mechanism)?;
         prepare::refuse_rolled_points(&mechanism, &structure)?;
         let plan = Plan::new(&mechanism, &structure, Extent::Asked);
-        let transcribed = transcribe(&mechanism, &structure, &plan, swept)?;
+        let transcribed = transcribe(&mechanism, &structure, &plan, (swept, asked))?;
         let mut columns = Vec::new();
         for (index, (asked_here, numbers)) in mechanism.asked.iter().zip(&transcribed.numbers).enumerate() {
             for axis in 0..*numbers {
@@ -189,7 +189,7 @@ impl Sweep {
     /// How many operations one position takes.
     #[must_use]
     pub fn operations(&self) -> usize {
-        self.transcribed.program.len()
+        self.transcribed.lean.len()
     }
 
     /// The stretch in which a place lies.
@@ -224,12 +224,12 @@ impl Sweep {
             .collect()
     }
 
-    /// Reckons the columns at many places, in blocks and without allocation for each: `take` gets the place
+    /// Reckons the asked columns at many places, in blocks and without allocation for each: `take` gets the place
     /// and its numbers. Numbers at events of the course (which see) mean nothing.
     pub fn run(&self, places: &[f64], mut take: impl FnMut(f64, &[f64])) {
-        let program = &self.transcribed.program;
+        let program = &self.transcribed.lean;
         let mut block = program.block();
-        let mut row = vec![0.0; self.columns.len()];
+        let mut row = vec![0.0; self.columns.iter().filter(|c| !c.watched).count()];
         for stretch in &self.stretches {
             let inside: &[f64] = {
                 let from = places.partition_point(|p| *p < stretch.from);
