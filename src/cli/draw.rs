@@ -9,6 +9,7 @@ use crate::graphical::construction::Construction;
 use crate::plan::{Auxiliary, Extent};
 use crate::scene::{Scene, Subject};
 use crate::sheet::{self, Figure};
+use crate::solve::Settings;
 
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
@@ -23,6 +24,7 @@ pub(super) struct Job {
     pub(super) paper: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) dpi: f32,
+    pub(super) settings: Settings,
 }
 
 /// What is drawn of a scene.
@@ -69,10 +71,10 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
     let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
     let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(Failure)?;
-    let solved = crate::solve::solve_with(scene, extent, &auxiliary, scales)
+    let solved = crate::solve::solve_with_figures(scene, extent, &auxiliary, job.settings, scales)
         .map_err(|error| failure(scene, &error))?;
     let construction = &solved.solution.construction;
-    let shown = Shown { scene, extent, language };
+    let shown = Shown { scene, extent, language, settings: job.settings };
     let figure = match (job.kind, &names[..]) {
         (Kind::Question, []) => sheet::question(scene, construction, language),
         (Kind::Question, ["skeleton"]) => sheet::single_of_question(scene, construction, language),
@@ -131,6 +133,7 @@ struct Shown<'a> {
     scene: &'a Scene,
     extent: Extent,
     language: sheet::Language,
+    settings: Settings,
 }
 
 impl Shown<'_> {
@@ -148,7 +151,7 @@ impl Shown<'_> {
         let again = smaller.zip(kind).map(|(length, kind)| {
             let choose =
                 |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
-            crate::solve::solve_with(scene, self.extent, &[kind], choose)
+            crate::solve::solve_with_figures(scene, self.extent, &[kind], self.settings, choose)
                 .map_err(|error| failure(scene, &error))
         });
         let again = again.transpose()?;

@@ -9,7 +9,7 @@
 //! too short to draw is a circle with `data-as-point`. The polygon's and the skeleton's `data-scale` is its
 //! unit per millimetre; images and joints carry `data-point`, which no two places of a figure share.
 
-use kurbo::Point;
+use kurbo::{BezPath, PathEl, Point};
 use svg::Document;
 use svg::node::Blob;
 use svg::node::element::{Circle, Element, Group as GroupElement, Path};
@@ -73,6 +73,22 @@ fn group(group: &Group) -> GroupElement {
     element
 }
 
+/// The path data of a curve.
+fn curve(path: &BezPath, at: impl Fn(Point) -> String) -> String {
+    let parts: Vec<String> = path
+        .elements()
+        .iter()
+        .map(|element| match *element {
+            PathEl::MoveTo(p) => format!("M{}", at(p)),
+            PathEl::LineTo(p) => format!("L{}", at(p)),
+            PathEl::QuadTo(a, p) => format!("Q{} {}", at(a), at(p)),
+            PathEl::CurveTo(a, b, p) => format!("C{} {} {}", at(a), at(b), at(p)),
+            PathEl::ClosePath => "Z".to_owned(),
+        })
+        .collect();
+    parts.join(" ")
+}
+
 fn mark(mark: &Mark) -> Element {
     let decimals = if mark.precise { PRECISE } else { LAYOUT };
     let n = |value: f64| decimal(value, decimals);
@@ -81,6 +97,7 @@ fn mark(mark: &Mark) -> Element {
         Shape::Line(a, b) => Path::new().set("d", format!("M{} L{}", at(*a), at(*b))).into(),
         Shape::Polyline(points) => Path::new().set("d", through(points, at)).into(),
         Shape::Polygon(points) => Path::new().set("d", format!("{} Z", through(points, at))).into(),
+        Shape::Curve(path) => Path::new().set("d", curve(path, at)).into(),
         Shape::Circle { centre, radius } => {
             Circle::new().set("cx", n(centre.x)).set("cy", n(centre.y)).set("r", n(*radius)).into()
         }

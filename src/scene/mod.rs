@@ -25,6 +25,7 @@ pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
 pub use sheet::paper_size;
 pub use source::{Source, Subject};
+pub use units::si_of;
 
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Unit;
