@@ -6,7 +6,7 @@ use crate::graphical::construction::Reading;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
-use crate::plan::{Extent, Plan};
+use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
 
 /// How to solve.
@@ -64,7 +64,7 @@ impl SolveError {
             Self::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. }) => {
                 Some(Refusal::CannotAssemble)
             }
-            Self::Draw(DrawError::Ambiguous { .. }) => Some(Refusal::Ambiguous),
+            Self::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Some(Refusal::Ambiguous),
             Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
             Self::Unanswered { .. } | Self::Structure(_) | Self::Draw(DrawError::NoConstruction { .. }) => {
                 None
@@ -81,26 +81,36 @@ impl SolveError {
 pub fn solve(
     scene: &Scene,
     extent: Extent,
-    choose: impl FnOnce(&Scene, Extents) -> Scales,
+    choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
-    solve_with(scene, extent, Settings::default(), choose)
+    solve_with(scene, extent, &[], Settings::default(), choose)
 }
 
-/// As [`solve`], with settings of choice.
+/// As [`solve`], with constructions on the skeleton besides those by which a quantity is asked, and with
+/// settings of choice.
 ///
 /// # Errors
 /// See [`SolveError`].
 pub fn solve_with(
     scene: &Scene,
     extent: Extent,
+    auxiliary: &[Auxiliary],
     settings: Settings,
-    choose: impl FnOnce(&Scene, Extents) -> Scales,
+    choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
-    let plan = Plan::new(&scene.mechanism, &structure, extent);
-    let extents = graphical::extents(&scene.mechanism, &structure, &plan)?;
-    let scales = choose(scene, extents);
-    let solution = graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, &plan, scales)?;
+    let draw = |plan: &Plan| {
+        let scales = choose(scene, graphical::extents(&scene.mechanism, &structure, plan)?);
+        let drawn = graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales);
+        drawn.map(|solution| (scales, solution))
+    };
+    let plan_from = |source| Plan::with_auxiliary(&scene.mechanism, &structure, extent, source, auxiliary);
+    let mut plan = plan_from(CentreSource::Diagram);
+    let (mut scales, mut solution) = draw(&plan)?;
+    if solution.construction.circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty()) {
+        plan = plan_from(CentreSource::Velocities);
+        (scales, solution) = draw(&plan)?;
+    }
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     Ok(Solved { structure, plan, scales, solution })
 }

@@ -11,7 +11,7 @@ use crate::check::{Agreement, Compared};
 use crate::double_double::DoubleDouble;
 use crate::graphical::construction::Fine;
 use crate::graphical::{Draughtsmen, HandError};
-use crate::mechanism::quantity::{Answer, Asked, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Method, Quantity};
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::solve::{Hand, Settings};
@@ -31,8 +31,9 @@ const DRAUGHTSMEN: u64 = 1000;
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
-    let solved = crate::solve::solve_with(scene, Extent::Asked, job.settings, crate::sheet::scale::for_scene)
-        .map_err(|error| failure(scene, &error))?;
+    let solved =
+        crate::solve::solve_with(scene, Extent::Asked, &[], job.settings, crate::sheet::scale::for_scene)
+            .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
     let by_hand = match job.hand {
         Some(hand) => {
@@ -41,8 +42,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
         None => Vec::new(),
     };
-    let explanation =
-        job.explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
+    let explanation = job.explain.then(|| {
+        let circle = solved.solution.construction.circle.as_ref();
+        let centres = circle.map_or_else(String::new, |c| c.explain(&scene.mechanism).to_string());
+        solved.plan.explain(&scene.mechanism, &solved.structure).to_string() + &centres
+    });
     let text = if job.json {
         let mut object = object(&file, scene, &solved, &agreement, &by_hand);
         if let (Some(explanation), Some(map)) = (&explanation, object.as_object_mut()) {
@@ -61,10 +65,10 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
 fn table(solved: &crate::solve::Solved, agreement: &Agreement, by_hand: &[HandError]) -> String {
     let mut out = String::new();
     let _ = writeln!(out, "{}", solved.structure.mobility);
-    let width = agreement.compared.iter().map(|c| c.asked.name.len()).max().unwrap_or(0);
+    let width = agreement.compared.iter().map(|c| named(&c.asked).len()).max().unwrap_or(0);
     for (index, compared) in agreement.compared.iter().enumerate() {
         let asked = &compared.asked;
-        let _ = write!(out, "{:width$}  {}", asked.name, describe(asked, &compared.graphical.answer));
+        let _ = write!(out, "{:width$}  {}", named(asked), describe(asked, &compared.graphical.answer));
         let _ = match (compared.difference, compared.indeterminate()) {
             (Some(d), _) => writeln!(
                 out,
@@ -86,6 +90,14 @@ fn table(solved: &crate::solve::Solved, agreement: &Agreement, by_hand: &[HandEr
     }
     let _ = writeln!(out, "{}", verdict(agreement));
     out
+}
+
+/// The name of a quantity, with the method by which it is asked where that is not the polygon.
+fn named(asked: &Asked) -> String {
+    match asked.method {
+        Method::Polygon => asked.name.clone(),
+        method => format!("{} by {}", asked.name, method.name()),
+    }
 }
 
 /// One line on the agreement of the two solvers.
@@ -132,6 +144,9 @@ fn quantity(compared: &Compared) -> Value {
     let mut map = Map::new();
     map.insert("name".to_owned(), json!(asked.name));
     map.insert("unit".to_owned(), json!(asked.unit.symbol));
+    if asked.method != Method::Polygon {
+        map.insert("method".to_owned(), json!(asked.method.name()));
+    }
     if let Some(why) = compared.indeterminate() {
         map.insert("indeterminate".to_owned(), json!(why.to_string()));
         return Value::Object(map);

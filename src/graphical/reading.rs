@@ -1,10 +1,12 @@
 //! Reads the asked quantities off the finished diagrams.
 
-use crate::board::{Amount, Angle, Bench, MarkOf, Point, Real, TOO_LARGE, Tape};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
+use crate::board::{Amount, Angle, Bench, Direction, Line, Location, MarkOf, Point, Real, TOO_LARGE, Tape};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{Form, LinkId, PointId};
-use crate::plan::{home, transmission_points};
+use crate::plan::{Auxiliary, chord, home, transmission_points};
 
+use super::auxiliary::KleinAnswer;
+use super::centres::{FromCentres, NO_INPUT};
 use super::construction::{Act, Calculation, Fine, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
 
@@ -13,8 +15,22 @@ enum Read<B: Bench> {
     Vector([Amount<B>; 2]),
     Scalar(Amount<B>),
     Angle(Angle<B>),
+    Toward(Direction<B>, Angle<B>),
     Undefined(&'static str),
 }
+
+/// What was read off for an asked quantity.
+pub(super) struct ReadOff<B: Bench> {
+    /// Marks and values, two for a vector; or why there are none.
+    pub(super) numbers: Numbers<B>,
+    /// The direction of a place at infinity; its angle is the number.
+    toward: Option<[f64; 2]>,
+    /// How long it was drawn.
+    drawn_mm: Option<f64>,
+}
+
+/// Marks and values of a read quantity, or why there are none.
+pub(super) type Numbers<B> = Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>;
 
 /// Reads every asked quantity, with its bound from the tape.
 pub(super) fn answers<B: Bench<Recorder = Tape>>(
@@ -23,47 +39,56 @@ pub(super) fn answers<B: Bench<Recorder = Tape>>(
     let mut slots = Vec::new();
     let readings = read_all(d)
         .into_iter()
-        .map(|(read, drawn_mm)| {
-            slots.push(read.iter().flatten().map(|(mark, _)| *mark).collect());
-            let (answer, fine) = d.answer(read);
-            Reading { answer, fine, drawn_mm }
+        .map(|read| {
+            slots.push(read.numbers.iter().flatten().map(|(mark, _)| *mark).collect());
+            let (answer, fine) = d.answer(&read);
+            Reading { answer, fine, drawn_mm: read.drawn_mm }
         })
         .collect();
     (readings, slots)
 }
 
-/// Reads every asked quantity and says what stands for it, and how long it was drawn.
-pub(super) fn read_all<B: Bench>(d: &mut Draughtsman<'_, B>) -> Vec<(Numbers<B>, Option<f64>)> {
+/// Reads every asked quantity.
+pub(super) fn read_all<B: Bench>(d: &mut Draughtsman<'_, B>) -> Vec<ReadOff<B>> {
     let asked = d.mechanism.asked.clone();
-    let read = |asked: &Asked| {
-        let read = d.read_quantity(&asked.quantity);
-        let drawn_mm = d.drawn_length(&asked.quantity);
+    asked.iter().enumerate().map(|(index, asked)| d.read_off(index, asked)).collect()
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    fn read_off(&mut self, index: usize, asked: &Asked) -> ReadOff<B> {
+        let read = if asked.method == Method::Klein {
+            self.read_klein(&asked.quantity)
+        } else if asked.by_centres() {
+            self.read_from_centres(index)
+        } else {
+            self.read_quantity(&asked.quantity)
+        };
+        let of_polygon = asked.method != Method::Klein;
+        let drawn_mm = of_polygon.then(|| self.drawn_length(&asked.quantity)).flatten();
+        let toward = match &read {
+            Read::Toward(direction, _) => Some(direction.value()),
+            _ => None,
+        };
         let numbers = match read {
             Read::Vector([x, y]) => Ok(vec![(x.mark(), x.real()), (y.mark(), y.real())]),
             Read::Scalar(a) => Ok(vec![(a.mark(), a.real())]),
-            Read::Angle(a) => Ok(vec![(a.mark(), a.real())]),
+            Read::Angle(a) | Read::Toward(_, a) => Ok(vec![(a.mark(), a.real())]),
             Read::Undefined(why) => Err(why),
         };
-        (numbers, drawn_mm)
-    };
-    asked.iter().map(read).collect()
+        ReadOff { numbers, toward, drawn_mm }
+    }
 }
 
-/// Marks and values of a read quantity, two for a vector; or why there are none.
-pub(super) type Numbers<B> = Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>;
-
 impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
-    fn answer(&mut self, numbers: Numbers<B>) -> (Answer, Option<Fine>) {
-        let numbers = match numbers {
+    fn answer(&mut self, read: &ReadOff<B>) -> (Answer, Option<Fine>) {
+        let undefined = |why: &str| Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() });
+        let numbers = match &read.numbers {
             Ok(numbers) => numbers,
-            Err(why) => {
-                return (Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() }), None);
-            }
+            Err(why) => return (undefined(why), None),
         };
         let weak = numbers.iter().find_map(|&(mark, _)| self.board.recorder().weakness(mark));
         if weak == Some(TOO_LARGE) {
-            let why = "a number on the way is too large for this arithmetic".to_owned();
-            return (Answer::Indeterminate(Indeterminate::Undefined { why }), None);
+            return (undefined("a number on the way is too large for this arithmetic"), None);
         }
         if let Some(reason) = weak {
             let links = self.links_of(reason);
@@ -72,17 +97,18 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
         let bounds: Vec<f64> = numbers.iter().map(|&(mark, _)| self.board.recorder().bound(mark)).collect();
         let values: Vec<f64> = numbers.iter().map(|(_, real)| real.to_f64()).collect();
         let low: Vec<f64> = numbers.iter().map(|(_, real)| real.to_double_double().lo()).collect();
+        // The answer is rounded to a double: what that leaves belongs to its bound.
+        let rounded = |i: usize| bounds[i] + low[i].abs();
+        let answer = match (read.toward, &values[..]) {
+            (Some(direction), [_]) => return (Answer::AtInfinity { direction, bound: rounded(0) }, None),
+            (None, &[value]) => Answer::Scalar { value, bound: rounded(0) },
+            (None, &[x, y]) => Answer::Vector { value: [x, y], bound: libm::hypot(rounded(0), rounded(1)) },
+            _ => undefined("nothing was read"),
+        };
         let fine = (B::Real::UNIT_ROUNDOFF < f64::EPSILON / 4.0).then(|| Fine {
             value: numbers.iter().map(|(_, real)| real.to_double_double()).collect(),
             bound: bounds.iter().fold(0.0, |sum, b| libm::hypot(sum, *b)),
         });
-        // The answer is rounded to a double: what that leaves belongs to its bound.
-        let rounded = |i: usize| bounds[i] + low[i].abs();
-        let answer = match values[..] {
-            [value] => Answer::Scalar { value, bound: rounded(0) },
-            [x, y] => Answer::Vector { value: [x, y], bound: libm::hypot(rounded(0), rounded(1)) },
-            _ => Answer::Indeterminate(Indeterminate::Undefined { why: "nothing was read".to_owned() }),
-        };
         (answer, fine)
     }
 }
@@ -96,7 +122,37 @@ impl<B: Bench> Draughtsman<'_, B> {
         })
     }
 
+    /// What Klein's construction says of a quantity.
+    fn read_klein(&mut self, quantity: &Quantity) -> Read<B> {
+        match self.klein_answer(quantity) {
+            KleinAnswer::Vector(vector) => Read::Vector(vector),
+            KleinAnswer::Scalar(scalar) => Read::Scalar(scalar),
+            KleinAnswer::None => {
+                let refused = self.record().auxiliary.iter().find_map(|drawing| match drawing.kind {
+                    Auxiliary::Klein { crank, .. } if crank.leads_to(quantity) => drawing.refused,
+                    _ => None,
+                });
+                Read::Undefined(refused.unwrap_or(
+                    "Klein's construction leads to the pins and the rod of a slider-crank with a driven crank only",
+                ))
+            }
+        }
+    }
+
+    /// A velocity or an angular velocity by one of the methods of instant centres.
+    fn read_from_centres(&self, index: usize) -> Read<B> {
+        match self.transferred.iter().find(|(of, _)| *of == index) {
+            Some((_, Ok(FromCentres::Vector(components)))) => Read::Vector(*components),
+            Some((_, Ok(FromCentres::Scalar(rate)))) => Read::Scalar(*rate),
+            Some((_, Err(why))) => Read::Undefined(why),
+            None => Read::Undefined(NO_INPUT),
+        }
+    }
+
     fn read_quantity(&mut self, quantity: &Quantity) -> Read<B> {
+        if let (Err(why), false) = (self.fed, matches!(quantity.order(), Order::Position)) {
+            return Read::Undefined(why);
+        }
         match *quantity {
             Quantity::Velocity(p) => self.read_absolute(Order::Velocity, p, *quantity),
             Quantity::Acceleration(p) => self.read_absolute(Order::Acceleration, p, *quantity),
@@ -111,8 +167,14 @@ impl<B: Bench> Draughtsman<'_, B> {
             Quantity::Omega(l) => Read::Scalar(self.rate(Order::Velocity, l)),
             Quantity::Alpha(l) => Read::Scalar(self.rate(Order::Acceleration, l)),
             Quantity::RelativeOmega(i, j) => self.read_difference(Order::Velocity, i, j),
+            Quantity::Ratio(i, j) | Quantity::Advantage(j, i) => {
+                let (first, second) = (self.rate(Order::Velocity, i), self.rate(Order::Velocity, j));
+                let reason = self.reason(&[j]);
+                Read::Scalar(self.board.quotient(first, second, reason))
+            }
             Quantity::RelativeAlpha(i, j) => self.read_difference(Order::Acceleration, i, j),
             Quantity::Rub(pin, i, j) => self.read_rub(pin, i, j),
+            Quantity::PathRadius(p) => self.read_path_radius(p),
             Quantity::Position(p) => self.read_position(p),
             Quantity::Angle(l) => Read::Angle(self.read_angle(l)),
             Quantity::Transmission(i, j) => self.read_transmission(i, j),
@@ -127,7 +189,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             | Quantity::CoincidentAcceleration(_, link)
             | Quantity::CoincidentNormal(_, link)
             | Quantity::CoincidentTangential(_, link) => self.read_part(Order::Acceleration, quantity, link),
-            Quantity::Centre(..) => Read::Undefined("instant centres have no construction yet"),
+            Quantity::Centre(i, j) => self.read_centre(i, j),
         }
     }
 
@@ -152,7 +214,14 @@ impl<B: Bench> Draughtsman<'_, B> {
             None if matches!(quantity, Quantity::Coriolis(..)) && self.translates[link.0] => {
                 Read::Vector([self.rest(), self.rest()])
             }
-            None => Read::Undefined("no construction drew this vector"),
+            None => match *quantity {
+                Quantity::CoincidentVelocity(pin, _) | Quantity::CoincidentAcceleration(pin, _) => {
+                    self.step(order, &[link], Vec::new());
+                    let (pole, image) = (self.board.origin(), self.image_under(order, pin, link));
+                    self.read_vector(order, pole, image)
+                }
+                _ => Read::Undefined("no construction drew this vector"),
+            },
         }
     }
 
@@ -276,19 +345,64 @@ impl<B: Bench> Draughtsman<'_, B> {
         Read::Scalar(value)
     }
 
+    /// ρ = V² / Aⁿ, with Aⁿ the part of the acceleration square to V.
+    fn read_path_radius(&mut self, p: PointId) -> Read<B> {
+        if self.mechanism.is_fixed(p) {
+            return Read::Undefined("the point does not move");
+        }
+        let (pole, end) = (self.board.origin(), self.image(Order::Velocity, p));
+        let reason = self.reason(&[]);
+        let (along, mm) = self.board.toward(pole, end, reason);
+        if self.board.is_nothing(mm) {
+            return Read::Undefined("the point stands still here");
+        }
+        let image = self.image(Order::Acceleration, p);
+        let [_, across] = self.board.square_off(Line { through: pole, along }, image);
+        if self.board.is_nothing(across) {
+            return Read::Undefined("the path runs straight here");
+        }
+        let (velocity, acceleration) =
+            (self.polygon_scale(Order::Velocity), self.polygon_scale(Order::Acceleration));
+        let speed = self.board.read(mm, velocity);
+        let normal = self.board.read(across, acceleration);
+        let normal = self.board.magnitude(normal);
+        let radius = self.board.square_over(speed, normal, reason);
+        Read::Scalar(radius)
+    }
+
     /// The place in the world: as given for a fixed or placed point, else read off the skeleton.
     fn read_position(&mut self, p: PointId) -> Read<B> {
         if let Some([x, y]) = self.mechanism.point(p).place.exact() {
             return Read::Vector([self.board.amount(x), self.board.amount(y)]);
         }
         let at = self.at(p);
+        Read::Vector(self.in_world(at))
+    }
+
+    /// A place of the skeleton in the world.
+    fn in_world(&mut self, at: Point<B>) -> [Amount<B>; 2] {
         let scale = self.length_scale();
         let from = self.board.origin();
         let [x, y] = self.board.between(from, at);
         let origin = self.origin_of_space();
         let along = [x, y].map(|mm| self.board.read(mm, scale));
         let start = origin.map(|g| self.board.amount(g));
-        Read::Vector([self.board.sum(start[0], along[0]), self.board.sum(start[1], along[1])])
+        [self.board.sum(start[0], along[0]), self.board.sum(start[1], along[1])]
+    }
+
+    /// An instant centre: its place in the world, or the direction in which it lies at infinity.
+    fn read_centre(&mut self, i: LinkId, j: LinkId) -> Read<B> {
+        if i == j {
+            return Read::Undefined("a link has no motion against itself");
+        }
+        let Some(&centre) = self.centres.known.get(&chord(i, j)) else {
+            return Read::Undefined("no two triangles of the circle diagram lead to this centre");
+        };
+        let reason = self.reason(&[i, j]);
+        match self.board.locate(centre, reason) {
+            Location::Toward(direction, angle) => Read::Toward(direction, angle),
+            Location::At(at) => Read::Vector(self.in_world(at)),
+        }
     }
 
     /// Angle of a link's own x-axis, by protractor.

@@ -15,8 +15,8 @@ use svg::node::Blob;
 use svg::node::element::{Circle, Element, Group as GroupElement, Path};
 
 use super::number::decimal;
-use crate::sheet::figure::{Dash, Figure, Group, Mark, Node, Pen, Shape, Text, Tone, on_circle};
-use crate::sheet::font::{FAMILIES, Face};
+use crate::sheet::figure::{Dash, Figure, Group, Mark, Node, Pen, Run, Shape, Text, Tone, on_circle};
+use crate::sheet::font::{ARABIC_FAMILIES, FAMILIES, Face};
 
 /// Decimals of a millimetre for ink that only has to look right.
 const LAYOUT: usize = 3;
@@ -151,29 +151,35 @@ fn dashes(pen: Pen) -> Option<String> {
     Some(lengths.join(" "))
 }
 
-/// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs.
+/// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs. A line
+/// with words of Arabic script is one `<text>` per run: viewers order runs of two directions in one `<text>`
+/// each in its own way.
 fn text(text: &Text) -> Blob {
-    let mut out = String::from("<text");
-    if !text.class.is_empty() {
-        out.push_str(&format!(" class=\"{}\"", text.class));
+    let class = if text.class.is_empty() { String::new() } else { format!(" class=\"{}\"", text.class) };
+    if !text.runs.iter().any(|run| run.face.is_arabic()) {
+        return Blob::new(format!("<text{class}>{}</text>", text.runs.iter().map(run).collect::<String>()));
     }
-    out.push('>');
-    for run in &text.runs {
-        let face = match run.face {
-            Face::Upright => "",
-            Face::Italic => " font-style=\"italic\"",
-            Face::Bold => " font-weight=\"bold\"",
-        };
-        out.push_str(&format!(
-            "<tspan x=\"{}\" y=\"{}\" font-size=\"{}\"{face}>{}</tspan>",
-            decimal(run.at.x, LAYOUT),
-            decimal(run.at.y, LAYOUT),
-            decimal(run.size, LAYOUT),
-            escape(&run.text),
-        ));
-    }
-    out.push_str("</text>");
-    Blob::new(out)
+    let alone = |own: &Run| {
+        let family =
+            if own.face.is_arabic() { format!(" font-family=\"{ARABIC_FAMILIES}\"") } else { String::new() };
+        format!("<text{family}>{}</text>", run(own))
+    };
+    Blob::new(format!("<g{class}>{}</g>", text.runs.iter().map(alone).collect::<String>()))
+}
+
+fn run(run: &Run) -> String {
+    let face = match run.face {
+        Face::Upright | Face::Arabic => "",
+        Face::Italic => " font-style=\"italic\"",
+        Face::Bold | Face::ArabicBold => " font-weight=\"bold\"",
+    };
+    format!(
+        "<tspan x=\"{}\" y=\"{}\" font-size=\"{}\"{face}>{}</tspan>",
+        decimal(run.at.x, LAYOUT),
+        decimal(run.at.y, LAYOUT),
+        decimal(run.size, LAYOUT),
+        escape(&run.text),
+    )
 }
 
 /// Characters that XML cannot hold become the replacement character.
