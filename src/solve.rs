@@ -83,27 +83,15 @@ pub fn solve(
     extent: Extent,
     choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
-    solve_with(scene, extent, Settings::default(), choose)
+    solve_with(scene, extent, &[], Settings::default(), choose)
 }
 
-/// As [`solve`], with settings of choice.
+/// As [`solve`], with constructions on the skeleton besides those by which a quantity is asked, and with
+/// settings of choice.
 ///
 /// # Errors
 /// See [`SolveError`].
 pub fn solve_with(
-    scene: &Scene,
-    extent: Extent,
-    settings: Settings,
-    choose: impl Fn(&Scene, Extents) -> Scales,
-) -> Result<Solved, SolveError> {
-    solve_with_figures(scene, extent, &[], settings, choose)
-}
-
-/// As [`solve_with`], with constructions on the skeleton besides those by which a quantity is asked.
-///
-/// # Errors
-/// See [`SolveError`].
-pub fn solve_with_figures(
     scene: &Scene,
     extent: Extent,
     auxiliary: &[Auxiliary],
@@ -112,17 +100,16 @@ pub fn solve_with_figures(
 ) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
     let draw = |plan: &Plan| {
-        let extents = graphical::extents(&scene.mechanism, &structure, plan)?;
-        let scales = choose(scene, extents);
-        graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales)
-            .map(|solution| (solution, scales))
+        let scales = choose(scene, graphical::extents(&scene.mechanism, &structure, plan)?);
+        let drawn = graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales);
+        drawn.map(|solution| (scales, solution))
     };
     let plan_from = |source| Plan::with_auxiliary(&scene.mechanism, &structure, extent, source, auxiliary);
     let mut plan = plan_from(CentreSource::Diagram);
-    let (mut solution, mut scales) = draw(&plan)?;
+    let (mut scales, mut solution) = draw(&plan)?;
     if solution.construction.circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty()) {
         plan = plan_from(CentreSource::Velocities);
-        (solution, scales) = draw(&plan)?;
+        (scales, solution) = draw(&plan)?;
     }
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     Ok(Solved { structure, plan, scales, solution })

@@ -123,7 +123,7 @@ fn worst_in(arithmetic: Arithmetic, bar: &FourBar) -> Option<f64> {
     let truth = bar.closed_form()?;
     let scene = common::read(&bar.scene());
     let settings = Settings { arithmetic };
-    let solved = solve_with(&scene, Extent::Asked, settings, linkgram::sheet::scale::for_scene).ok()?;
+    let solved = solve_with(&scene, Extent::Asked, &[], settings, linkgram::sheet::scale::for_scene).ok()?;
     let mut worst = 0.0_f64;
     let apart = |value: &[DoubleDouble], truth: &[Exact]| {
         value.iter().zip(truth).fold(0.0, |sum, (v, t)| libm::hypot(sum, t.error_of_fine(*v)))

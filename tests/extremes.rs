@@ -173,7 +173,8 @@ fn hold_in(arithmetic: Arithmetic) -> usize {
         let must = case.answers.is_some_and(|a| rank(a) <= rank(arithmetic));
         let scene = common::read(&case.scene);
         let settings = Settings { arithmetic };
-        let solved = match solve_with(&scene, Extent::Asked, settings, linkgram::sheet::scale::for_scene) {
+        let solved = match solve_with(&scene, Extent::Asked, &[], settings, linkgram::sheet::scale::for_scene)
+        {
             Ok(solved) => solved,
             Err(error) => {
                 assert!(!must, "{name}: {error}");

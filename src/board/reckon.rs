@@ -182,16 +182,6 @@ impl<B: Bench> Board<B> {
     }
 }
 
-/// The power of two that brings a size to between a half and one; one where there is no size.
-pub(super) fn power_of_two(size: f64) -> f64 {
-    if !(size.is_normal()) {
-        return 1.0;
-    }
-    let (_, exponent) = libm::frexp(size);
-    // Halved, so that neither the factor nor its reciprocal leaves the doubles.
-    libm::ldexp(1.0, (-exponent).clamp(-500, 500))
-}
-
 /// The number, or zero and `false` where the arithmetic has run over.
 fn finite<R: Real>(value: R) -> (R, bool) {
     if value.to_f64().is_finite() { (value, true) } else { (R::from_f64(0.0), false) }
@@ -213,4 +203,14 @@ fn of_products<R: Real, N>(ab: f64, cd: f64, parts: &[(N, f64); 4]) -> f64 {
     R::UNIT_ROUNDOFF * (ab.abs() + cd.abs())
         + underflow::<R>(ab, parts[0].1 != 0.0 && parts[1].1 != 0.0)
         + underflow::<R>(cd, parts[2].1 != 0.0 && parts[3].1 != 0.0)
+}
+
+/// The power of two that brings a size to between a half and one; one where there is no size.
+pub(super) fn power_of_two(size: f64) -> f64 {
+    if !(size.is_normal()) {
+        return 1.0;
+    }
+    let (_, exponent) = libm::frexp(size);
+    // Halved, so that neither the factor nor its reciprocal leaves the doubles.
+    libm::ldexp(1.0, (-exponent).clamp(-500, 500))
 }

@@ -169,6 +169,8 @@ struct Slot {
     parts: [(u32, f64); MOST_PARTS],
     count: u8,
     rounding: f64,
+    /// Running error: never below the first-order error, but without correlations often far above it.
+    running: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -249,10 +251,12 @@ impl Tape {
     }
 
     pub(super) fn push(&mut self, parts: &[(u32, f64)], rounding: f64) -> u32 {
-        let mut slot = Slot { parts: [(0, 0.0); MOST_PARTS], count: 0, rounding };
+        let mut slot = Slot { parts: [(0, 0.0); MOST_PARTS], count: 0, rounding, running: rounding };
         for (to, from) in slot.parts.iter_mut().zip(parts) {
             *to = *from;
             slot.count += 1;
+            let part = self.slots.get(from.0 as usize).map_or(0.0, |s| s.running);
+            slot.running += from.1.abs() * part;
         }
         let mark = u32::try_from(self.slots.len()).unwrap_or(u32::MAX);
         self.slots.push(slot);
@@ -276,9 +280,11 @@ impl Tape {
         for index in 0..self.divisors.len() {
             if self.divisors[index].weak.is_none() {
                 let Divisor { slot, value, .. } = self.divisors[index];
-                let error = self.first_order_error(slot);
-                // Written so that a not-a-number counts as weak.
-                let clear = error <= WEAK_DIVISOR * value.abs() && value != 0.0;
+                let running = self.slots.get(slot as usize).map_or(f64::INFINITY, |s| s.running);
+                // Written so that a not-a-number counts as weak. Where the running error is small enough
+                // already, nobody needs to sweep.
+                let within = |error: f64| error <= WEAK_DIVISOR * value.abs() && value != 0.0;
+                let clear = within(running) || within(self.first_order_error(slot));
                 self.divisors[index].weak = Some(!clear);
             }
         }

@@ -281,6 +281,7 @@ fn solve_for_check(scene: &Scene, settings: Settings) -> Result<(Agreement, Vec<
     let solved = crate::solve::solve_with(
         &both,
         crate::plan::Extent::Asked,
+        &[],
         settings,
         crate::sheet::scale::for_scene,
     )?;

@@ -71,7 +71,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
     let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
     let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(Failure)?;
-    let solved = crate::solve::solve_with_figures(scene, extent, &auxiliary, job.settings, scales)
+    let solved = crate::solve::solve_with(scene, extent, &auxiliary, job.settings, scales)
         .map_err(|error| failure(scene, &error))?;
     let construction = &solved.solution.construction;
     let shown = Shown { scene, extent, language, settings: job.settings };
@@ -151,7 +151,7 @@ impl Shown<'_> {
         let again = smaller.zip(kind).map(|(length, kind)| {
             let choose =
                 |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
-            crate::solve::solve_with_figures(scene, self.extent, &[kind], self.settings, choose)
+            crate::solve::solve_with(scene, self.extent, &[kind], self.settings, choose)
                 .map_err(|error| failure(scene, &error))
         });
         let again = again.transpose()?;

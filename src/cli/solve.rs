@@ -31,8 +31,9 @@ const DRAUGHTSMEN: u64 = 1000;
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
-    let solved = crate::solve::solve_with(scene, Extent::Asked, job.settings, crate::sheet::scale::for_scene)
-        .map_err(|error| failure(scene, &error))?;
+    let solved =
+        crate::solve::solve_with(scene, Extent::Asked, &[], job.settings, crate::sheet::scale::for_scene)
+            .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
     let by_hand = match job.hand {
         Some(hand) => {

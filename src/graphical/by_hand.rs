@@ -9,7 +9,7 @@ use crate::mechanism::quantity::Quantity;
 use crate::mechanism::structure::Structure;
 use crate::plan::Plan;
 
-use super::reading::{Numbers, Taken, read_all};
+use super::reading::{Numbers, read_all};
 use super::{DrawError, Scales, draw};
 
 type Perfect = Equipped<f64, PencilTape>;
@@ -71,14 +71,14 @@ pub fn by_hand(
     let hand = draughtsmen.hand;
     let board = Board::<Perfect>::new(PencilTape::new(hand));
     let mut perfect = draw(board, mechanism, structure, plan, scales)?;
-    let readings: Vec<_> = read_all(&mut perfect).into_iter().map(|taken| taken.numbers).collect();
+    let readings: Vec<_> = read_all(&mut perfect).into_iter().map(|read| read.numbers).collect();
     let mut errors: Vec<Vec<f64>> = vec![Vec::new(); readings.len()];
     for seed in 0..draughtsmen.number {
         let board = Board::<Trembling>::new(Tremor::new(hand, seed));
         let Ok(mut drawn) = draw(board, mechanism, structure, plan, scales) else { continue };
-        for (index, Taken { numbers, .. }) in read_all(&mut drawn).into_iter().enumerate() {
+        for (index, read) in read_all(&mut drawn).into_iter().enumerate() {
             let turns = matches!(mechanism.asked[index].quantity, Quantity::Angle(_));
-            errors[index].extend(apart::<Trembling, Perfect>(&numbers, &readings[index], turns));
+            errors[index].extend(apart::<Trembling, Perfect>(&read.numbers, &readings[index], turns));
         }
     }
     let mut results = Vec::with_capacity(readings.len());

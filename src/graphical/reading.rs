@@ -19,6 +19,19 @@ enum Read<B: Bench> {
     Undefined(&'static str),
 }
 
+/// What was read off for an asked quantity.
+pub(super) struct ReadOff<B: Bench> {
+    /// Marks and values, two for a vector; or why there are none.
+    pub(super) numbers: Numbers<B>,
+    /// The direction of a place at infinity; its angle is the number.
+    toward: Option<[f64; 2]>,
+    /// How long it was drawn.
+    drawn_mm: Option<f64>,
+}
+
+/// Marks and values of a read quantity, or why there are none.
+pub(super) type Numbers<B> = Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>;
+
 /// Reads every asked quantity, with its bound from the tape.
 pub(super) fn answers<B: Bench<Recorder = Tape>>(
     d: &mut Draughtsman<'_, B>,
@@ -26,28 +39,32 @@ pub(super) fn answers<B: Bench<Recorder = Tape>>(
     let mut slots = Vec::new();
     let readings = read_all(d)
         .into_iter()
-        .map(|Taken { numbers: read, toward, drawn_mm }| {
-            slots.push(read.iter().flatten().map(|(mark, _)| *mark).collect());
-            let (answer, fine) = d.answer(read, toward);
-            Reading { answer, fine, drawn_mm }
+        .map(|read| {
+            slots.push(read.numbers.iter().flatten().map(|(mark, _)| *mark).collect());
+            let (answer, fine) = d.answer(&read);
+            Reading { answer, fine, drawn_mm: read.drawn_mm }
         })
         .collect();
     (readings, slots)
 }
 
-/// Reads every asked quantity and says what stands for it, and how long it was drawn.
-pub(super) fn read_all<B: Bench>(d: &mut Draughtsman<'_, B>) -> Vec<Taken<B>> {
+/// Reads every asked quantity.
+pub(super) fn read_all<B: Bench>(d: &mut Draughtsman<'_, B>) -> Vec<ReadOff<B>> {
     let asked = d.mechanism.asked.clone();
-    let read = |(index, asked): (usize, &Asked)| {
+    asked.iter().enumerate().map(|(index, asked)| d.read_off(index, asked)).collect()
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    fn read_off(&mut self, index: usize, asked: &Asked) -> ReadOff<B> {
         let read = if asked.method == Method::Klein {
-            d.read_klein(&asked.quantity)
+            self.read_klein(&asked.quantity)
         } else if asked.by_centres() {
-            d.read_from_centres(index)
+            self.read_from_centres(index)
         } else {
-            d.read_quantity(&asked.quantity)
+            self.read_quantity(&asked.quantity)
         };
         let of_polygon = asked.method != Method::Klein;
-        let drawn_mm = of_polygon.then(|| d.drawn_length(&asked.quantity)).flatten();
+        let drawn_mm = of_polygon.then(|| self.drawn_length(&asked.quantity)).flatten();
         let toward = match &read {
             Read::Toward(direction, _) => Some(direction.value()),
             _ => None,
@@ -58,36 +75,20 @@ pub(super) fn read_all<B: Bench>(d: &mut Draughtsman<'_, B>) -> Vec<Taken<B>> {
             Read::Angle(a) | Read::Toward(_, a) => Ok(vec![(a.mark(), a.real())]),
             Read::Undefined(why) => Err(why),
         };
-        Taken { numbers, toward, drawn_mm }
-    };
-    asked.iter().enumerate().map(read).collect()
+        ReadOff { numbers, toward, drawn_mm }
+    }
 }
-
-/// What was read for an asked quantity.
-pub(super) struct Taken<B: Bench> {
-    /// Its numbers.
-    pub(super) numbers: Numbers<B>,
-    /// The direction of a centre at infinity; its number is the angle of that direction.
-    pub(super) toward: Option<[f64; 2]>,
-    /// The paper length of the vector that stands for it.
-    pub(super) drawn_mm: Option<f64>,
-}
-
-/// Marks and values of a read quantity, two for a vector; or why there are none.
-pub(super) type Numbers<B> = Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>;
 
 impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
-    fn answer(&mut self, numbers: Numbers<B>, toward: Option<[f64; 2]>) -> (Answer, Option<Fine>) {
-        let numbers = match numbers {
+    fn answer(&mut self, read: &ReadOff<B>) -> (Answer, Option<Fine>) {
+        let undefined = |why: &str| Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() });
+        let numbers = match &read.numbers {
             Ok(numbers) => numbers,
-            Err(why) => {
-                return (Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() }), None);
-            }
+            Err(why) => return (undefined(why), None),
         };
         let weak = numbers.iter().find_map(|&(mark, _)| self.board.recorder().weakness(mark));
         if weak == Some(TOO_LARGE) {
-            let why = "a number on the way is too large for this arithmetic".to_owned();
-            return (Answer::Indeterminate(Indeterminate::Undefined { why }), None);
+            return (undefined("a number on the way is too large for this arithmetic"), None);
         }
         if let Some(reason) = weak {
             let links = self.links_of(reason);
@@ -96,18 +97,18 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
         let bounds: Vec<f64> = numbers.iter().map(|&(mark, _)| self.board.recorder().bound(mark)).collect();
         let values: Vec<f64> = numbers.iter().map(|(_, real)| real.to_f64()).collect();
         let low: Vec<f64> = numbers.iter().map(|(_, real)| real.to_double_double().lo()).collect();
+        // The answer is rounded to a double: what that leaves belongs to its bound.
+        let rounded = |i: usize| bounds[i] + low[i].abs();
+        let answer = match (read.toward, &values[..]) {
+            (Some(direction), [_]) => return (Answer::AtInfinity { direction, bound: rounded(0) }, None),
+            (None, &[value]) => Answer::Scalar { value, bound: rounded(0) },
+            (None, &[x, y]) => Answer::Vector { value: [x, y], bound: libm::hypot(rounded(0), rounded(1)) },
+            _ => undefined("nothing was read"),
+        };
         let fine = (B::Real::UNIT_ROUNDOFF < f64::EPSILON / 4.0).then(|| Fine {
             value: numbers.iter().map(|(_, real)| real.to_double_double()).collect(),
             bound: bounds.iter().fold(0.0, |sum, b| libm::hypot(sum, *b)),
         });
-        // The answer is rounded to a double: what that leaves belongs to its bound.
-        let rounded = |i: usize| bounds[i] + low[i].abs();
-        let answer = match values[..] {
-            [_] if let Some(direction) = toward => Answer::AtInfinity { direction, bound: rounded(0) },
-            [value] => Answer::Scalar { value, bound: rounded(0) },
-            [x, y] => Answer::Vector { value: [x, y], bound: libm::hypot(rounded(0), rounded(1)) },
-            _ => Answer::Indeterminate(Indeterminate::Undefined { why: "nothing was read".to_owned() }),
-        };
         (answer, fine)
     }
 }

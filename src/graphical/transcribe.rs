@@ -53,10 +53,9 @@ pub fn transcribe(
     let board = Board::<Equipped<f64, Transcript>>::new(Transcript::of_input(swept));
     let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
     let readings = read_all(&mut draughtsman);
-    let numbers: Vec<usize> =
-        readings.iter().map(|taken| taken.numbers.as_ref().map_or(0, Vec::len)).collect();
+    let numbers: Vec<usize> = readings.iter().map(|read| read.numbers.as_ref().map_or(0, Vec::len)).collect();
     let asked: Vec<u32> =
-        readings.iter().flat_map(|taken| taken.numbers.iter().flatten().map(|(mark, _)| *mark)).collect();
+        readings.iter().flat_map(|read| read.numbers.iter().flatten().map(|(mark, _)| *mark)).collect();
     let reasons = draughtsman.all_reasons();
     let transcript = std::mem::take(draughtsman.board.recorder());
     let few = numbers.iter().take(lean).sum::<usize>().min(asked.len());

@@ -145,7 +145,8 @@ impl Sweep {
     /// # Errors
     /// See [`SweepError`].
     pub fn new(mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Self, SweepError> {
-        let asked = mechanism.asked.len();
+        let is_swept = |asked: &&Asked| !matches!(asked.quantity, Quantity::Centre(..));
+        let asked = mechanism.asked.iter().filter(is_swept).count();
         let (mechanism, swept, start) = prepare::ready(mechanism)?;
         let structure = Structure::of(&mechanism)?;
         prepare::refuse_rolled_points(&mechanism, &structure)?;

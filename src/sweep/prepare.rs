@@ -79,6 +79,12 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
         Some(Input::Slide { at: Some(at), .. }) => at.value,
         _ => return Err(SweepError::Instant("there is no input to sweep".to_owned())),
     };
+    // Whatever the method, the numbers are those of the polygons. A centre that passes through infinity has
+    // no course.
+    ready.asked.retain(|asked| !matches!(asked.quantity, Quantity::Centre(..)));
+    for asked in &mut ready.asked {
+        asked.method = Method::Polygon;
+    }
     watch(&mut ready);
     Ok((ready, 0, start))
 }
@@ -154,7 +160,7 @@ fn watch(mechanism: &mut Mechanism) {
     }
     for (name, quantity, unit) in wanted {
         if !mechanism.asked.iter().any(|a| a.quantity == quantity) {
-            mechanism.asked.push(Asked { name, quantity, unit, method: Method::default() });
+            mechanism.asked.push(Asked { name, quantity, unit, method: Method::Polygon });
         }
     }
 }
