@@ -36,7 +36,8 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
     let unit = &notation.scene.units.length;
     let mut group = Group::new("skeleton")
         .data("scale", format!("{}", space.metres_per_mm / unit.si))
-        .data("unit", format!("{} per mm", unit.symbol));
+        .data("unit", format!("{} per mm", unit.symbol))
+        .data("si-per-mm", format!("{}", space.metres_per_mm));
     group.title = Some(notation.words.skeleton.to_owned());
     let mut artist = Artist {
         construction,
@@ -573,7 +574,8 @@ impl Artist<'_> {
             let unit = self.notation.angular_unit(if second { Order::Acceleration } else { Order::Velocity });
             let mut own = Group::new(if second { "rotation second" } else { "rotation" })
                 .data("quantity", self.notation.quantity_name(quantity))
-                .data("value", format!("{}", value / unit.si));
+                .data("value", format!("{}", value / unit.si))
+                .data("unit", unit.symbol);
             let Turn { centre, radius, middle, half } = arc;
             let (start, sweep) =
                 if value > 0.0 { (middle - half, 2.0 * half) } else { (middle + half, -2.0 * half) };
