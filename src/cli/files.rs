@@ -167,3 +167,34 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), Fai
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A folder comes into being where the second file should go, after all were written beside.
+    #[test]
+    fn what_was_renamed_is_taken_back_when_a_later_file_cannot_be() {
+        let folder = std::env::temp_dir().join(format!("linkgram-files-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let [old, new, bad] = ["old.svg", "new.svg", "bad.svg"].map(|name| folder.join(name));
+        fs::write(&old, "before").unwrap();
+        let mut waiting: Vec<Waiting<'_>> =
+            [&old, &new, &bad].into_iter().map(|path| Waiting::create(path).ok().unwrap()).collect();
+        for one in &mut waiting {
+            one.file.write_all(b"after").unwrap();
+        }
+        fs::create_dir_all(bad.join("inside")).unwrap();
+        assert!(waiting[0].put(true).is_ok() && waiting[1].put(true).is_ok());
+        assert_eq!(fs::read(&old).unwrap(), b"after");
+        assert!(waiting[2].put(true).is_err());
+        for one in waiting.into_iter().rev() {
+            one.finish(false);
+        }
+        assert_eq!(fs::read(&old).unwrap(), b"before");
+        fs::remove_dir_all(&bad).unwrap();
+        let left: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|e| e.unwrap().path()).collect();
+        assert_eq!(left, [old]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}

@@ -11,8 +11,6 @@ use super::svg::{self, Outlines};
 use super::theme::Theme;
 use crate::sheet::figure::Figure;
 
-/// usvg resolves millimetres at 96 dots per inch.
-const MM: f64 = 25.4 / 96.0;
 /// Decimals of a millimetre of an outline: a hundredth of a dot at 2400 dpi.
 const DECIMALS: usize = 4;
 
@@ -41,14 +39,15 @@ fn collect(group: &Group, outlines: &mut Outlines) {
     }
 }
 
-/// The paths of a flattened text as path data in millimetres.
+/// The paths of a flattened text as path data in the units of the SVG, which are millimetres: within a text
+/// usvg counts from the text, and ours stand under no transform.
 fn trace(group: &Group, d: &mut String) {
     for node in group.children() {
         match node {
             Node::Group(group) => trace(group, d),
             Node::Path(path) => {
                 let Some(data) = path.data().clone().transform(path.abs_transform()) else { continue };
-                let n = |value: f32| decimal(f64::from(value) * MM, DECIMALS);
+                let n = |value: f32| decimal(f64::from(value), DECIMALS);
                 for segment in data.segments() {
                     let _ = match segment {
                         PathSegment::MoveTo(p) => write!(d, "M{} {}", n(p.x), n(p.y)),

@@ -106,7 +106,7 @@ impl Writer<'_> {
         let k = POINTS as f32;
         self.surface.push_transform(&Transform::from_row(k, 0.0, 0.0, k, 0.0, (-page.top * POINTS) as f32));
         if self.theme.paints_paper() {
-            self.artifact(ArtifactType::Background);
+            self.artifact();
             let (left, right) = (0.0, page.width);
             let (top, bottom) = (page.top, page.top + page.height);
             let corners = [(left, top), (right, top), (right, bottom), (left, bottom)].map(Point::from);
@@ -118,7 +118,7 @@ impl Writer<'_> {
                 Node::Group(group) => self.part(group, figure, tags),
                 // Running title, page number and the rule between.
                 leaf => {
-                    self.artifact(ArtifactType::Other);
+                    self.artifact();
                     self.node(leaf, Place::default());
                     self.surface.end_tagged();
                 }
@@ -127,8 +127,9 @@ impl Writer<'_> {
         self.surface.pop();
     }
 
-    fn artifact(&mut self, kind: ArtifactType) {
-        self.surface.start_tagged(ContentTag::Artifact(Artifact::with_kind(kind)));
+    /// What follows is no part of what is read: paper, running title, page number.
+    fn artifact(&mut self) {
+        self.surface.start_tagged(ContentTag::Artifact(Artifact::with_kind(ArtifactType::Other)));
     }
 
     /// A part of the page that is read at once: a drawing, with its caption for those who do not see it,
@@ -206,9 +207,20 @@ impl Writer<'_> {
         self.surface.set_stroke(None);
         for run in &text.runs {
             let Some((_, font)) = self.fonts.iter().find(|(face, _)| *face == run.face) else { continue };
-            let at = point(run.at);
-            self.surface.draw_text(at, font.clone(), run.size as f32, &run.text, false, TextDirection::Auto);
+            let (at, size) = (point(run.at), run.size as f32);
+            self.surface.draw_text(at, font.clone(), size, &run.text, false, direction(&run.text));
         }
+    }
+}
+
+/// The direction of a run, which is of one script: a number runs to the right in Arabic too.
+fn direction(run: &str) -> TextDirection {
+    let number = |c: char| matches!(c, '\u{660}'..='\u{66c}' | '\u{6f0}'..='\u{6f9}');
+    let arabic = |c: char| matches!(c, '\u{600}'..='\u{6ff}' | '\u{750}'..='\u{77f}' | '\u{8a0}'..='\u{8ff}' | '\u{fb50}'..='\u{fdff}' | '\u{fe70}'..='\u{fefc}');
+    if run.chars().any(|c| arabic(c) && !number(c)) {
+        TextDirection::RightToLeft
+    } else {
+        TextDirection::LeftToRight
     }
 }
 

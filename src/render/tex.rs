@@ -423,7 +423,7 @@ impl Atoms {
     fn base(&mut self, text: &str, face: Face, arrow: bool) -> Result<(), char> {
         let trimmed = text.trim_end_matches(' ');
         if arrow {
-            self.formula(format!("\\vec{{{}}}", math(trimmed, false)?));
+            self.formula(format!("\\vec{{{}}}", math(trimmed, false)?.trim_end()));
         } else if face == Face::Italic {
             self.italic(trimmed)?;
         } else if face == Face::Bold {
@@ -448,8 +448,11 @@ impl Atoms {
             let words = words(before)?;
             self.words(&format!("\\textit{{{words}}}"));
         }
+        let letters = last.trim_end_matches('′');
         if !last.is_empty() {
-            self.formula(math(last, false)?);
+            self.formula(math(letters, false)?);
+            // Primes are superscripts: another may follow, and LaTeX takes only one.
+            self.script(&last[letters.len()..], Face::Italic, true)?;
         }
         Ok(())
     }
@@ -485,11 +488,15 @@ impl Atoms {
                     if !std::mem::replace(&mut inside, true) {
                         out.push('$');
                     }
-                    out.push_str(if base.is_empty() { "{}" } else { &base });
-                    for (sign, script) in [('_', sub), ('^', sup)] {
-                        if !script.is_empty() {
-                            let _ = write!(out, "{sign}{{{script}}}");
-                        }
+                    out.push_str(if base.is_empty() { "{}" } else { base.trim_end() });
+                    let primes = sup.matches(PRIME).count();
+                    if primes * PRIME.len() == sup.len() {
+                        out.extend(std::iter::repeat_n('\'', primes));
+                    } else {
+                        let _ = write!(out, "^{{{}}}", sup.trim_end());
+                    }
+                    if !sub.is_empty() {
+                        let _ = write!(out, "_{{{}}}", sub.trim_end());
                     }
                 }
             }
@@ -505,12 +512,13 @@ impl Atoms {
 const LATIN: &str =
     "ÀÁÂÃÄÅÆÇÈÉÊËÌÍÎÏÑÒÓÔÕÖØÙÚÛÜÝßàáâãäåæçèéêëìíîïñòóôõöøùúûüýÿŒœŠšŽžČčĆćĎďĚěŇňŘřŤťŮůŁłŃńŚśŹźŻżŐőŰűĞğİıŞş";
 
+/// A prime as part of a superscript.
+const PRIME: &str = "\\prime ";
+
 /// The macro of a sign or a Greek letter in a formula.
 fn sign(c: char) -> Option<&'static str> {
     Some(match c {
         '−' => "-",
-        '′' => "\\prime",
-        '″' => "\\prime\\prime",
         '⊥' => "\\perp",
         '∥' => "\\parallel",
         '≡' => "\\equiv",
@@ -584,7 +592,8 @@ fn character(c: char) -> Option<String> {
         '“' => "``".to_owned(),
         '”' => "''".to_owned(),
         '…' => "\\dots{}".to_owned(),
-        '∠' => "$\\angle$".to_owned(),
+        '′' => "$'$".to_owned(),
+        '″' => "$''$".to_owned(),
         c if LATIN.contains(c) => c.to_string(),
         c => format!("${}$", sign(c)?),
     })
@@ -612,7 +621,8 @@ fn math(text: &str, upright: bool) -> Result<String, char> {
             continue;
         }
         match c {
-            '′' | '″' if !upright => out.push_str(if c == '′' { "'" } else { "''" }),
+            '′' => out.push_str(PRIME),
+            '″' => out.extend([PRIME, PRIME]),
             ',' | '.' | ';' | ':' | '/' | '(' | ')' | '+' | '=' | '[' | ']' | '!' | '?' | '*' => out.push(c),
             '-' => out.push_str("\\mbox{-}"),
             ' ' | '\u{a0}' => out.push_str("\\ "),
@@ -628,7 +638,7 @@ fn math(text: &str, upright: bool) -> Result<String, char> {
         }
         rest = &rest[c.len_utf8()..];
     }
-    Ok(out.trim_end().to_owned())
+    Ok(out)
 }
 
 #[cfg(test)]
@@ -667,7 +677,7 @@ mod tests {
         let line = tex.lines().find(|l| l.starts_with("\\linkgramtext{")).unwrap();
         assert!(line.starts_with("\\linkgramtext{1,10}"), "{line}");
         assert!(
-            line.ends_with("{4mm}{$A_{\\mathrm{BA}}^{\\mathrm{n}}$ = 15 cm/s${}^2$ $\\omega_{2}$}"),
+            line.ends_with("{4mm}{$A^{\\mathrm{n}}_{\\mathrm{BA}}$ = 15 cm/s${}^2$ $\\omega_{2}$}"),
             "{line}"
         );
     }
