@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::report::short;
 use super::{Ending, Failure, failure, files, print_bytes, read_scene};
-use crate::plan::Extent;
+use crate::graphical::Scales;
+use crate::graphical::construction::Construction;
+use crate::plan::{Auxiliary, Extent};
 use crate::render::theme::Theme;
 use crate::render::{self, Format, Lettering};
 use crate::scene::{Scene, Subject};
@@ -19,11 +21,24 @@ pub(super) struct Job {
     pub(super) scene: PathBuf,
     pub(super) output: Vec<PathBuf>,
     pub(super) figure: Vec<String>,
+    pub(super) kind: Kind,
+    pub(super) paper: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) dpi: f32,
     pub(super) theme: Option<String>,
     pub(super) text: Option<String>,
     pub(super) format: Option<String>,
+}
+
+/// What is drawn of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Kind {
+    /// The dimensioned skeleton, what is given and what is asked
+    Question,
+    /// Everything
+    Solution,
+    /// One small figure per step
+    Steps,
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
@@ -35,25 +50,46 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if !(job.dpi.is_finite() && (10.0..=2400.0).contains(&job.dpi)) {
         return Err(Failure(format!("--dpi {}: choose between 10 and 2400", job.dpi)));
     }
-    let (_, scene) = read_scene(&job.scene)?;
+    let (_, mut scene) = read_scene(&job.scene)?;
+    if let Some(paper) = &job.paper {
+        let size = crate::scene::paper_size(paper);
+        scene.sheet.paper = Some(size.ok_or_else(|| {
+            Failure(format!("--paper {paper}: choose A0 to A6, letter or legal, such as \"A3 landscape\""))
+        })?);
+    }
     let scene = &scene;
     if let Some(unknown) = scene.sheet.figures.iter().find_map(|name| unknown_figure(name)) {
         return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
     }
     let language = language(job, scene)?;
     let theme = theme(job, scene)?;
-    let solved = crate::solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)
-        .map_err(|error| failure(scene, &error))?;
-    let construction = &solved.solution.construction;
     let names: Vec<&str> = if job.figure.is_empty() {
         scene.sheet.figures.iter().map(String::as_str).collect()
     } else {
         job.figure.iter().map(String::as_str).collect()
     };
-    let figure = if names.is_empty() {
-        sheet::solution(scene, construction, language)
-    } else {
-        sheet::stack(&singles(scene, construction, language, &names)?)
+    let scales = match job.kind {
+        Kind::Question => sheet::scale::for_question,
+        Kind::Solution | Kind::Steps => sheet::scale::for_scene,
+    };
+    let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
+    let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
+    let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
+    let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(Failure)?;
+    let solved = crate::solve::solve_with(scene, extent, &auxiliary, scales)
+        .map_err(|error| failure(scene, &error))?;
+    let construction = &solved.solution.construction;
+    let shown = Shown { scene, extent, language };
+    let figure = match (job.kind, &names[..]) {
+        (Kind::Question, []) => sheet::question(scene, construction, language),
+        (Kind::Question, ["skeleton"]) => sheet::single_of_question(scene, construction, language),
+        (Kind::Question, _) => {
+            return Err(Failure(
+                "--as question: the only figure that gives no answer away is skeleton".to_owned(),
+            ));
+        }
+        (_, []) => sheet::solution(scene, construction, language),
+        (_, names) => sheet::stack(&shown.singles(construction, names)?),
     };
     if figure.width > LARGEST_SHEET || figure.height > LARGEST_SHEET {
         let [width, height] = [figure.width, figure.height].map(|mm| short(mm / 1000.0));
@@ -83,7 +119,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
 fn formats(job: &Job) -> Result<Vec<Format>, Failure> {
     let chosen = |name: &String| {
         let known = Format::ALL.map(Format::name);
-        Format::from_name(name).ok_or_else(|| Failure(unknown("format", name, &known)))
+        Format::from_name(name).ok_or_else(|| Failure(unknown("format", name, name, &known)))
     };
     if job.output.is_empty() {
         return Ok(vec![job.format.as_ref().map(chosen).transpose()?.unwrap_or_default()]);
@@ -115,7 +151,8 @@ fn one_of(names: &[String]) -> String {
 fn lettering(job: &Job, formats: &[Format]) -> Result<Lettering, Failure> {
     let Some(name) = &job.text else { return Ok(Lettering::default()) };
     let known = Lettering::ALL.map(Lettering::name);
-    let kind = Lettering::from_name(name).ok_or_else(|| Failure(unknown("kind of text", name, &known)))?;
+    let kind =
+        Lettering::from_name(name).ok_or_else(|| Failure(unknown("kind of text", name, name, &known)))?;
     if !formats.contains(&Format::Svg) {
         return Err(Failure(format!("--text {name} is for SVG, and none is written")));
     }
@@ -124,11 +161,12 @@ fn lettering(job: &Job, formats: &[Format]) -> Result<Lettering, Failure> {
 
 fn theme(job: &Job, scene: &Scene) -> Result<Theme, Failure> {
     let Some(name) = job.theme.as_ref().or(scene.sheet.theme.as_ref()) else { return Ok(Theme::default()) };
-    Theme::from_name(name).ok_or_else(|| Failure(unknown("theme", name, &Theme::ALL.map(Theme::name))))
+    Theme::from_name(name).ok_or_else(|| Failure(unknown("theme", name, name, &Theme::ALL.map(Theme::name))))
 }
 
-fn unknown(what: &str, name: &str, known: &[&str]) -> String {
-    let nearest = crate::scene::nearest(name, known);
+/// That `name` is unknown, and what comes nearest to its `head`, the part that is looked up.
+fn unknown(what: &str, name: &str, head: &str, known: &[&str]) -> String {
+    let nearest = crate::scene::nearest(head, known);
     let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
     format!("unknown {what} {name}{mend} (known: {})", known.join(", "))
 }
@@ -136,10 +174,11 @@ fn unknown(what: &str, name: &str, known: &[&str]) -> String {
 /// What is wrong with the name of a figure, if it is unknown.
 fn unknown_figure(name: &str) -> Option<String> {
     let known = sheet::figure_names();
-    if known.contains(&name) {
+    let head = sheet::figure_head(name);
+    if known.contains(&head) {
         return None;
     }
-    Some(unknown("figure", name, known))
+    Some(unknown("figure", name, head, known))
 }
 
 fn language(job: &Job, scene: &Scene) -> Result<sheet::Language, Failure> {
@@ -149,18 +188,37 @@ fn language(job: &Job, scene: &Scene) -> Result<sheet::Language, Failure> {
     })
 }
 
-fn singles(
-    scene: &Scene,
-    construction: &crate::graphical::construction::Construction,
+/// What every single figure of a run has in common.
+struct Shown<'a> {
+    scene: &'a Scene,
+    extent: Extent,
     language: sheet::Language,
-    names: &[&str],
-) -> Result<Vec<Figure>, Failure> {
-    names
-        .iter()
-        .map(|name| {
-            sheet::single(scene, construction, name, language).ok_or_else(|| {
-                Failure(format!("figure {name}: nothing asked in this scene needs it, so it is not drawn"))
-            })
+}
+
+impl Shown<'_> {
+    fn singles(&self, construction: &Construction, names: &[&str]) -> Result<Vec<Figure>, Failure> {
+        names.iter().map(|name| self.single(construction, name)).collect()
+    }
+
+    fn single(&self, construction: &Construction, name: &str) -> Result<Figure, Failure> {
+        let scene = self.scene;
+        let kind = sheet::auxiliary(name, scene).ok().flatten();
+        let drawing = construction.auxiliary.iter().find(|a| Some(a.kind) == kind);
+        // A construction that outgrows the sheet is drawn once more to a scale of its own.
+        let smaller = drawing.filter(|_| scene.sheet.length_scale.is_none());
+        let smaller = smaller.and_then(|drawing| sheet::scale::for_auxiliary(construction, drawing));
+        let again = smaller.zip(kind).map(|(length, kind)| {
+            let choose =
+                |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
+            crate::solve::solve_with(scene, self.extent, &[kind], choose)
+                .map_err(|error| failure(scene, &error))
+        });
+        let again = again.transpose()?;
+        let construction = again.as_ref().map_or(construction, |solved| &solved.solution.construction);
+        sheet::single(scene, construction, name, self.language).ok_or_else(|| {
+            let why = drawing.and_then(|drawing| drawing.refused);
+            let why = why.unwrap_or("nothing asked in this scene needs it, so it is not drawn");
+            Failure(format!("figure {name}: {why}"))
         })
-        .collect()
+    }
 }

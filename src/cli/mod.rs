@@ -44,7 +44,13 @@ enum Command {
         /// A single figure instead of the sheet: skeleton, velocity, acceleration, steps, results
         #[arg(long, value_name = "NAME")]
         figure: Vec<String>,
-        /// Language of the sheet
+        /// What to draw: the question without its answers, the solution, or its steps one by one
+        #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = draw::Kind::Solution)]
+        kind: draw::Kind,
+        /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted
+        #[arg(long, value_name = "SIZE")]
+        paper: Option<String>,
+        /// Language of the sheet: en, ar, ar-x-ajala, fa
         #[arg(long, value_name = "LANG")]
         lang: Option<String>,
         /// Resolution of a PNG
@@ -148,8 +154,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let ending = match arguments.command {
-        Command::Draw { scene, output, figure, lang, dpi, theme, text, format } => {
-            draw::run(&draw::Job { scene, output, figure, lang, dpi, theme, text, format })
+        Command::Draw { scene, output, figure, kind, paper, lang, dpi, theme, text, format } => {
+            draw::run(&draw::Job { scene, output, figure, kind, paper, lang, dpi, theme, text, format })
         }
         Command::Solve { scene, json, explain } => solve::run(&scene, json, explain),
         Command::Check { paths, json, tolerance } => check::run(&paths, json, tolerance),

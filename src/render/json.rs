@@ -9,7 +9,7 @@
 //!       "scale": { "per_mm", "unit": "cm/s per mm", "si_per_mm" },
 //!       "vectors": [ { "quantity", "kind", "tail": { "label", "at_mm" }, "head": { "label", "at_mm" },
 //!                      "length_mm", "value", "si", "step", "as_point", "claim" } ],
-//!       "points": [ { "name", "kind": "joint" | "image" | "pole", "at_mm" } ],
+//!       "points": [ { "name", "kind": "joint" | "image" | "pole" | …, "at_mm" } ],
 //!       "lines": [ { "from_mm", "to_mm", "step", "claim" } ],
 //!       "labels": [ { "text", "class", "at_mm", "size_mm", "box_mm" } ],
 //!       "parts": [ { "class": [ … ], "data": { … }, "ink": [ … ] } ] } ],
@@ -179,13 +179,8 @@ impl Panel {
             return;
         }
         if let (Some(name), Some(Shape::Circle { centre, .. })) = (data(group, "point"), first_shape(group)) {
-            let kind = if has(group, "pole") {
-                "pole"
-            } else if has(group, "image") {
-                "image"
-            } else {
-                "joint"
-            };
+            let class = group.class.split(' ').next().unwrap_or_default();
+            let kind = if has(group, "pole") { "pole" } else { class };
             self.points.push(json!({ "name": name, "kind": kind, "at_mm": self.place(*centre, 6) }));
             return;
         }

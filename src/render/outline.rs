@@ -30,9 +30,9 @@ fn collect(group: &Group, outlines: &mut Outlines) {
         match node {
             Node::Group(group) => collect(group, outlines),
             Node::Text(text) => {
-                let mut d = String::new();
-                trace(text.flattened(), &mut d);
-                outlines.insert(text.id().to_owned(), d);
+                // A line may be several texts: `t7-0`, `t7-1`.
+                let line = text.id().split('-').next().unwrap_or_default();
+                trace(text.flattened(), outlines.entry(line.to_owned()).or_default());
             }
             _ => {}
         }

@@ -20,7 +20,7 @@ use thiserror::Error;
 use super::pages::{self, Page};
 use super::theme::{About, Place, Rgb, Theme};
 use crate::sheet::figure::{Figure, Group, Mark, Node, Shape, Text, Tone, on_circle};
-use crate::sheet::font::Face;
+use crate::sheet::font::{Face, is_arabic_digit};
 
 /// Points of PDF per millimetre.
 const POINTS: f64 = 72.0 / 25.4;
@@ -208,16 +208,14 @@ impl Writer<'_> {
         for run in &text.runs {
             let Some((_, font)) = self.fonts.iter().find(|(face, _)| *face == run.face) else { continue };
             let (at, size) = (point(run.at), run.size as f32);
-            self.surface.draw_text(at, font.clone(), size, &run.text, false, direction(&run.text));
+            self.surface.draw_text(at, font.clone(), size, &run.text, false, direction(run.face, &run.text));
         }
     }
 }
 
 /// The direction of a run, which is of one script: a number runs to the right in Arabic too.
-fn direction(run: &str) -> TextDirection {
-    let number = |c: char| matches!(c, '\u{660}'..='\u{66c}' | '\u{6f0}'..='\u{6f9}');
-    let arabic = |c: char| matches!(c, '\u{600}'..='\u{6ff}' | '\u{750}'..='\u{77f}' | '\u{8a0}'..='\u{8ff}' | '\u{fb50}'..='\u{fdff}' | '\u{fe70}'..='\u{fefc}');
-    if run.chars().any(|c| arabic(c) && !number(c)) {
+fn direction(face: Face, run: &str) -> TextDirection {
+    if face.is_arabic() && !run.chars().all(is_arabic_digit) {
         TextDirection::RightToLeft
     } else {
         TextDirection::LeftToRight

@@ -22,8 +22,8 @@ use svg::node::element::{Circle, Element, Group as GroupElement, Path, Rectangle
 
 use super::number::decimal;
 use super::theme::{Place, Theme};
-use crate::sheet::figure::{Figure, Group, Mark, Node, Pen, Shape, Text, Tone, on_circle};
-use crate::sheet::font::{FAMILIES, FAMILY, Face};
+use crate::sheet::figure::{Figure, Group, Mark, Node, Pen, Run, Shape, Text, Tone, on_circle};
+use crate::sheet::font::{ARABIC_FAMILIES, ARABIC_FAMILY, FAMILIES, FAMILY, Face};
 
 /// Decimals of a millimetre for ink that only has to look right.
 const LAYOUT: usize = 3;
@@ -146,14 +146,16 @@ fn font_faces(figure: &Figure) -> String {
     });
     let mut rules = String::from("<style>");
     for face in Face::ALL.into_iter().filter(|face| used.contains(face)) {
-        let (style, weight) = match face {
-            Face::Upright => ("normal", "normal"),
-            Face::Italic => ("italic", "normal"),
-            Face::Bold => ("normal", "bold"),
+        let (family, style, weight, format) = match face {
+            Face::Upright => (FAMILY, "normal", "normal", "opentype"),
+            Face::Italic => (FAMILY, "italic", "normal", "opentype"),
+            Face::Bold => (FAMILY, "normal", "bold", "opentype"),
+            Face::Arabic => (ARABIC_FAMILY, "normal", "normal", "truetype"),
+            Face::ArabicBold => (ARABIC_FAMILY, "normal", "bold", "truetype"),
         };
         rules.push_str(&format!(
-            "@font-face{{font-family:'{FAMILY}';font-style:{style};font-weight:{weight};\
-             src:url(data:font/otf;base64,{}) format('opentype')}}",
+            "@font-face{{font-family:'{family}';font-style:{style};font-weight:{weight};\
+             src:url(data:font/sfnt;base64,{}) format('{format}')}}",
             base64(face.bytes())
         ));
     }
@@ -255,15 +257,17 @@ impl Writer<'_> {
         element
     }
 
-    /// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs.
+    /// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs. A
+    /// line with words of Arabic script is one `<text>` per run: viewers order runs of two directions in one
+    /// `<text>` each in its own way.
     fn text(&self, text: &Text) -> Blob {
         let number = self.texts.get();
         self.texts.set(number + 1);
         let class = if text.class.is_empty() { String::new() } else { format!(" class=\"{}\"", text.class) };
-        let id = match self.lettered {
-            Lettered::Live => String::new(),
+        let name = match self.lettered {
+            Lettered::Live => None,
             #[cfg(feature = "png")]
-            Lettered::Numbered => format!(" id=\"t{number}\""),
+            Lettered::Numbered => Some(format!("t{number}")),
             #[cfg(feature = "png")]
             Lettered::Outlined(outlines) => {
                 let d = outlines.get(&format!("t{number}")).map_or("", String::as_str);
@@ -271,24 +275,33 @@ impl Writer<'_> {
                 return Blob::new(format!("<path{class} role=\"img\" aria-label=\"{words}\" d=\"{d}\"/>"));
             }
         };
-        let mut out = format!("<text{class}{id}>");
-        for run in &text.runs {
-            let face = match run.face {
-                Face::Upright => "",
-                Face::Italic => " font-style=\"italic\"",
-                Face::Bold => " font-weight=\"bold\"",
-            };
-            out.push_str(&format!(
-                "<tspan x=\"{}\" y=\"{}\" font-size=\"{}\"{face}>{}</tspan>",
-                decimal(run.at.x, LAYOUT),
-                decimal(run.at.y, LAYOUT),
-                decimal(run.size, LAYOUT),
-                escape(&run.text),
-            ));
+        let id = |part: usize| name.as_ref().map_or(String::new(), |name| format!(" id=\"{name}-{part}\""));
+        if !text.runs.iter().any(|run| run.face.is_arabic()) {
+            let runs: String = text.runs.iter().map(run).collect();
+            return Blob::new(format!("<text{class}{}>{runs}</text>", id(0)));
         }
-        out.push_str("</text>");
-        Blob::new(out)
+        let alone = |(part, own): (usize, &Run)| {
+            let arabic = own.face.is_arabic();
+            let family = if arabic { format!(" font-family=\"{ARABIC_FAMILIES}\"") } else { String::new() };
+            format!("<text{}{family}>{}</text>", id(part), run(own))
+        };
+        Blob::new(format!("<g{class}>{}</g>", text.runs.iter().enumerate().map(alone).collect::<String>()))
     }
+}
+
+fn run(run: &Run) -> String {
+    let face = match run.face {
+        Face::Upright | Face::Arabic => "",
+        Face::Italic => " font-style=\"italic\"",
+        Face::Bold | Face::ArabicBold => " font-weight=\"bold\"",
+    };
+    format!(
+        "<tspan x=\"{}\" y=\"{}\" font-size=\"{}\"{face}>{}</tspan>",
+        decimal(run.at.x, LAYOUT),
+        decimal(run.at.y, LAYOUT),
+        decimal(run.size, LAYOUT),
+        escape(&run.text),
+    )
 }
 
 fn through(points: &[Point], at: impl Fn(Point) -> String) -> String {

@@ -51,7 +51,8 @@ impl Place {
             inside.diagram = if has("acceleration") { About::Acceleration } else { About::Velocity };
         }
         if has("vector") {
-            inside.about = inside.diagram;
+            // On the skeleton a vector says itself what it is.
+            inside.about = if has("velocity") { About::Velocity } else { inside.diagram };
         } else if has("rotation") {
             inside.about = if has("second") { About::Acceleration } else { About::Velocity };
         }

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::InputUnits;
 use super::diagnostic::{Fault, Res};
 use super::json::{MOST, Value};
 use super::source::Anchors;
@@ -15,6 +16,7 @@ pub(super) struct Draft<'s> {
     pub(super) scales: &'s Scales,
     pub(super) mechanism: Mechanism,
     pub(super) anchors: Anchors,
+    pub(super) input_units: Vec<InputUnits>,
     points: HashMap<String, PointId>,
     links: HashMap<u32, LinkId>,
 }
@@ -36,6 +38,7 @@ impl<'s> Draft<'s> {
                 asked: Vec::new(),
             },
             anchors: Anchors::new(root),
+            input_units: Vec::new(),
             points: HashMap::new(),
             links: HashMap::from([(1, LinkId::FRAME)]),
         }

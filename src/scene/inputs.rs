@@ -1,11 +1,13 @@
 //! What drives the mechanism.
 
+use super::InputUnits;
 use super::diagnostic::{Fault, Res};
 use super::draft::{Draft, is_straight};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::links::own_coordinates;
 use super::units::Measure;
+use crate::mechanism::quantity::Unit;
 use crate::mechanism::{Form, Given, Input, LinkId, PointId, Rider};
 
 /// Reads `input` or `inputs`.
@@ -43,6 +45,7 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
             return Err(Fault::new(item.at, "this is driven by another input already"));
         }
         draft.mechanism.inputs.push(input);
+        draft.input_units.push(units(&fields, draft)?);
         draft.anchors.inputs.push(item.at);
     }
     Ok(())
@@ -54,6 +57,39 @@ fn same_drive(one: &Input, other: &Input) -> bool {
         Input::Slide { slide, .. } => (None, Some(*slide)),
     };
     driven(one) == driven(other)
+}
+
+/// An angle with the whole turns that were taken off when it was read.
+fn unreduced(value: &Value<'_>, draft: &Draft<'_>) -> Res<f64> {
+    let stated = draft.scales.stated(value, Measure::Angle, true, draft.scales.bare(Measure::Angle))?;
+    let number: Option<f64> = match &value.kind {
+        Kind::Number(digits) => digits.parse().ok(),
+        Kind::Text(text) => text.split_whitespace().next().and_then(|n| n.parse().ok()),
+        _ => None,
+    };
+    let Some(size) = number.map(|n| n.abs() * stated.scale.si()) else { return Ok(stated.given.value) };
+    let miss = |angle: &f64| (angle.abs() - size).abs();
+    let turned = (-2..=2).map(|turns| stated.given.value + f64::from(turns) * std::f64::consts::TAU);
+    let nearest = turned.reduce(|a, b| if miss(&b) < miss(&a) { b } else { a });
+    Ok(nearest.unwrap_or(stated.given.value))
+}
+
+/// How an input's motion is stated.
+fn units(fields: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<InputUnits> {
+    let unit = |value: &Value<'_>, measure: Measure| -> Res<Unit> {
+        Ok(draft.scales.stated(value, measure, true, draft.scales.bare(measure))?.scale.unit())
+    };
+    let of = |key: &str, measure| fields.get(key).map(|value| unit(value, measure)).transpose();
+    let speed = match fields.get("speed").map(|value| &value.kind) {
+        Some(Kind::Object(entries)) => entries.first(),
+        _ => None,
+    };
+    let speed = speed.map(|entry| unit(&entry.value, Measure::Velocity)).transpose()?;
+    Ok(InputUnits {
+        angle: fields.get("angle").map(|angle| unreduced(angle, draft)).transpose()?,
+        rate: of("omega", Measure::AngularVelocity)?.or(of("velocity", Measure::Velocity)?).or(speed),
+        second: of("alpha", Measure::AngularAcceleration)?.or(of("acceleration", Measure::Acceleration)?),
+    })
 }
 
 /// A number that is zero where it is left out.

@@ -23,6 +23,7 @@ mod units;
 
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
+pub use sheet::paper_size;
 pub use source::{Source, Subject};
 
 use crate::mechanism::Mechanism;
@@ -91,7 +92,18 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
     let mut mechanism = draft.mechanism;
     rolls::name_contacts(&mut mechanism);
-    Ok(Scene { title, units: scales.units(), mechanism, published, errata, expect, sheet, source })
+    let input_units = draft.input_units;
+    Ok(Scene {
+        title,
+        units: scales.units(),
+        mechanism,
+        published,
+        errata,
+        expect,
+        input_units,
+        sheet,
+        source,
+    })
 }
 
 /// A scene: the mechanism in SI units and what the file says about asking, publishing and drawing.
@@ -109,6 +121,8 @@ pub struct Scene {
     pub errata: Vec<String>,
     /// The refusal that this scene must get.
     pub expect: Option<Refusal>,
+    /// How the motion of each input is stated, by index of the input.
+    pub input_units: Vec<InputUnits>,
     /// How to draw.
     pub sheet: SheetOptions,
     /// Where everything stands in the file.
@@ -151,6 +165,17 @@ pub struct Units {
     pub angle: Unit,
     /// Unit of time.
     pub time: Unit,
+}
+
+/// How an input's motion is stated.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct InputUnits {
+    /// The angle with its whole turns, radians: 210° where the mechanism has −150°.
+    pub angle: Option<f64>,
+    /// Of ω, of the speed of a point, of the velocity of a slide.
+    pub rate: Option<Unit>,
+    /// Of α, of the acceleration of a slide.
+    pub second: Option<Unit>,
 }
 
 /// A published value of an asked (or askable) quantity. Vectors, and scalars without a sense, are

@@ -83,16 +83,25 @@ fn one_of(value: &Value<'_>, known: &[&str], what: &str) -> Res<String> {
 
 fn paper(value: &Value<'_>) -> Res<String> {
     let text = value.text("a paper size, such as \"A4\"")?;
+    paper_size(text).ok_or_else(|| {
+        let size = text.split_whitespace().next().unwrap_or_default();
+        let fault = Fault::new(value.at, format!("`{text}` is not a paper size"));
+        match PAPERS.iter().find(|name| name.eq_ignore_ascii_case(size)) {
+            None => fault.known(size, PAPERS),
+            Some(name) => fault.mend(format!("write `{name}`, `{name} portrait` or `{name} landscape`")),
+        }
+    })
+}
+
+/// A paper size as a scene states it (`a4`, `A3 landscape`), in one spelling; `None` where it is none.
+#[must_use]
+pub fn paper_size(text: &str) -> Option<String> {
     let mut words = text.split_whitespace();
-    let size = words.next().unwrap_or_default();
-    let known = PAPERS.iter().find(|name| name.eq_ignore_ascii_case(size));
-    let Some(name) = known else {
-        return Err(Fault::new(value.at, format!("`{text}` is not a paper size")).known(size, PAPERS));
-    };
+    let size = words.next()?;
+    let name = PAPERS.iter().find(|name| name.eq_ignore_ascii_case(size))?;
     match (words.next(), words.next()) {
-        (None, _) => Ok((*name).to_owned()),
-        (Some(way @ ("portrait" | "landscape")), None) => Ok(format!("{name} {way}")),
-        _ => Err(Fault::new(value.at, format!("`{text}` is not a paper size"))
-            .mend(format!("write `{name}`, `{name} portrait` or `{name} landscape`"))),
+        (None, _) => Some((*name).to_owned()),
+        (Some(way @ ("portrait" | "landscape")), None) => Some(format!("{name} {way}")),
+        _ => None,
     }
 }

@@ -4,12 +4,14 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::feet::told_apart;
 use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
+use super::font::Face;
 use super::notation::Notation;
 use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{polygon, results, skeleton};
+use super::{auxiliary, centres, circle, given, human, polygon, results, skeleton, transfer, wanted};
+use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
@@ -22,6 +24,10 @@ const EDGE: f64 = 4.0;
 const TEXT: f64 = 3.5;
 /// From base line to base line of running text.
 const LEADING: f64 = 4.9;
+/// The same where Arabic script reaches further up and down; lines whose letters come too near keep more.
+const ARABIC_LEADING: f64 = 5.5;
+/// Blank between the letters of two lines, at least.
+const BETWEEN_LINES: f64 = 0.3;
 /// The result table stands beside the skeleton if it is no taller than this.
 const TALLEST_BESIDE: f64 = 112.0;
 /// Everything.
@@ -32,7 +38,21 @@ const GUTTER: f64 = 8.0;
 /// The names of the figures.
 #[must_use]
 pub const fn figure_names() -> &'static [&'static str] {
-    &["skeleton", "velocity", "acceleration", "results", "steps"]
+    &[
+        "skeleton",
+        "velocity",
+        "acceleration",
+        "centres",
+        "circle",
+        "transfer",
+        "klein",
+        "inflection",
+        "centrodes",
+        "kennedy",
+        "rotation-centre",
+        "results",
+        "steps",
+    ]
 }
 
 /// The solution sheet: panels, results and steps, paged.
@@ -42,15 +62,15 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let notation = Notation { scene, words };
     let construction = &told_apart(construction, &notation);
     let drawn = |name| panel(name, construction, &notation);
-    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration].map(drawn);
+    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration, Name::Centres, Name::Circle].map(drawn);
     // Scales stated in the scene may outgrow the paper: then the paper grows, and nothing is clipped.
     let largest = |side: fn(&Block) -> f64| panels.iter().flatten().map(side).fold(0.0, f64::max);
     let (width, height) = paper(scene);
     let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
-    let [skeleton, velocity, acceleration] = panels;
+    let [skeleton, velocity, acceleration, centres, circle] = panels;
     let mut pager = Pager::new(width, height, title(scene, words), words);
-    pager.heading(&results::given(&notation));
+    pager.heading(&given::paragraph(&notation));
 
     let beside = pager.width() - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
     // All results beside the skeleton, or those of velocity there and the others below the panels.
@@ -66,8 +86,12 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    let blocks = [skeleton, first, velocity, acceleration];
-    pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
+    let drawn = construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none());
+    let further = drawn.map(|drawing| auxiliary_panel(drawing, construction, &notation));
+    let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
+    let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
+    let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
+    pager.rows(&blocks.flatten().chain(further).collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
     }
@@ -83,6 +107,60 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     }
 }
 
+/// The question sheet: the given data, the dimensioned skeleton, what is asked; nothing that the solution
+/// finds but the position in which the skeleton is drawn.
+#[must_use]
+pub fn question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    let words = language.words();
+    let notation = Notation { scene, words };
+    let skeleton = asked_skeleton(construction, &notation);
+    let (width, height) = paper(scene);
+    let width = width.max(skeleton.width + 2.0 * MARGIN);
+    let height = height.max(skeleton.height + 4.0 * MARGIN);
+    let mut pager = Pager::new(width, height, title(scene, words), words);
+    pager.heading(&given::paragraph(&notation));
+    pager.rows(&[skeleton]);
+    let mut items = vec![Item::Head(Rich::bold(words.required))];
+    items.extend(given::asked(&notation).into_iter().map(Item::Sentence));
+    if let Some(scales) = results::stated_scales(&notation) {
+        items.push(Item::Sentence(scales));
+    }
+    let list = column(&items, pager.width(), words);
+    pager.block(list);
+    let (pages, count) = pager.finish();
+    Figure {
+        width,
+        height: height * count as f64,
+        title: title(scene, words),
+        description: words.question.to_owned(),
+        language: words.tag,
+        root: pages,
+    }
+}
+
+/// The dimensioned skeleton of the question, cut to its ink.
+#[must_use]
+pub fn single_of_question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    let words = language.words();
+    let notation = Notation { scene, words };
+    let block = asked_skeleton(construction, &notation);
+    cut(block.group, format!("{}: {}", title(scene, words), words.skeleton), words.question.to_owned(), words)
+}
+
+/// The dimensioned skeleton with its caption.
+fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> Block {
+    let words = notation.words;
+    let unit = Rich::upright(human::pretty(&notation.scene.units.length.symbol));
+    let scale = notation.length_scale(construction.space.metres_per_mm);
+    let comma = format!("{}\u{2002}", words.comma.trim_end());
+    let caption = Rich::upright(words.skeleton)
+        .up(&comma)
+        .then(&Rich::fill(words.dimensions_in, &[("unit", unit)]))
+        .up(&comma)
+        .then(&Rich::fill(words.scale, &[("scale", scale)]));
+    captioned(skeleton::question(construction, notation), &caption)
+}
+
 /// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
 #[must_use]
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
@@ -93,29 +171,64 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
         "velocity" => (panel(Name::Velocity, construction, &notation)?, words.velocity_diagram),
         "acceleration" => (panel(Name::Acceleration, construction, &notation)?, words.acceleration_diagram),
+        "centres" => (panel(Name::Centres, construction, &notation)?, words.centres_figure),
+        "circle" => (panel(Name::Circle, construction, &notation)?, words.circle_diagram),
+        "transfer" => {
+            let figures: Vec<Figure> = (0..transfer::by_method(construction.circle.as_ref()?).len())
+                .filter_map(|i| panel(Name::Transfer(i), construction, &notation))
+                .map(|block| tight(scene, block, words.transfer_figure, words))
+                .collect();
+            return (!figures.is_empty()).then(|| stack(&figures));
+        }
         "results" => {
             let table = results::table(construction, &notation, &ORDERS, TEXT);
             (table.draw("results", 0, table.rows.len()), words.results)
         }
-        "steps" => (column(&steps::items(construction, &notation), 90.0), words.steps),
-        _ => return None,
+        "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
+        _ => {
+            let kind = wanted::auxiliary(name, scene).ok()??;
+            let drawing = construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;
+            (with_steps(drawing, construction, &notation), words.auxiliary_figure)
+        }
     };
+    Some(tight(scene, block, heading, words))
+}
+
+/// A drawing cut to its ink.
+fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
     let mut description = String::new();
     block.group.walk(&mut |node| match node {
         Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
         _ => {}
     });
-    let mut root = block.group;
+    cut(block.group, format!("{}: {heading}", title(scene, words)), description, words)
+}
+
+/// A drawing as a figure of its own, tight to its ink.
+fn cut(mut root: Group, title: String, description: String, words: &Words) -> Figure {
     let ink = root.bounds().unwrap_or(Rect::ZERO);
     root.translate(Vec2::new(EDGE - ink.x0, EDGE - ink.y0));
-    Some(Figure {
+    Figure {
         width: ink.width() + 2.0 * EDGE,
         height: ink.height() + 2.0 * EDGE,
-        title: format!("{}: {heading}", title(scene, words)),
+        title,
         description,
         language: words.tag,
         root,
-    })
+    }
+}
+
+/// A construction on the skeleton with its steps below.
+fn with_steps(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Block {
+    let mut block = auxiliary_panel(drawing, construction, notation);
+    let items = auxiliary::items(drawing, construction, notation);
+    // The caption says already what the head of the steps would say.
+    let mut steps = column(&items[1.min(items.len())..], block.width.max(120.0), notation.words);
+    let width = block.width.max(steps.width);
+    block.group.translate(Vec2::new((width - block.width) / 2.0, 0.0));
+    steps.group.translate(Vec2::new(0.0, block.height + 2.0));
+    block.group.group(steps.group);
+    Block { width, height: block.height + 2.0 + steps.height, ..block }
 }
 
 /// Several figures below each other as one.
@@ -153,16 +266,26 @@ fn description(construction: &Construction, words: &Words) -> String {
     if construction.acceleration.is_some() {
         what.push(words.acceleration_diagram);
     }
-    words.description.replace("{what}", &what.join(", ").to_lowercase())
+    words.description.replace("{what}", &what.join(words.comma).to_lowercase())
 }
 
-/// Width and height of the paper, upright.
-fn paper(scene: &Scene) -> (f64, f64) {
-    match scene.sheet.paper.as_deref().map(str::to_ascii_uppercase).as_deref() {
-        Some("A3") => (297.0, 420.0),
-        Some("LETTER") => (215.9, 279.4),
+/// Width and height of the paper, mm.
+#[must_use]
+pub fn paper(scene: &Scene) -> (f64, f64) {
+    let stated = scene.sheet.paper.as_deref().unwrap_or_default().to_ascii_lowercase();
+    let mut words = stated.split_whitespace();
+    let (width, height) = match words.next() {
+        Some("a0") => (841.0, 1189.0),
+        Some("a1") => (594.0, 841.0),
+        Some("a2") => (420.0, 594.0),
+        Some("a3") => (297.0, 420.0),
+        Some("a5") => (148.0, 210.0),
+        Some("a6") => (105.0, 148.0),
+        Some("letter") => (215.9, 279.4),
+        Some("legal") => (215.9, 355.6),
         _ => (210.0, 297.0),
-    }
+    };
+    if words.next() == Some("landscape") { (height, width) } else { (width, height) }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -170,22 +293,42 @@ enum Name {
     Skeleton,
     Velocity,
     Acceleration,
+    Centres,
+    Circle,
+    /// Velocities from centres, by index of the method.
+    Transfer(usize),
 }
 
-/// A drawing with its caption and scale below, upper left corner at the origin.
+/// A drawing of the solution with its caption and scale.
 fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
     let words = notation.words;
-    let (drawing, letter, caption, scale) = match name {
+    let plain = |caption: &str| Rich::upright(caption);
+    let (drawing, caption, scale) = match name {
         Name::Skeleton => {
             let scale = notation.length_scale(construction.space.metres_per_mm);
-            (skeleton::draw(construction, notation), "a", words.skeleton, scale)
+            (skeleton::draw(construction, notation), plain(words.skeleton), scale)
+        }
+        Name::Centres => {
+            let circle = construction.circle.as_ref()?;
+            let scale = notation.length_scale(construction.space.metres_per_mm);
+            (centres::draw(circle, construction, notation), plain(words.centres_figure), scale)
+        }
+        Name::Circle => {
+            let circle = construction.circle.as_ref()?;
+            (circle::draw(circle, notation), plain(words.circle_diagram), Rich::default())
+        }
+        Name::Transfer(index) => {
+            let circle = construction.circle.as_ref()?;
+            let same = transfer::by_method(circle).into_iter().nth(index)?;
+            let scale = notation.scale(same.first()?.si_per_mm, Order::Velocity);
+            let drawing = transfer::draw(&same, circle, construction, notation);
+            (drawing, transfer::title(&same, notation), scale)
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
             (
                 polygon::draw(p, &construction.steps, notation),
-                "b",
-                words.velocity_diagram,
+                plain(words.velocity_diagram),
                 notation.scale(p.si_per_mm, p.order),
             )
         }
@@ -193,23 +336,88 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
             let p = construction.acceleration.as_ref()?;
             (
                 polygon::draw(p, &construction.steps, notation),
-                "c",
-                words.acceleration_diagram,
+                plain(words.acceleration_diagram),
                 notation.scale(p.si_per_mm, p.order),
             )
         }
     };
+    let letter = words.panels[letter(name, construction).min(words.panels.len() - 1)];
+    let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
+    if !scale.is_empty() {
+        let scale = Rich::fill(words.scale, &[("scale", scale)]);
+        caption = caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale);
+    }
+    Some(captioned(drawing, &caption))
+}
+
+/// A construction on the skeleton with its caption.
+fn auxiliary_panel(
+    drawing: &AuxiliaryDrawing,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Block {
+    let words = notation.words;
+    let index = construction.auxiliary.iter().position(|other| other.kind == drawing.kind).unwrap_or(0);
+    // After those of the panels that every sheet may have.
+    let before = match &construction.circle {
+        Some(circle) => letter(Name::Transfer(transfer::by_method(circle).len()), construction),
+        None => letter(Name::Centres, construction),
+    };
+    let letter = words.panels[(before + index).min(words.panels.len() - 1)];
+    let scale = notation.length_scale(construction.space.metres_per_mm);
+    let scale = Rich::fill(words.scale, &[("scale", scale)]);
+    let ink = auxiliary::draw(drawing, construction, notation);
+    let caption = Rich::bold(format!("({letter})")).up(" ").then(&auxiliary::title(&drawing.kind, notation));
+    captioned(ink, &caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale))
+}
+
+/// Which panel of the solution it is, counted from zero.
+fn letter(name: Name, construction: &Construction) -> usize {
+    let velocity = usize::from(construction.velocity.is_some());
+    let acceleration = usize::from(construction.acceleration.is_some());
+    match name {
+        Name::Skeleton => 0,
+        Name::Velocity => 1,
+        Name::Acceleration => 1 + velocity,
+        Name::Centres => 1 + velocity + acceleration,
+        Name::Circle => 2 + velocity + acceleration,
+        Name::Transfer(index) => 3 + velocity + acceleration + index,
+    }
+}
+
+/// A drawing with its caption below, upper left corner at the origin.
+fn captioned(drawing: Group, caption: &Rich) -> Block {
     let mut group = Group::new("panel");
     group.group(drawing);
     let ink = group.bounds().unwrap_or(Rect::ZERO);
-    let scale = Rich::fill(words.scale, &[("scale", scale)]);
-    let caption = Rich::bold(format!("({letter})")).up(" ").up(caption).up(",\u{2002}").then(&scale);
     let line = caption.set(TEXT);
     let width = ink.width().max(line.width);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
     let base = ink.height() + 7.0;
     line.put(&mut group, Point::new((width - line.width) / 2.0, base), "caption");
-    Some(Block { group, width, height: base + 1.5 })
+    Block { group, width, height: base + 1.5 }
+}
+
+fn leading(words: &Words) -> f64 {
+    if words.right_to_left { ARABIC_LEADING } else { LEADING }
+}
+
+/// How far below `above` what is set in `below` must stand to keep clear of it, both set on one base line.
+fn clear_of(above: &[Rect], below: &[Rect]) -> f64 {
+    let beside = |a: &Rect, b: &Rect| a.x0 < b.x1 && b.x0 < a.x1;
+    let pairs = above.iter().flat_map(|a| below.iter().filter(move |b| beside(a, b)).map(move |b| (a, b)));
+    pairs.map(|(a, b)| a.y1 - b.y0 + BETWEEN_LINES).fold(0.0, f64::max)
+}
+
+/// The boxes of the texts in a group.
+fn text_boxes(group: &Group) -> Vec<Rect> {
+    let mut all = Vec::new();
+    group.walk(&mut |node| {
+        if let Node::Text(text) = node {
+            all.extend(text.boxes());
+        }
+    });
+    all
 }
 
 /// The lines of a column, with what may not be parted from the next line.
@@ -253,7 +461,9 @@ fn terms_in(table: &Table, width: f64) -> Vec<Table> {
 }
 
 /// The items of the steps as strips of this width.
-fn strips(items: &[Item], width: f64) -> Vec<Strip> {
+fn strips(items: &[Item], width: f64, words: &Words) -> Vec<Strip> {
+    // Where a piece of this width begins that is so far from the edge at which the reader begins.
+    let at = |indent: f64, own: f64| if words.right_to_left { width - indent - own } else { indent };
     let mut all = Vec::new();
     for (i, item) in items.iter().enumerate() {
         match item {
@@ -261,8 +471,9 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                 for (k, line) in text.wrap(TEXT, width).iter().enumerate() {
                     let mut group = Group::new("step-head");
                     let above = if k == 0 { 3.2 } else { 0.0 };
-                    line.set(TEXT).put(&mut group, Point::new(0.0, above + TEXT), "heading");
-                    all.push(Strip { group, height: above + LEADING + 0.4, blank: above, keep: true });
+                    let line = line.set(TEXT);
+                    line.put(&mut group, Point::new(at(0.0, line.width), above + TEXT), "heading");
+                    all.push(Strip { group, height: above + leading(words) + 0.4, blank: above, keep: true });
                 }
             }
             Item::Terms(table) => {
@@ -270,7 +481,7 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                 for (k, table) in tables.iter().enumerate() {
                     let block = table.draw("terms", 0, table.rows.len());
                     let mut group = block.group;
-                    group.translate(Vec2::new(0.0, 1.2));
+                    group.translate(Vec2::new(at(0.0, block.width), 1.2));
                     let keep = k + 1 < tables.len() || matches!(items.get(i + 1), Some(Item::Sentence(_)));
                     let below = if k + 1 < tables.len() { 1.4 } else { 3.2 };
                     all.push(Strip { group, height: block.height + below, blank: 0.0, keep });
@@ -281,22 +492,31 @@ fn strips(items: &[Item], width: f64) -> Vec<Strip> {
                 for (k, line) in lines.iter().enumerate() {
                     let mut group = Group::new("sentence");
                     if k == 0 {
-                        Rich::upright("–").set(TEXT).put(&mut group, Point::new(0.0, TEXT), "mark");
+                        let dash = Rich::upright("–").set(TEXT);
+                        dash.put(&mut group, Point::new(at(0.0, dash.width), TEXT), "mark");
                     }
-                    line.set(TEXT).put(&mut group, Point::new(4.0, TEXT), "sentence");
-                    all.push(Strip { group, height: LEADING, blank: 0.0, keep: k + 1 < lines.len() });
+                    let line = line.set(TEXT);
+                    line.put(&mut group, Point::new(at(4.0, line.width), TEXT), "sentence");
+                    all.push(Strip { group, height: leading(words), blank: 0.0, keep: k + 1 < lines.len() });
                 }
             }
+        }
+    }
+    if words.right_to_left {
+        // Letters of Arabic script reach up and down by very different amounts.
+        for i in 1..all.len() {
+            let (above, below) = (text_boxes(&all[i - 1].group), text_boxes(&all[i].group));
+            all[i - 1].height = all[i - 1].height.max(clear_of(&above, &below));
         }
     }
     all
 }
 
 /// All strips below each other.
-fn column(items: &[Item], width: f64) -> Block {
+fn column(items: &[Item], width: f64, words: &Words) -> Block {
     let mut group = Group::new("steps");
     let mut y = 0.0;
-    for mut strip in strips(items, width) {
+    for mut strip in strips(items, width, words) {
         strip.group.translate(Vec2::new(0.0, y));
         y += strip.height;
         group.group(strip.group);
@@ -335,6 +555,11 @@ impl Pager {
         self.y = MARGIN + 7.0;
     }
 
+    /// Where a piece of this width begins that is so far from the edge at which the reader begins.
+    fn indented(&self, indent: f64, width: f64) -> f64 {
+        if self.words.right_to_left { self.paper.0 - indent - width } else { indent }
+    }
+
     fn add(&mut self, mut group: Group, x: f64, y: f64) {
         group.translate(Vec2::new(x, y));
         if let Some(page) = self.pages.last_mut() {
@@ -346,21 +571,40 @@ impl Pager {
     fn heading(&mut self, given: &Rich) {
         let mut group = Group::new("heading");
         let mut y = 0.0;
-        for line in Rich::bold(self.title.clone()).wrap(5.6, self.width()) {
+        let from_edge = |width: f64| self.indented(MARGIN, width) - MARGIN;
+        for line in Rich::written(&self.title, Face::Bold).wrap(5.6, self.width()) {
             y += 6.2;
-            line.set(5.6).put(&mut group, Point::new(0.0, y), "title");
+            let line = line.set(5.6);
+            line.put(&mut group, Point::new(from_edge(line.width), y), "title");
         }
         y += 1.0;
+        let mut above = text_boxes(&group);
+        above.iter_mut().for_each(|own| *own = *own - Vec2::new(0.0, y));
         for line in given.wrap(TEXT, self.width()) {
-            y += LEADING;
-            line.set(TEXT).put(&mut group, Point::new(0.0, y), "given");
+            let line = line.set(TEXT);
+            let below = line.boxes_at(Point::new(from_edge(line.width), 0.0));
+            let crowded = if self.words.right_to_left { clear_of(&above, &below) } else { 0.0 };
+            y += leading(self.words).max(crowded);
+            line.put(&mut group, Point::new(from_edge(line.width), y), "given");
+            above = below;
         }
-        y += 2.6;
+        let deepest = above.iter().map(|own| own.y1).fold(0.0, f64::max);
+        y += if self.words.right_to_left { f64::max(2.6, deepest + 0.8) } else { 2.6 };
         let rule = Shape::Line(Point::new(0.0, y), Point::new(self.width(), y));
         group.mark(Mark::stroke(rule, Pen::solid(0.35)).class("rule"));
         let top = self.y - 4.0;
         self.add(group, MARGIN, top);
         self.y = top + y + 6.0;
+    }
+
+    /// A block below what stands already.
+    fn block(&mut self, block: Block) {
+        if self.y + block.height > self.bottom() && self.y > MARGIN + 30.0 {
+            self.page();
+        }
+        let (x, y) = (self.indented(MARGIN, block.width), self.y);
+        self.y += block.height + 6.0;
+        self.add(block.group, x, y);
     }
 
     /// Panels in their order, side by side where they fit.
@@ -386,7 +630,7 @@ impl Pager {
                 // Captions of a row stand on one line; a table stands in the middle.
                 let free = height - block.height;
                 let down = if block.group.class == "panel" { free } else { free / 2.0 };
-                self.add(block.group.clone(), x, y + down);
+                self.add(block.group.clone(), self.indented(x, block.width), y + down);
                 x += block.width + between;
             }
             self.y += height + 6.0;
@@ -421,7 +665,7 @@ impl Pager {
                     let x = MARGIN + column as f64 * pitch + ((pitch - block.width) / 2.0).max(0.0);
                     let y = self.y;
                     deepest = deepest.max(y + block.height);
-                    self.add(block.group, x, y);
+                    self.add(block.group, self.indented(x, block.width), y);
                 }
             }
             self.y = deepest + 8.0;
@@ -433,7 +677,7 @@ impl Pager {
     fn steps(&mut self, items: &[Item]) {
         let width = self.column();
         let mut chunks: Vec<Vec<Strip>> = vec![Vec::new()];
-        for strip in strips(items, width) {
+        for strip in strips(items, width, self.words) {
             let keep = strip.keep;
             if let Some(chunk) = chunks.last_mut() {
                 chunk.push(strip);
@@ -472,7 +716,7 @@ impl Pager {
                 let mut y = top;
                 for strip in chunks.iter().flatten() {
                     let lift = if y == top { strip.blank } else { 0.0 };
-                    self.add(strip.group.clone(), x, y - lift);
+                    self.add(strip.group.clone(), self.indented(x, width), y - lift);
                     y += strip.height - lift;
                 }
                 self.y = self.y.max(y);
@@ -496,12 +740,15 @@ impl Pager {
                 &[("page", Rich::upright((i + 1).to_string())), ("pages", Rich::upright(count.to_string()))],
             );
             let line = number.set(3.0);
-            let at = Point::new(self.paper.0 - MARGIN - line.width, self.paper.1 - 10.0);
+            let far = self.paper.0 - MARGIN - line.width;
+            let at = Point::new(self.indented(far, line.width), self.paper.1 - 10.0);
             line.put(&mut page, at, "page-number");
             if i > 0 {
-                let title = Rich::italic(self.title.clone());
+                let title = Rich::written(&self.title, Face::Italic);
                 if let Some(line) = title.wrap(3.2, self.width()).first() {
-                    line.set(3.2).put(&mut page, Point::new(MARGIN, MARGIN - 3.0), "running-title");
+                    let line = line.set(3.2);
+                    let at = Point::new(self.indented(MARGIN, line.width), MARGIN - 3.0);
+                    line.put(&mut page, at, "running-title");
                 }
                 let rule = Shape::Line(
                     Point::new(MARGIN, MARGIN - 0.8),

@@ -296,7 +296,8 @@ impl Mark {
 }
 
 impl Shape {
-    fn translate(&mut self, by: Vec2) {
+    /// Moves it.
+    pub fn translate(&mut self, by: Vec2) {
         match self {
             Self::Line(a, b) => {
                 *a += by;

@@ -3,14 +3,17 @@
 //! The sheet measures every word with the very files that the renderer draws with, so that a label
 //! which is clear of the ink here is clear of it on paper. System fonts are never looked at.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::sync::OnceLock;
 
-use kurbo::Rect;
+use kurbo::{Rect, Vec2};
+use rustybuzz::Direction;
 use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::{GlyphId, Tag};
 
-/// A cut of the one family used on the sheet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// A cut of one of the two families used on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Face {
     /// Units, digits, words.
     Upright,
@@ -18,6 +21,10 @@ pub enum Face {
     Italic,
     /// Titles.
     Bold,
+    /// Words in Arabic script.
+    Arabic,
+    /// Titles in Arabic script.
+    ArabicBold,
 }
 
 /// The family's name in the font files, and what may stand for it where they are not installed.
@@ -27,9 +34,40 @@ pub const FAMILIES: &str =
 /// The family's name alone.
 pub const FAMILY: &str = "Libertinus Serif";
 
+/// The family's name of Arabic script alone.
+pub const ARABIC_FAMILY: &str = "Amiri";
+
+/// The family of Arabic script, and what may stand for it where it is not installed.
+pub const ARABIC_FAMILIES: &str =
+    "Amiri, 'Scheherazade New', 'Noto Naskh Arabic', 'Traditional Arabic', 'Times New Roman', serif";
+
+/// Whether a character belongs to the Arabic script: its letters, marks, punctuation and digits, and the
+/// joiners between its letters.
+#[must_use]
+pub const fn is_arabic(c: char) -> bool {
+    matches!(c,
+        '\u{600}'..='\u{6ff}' | '\u{750}'..='\u{77f}' | '\u{8a0}'..='\u{8ff}' | '\u{200c}' | '\u{200d}'
+        | '\u{fb50}'..='\u{fdff}' | '\u{fe70}'..='\u{fefc}')
+}
+
+/// Whether a character is a digit of the Arabic script: such a number runs from left to right.
+#[must_use]
+pub const fn is_arabic_digit(c: char) -> bool {
+    matches!(c, '\u{660}'..='\u{66c}' | '\u{6f0}'..='\u{6f9}')
+}
+
+/// More shaped words than a long sheet has; beyond them the store starts anew.
+const MOST_KNOWN: usize = 50_000;
+
 impl Face {
     /// All cuts.
-    pub const ALL: [Self; 3] = [Self::Upright, Self::Italic, Self::Bold];
+    pub const ALL: [Self; 5] = [Self::Upright, Self::Italic, Self::Bold, Self::Arabic, Self::ArabicBold];
+
+    /// Whether it is a face of the Arabic script, whose letters join and run from right to left.
+    #[must_use]
+    pub const fn is_arabic(self) -> bool {
+        matches!(self, Self::Arabic | Self::ArabicBold)
+    }
 
     /// The font file.
     #[must_use]
@@ -38,6 +76,8 @@ impl Face {
             Self::Upright => include_bytes!("../render/fonts/LibertinusSerif-Regular.otf"),
             Self::Italic => include_bytes!("../render/fonts/LibertinusSerif-Italic.otf"),
             Self::Bold => include_bytes!("../render/fonts/LibertinusSerif-Bold.otf"),
+            Self::Arabic => include_bytes!("../render/fonts/Amiri-Regular.ttf"),
+            Self::ArabicBold => include_bytes!("../render/fonts/Amiri-Bold.ttf"),
         }
     }
 
@@ -50,12 +90,19 @@ impl Face {
     /// How far the pen moves over `text` at `size` mm, kerning included.
     #[must_use]
     pub fn advance(self, text: &str, size: f64) -> f64 {
+        if self.is_arabic() {
+            return shaped(self, text).map_or(0.0, |s| s.advance * size);
+        }
         self.walk(text, size, |_, _| {})
     }
 
     /// The box of the glyphs' ink, y down, origin at the pen's start on the base line.
     #[must_use]
     pub fn ink(self, text: &str, size: f64) -> Option<Rect> {
+        if self.is_arabic() {
+            let ink = shaped(self, text)?.ink?;
+            return Some(Rect::new(ink.x0 * size, ink.y0 * size, ink.x1 * size, ink.y1 * size));
+        }
         let m = metrics(self)?;
         let k = size / m.em;
         let mut ink: Option<Rect> = None;
@@ -159,8 +206,57 @@ impl Metrics {
     }
 }
 
+/// What a word of joined letters measures at a size of 1.
+#[derive(Debug, Clone, Copy)]
+struct Shaped {
+    advance: f64,
+    ink: Option<Rect>,
+}
+
+/// Shapes a text of the Arabic script. Words come again and again while lines are broken and labels are
+/// placed, so what was shaped once is kept; the result depends on the text alone.
+fn shaped(face: Face, text: &str) -> Option<Shaped> {
+    thread_local! {
+        static KNOWN: RefCell<HashMap<(Face, String), Option<Shaped>>> = RefCell::new(HashMap::new());
+    }
+    KNOWN.with_borrow_mut(|known| {
+        if known.len() > MOST_KNOWN {
+            known.clear();
+        }
+        *known.entry((face, text.to_owned())).or_insert_with(|| shape(face, text))
+    })
+}
+
+fn shape(face: Face, text: &str) -> Option<Shaped> {
+    static READ: OnceLock<[Option<rustybuzz::Face<'static>>; 2]> = OnceLock::new();
+    let read = |face: Face| rustybuzz::Face::from_slice(face.bytes(), 0);
+    let faces = READ.get_or_init(|| [Face::Arabic, Face::ArabicBold].map(read));
+    let shaper = faces[usize::from(face == Face::ArabicBold)].as_ref()?;
+    let m = metrics(face)?;
+    let mut buffer = rustybuzz::UnicodeBuffer::new();
+    buffer.push_str(text);
+    let number = text.chars().all(is_arabic_digit);
+    buffer.set_direction(if number { Direction::LeftToRight } else { Direction::RightToLeft });
+    buffer.set_script(rustybuzz::script::ARABIC);
+    let glyphs = rustybuzz::shape(shaper, &[], buffer);
+    let mut pen = 0.0;
+    let mut ink: Option<Rect> = None;
+    for (glyph, position) in glyphs.glyph_infos().iter().zip(glyphs.glyph_positions()) {
+        let id = u16::try_from(glyph.glyph_id).map_or(GlyphId(0), GlyphId);
+        if let Some(own) = m.glyph_box(id) {
+            let at = Vec2::new(pen + f64::from(position.x_offset), -f64::from(position.y_offset));
+            let own = own + at;
+            ink = Some(ink.map_or(own, |r| r.union(own)));
+        }
+        pen += f64::from(position.x_advance);
+    }
+    let k = 1.0 / m.em;
+    let ink = ink.map(|r| Rect::new(r.x0 * k, r.y0 * k, r.x1 * k, r.y1 * k));
+    Some(Shaped { advance: pen * k, ink })
+}
+
 fn metrics(face: Face) -> Option<&'static Metrics> {
-    static READ: OnceLock<[Option<Metrics>; 3]> = OnceLock::new();
+    static READ: OnceLock<[Option<Metrics>; 5]> = OnceLock::new();
     let all = READ.get_or_init(|| Face::ALL.map(Metrics::read));
     all[face as usize].as_ref()
 }
@@ -176,6 +272,24 @@ mod tests {
         }
         for c in "αεωθ′abcdoABCDOVv".chars() {
             assert!(Face::Italic.has(c), "italic lacks {c}");
+        }
+    }
+
+    #[test]
+    fn every_letter_of_arabic_and_persian_has_a_glyph() {
+        for c in "ابتثجحخدذرزسشصضطظعغفقكلمنهويءآأؤإئةىپچژگکی،؛؟\u{200c}۰۱۲۳۴۵۶۷۸۹٠١٢٣٤٥٦٧٨٩".chars()
+        {
+            assert!(Face::Arabic.has(c) && Face::ArabicBold.has(c), "Amiri lacks {c}");
+        }
+    }
+
+    #[test]
+    fn arabic_letters_join() {
+        // The letters of a word are narrower than the same letters apart, and so is lam with alef.
+        for (word, letters) in [("تسارع", "ت س ا ر ع"), ("لا", "ل ا")] {
+            let blanks = Face::Arabic.advance(" ", 10.0) * letters.matches(' ').count() as f64;
+            let apart = Face::Arabic.advance(letters, 10.0) - blanks;
+            assert!(Face::Arabic.advance(word, 10.0) < 0.9 * apart, "{word}");
         }
     }
 

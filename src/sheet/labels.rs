@@ -3,6 +3,7 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Group, Mark, Node, Pen, Shape, Tone, on_circle};
+use super::grid::Grid;
 use super::overlap::clip;
 use super::rich::{Line, Rich};
 
@@ -86,6 +87,8 @@ pub struct Obstacles {
     strokes: Vec<(Point, Point, f64)>,
     areas: Vec<Vec<Point>>,
     boxes: Vec<Rect>,
+    /// Strokes, then areas, then boxes, each by its own grid.
+    grids: [Grid; 3],
 }
 
 impl Obstacles {
@@ -98,7 +101,37 @@ impl Obstacles {
             Node::Text(text) => all.boxes.extend(text.boxes()),
             Node::Group(_) => {}
         });
+        all.index();
         all
+    }
+
+    /// Adds the ink of a group to it.
+    pub fn extend(&mut self, group: &Group) {
+        let more = Self::of(group);
+        self.strokes.extend(more.strokes);
+        self.areas.extend(more.areas);
+        self.boxes.extend(more.boxes);
+        self.index();
+    }
+
+    fn index(&mut self) {
+        let area = |points: &[Point]| {
+            let first = points.first().copied().unwrap_or_default();
+            points.iter().fold(Rect::from_points(first, first), |r, p| r.union_pt(*p))
+        };
+        let strokes = self.strokes.iter().map(|(a, b, _)| Rect::from_points(*a, *b));
+        let all = strokes.chain(self.boxes.iter().copied()).chain(self.areas.iter().map(|p| area(p)));
+        let whole = all.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
+        self.grids = std::array::from_fn(|_| Grid::new(whole));
+        for (i, (a, b, half)) in self.strokes.iter().enumerate() {
+            self.grids[0].add_stroke(i, *a, *b, *half);
+        }
+        for (i, points) in self.areas.iter().enumerate() {
+            self.grids[1].add(i, area(points));
+        }
+        for (i, own) in self.boxes.iter().enumerate() {
+            self.grids[2].add(i, *own);
+        }
     }
 
     fn add(&mut self, mark: &Mark) {
@@ -119,7 +152,10 @@ impl Obstacles {
         let mut cost = 0.0;
         let mut touch = false;
         let tight = own.inflate(CLEARANCE, CLEARANCE);
-        for (a, b, half) in &self.strokes {
+        let mut near = Vec::new();
+        // A stroke lies in the cells that it touches with its own width.
+        self.grids[0].near(tight, &mut near);
+        for (a, b, half) in near.iter().map(|i| &self.strokes[*i]) {
             let grown = tight.inflate(*half, *half);
             let beside = a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1;
             if beside || a.y.max(b.y) < grown.y0 || a.y.min(b.y) > grown.y1 {
@@ -135,13 +171,15 @@ impl Obstacles {
                 }
             }
         }
-        for area in &self.areas {
+        self.grids[1].near(tight, &mut near);
+        for area in near.iter().map(|i| &self.areas[*i]) {
             if area.iter().any(|p| tight.contains(*p)) {
                 cost += TOUCH;
                 touch = true;
             }
         }
-        for other in &self.boxes {
+        self.grids[2].near(own.inflate(WORD, CLEARANCE), &mut near);
+        for other in near.iter().map(|i| &self.boxes[*i]) {
             let (c, t) = between(own, *other);
             cost += c;
             touch |= t;
@@ -186,42 +224,60 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
             _ => None,
         })
         .collect();
-    let strangers = Strangers { points: anchors, lines: lines_named };
-    let candidates: Vec<Vec<Candidate>> = requests
-        .iter()
-        .zip(&lines)
-        .enumerate()
-        .map(|(i, (request, line))| {
-            let mut all = Vec::new();
-            for (rank, site) in request.sites.iter().enumerate() {
-                for mut candidate in candidates(request, *site, line) {
-                    candidate.cost += 5.0 * rank as f64;
-                    price(&mut candidate, *site, i, &obstacles, &strangers, within);
-                    all.push(candidate);
-                }
+    let strangers = Strangers::new(anchors, lines_named);
+    let priced = |i: usize, reach: Reach| {
+        let mut all = Vec::new();
+        for (rank, site) in requests[i].sites.iter().enumerate() {
+            for mut candidate in candidates(&requests[i], *site, &lines[i], reach) {
+                candidate.cost += 5.0 * rank as f64;
+                price(&mut candidate, *site, i, &obstacles, &strangers, within);
+                all.push(candidate);
             }
-            all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-            all.truncate(240);
-            all
-        })
-        .collect();
+        }
+        all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        all.truncate(if reach == Reach::Near { 240 } else { 1200 });
+        all
+    };
+    let mut candidates: Vec<Vec<Candidate>> = (0..requests.len()).map(|i| priced(i, Reach::Near)).collect();
 
     // Those with the fewest free places choose first; among equals, those that must stand, then order.
     let mut order: Vec<usize> = (0..requests.len()).collect();
     let free = |i: usize| candidates[i].iter().filter(|c| c.cost < TOUCH).count();
     order.sort_by_key(|i| (requests[*i].optional, free(*i), *i));
-    let mut chosen: Vec<Option<usize>> = vec![None; requests.len()];
+    let mut standing = Standing::new(&candidates);
     for pass in 0..=PASSES {
         let mut moved = false;
         for &i in &order {
-            let best = best(i, &candidates, &chosen, requests[i].optional);
-            moved |= best != chosen[i];
-            chosen[i] = best;
+            moved |= standing.settle(i, &candidates, requests[i].optional);
         }
         if pass > 0 && !moved {
             break;
         }
     }
+    // In a crowd some still touch something: they look further away, and who stands in their way moves.
+    let touching: Vec<usize> = order
+        .iter()
+        .copied()
+        .filter(|i| !requests[*i].optional && standing.touches(*i, &candidates))
+        .collect();
+    if !touching.is_empty() {
+        for i in &touching {
+            candidates[*i] = priced(*i, Reach::Far);
+        }
+        standing = standing.again(&candidates, &touching);
+        for pass in 0..=PASSES {
+            let mut moved = false;
+            for &i in touching.iter().chain(&order) {
+                if pass == 0 && touching.contains(&i) || standing.touches(i, &candidates) {
+                    moved |= standing.settle(i, &candidates, requests[i].optional);
+                }
+            }
+            if pass > 0 && !moved {
+                break;
+            }
+        }
+    }
+    let chosen = standing.chosen;
 
     let mut out = Group::new("labels");
     for (i, request) in requests.iter().enumerate() {
@@ -238,28 +294,105 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
     out
 }
 
-fn best(i: usize, all: &[Vec<Candidate>], chosen: &[Option<usize>], optional: bool) -> Option<usize> {
-    let mut best: Option<(f64, usize)> = None;
-    for (c, candidate) in all[i].iter().enumerate() {
-        if best.is_some_and(|(cost, _)| candidate.cost >= cost) {
-            break; // sorted by cost: none of the rest can be better
+/// The labels as they stand.
+struct Standing {
+    chosen: Vec<Option<usize>>,
+    texts: Grid,
+    leaders: Grid,
+}
+
+impl Standing {
+    fn new(all: &[Vec<Candidate>]) -> Self {
+        let boxes = all.iter().flatten().flat_map(|c| &c.boxes).copied();
+        let area = boxes.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
+        Self { chosen: vec![None; all.len()], texts: Grid::new(area), leaders: Grid::new(area) }
+    }
+
+    /// The same with new candidates, among which those of `lifted` have not chosen yet.
+    fn again(self, all: &[Vec<Candidate>], lifted: &[usize]) -> Self {
+        let mut new = Self::new(all);
+        for (i, chosen) in self.chosen.into_iter().enumerate().filter(|(i, _)| !lifted.contains(i)) {
+            new.choose(i, chosen, all);
         }
+        new
+    }
+
+    fn choose(&mut self, i: usize, choice: Option<usize>, all: &[Vec<Candidate>]) {
+        if let Some(old) = self.chosen[i].map(|c| &all[i][c]) {
+            old.boxes.iter().for_each(|own| self.texts.remove(i, *own));
+            if let Some((a, b)) = old.leader {
+                self.leaders.remove(i, Rect::from_points(a, b));
+            }
+        }
+        if let Some(new) = choice.map(|c| &all[i][c]) {
+            new.boxes.iter().for_each(|own| self.texts.add(i, *own));
+            if let Some((a, b)) = new.leader {
+                self.leaders.add_stroke(i, a, b, 0.0);
+            }
+        }
+        self.chosen[i] = choice;
+    }
+
+    /// Moves a label to its best place given all others; whether it moved.
+    fn settle(&mut self, i: usize, all: &[Vec<Candidate>], optional: bool) -> bool {
+        let best = self.best(i, all, optional);
+        let moved = best != self.chosen[i];
+        if moved {
+            self.choose(i, best, all);
+        }
+        moved
+    }
+
+    fn best(&self, i: usize, all: &[Vec<Candidate>], optional: bool) -> Option<usize> {
+        let mut best: Option<(f64, usize)> = None;
+        for (c, candidate) in all[i].iter().enumerate() {
+            let limit = best.map_or(f64::INFINITY, |(cost, _)| cost);
+            if candidate.cost >= limit {
+                break; // sorted by cost: none of the rest can be better
+            }
+            let (cost, touch) = self.cost(i, candidate, all, limit);
+            if optional && (touch || cost > 60.0) {
+                continue;
+            }
+            if cost < limit {
+                best = Some((cost, c));
+            }
+        }
+        best.map(|(_, c)| c)
+    }
+
+    /// What a candidate costs among the others, and whether it touches anything; not counted further once
+    /// it costs `limit`.
+    fn cost(&self, i: usize, candidate: &Candidate, all: &[Vec<Candidate>], limit: f64) -> (f64, bool) {
+        let mut near = Vec::new();
+        for own in &candidate.boxes {
+            let own = own.inflate(WORD, CLEARANCE);
+            self.texts.find(own, &mut near);
+            self.leaders.find(own, &mut near);
+        }
+        if let Some((a, b)) = candidate.leader {
+            self.texts.find_along(a, b, 0.3, &mut near);
+            self.leaders.find_along(a, b, 0.0, &mut near);
+        }
+        near.sort_unstable();
+        near.dedup();
         let mut cost = candidate.cost;
         let mut touch = candidate.touches_ink;
-        for (j, other) in chosen.iter().enumerate() {
-            let Some(other) = other.filter(|_| j != i).map(|o| &all[j][o]) else { continue };
+        for j in near {
+            let Some(other) = self.chosen[j].filter(|_| j != i).map(|o| &all[j][o]) else { continue };
             let (c, t) = conflict(candidate, other);
             cost += c;
             touch |= t;
+            if cost >= limit {
+                break;
+            }
         }
-        if optional && (touch || cost > 60.0) {
-            continue;
-        }
-        if best.is_none_or(|(least, _)| cost < least) {
-            best = Some((cost, c));
-        }
+        (cost, touch)
     }
-    best.map(|(_, c)| c)
+
+    fn touches(&self, i: usize, all: &[Vec<Candidate>]) -> bool {
+        self.chosen[i].is_some_and(|own| self.cost(i, &all[i][own], all, f64::INFINITY).1)
+    }
 }
 
 fn conflict(a: &Candidate, b: &Candidate) -> (f64, bool) {
@@ -316,25 +449,41 @@ fn price(
     if let Some((from, to)) = candidate.leader {
         // A leader may leave its own point, so only what it crosses further out counts.
         let start = from.lerp(to, (1.5 / from.distance(to).max(1.5)).min(1.0));
-        for (a, b, _) in &obstacles.strokes {
+        let mut near = Vec::new();
+        obstacles.grids[0].near(Rect::from_points(start, to), &mut near);
+        for (a, b, _) in near.iter().map(|i| &obstacles.strokes[*i]) {
             if crossing(start, to, *a, *b) {
                 candidate.cost += 40.0;
             }
         }
+        obstacles.grids[2].near(Rect::from_points(start, to), &mut near);
+        if near.iter().any(|i| clip(start, to, obstacles.boxes[*i].inflate(0.3, 0.3)).is_some()) {
+            candidate.cost += TOUCH;
+            candidate.touches_ink = true;
+        }
     }
     if let (Site::Around { at, .. }, Some(own)) = (site, candidate.boxes.first()) {
         let near = distance(*own, at);
-        for (_, stranger) in strangers.points.iter().filter(|(j, p)| *j != index && p.distance(at) > 0.2) {
-            let far = distance(*own, *stranger);
-            if candidate.leader.is_none() && far < near + 1.0 {
+        let mut others = Vec::new();
+        if candidate.leader.is_none() {
+            strangers.point_grid.near(own.inflate(near + 1.0, near + 1.0), &mut others);
+        }
+        let others = others.into_iter().map(|i| strangers.points[i]);
+        for (_, stranger) in others.filter(|(j, p)| *j != index && p.distance(at) > 0.2) {
+            let far = distance(*own, stranger);
+            if far < near + 1.0 {
                 candidate.cost += 25.0 + 10.0 * (near + 1.0 - far);
             }
         }
     }
     if let (Site::Along { from, to }, Some(own)) = (site, candidate.boxes.first()) {
         let near = to_line(own.center(), from, to);
-        for (_, a, b) in strangers.lines.iter().filter(|(j, ..)| *j != index) {
-            let far = to_line(own.center(), *a, *b);
+        let mut others = Vec::new();
+        let reach = Rect::from_center_size(own.center(), (2.0 * near + 4.0, 2.0 * near + 4.0));
+        strangers.line_grid.near(reach, &mut others);
+        let others = others.into_iter().map(|i| strangers.lines[i]);
+        for (_, a, b) in others.filter(|(j, ..)| *j != index) {
+            let far = to_line(own.center(), a, b);
             if far < near + 2.0 {
                 candidate.cost += 4.0 + 6.0 * (near + 2.0 - far).min(4.0);
             }
@@ -346,6 +495,32 @@ fn price(
 struct Strangers {
     points: Vec<(usize, Point)>,
     lines: Vec<(usize, Point, Point)>,
+    point_grid: Grid,
+    line_grid: Grid,
+}
+
+impl Strangers {
+    fn new(points: Vec<(usize, Point)>, lines: Vec<(usize, Point, Point)>) -> Self {
+        let of_points = points.iter().map(|(_, p)| Rect::from_points(*p, *p));
+        let of_lines = lines.iter().map(|(_, a, b)| Rect::from_points(*a, *b));
+        let area = of_points.chain(of_lines).reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
+        let mut point_grid = Grid::new(area);
+        for (i, (_, p)) in points.iter().enumerate() {
+            point_grid.add(i, Rect::from_points(*p, *p));
+        }
+        let mut line_grid = Grid::new(area);
+        for (i, (_, a, b)) in lines.iter().enumerate() {
+            line_grid.add_stroke(i, *a, *b, 0.0);
+        }
+        Self { points, lines, point_grid, line_grid }
+    }
+}
+
+/// How far from its place a label looks for room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Reach {
+    Near,
+    Far,
 }
 
 fn to_line(p: Point, a: Point, b: Point) -> f64 {
@@ -360,7 +535,7 @@ fn distance(r: Rect, p: Point) -> f64 {
     libm::hypot(dx, dy)
 }
 
-fn candidates(request: &Request, site: Site, line: &Line) -> Vec<Candidate> {
+fn candidates(request: &Request, site: Site, line: &Line, how_far: Reach) -> Vec<Candidate> {
     let half = match request.ring {
         Some(radius) => Vec2::new(radius, radius),
         None => Vec2::new(line.ink.width() / 2.0, line.ink.height() / 2.0),
@@ -398,7 +573,7 @@ fn candidates(request: &Request, site: Site, line: &Line) -> Vec<Candidate> {
                 }
             }
             if request.leader {
-                for (ring, gap) in [5.0, 7.0, 9.5, 12.0, 15.0].into_iter().enumerate() {
+                for (ring, gap) in leaders([5.0, 7.0, 9.5, 12.0, 15.0], how_far) {
                     for k in 0..24 {
                         let angle = f64::from(k) * (std::f64::consts::TAU / 24.0);
                         let centre = beside(at, angle, radius + gap, half);
@@ -423,7 +598,7 @@ fn candidates(request: &Request, site: Site, line: &Line) -> Vec<Candidate> {
                         all.push(stand(centre, taste + 3.0 * ring as f64, None));
                     }
                     if request.leader {
-                        for (ring, gap) in [4.0, 6.0, 8.5, 11.0].into_iter().enumerate() {
+                        for (ring, gap) in leaders([4.0, 6.0, 8.5, 11.0], how_far) {
                             let foot = from + d * t;
                             let centre = foot + normal * (side * (reach + gap));
                             let start = foot + normal * (side * 0.4);
@@ -435,6 +610,13 @@ fn candidates(request: &Request, site: Site, line: &Line) -> Vec<Candidate> {
         }
     }
     all
+}
+
+/// The lengths of leaders, with their ranks: in a crowd they go on to half a page.
+fn leaders<const N: usize>(near: [f64; N], reach: Reach) -> impl Iterator<Item = (usize, f64)> {
+    const FAR: [f64; 12] = [18.0, 21.0, 24.0, 28.0, 32.0, 37.0, 43.0, 50.0, 58.0, 67.0, 77.0, 90.0];
+    let far = if reach == Reach::Far { &FAR[..] } else { &[] };
+    near.into_iter().chain(far.iter().copied()).enumerate()
 }
 
 /// Centre of a box that stands in this direction from a point with a clear gap between them.

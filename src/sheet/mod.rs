@@ -5,11 +5,18 @@
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
+mod auxiliary;
+mod bidi;
+mod centres;
+mod circle;
 mod compose;
 mod coriolis;
+mod dimensions;
 mod feet;
 pub mod figure;
 pub mod font;
+mod given;
+mod grid;
 mod human;
 mod ink;
 mod labels;
@@ -24,10 +31,13 @@ mod skeleton;
 mod slots;
 mod steps;
 mod table;
+mod transfer;
+mod wanted;
 mod words;
 
-pub use compose::{figure_names, single, solution, stack};
+pub use compose::{figure_names, question, single, single_of_question, solution, stack};
 pub use figure::Figure;
+pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
 
 #[cfg(test)]

@@ -44,6 +44,20 @@ impl<'a> Notation<'a> {
         Rich::italic(letters).sub(index)
     }
 
+    /// A point with a further index: A with w, O with 2w.
+    #[must_use]
+    pub fn point_with(&self, point: PointId, more: &str) -> Rich {
+        let (letters, index) = split(self.point_name(point));
+        Rich::italic(letters).sub(&format!("{index}{more}"))
+    }
+
+    /// A point in another position: A′.
+    #[must_use]
+    pub fn point_primed(&self, point: PointId) -> Rich {
+        let (letters, index) = split(self.point_name(point));
+        Rich::italic(letters).scripts("′", Face::Italic, index)
+    }
+
     /// A length by its ends: O₂A.
     #[must_use]
     pub fn length(&self, from: PointId, to: PointId) -> Rich {
@@ -57,7 +71,7 @@ impl<'a> Notation<'a> {
         let template = if links.len() == 1 { self.words.link } else { self.words.links };
         let list = match numbers.split_last() {
             Some((last, rest)) if !rest.is_empty() => {
-                Rich::join(rest, &Rich::upright(", ")).up(self.words.and).then(last)
+                Rich::join(rest, &Rich::upright(self.words.comma)).up(self.words.and).then(last)
             }
             _ => Rich::join(&numbers, &Rich::default()),
         };
@@ -137,6 +151,14 @@ impl<'a> Notation<'a> {
             Quantity::Tangential(p) => n("t", of(p)),
             Quantity::Omega(l) => Rich::italic("ω").sub(&self.number(l)),
             Quantity::RelativeOmega(a, b) => Rich::italic("ω").sub(&numbers(a, b)),
+            Quantity::Ratio(a, b) => {
+                let rate = |l| Rich::italic("ω").sub(&self.number(l));
+                rate(a).up("/").then(&rate(b))
+            }
+            Quantity::Advantage(a, b) => {
+                let torque = |l| Rich::italic("T").sub(&self.number(l));
+                torque(a).up("/").then(&torque(b))
+            }
             Quantity::Alpha(l) => Rich::italic(self.alpha()).sub(&self.number(l)),
             Quantity::RelativeAlpha(a, b) => Rich::italic(self.alpha()).sub(&numbers(a, b)),
             Quantity::Slip(p, l) => letter("V").sub(&self.coincident(p, l)),
@@ -153,6 +175,7 @@ impl<'a> Notation<'a> {
             Quantity::Rub(p, ..) => {
                 Rich::italic("V").sub(&format!("{},{}", self.words.rubbing_mark, self.point_name(p)))
             }
+            Quantity::PathRadius(p) => Rich::italic("ρ").sub(self.point_name(p)),
             Quantity::Position(p) => self.point(p),
             Quantity::Angle(l) => Rich::italic("θ").sub(&self.number(l)),
             Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
@@ -241,6 +264,8 @@ impl<'a> Notation<'a> {
             Quantity::Tangential(a) => format!("at({})", p(a)),
             Quantity::Omega(a) => format!("omega({})", l(a)),
             Quantity::RelativeOmega(a, b) => format!("omega({}/{})", l(a), l(b)),
+            Quantity::Ratio(a, b) => format!("ratio({}/{})", l(a), l(b)),
+            Quantity::Advantage(a, b) => format!("advantage({}/{})", l(a), l(b)),
             Quantity::Alpha(a) => format!("alpha({})", l(a)),
             Quantity::RelativeAlpha(a, b) => format!("alpha({}/{})", l(a), l(b)),
             Quantity::Slip(a, b) => format!("slip({}/{})", p(a), l(b)),
@@ -255,6 +280,7 @@ impl<'a> Notation<'a> {
             Quantity::ContactNormal(a, b, c) => format!("an({}@{}/{})", p(a), l(b), l(c)),
             Quantity::Centre(a, b) => format!("I({},{})", l(a), l(b)),
             Quantity::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
+            Quantity::PathRadius(a) => format!("rho({})", p(a)),
             Quantity::Position(a) => format!("x({})", p(a)),
             Quantity::Angle(a) => format!("angle({})", l(a)),
             Quantity::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),
@@ -293,7 +319,7 @@ impl<'a> Notation<'a> {
     pub fn rotation(&self, si: f64, unit: &Unit) -> Rich {
         let sense = self.sense(si);
         let value = human::quantity(si.abs(), unit);
-        if sense.is_empty() { value } else { value.up("\u{a0}").up(sense) }
+        if sense.is_empty() { value } else { value.word(sense) }
     }
 
     /// ccw, cw, or nothing for zero.

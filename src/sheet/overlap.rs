@@ -3,6 +3,7 @@
 use kurbo::{Point, Rect};
 
 use super::figure::{Figure, Group, Mark, Node, Shape, Text, Tone};
+use super::grid::Grid;
 
 /// A text that touches something.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,18 +44,33 @@ pub fn overlaps_in(group: &Group, page: Option<Rect>) -> Vec<Overlap> {
     let mut report = |i: usize, with: String, at: Rect| {
         found.push(Overlap { text: texts[i].content(), with, at: at.center() });
     };
+    let area = boxes.iter().map(|(_, b)| *b).chain(inks.iter().map(|(_, b)| *b)).reduce(|a, b| a.union(b));
+    let area = area.unwrap_or(Rect::ZERO);
+    let (mut texts_near, mut inks_near) = (Grid::new(area), Grid::new(area));
+    for (n, (_, own)) in boxes.iter().enumerate() {
+        texts_near.add(n, *own);
+    }
+    for (n, (mark, own)) in inks.iter().enumerate() {
+        match &mark.shape {
+            Shape::Line(a, b) => inks_near.add_stroke(n, *a, *b, mark.pen.map_or(0.0, |pen| pen.width / 2.0)),
+            _ => inks_near.add(n, *own),
+        }
+    }
+    let mut near = Vec::new();
     for (n, (i, own)) in boxes.iter().enumerate() {
         if let Some(page) = page
             && !page.contains_rect(*own)
         {
             report(*i, "the edge of the paper".to_owned(), *own);
         }
-        for (j, other) in &boxes[n + 1..] {
+        texts_near.near(*own, &mut near);
+        for (j, other) in near.iter().filter(|k| **k > n).map(|k| &boxes[*k]) {
             if i != j && !own.intersect(*other).is_zero_area() {
                 report(*i, format!("text {:?}", texts[*j].content()), *own);
             }
         }
-        for (mark, ink) in &inks {
+        inks_near.near(*own, &mut near);
+        for (mark, ink) in near.iter().map(|k| &inks[*k]) {
             // A level stroke without width has a box without area, so the plain test, not an intersection.
             let apart = ink.x0 > own.x1 || ink.x1 < own.x0 || ink.y0 > own.y1 || ink.y1 < own.y0;
             if !apart && touches(mark, *own) {

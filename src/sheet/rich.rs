@@ -1,10 +1,14 @@
 //! Formula text: italic quantities, upright units, stacked sub- and superscripts, ticks, set on a base
 //! line and measured.
+//!
+//! A line with a word of Arabic script in it is set from right to left by `bidi.rs`; formulas stay islands
+//! that run from left to right.
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::bidi;
 use super::figure::{Group, Mark, Pen, Run, Shape, Text};
-use super::font::Face;
+use super::font::{Face, is_arabic};
 
 /// Size of a sub- or superscript, per size of its base.
 const SCRIPT: f64 = 0.7;
@@ -15,7 +19,7 @@ const RAISE: f64 = 0.36;
 
 /// A piece of formula text.
 #[derive(Debug, Clone, PartialEq)]
-enum Piece {
+pub(super) enum Piece {
     /// Characters on the base line.
     Run(String, Face),
     /// A letter with a small arrow over it: a vector.
@@ -28,10 +32,20 @@ enum Piece {
     Gap(f64),
 }
 
+/// A piece in its place in a text.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Item {
+    pub(super) piece: Piece,
+    /// Part of a formula that runs from left to right as a whole, whatever stands around it.
+    pub(super) island: bool,
+}
+
 /// Formula text, built piece by piece.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Rich {
-    pieces: Vec<Piece>,
+    items: Vec<Item>,
+    /// Runs from left to right although words of Arabic script stand in it.
+    left_to_right: bool,
 }
 
 /// Formula text set at the origin: base line at y = 0, start at x = 0.
@@ -69,31 +83,80 @@ impl Rich {
     /// A tick.
     #[must_use]
     pub fn tick() -> Self {
-        Self { pieces: vec![Piece::Tick] }
+        Self::default().push(Piece::Tick)
     }
 
     /// A letter with an arrow over it.
     #[must_use]
     pub fn vector(letter: &str) -> Self {
-        Self { pieces: vec![Piece::Vector(letter.to_owned())] }
+        Self::default().push(Piece::Vector(letter.to_owned()))
+    }
+
+    /// A text that somebody wrote, in the direction of its first letter.
+    #[must_use]
+    pub fn written(text: &str, face: Face) -> Self {
+        let first = text.chars().find(|c| c.is_alphabetic());
+        let left_to_right = first.is_some_and(|c| !is_arabic(c));
+        Self { left_to_right, ..Self::default() }.with(text, face)
+    }
+
+    fn push(mut self, piece: Piece) -> Self {
+        self.items.push(Item { piece, island: false });
+        self
+    }
+
+    /// Whether a word of Arabic script stands in it: then it is set from right to left.
+    #[must_use]
+    pub fn is_arabic(&self) -> bool {
+        self.items.iter().any(|item| matches!(&item.piece, Piece::Run(_, face) if face.is_arabic()))
+    }
+
+    /// The same as one island that runs from left to right, if it is a formula without words.
+    #[must_use]
+    pub fn island(mut self) -> Self {
+        if !self.is_arabic() {
+            self.items.iter_mut().for_each(|item| item.island = true);
+        }
+        self
+    }
+
+    /// The same with a word after it, and no line breaks between.
+    #[must_use]
+    pub fn word(self, word: &str) -> Self {
+        self.aside("\u{a0}", &Self::upright(word))
+    }
+
+    /// The same with a separator and words after it: a formula before words of Arabic script is an island.
+    #[must_use]
+    pub fn aside(self, separator: &str, words: &Self) -> Self {
+        let before = if words.is_arabic() { self.island() } else { self };
+        before.up(separator).then(words)
     }
 
     /// Whether nothing is in it.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.pieces.is_empty()
+        self.items.is_empty()
     }
 
-    /// The same with characters after it. A character that the face lacks is set upright.
+    /// The same with characters after it. A character that the face lacks is set upright, Arabic script in
+    /// its own face.
     #[must_use]
-    pub fn with(mut self, text: &str, face: Face) -> Self {
+    pub fn with(self, text: &str, face: Face) -> Self {
+        self.with_item(text, face, false)
+    }
+
+    fn with_item(mut self, text: &str, face: Face, island: bool) -> Self {
         for c in text.chars() {
-            let face = if c == ' ' || face.has(c) { face } else { Face::Upright };
-            match self.pieces.last_mut() {
-                Some(Piece::Run(run, last)) if *last == face => run.push(c),
+            let face = of_script(face, c);
+            match self.items.last_mut() {
                 // A blank never needs a run of its own.
-                Some(Piece::Run(run, _)) if c == ' ' => run.push(c),
-                _ => self.pieces.push(Piece::Run(c.to_string(), face)),
+                Some(Item { piece: Piece::Run(run, last), island: same })
+                    if *same == island && (*last == face || c == ' ') =>
+                {
+                    run.push(c);
+                }
+                _ => self.items.push(Item { piece: Piece::Run(c.to_string(), face), island }),
             }
         }
         self
@@ -102,10 +165,10 @@ impl Rich {
     /// The same with more text after it.
     #[must_use]
     pub fn then(mut self, more: &Self) -> Self {
-        for piece in &more.pieces {
-            match piece {
-                Piece::Run(text, face) => self = self.with(text, *face),
-                other => self.pieces.push(other.clone()),
+        for item in &more.items {
+            match &item.piece {
+                Piece::Run(text, face) => self = self.with_item(text, *face, item.island),
+                _ => self.items.push(item.clone()),
             }
         }
         self
@@ -125,9 +188,8 @@ impl Rich {
 
     /// The same with a blank of so many em, at which no line breaks.
     #[must_use]
-    pub fn gap(mut self, em: f64) -> Self {
-        self.pieces.push(Piece::Gap(em));
-        self
+    pub fn gap(self, em: f64) -> Self {
+        self.push(Piece::Gap(em))
     }
 
     /// The same with an upright subscript.
@@ -144,19 +206,20 @@ impl Rich {
 
     /// The same with a superscript over an upright subscript.
     #[must_use]
-    pub fn scripts(mut self, sup: &str, sup_face: Face, sub: &str) -> Self {
+    pub fn scripts(self, sup: &str, sup_face: Face, sub: &str) -> Self {
         let part = |text: &str, face| {
             if text.is_empty() { Vec::new() } else { vec![(text.to_owned(), face)] }
         };
-        if !(sup.is_empty() && sub.is_empty()) {
-            self.pieces.push(Piece::Scripts { sup: part(sup, sup_face), sub: part(sub, Face::Upright) });
+        if sup.is_empty() && sub.is_empty() {
+            return self;
         }
-        self
+        self.push(Piece::Scripts { sup: part(sup, sup_face), sub: part(sub, Face::Upright) })
     }
 
     /// Fills the named places (`{vector}`) of a template of words.
     #[must_use]
     pub fn fill(template: &str, parts: &[(&str, Self)]) -> Self {
+        let islands = template.chars().any(is_arabic);
         let mut out = Self::default();
         let mut rest = template;
         while let Some(open) = rest.find('{') {
@@ -164,7 +227,7 @@ impl Rich {
             let Some(length) = rest[open..].find('}') else { break };
             let name = &rest[open + 1..open + length];
             if let Some((_, part)) = parts.iter().find(|(n, _)| *n == name) {
-                out = out.then(part);
+                out = if islands { out.then(&part.clone().island()) } else { out.then(part) };
             }
             rest = &rest[open + length + 1..];
         }
@@ -174,7 +237,7 @@ impl Rich {
     /// The same squared: the 2 stands over the last subscript.
     #[must_use]
     pub fn squared(mut self) -> Self {
-        match self.pieces.last_mut() {
+        match self.items.last_mut().map(|item| &mut item.piece) {
             Some(Piece::Scripts { sup, .. }) if sup.is_empty() => sup.push(("2".to_owned(), Face::Upright)),
             _ => return self.sup("2"),
         }
@@ -184,9 +247,11 @@ impl Rich {
     /// The same with its upright characters bold.
     #[must_use]
     pub fn bolder(mut self) -> Self {
-        for piece in &mut self.pieces {
-            if let Piece::Run(_, face @ Face::Upright) = piece {
-                *face = Face::Bold;
+        for item in &mut self.items {
+            match &mut item.piece {
+                Piece::Run(_, face @ Face::Upright) => *face = Face::Bold,
+                Piece::Run(_, face @ Face::Arabic) => *face = Face::ArabicBold,
+                _ => {}
             }
         }
         self
@@ -195,12 +260,13 @@ impl Rich {
     /// Joins texts with a separator.
     #[must_use]
     pub fn join(parts: &[Self], separator: &Self) -> Self {
+        let islands = separator.is_arabic();
         let mut out = Self::default();
         for (i, part) in parts.iter().enumerate() {
             if i > 0 {
                 out = out.then(separator);
             }
-            out = out.then(part);
+            out = if islands { out.then(&part.clone().island()) } else { out.then(part) };
         }
         out
     }
@@ -212,9 +278,12 @@ impl Rich {
     }
 
     fn run_through(&self, size: f64) -> Setter {
+        if self.is_arabic() {
+            return bidi::set(&self.items, !self.left_to_right, size);
+        }
         let mut setter = Setter::new(size);
-        for piece in &self.pieces {
-            setter.piece(piece);
+        for item in &self.items {
+            setter.piece(&item.piece);
         }
         setter
     }
@@ -229,18 +298,18 @@ impl Rich {
     /// The words between which a line may break.
     fn words(&self) -> Vec<Self> {
         let mut words = vec![Self::default()];
-        for piece in &self.pieces {
-            if let Piece::Run(text, face) = piece {
+        for item in &self.items {
+            if let Piece::Run(text, face) = &item.piece {
                 for (i, part) in text.split(' ').enumerate() {
                     if i > 0 {
                         words.push(Self::default());
                     }
                     if let Some(last) = words.pop() {
-                        words.push(last.with(part, *face));
+                        words.push(last.with_item(part, *face, item.island));
                     }
                 }
             } else if let Some(last) = words.last_mut() {
-                last.pieces.push(piece.clone());
+                last.items.push(item.clone());
             }
         }
         words.retain(|w| !w.is_empty());
@@ -249,7 +318,7 @@ impl Rich {
 
     /// A word too long for any line, cut between its characters where it has no formula in it.
     fn cut(&self, size: f64, width: f64) -> Vec<Self> {
-        let [Piece::Run(text, face)] = &self.pieces[..] else { return vec![self.clone()] };
+        let [Item { piece: Piece::Run(text, face), .. }] = &self.items[..] else { return vec![self.clone()] };
         if face.advance(text, size) <= width {
             return vec![self.clone()];
         }
@@ -273,7 +342,7 @@ impl Rich {
         let mut lines: Vec<Self> = Vec::new();
         let mut line = Self::default();
         for word in self.words().iter().flat_map(|word| word.cut(size, width)) {
-            let longer = if line.is_empty() { word.clone() } else { line.clone().up(" ").then(&word) };
+            let longer = if line.is_empty() { word.clone() } else { line.clone().then_word(&word) };
             if longer.width(size) <= width || line.is_empty() {
                 line = longer;
             } else {
@@ -283,7 +352,40 @@ impl Rich {
         if !line.is_empty() {
             lines.push(line);
         }
+        // A line of an Arabic text is set like the whole, also where only a formula stands in it.
+        lines.iter_mut().for_each(|line| line.left_to_right = self.left_to_right);
         lines
+    }
+
+    /// The same with a blank and a word after it; a blank within an island belongs to the island.
+    fn then_word(self, word: &Self) -> Self {
+        let island = |item: Option<&Item>| item.is_some_and(|item| item.island);
+        let inside = island(self.items.last()) && island(word.items.first());
+        self.with_item(" ", Face::Upright, inside).then(word)
+    }
+}
+
+/// The face in which a character stands in a text of this face.
+fn of_script(face: Face, c: char) -> Face {
+    let bold = matches!(face, Face::Bold | Face::ArabicBold);
+    match (is_arabic(c), face.is_arabic()) {
+        (true, _) => {
+            if bold {
+                Face::ArabicBold
+            } else {
+                Face::Arabic
+            }
+        }
+        (false, true) if c == ' ' => face,
+        (false, true) => {
+            if bold {
+                Face::Bold
+            } else {
+                Face::Upright
+            }
+        }
+        (false, false) if c == ' ' || face.has(c) => face,
+        (false, false) => Face::Upright,
     }
 }
 
@@ -312,15 +414,16 @@ impl Line {
     }
 }
 
-struct Setter {
-    size: f64,
-    pen: f64,
-    runs: Vec<Run>,
-    marks: Vec<Mark>,
+/// A line while it is being set.
+pub(super) struct Setter {
+    pub(super) size: f64,
+    pub(super) pen: f64,
+    pub(super) runs: Vec<Run>,
+    pub(super) marks: Vec<Mark>,
 }
 
 impl Setter {
-    fn new(size: f64) -> Self {
+    pub(super) fn new(size: f64) -> Self {
         Self { size, pen: 0.0, runs: Vec::new(), marks: Vec::new() }
     }
 
@@ -341,7 +444,7 @@ impl Setter {
         x + face.advance(text, size)
     }
 
-    fn piece(&mut self, piece: &Piece) {
+    pub(super) fn piece(&mut self, piece: &Piece) {
         let em = self.size;
         match piece {
             Piece::Run(text, face) => self.pen = self.run(text, *face, em, self.pen, 0.0),

@@ -1,5 +1,7 @@
 //! Round scales: 1, 2, 2.5, 5 × 10ⁿ.
 
+use crate::graphical::auxiliary::AuxiliaryDrawing;
+use crate::graphical::construction::Construction;
 use crate::graphical::{Extents, Scales};
 use crate::mechanism::{Mechanism, PointId, Roll};
 use crate::scene::Scene;
@@ -11,6 +13,8 @@ const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 pub const SKELETON: (f64, f64) = (92.0, 70.0);
 /// Room for a long and low skeleton that has the row to itself.
 pub const LONG_SKELETON: (f64, f64) = (150.0, 48.0);
+/// Room for a construction on the skeleton with its named points, inside the names.
+pub const AUXILIARY: (f64, f64) = (140.0, 130.0);
 /// Room for a polygon that has the row to itself.
 pub const POLYGON: (f64, f64) = (150.0, 78.0);
 /// Room for a polygon that shares its row with another.
@@ -22,16 +26,39 @@ const NAMES: f64 = 13.0;
 /// Width of a caption.
 const CAPTION: f64 = 70.0;
 
+/// Room for the skeleton of a question with its dimension lines, width and height in mm.
+pub const QUESTION: (f64, f64) = (112.0, 96.0);
+
+/// The scales of a question: as for a solution, but the skeleton has the row to itself.
+#[must_use]
+pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
+    let [w, h] = with_wheels(&scene.mechanism, extents.space);
+    let (wide, high) = stretch(scene);
+    let free = (QUESTION.0 * wide, QUESTION.1 * high);
+    let stated = scene.sheet.length_scale.map(|ratio| ratio / 1000.0);
+    let length = stated.or(choose_length(w, h, free)).unwrap_or(0.001);
+    Scales { length, ..for_scene(scene, extents) }
+}
+
+/// How much wider and higher than those of upright A4 the panels are.
+fn stretch(scene: &Scene) -> (f64, f64) {
+    let (width, height) = super::compose::paper(scene);
+    let free = |side: f64, margins: f64| (side - margins).max(40.0);
+    (free(width, 34.0) / 176.0, (free(height, 34.0) / 263.0).max(free(width, 34.0).min(176.0) / 176.0))
+}
+
 /// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels.
 #[must_use]
 pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
     let length = scene.units.length.si;
+    let (wide, high) = stretch(scene);
+    let stretched = |room: (f64, f64)| (room.0 * wide, room.1 * high);
     let time = scene.units.time.si;
     let units = [length / time, length / (time * time)];
-    let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units);
+    let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units, (wide, high));
     let [w, h] = with_wheels(&scene.mechanism, extents.space);
-    let upright = choose_length(w, h, SKELETON);
-    let long = choose_length(w, h, LONG_SKELETON);
+    let upright = choose_length(w, h, stretched(SKELETON));
+    let long = choose_length(w, h, stretched(LONG_SKELETON));
     let skeleton = upright.zip(long).map(|(a, b)| a.min(b));
     let stated = &scene.sheet;
     Scales {
@@ -39,6 +66,30 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
         velocity: stated.velocity_scale.or(velocity).unwrap_or(units[0]),
         acceleration: stated.acceleration_scale.or(acceleration).unwrap_or(units[1]),
     }
+}
+
+/// A smaller length scale, metres per millimetre, at which a construction on the skeleton finds room with all its
+/// named points; `None` where it has room, or where the skeleton would become too small to read.
+#[must_use]
+pub fn for_auxiliary(construction: &Construction, drawing: &AuxiliaryDrawing) -> Option<f64> {
+    /// The skeleton is not shrunk by more than this.
+    const MOST: f64 = 4.0;
+    let named = drawing.points.iter().map(|p| p.at);
+    let all: Vec<[f64; 2]> = named.chain(construction.space.places.iter().flatten().copied()).collect();
+    let extent = |axis: usize| {
+        let least = all.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
+        let most = all.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
+        most - least
+    };
+    let needed = f64::max(extent(0) / AUXILIARY.0, extent(1) / AUXILIARY.1);
+    if !(needed > 1.0 && needed <= MOST) {
+        return None;
+    }
+    choose_length(
+        extent(0) * construction.space.metres_per_mm,
+        extent(1) * construction.space.metres_per_mm,
+        AUXILIARY,
+    )
 }
 
 /// Width and height of the skeleton, not less than those of the pitch circles about exactly placed centres.
@@ -62,11 +113,14 @@ fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2]) -> [f64; 2] {
 
 /// Scales of both polygons: each fits into its half of a row, and a narrow one leaves its room to the
 /// other.
-fn polygons(sizes: [[f64; 2]; 2], units: [f64; 2]) -> [Option<f64>; 2] {
+fn polygons(sizes: [[f64; 2]; 2], units: [f64; 2], (wide, high): (f64, f64)) -> [Option<f64>; 2] {
+    let stretched = |room: (f64, f64)| (room.0 * wide, room.1 * high);
     let fit = |i: usize, free| choose_for(sizes[i][0], sizes[i][1], free, units[i]);
-    let halves = [fit(0, HALF_POLYGON), fit(1, HALF_POLYGON)];
-    let [Some(velocity), Some(acceleration)] = halves else { return [fit(0, POLYGON), fit(1, POLYGON)] };
-    let wider = |taken: f64| (ROW - f64::max(taken + NAMES, CAPTION) - NAMES, POLYGON.1);
+    let halves = [fit(0, stretched(HALF_POLYGON)), fit(1, stretched(HALF_POLYGON))];
+    let [Some(velocity), Some(acceleration)] = halves else {
+        return [fit(0, stretched(POLYGON)), fit(1, stretched(POLYGON))];
+    };
+    let wider = |taken: f64| (ROW * wide - f64::max(taken + NAMES, CAPTION) - NAMES, POLYGON.1 * high);
     let acceleration = fit(1, wider(sizes[0][0] / velocity)).map_or(acceleration, |s| s.min(acceleration));
     let velocity = fit(0, wider(sizes[1][0] / acceleration)).map_or(velocity, |s| s.min(velocity));
     [Some(velocity), Some(acceleration)]

@@ -29,9 +29,65 @@ pub(super) const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
 /// How far a guide reaches beyond its rider.
 pub(super) const GUIDE: f64 = 13.0;
 
+/// Which links show their rotation by a curved arrow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Arrows {
+    /// Every link whose ω or angular acceleration is known.
+    All,
+    /// The driven links only: for figures that have lines enough.
+    Inputs,
+}
+
+/// The link that an input turns.
+fn driven(input: &Input) -> Option<LinkId> {
+    match input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => Some(*link),
+        Input::Slide { .. } => None,
+    }
+}
+
+/// Ink and labels that are laid over a skeleton.
+#[derive(Debug, Default)]
+pub struct Overlay {
+    /// The ink.
+    pub ink: Group,
+    /// Its labels, placed together with those of the skeleton.
+    pub labels: Vec<Request>,
+}
+
+/// The skeleton of a question with the first fixed point at the origin of the group: what the scene states,
+/// dimensioned, and nothing that the solution finds but the position in which it is drawn.
+#[must_use]
+pub fn question(construction: &Construction, notation: &Notation<'_>) -> Group {
+    let mut group = Group::new("skeleton");
+    group.title = Some(notation.words.skeleton.to_owned());
+    let mut artist = Artist::new(construction, notation);
+    artist.links_and_joints(&mut group, false);
+    let known = artist.stated_rotations();
+    artist.rotations(&mut group, known, false);
+    artist.number_links();
+    let dimensions = artist.dimensions(&group);
+    group.group(dimensions);
+    let texts = place(&group, &artist.labels, None);
+    group.group(texts);
+    group
+}
+
 /// The skeleton with the first fixed point at the origin of the group.
 #[must_use]
 pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
+    draw_under(construction, notation, Arrows::All, |_, _| Overlay::default())
+}
+
+/// The skeleton with what is laid over it: asked for when the skeleton's own ink stands, with the places of the
+/// points on the page.
+#[must_use]
+pub fn draw_under(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    arrows: Arrows,
+    overlay: impl FnOnce(Rect, &[Option<Point>]) -> Overlay,
+) -> Group {
     let space = &construction.space;
     let unit = &notation.scene.units.length;
     let mut group = Group::new("skeleton")
@@ -39,30 +95,22 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
         .data("unit", format!("{} per mm", unit.symbol))
         .data("si-per-mm", format!("{}", space.metres_per_mm));
     group.title = Some(notation.words.skeleton.to_owned());
-    let mut artist = Artist {
-        construction,
-        notation: *notation,
-        pose: Pose::new(notation.mechanism(), space),
-        bars: Vec::new(),
-        slots: Vec::new(),
-        labels: Vec::new(),
-        fuller: Vec::new(),
-    };
-    artist.bars = artist.all_bars();
-    artist.add_slots();
-    group.group(artist.ground());
-    // A slotted link lies over the frame and its sliders, blocks cover their slots, and the bar of a rod
-    // runs on to the pin inside its block.
-    group.group(artist.slides(true));
-    group.group(artist.slots());
-    group.group(artist.slides(false));
-    group.group(artist.links());
-    group.group(artist.rolls());
-    group.group(artist.construction_lines());
-    group.group(artist.joints());
-    group.group(artist.crank_angles());
-    artist.rotations(&mut group);
+    let mut artist = Artist::new(construction, notation);
+    artist.links_and_joints(&mut group, true);
+    let mut known = artist.known_rotations();
+    if arrows == Arrows::Inputs {
+        let inputs: Vec<LinkId> = notation.mechanism().inputs.iter().filter_map(driven).collect();
+        known.retain(|(link, second), _| !second && inputs.contains(link));
+    }
+    artist.rotations(&mut group, known, true);
     artist.number_links();
+    let places: Vec<Option<Point>> =
+        (0..notation.mechanism().points.len()).map(|i| artist.pose.place(PointId(i))).collect();
+    let mut over = overlay(group.bounds().unwrap_or(Rect::ZERO), &places);
+    if !over.ink.children.is_empty() {
+        group.group(over.ink);
+    }
+    artist.labels.append(&mut over.labels);
     let labels = artist.placed_labels(&group);
     group.group(labels);
     group
@@ -90,7 +138,41 @@ pub(super) enum Body {
     Polygon(Vec<Point>),
 }
 
+impl<'a> Artist<'a> {
+    fn new(construction: &'a Construction, notation: &Notation<'a>) -> Self {
+        let mut artist = Self {
+            construction,
+            notation: *notation,
+            pose: Pose::new(notation.mechanism(), &construction.space),
+            bars: Vec::new(),
+            slots: Vec::new(),
+            labels: Vec::new(),
+            fuller: Vec::new(),
+        };
+        artist.bars = artist.all_bars();
+        artist.add_slots();
+        artist
+    }
+}
+
 impl Artist<'_> {
+    /// Frame, guides, links, wheels, joints, crank angles; the lines by which places were found if wanted.
+    fn links_and_joints(&mut self, group: &mut Group, construction_lines: bool) {
+        group.group(self.ground());
+        // A slotted link lies over the frame and its sliders, blocks cover their slots, and the bar of a
+        // rod runs on to the pin inside its block.
+        group.group(self.slides(true));
+        group.group(self.slots());
+        group.group(self.slides(false));
+        group.group(self.links());
+        group.group(self.rolls());
+        if construction_lines {
+            group.group(self.construction_lines());
+        }
+        group.group(self.joints());
+        group.group(self.crank_angles());
+    }
+
     /// The labels with the fuller texts where they stand clear of everything, else with the shorter ones.
     fn placed_labels(&self, group: &Group) -> Group {
         if !self.fuller.is_empty() {
@@ -495,14 +577,17 @@ impl Artist<'_> {
     /// θ₂ from the horizontal, with its arc.
     fn crank_angles(&mut self) -> Group {
         let mut all = Group::new("angles");
-        for input in &self.notation.mechanism().inputs {
+        for (index, input) in self.notation.mechanism().inputs.iter().enumerate() {
             let (Input::Angle { link, angle: Some(angle), .. }
             | Input::Speed { link, angle: Some(angle), .. }) = input
             else {
                 continue;
             };
+            let stated = self.notation.scene.input_units.get(index).and_then(|input| input.angle);
+            let angle = stated.unwrap_or(angle.value);
             let [(_, from), (_, to), ..] = self.pose.places(*link)[..] else { continue };
-            let turn = libm::remainder(angle.value, std::f64::consts::TAU);
+            let whole = angle.abs() > std::f64::consts::TAU;
+            let turn = if whole { libm::remainder(angle, std::f64::consts::TAU) } else { angle };
             let radius = (from.distance(to) * 0.75).clamp(6.0, 11.0);
             let end = from + Vec2::new(radius + 3.0, 0.0);
             all.mark(Mark::stroke(Shape::Line(from + Vec2::new(PIN, 0.0), end), Pen::solid(FINE)));
@@ -512,7 +597,7 @@ impl Artist<'_> {
             let middle = on_circle(from, radius, turn / 2.0);
             let site = Site::Around { at: middle, radius: 0.3, toward: Some(turn / 2.0) };
             let text = self.notation.symbol(Quantity::Angle(*link), false).up("\u{a0}=\u{a0}");
-            let text = text.then(&human::degrees(angle.value));
+            let text = text.then(&human::degrees(angle));
             let beyond = Site::Around { at: end, radius: 0.3, toward: Some(0.0) };
             let quarter = on_circle(from, radius, turn / 4.0);
             let quarter = Site::Around { at: quarter, radius: 0.3, toward: Some(turn / 4.0) };
@@ -523,8 +608,8 @@ impl Artist<'_> {
         all
     }
 
-    /// ω and α of every link for which they are known.
-    fn known_rotations(&self) -> BTreeMap<(LinkId, bool), f64> {
+    /// ω and α of the driven links.
+    fn stated_rotations(&self) -> BTreeMap<(LinkId, bool), f64> {
         let mut known = BTreeMap::new();
         for input in &self.notation.mechanism().inputs {
             if let Input::Angle { link, omega, alpha, .. } = input {
@@ -532,6 +617,13 @@ impl Artist<'_> {
                 known.insert((*link, true), alpha.value);
             }
         }
+        known.retain(|_, value| *value != 0.0);
+        known
+    }
+
+    /// ω and α of every link for which they are known.
+    fn known_rotations(&self) -> BTreeMap<(LinkId, bool), f64> {
+        let mut known = self.stated_rotations();
         for act in self.construction.steps.iter().flat_map(|s| &s.acts) {
             match act {
                 Act::Calculate(Calculation::Omega { link, value, .. }) => {
@@ -560,22 +652,24 @@ impl Artist<'_> {
         known
     }
 
-    fn rotations(&mut self, group: &mut Group) {
+    fn rotations(&mut self, group: &mut Group, known: BTreeMap<(LinkId, bool), f64>, values: bool) {
         let mut all = Group::new("rotations");
-        for ((link, second), value) in self.known_rotations() {
-            let Some((arc, cost)) = self.best_arc(&Obstacles::of(group), &Obstacles::of(&all), link, second)
-            else {
-                continue;
-            };
+        let ink = Obstacles::of(group);
+        let mut arcs = Obstacles::default();
+        for ((link, second), value) in known {
+            let Some((arc, cost)) = self.best_arc(&ink, &arcs, link, second) else { continue };
             if cost > 400.0 {
                 continue;
             }
             let quantity = if second { Quantity::Alpha(link) } else { Quantity::Omega(link) };
             let unit = self.notation.angular_unit(if second { Order::Acceleration } else { Order::Velocity });
-            let mut own = Group::new(if second { "rotation second" } else { "rotation" })
-                .data("quantity", self.notation.quantity_name(quantity))
-                .data("value", format!("{}", value / unit.si))
-                .data("unit", unit.symbol);
+            let mut own = Group::new(if second { "rotation second" } else { "rotation" });
+            if values {
+                own = own
+                    .data("quantity", self.notation.quantity_name(quantity))
+                    .data("value", format!("{}", value / unit.si))
+                    .data("unit", unit.symbol);
+            }
             let Turn { centre, radius, middle, half } = arc;
             let (start, sweep) =
                 if value > 0.0 { (middle - half, 2.0 * half) } else { (middle + half, -2.0 * half) };
@@ -589,6 +683,7 @@ impl Artist<'_> {
                 let (sin, cos) = libm::sincos(angle - sign * back / 2.0);
                 own.mark(head(tip, Vec2::new(-sin, -cos) * sign, HEAD * 0.9));
             }
+            arcs.extend(&own);
             all.group(own);
             let at = on_circle(centre, radius, middle);
             let site = Site::Around { at, radius: 0.2, toward: Some(middle) };
@@ -604,7 +699,11 @@ impl Artist<'_> {
         for (turn, taste) in self.arcs(link, second) {
             let mut cost = taste;
             let pieces = 9;
+            let least = best.as_ref().map_or(f64::INFINITY, |(_, least)| *least);
             for i in 0..=pieces {
+                if cost >= least {
+                    break;
+                }
                 let angle = turn.middle + turn.half * (f64::from(i) / f64::from(pieces) * 2.0 - 1.0);
                 let at = on_circle(turn.centre, turn.radius, angle);
                 let own = Rect::from_center_size(at, (1.0, 1.0));

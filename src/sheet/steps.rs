@@ -4,7 +4,7 @@ use super::human;
 use super::notation::Notation;
 use super::polygon::vector_name;
 use super::rich::Rich;
-use super::table::{Align, Table};
+use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, Equation, Label, Polygon, Reference, Step, Term, TermDirection,
     Vector, VectorKind,
@@ -58,7 +58,39 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
             all.extend(teller.act(act).map(Item::Sentence));
         }
     }
+    if let Some(circle) = &construction.circle {
+        all.extend(super::circle::items(circle, notation));
+        all.extend(super::transfer::items(circle, construction, notation));
+    }
+    for drawing in construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none()) {
+        all.extend(super::auxiliary::items(drawing, construction, notation));
+    }
     all
+}
+
+/// The sentence of a calculation.
+#[must_use]
+pub fn calculation(
+    calculation: &Calculation,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Option<Rich> {
+    let order = match calculation {
+        Calculation::Alpha { .. } => Order::Acceleration,
+        _ => Order::Velocity,
+    };
+    let step = Step { order, links: Vec::new(), equations: Vec::new(), acts: Vec::new() };
+    Teller { construction, notation, step: &step }.calculation(calculation)
+}
+
+/// A sentence with a warning after it where lines cross too flat to be read by hand.
+#[must_use]
+pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
+    if crossing.to_degrees() >= FLAT {
+        return sentence;
+    }
+    let angle = ("angle", human::degrees(crossing));
+    sentence.up(" ").then(&Rich::fill(notation.words.flat_crossing, &[angle]))
 }
 
 fn only_rubs(step: &Step) -> bool {
@@ -105,11 +137,12 @@ impl Teller<'_> {
             columns: vec![Align::Left],
             head: vec![Rich::default()],
             rows: vec![
-                vec![label(words.magnitude).up(", ").up(&human::pretty(&unit.symbol))],
+                vec![label(words.magnitude).up(words.comma).up(&human::pretty(&unit.symbol))],
                 vec![label(words.direction)],
             ],
             size: 3.3,
             gap: 2.2,
+            flow: if words.right_to_left { Flow::LabelsRight } else { Flow::Rightward },
         };
         let sides = [&equation.left, &equation.right];
         for (side, terms) in sides.into_iter().enumerate() {
@@ -185,7 +218,7 @@ impl Teller<'_> {
                 Rich::fill(
                     words.mark_places,
                     &[
-                        ("points", Rich::join(&points, &Rich::upright(", "))),
+                        ("points", Rich::join(&points, &Rich::upright(words.comma))),
                         ("scale", n.length_scale(per_mm)),
                     ],
                 )
@@ -242,7 +275,7 @@ impl Teller<'_> {
             Act::DrawGuide { slide } => Rich::fill(words.draw_guide, &[("guide", n.guide(*slide))]),
             Act::MarkIntersection { point, crossing } => {
                 let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
-                self.warned(met, *crossing)
+                warned(met, *crossing, n)
             }
             Act::TransferPoint { link, point } => Rich::fill(
                 words.transfer_point,
@@ -276,7 +309,7 @@ impl Teller<'_> {
             }
             Act::MarkMeet { label, crossing } => {
                 let met = Rich::fill(words.mark_meet, &[("label", image(*label))]);
-                self.warned(met, *crossing)
+                warned(met, *crossing, n)
             }
             Act::DivideImage { label, from, to, ratio } => Rich::fill(
                 words.divide_image,
@@ -297,6 +330,19 @@ impl Teller<'_> {
             ),
             Act::SameImage { label, with } => {
                 Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(*with))])
+            }
+            Act::LayOffFromCentre { vector, link, value, mm } => {
+                let vector = self.vector(*vector)?;
+                Rich::fill(
+                    words.lay_off_from_centre,
+                    &[
+                        ("centre", super::circle::name([LinkId::FRAME, *link], n)),
+                        ("vector", self.name(vector)),
+                        ("value", human::quantity(*value, &n.unit(order))),
+                        ("image", n.image_line(vector.tail, vector.head, order)),
+                        ("mm", human::millimetres(*mm)),
+                    ],
+                )
             }
             Act::ReadVector { vector, mm, value } => {
                 let vector = self.vector(*vector)?;
@@ -323,7 +369,7 @@ impl Teller<'_> {
     /// The direction in which a vector is laid off, with its sense.
     fn direction_of(&self, vector: &Vector) -> Rich {
         let n = self.notation;
-        let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.up(", ").then(&b) };
+        let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.aside(n.words.comma, &b) };
         let Some(claim) = vector.claim else { return Rich::default() };
         if vector.kind == VectorKind::Coriolis {
             let head = ("head", n.image(vector.head, self.step.order));
@@ -370,14 +416,6 @@ impl Teller<'_> {
         )
     }
 
-    fn warned(&self, sentence: Rich, crossing: f64) -> Rich {
-        if crossing.to_degrees() >= FLAT {
-            return sentence;
-        }
-        let angle = ("angle", human::degrees(crossing));
-        sentence.up(" ").then(&Rich::fill(self.notation.words.flat_crossing, &[angle]))
-    }
-
     fn calculation(&self, calculation: &Calculation) -> Option<Rich> {
         let n = self.notation;
         let equals = "\u{a0}= ";
@@ -393,7 +431,10 @@ impl Teller<'_> {
             if *omega == 0.0 || *speed == 0.0 {
                 return Rich::default();
             }
-            Rich::upright("; ").then(&self.coriolis_rule(*link, *slip, *omega))
+            self.coriolis_rule(*link, *slip, *omega)
+        };
+        let ruled = |formula: Rich, rule: Rich| {
+            if rule.is_empty() { formula } else { formula.aside(n.words.semicolon, &rule) }
         };
         let text = match calculation {
             Calculation::Speed { quantity, link, ends, omega, length: l, value } => n
@@ -457,23 +498,24 @@ impl Teller<'_> {
                 .then(&number(*l, length.si))
                 .up(equals)
                 .then(&n.rotation(*value, &e)),
-            Calculation::Coriolis { quantity, link, slip, speed, omega, value } => n
-                .symbol(*quantity, false)
-                .up(equals)
-                .up("2")
-                .up(times)
-                .then(&n.symbol(*slip, false))
-                .up(times)
-                .then(&n.symbol(Quantity::Omega(*link), false))
-                .up(equals)
-                .up("2")
-                .up(cross)
-                .then(&number(*speed, v.si))
-                .up(cross)
-                .then(&number(omega.abs(), w.si))
-                .up(equals)
-                .then(&human::quantity(*value, &a))
-                .then(&rule(link, slip, omega, speed)),
+            Calculation::Coriolis { quantity, link, slip, speed, omega, value } => ruled(
+                n.symbol(*quantity, false)
+                    .up(equals)
+                    .up("2")
+                    .up(times)
+                    .then(&n.symbol(*slip, false))
+                    .up(times)
+                    .then(&n.symbol(Quantity::Omega(*link), false))
+                    .up(equals)
+                    .up("2")
+                    .up(cross)
+                    .then(&number(*speed, v.si))
+                    .up(cross)
+                    .then(&number(omega.abs(), w.si))
+                    .up(equals)
+                    .then(&human::quantity(*value, &a)),
+                rule(link, slip, omega, speed),
+            ),
             Calculation::SlipNormal { quantity, slip, speed, radius, value } => n
                 .symbol(*quantity, false)
                 .up(equals)

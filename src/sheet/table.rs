@@ -16,6 +16,18 @@ pub enum Align {
     Right,
 }
 
+/// In which direction the columns follow each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Flow {
+    /// The first column at the left.
+    Rightward,
+    /// The first column at the right; what stands at the left elsewhere stands at the right.
+    Leftward,
+    /// The first column, of labels, at the right of the others, which follow each other to the right as the
+    /// terms of an equation do.
+    LabelsRight,
+}
+
 /// A table. All rows have as many cells as there are columns; missing cells are empty.
 #[derive(Debug, Clone)]
 pub struct Table {
@@ -29,6 +41,8 @@ pub struct Table {
     pub size: f64,
     /// Blank between columns.
     pub gap: f64,
+    /// Order of the columns on the page.
+    pub flow: Flow,
 }
 
 /// A drawn piece of the page with its upper left corner at the origin.
@@ -88,6 +102,7 @@ impl Table {
             rows: self.rows.iter().map(|row| cut(row)).collect(),
             size: self.size,
             gap: self.gap,
+            flow: self.flow,
         };
         let after = self.columns.iter().take(1).chain(self.columns.iter().skip(column)).copied().collect();
         (part(self.columns.iter().take(column).copied().collect(), &head), part(after, &tail))
@@ -134,13 +149,21 @@ impl Table {
 
     fn row(&self, group: &mut Group, cells: &[Rich], widths: &[f64], base: f64) {
         let mut x = self.gap / 2.0;
-        for ((cell, width), align) in cells.iter().zip(widths).zip(&self.columns) {
+        let mut columns: Vec<_> = cells.iter().zip(widths).zip(&self.columns).collect();
+        match self.flow {
+            Flow::Rightward => {}
+            Flow::Leftward => columns.reverse(),
+            Flow::LabelsRight if columns.is_empty() => {}
+            Flow::LabelsRight => columns.rotate_left(1),
+        }
+        for ((cell, width), align) in columns {
             let line = cell.set(self.size);
             let free = width - line.width;
-            let shift = match align {
-                Align::Left => 0.0,
-                Align::Middle => free / 2.0,
-                Align::Right => free,
+            let shift = match (align, self.flow) {
+                (Align::Middle, _) => free / 2.0,
+                (Align::Left, Flow::Rightward) => 0.0,
+                // Numbers run the same way everywhere, so their last digits stand below each other.
+                (Align::Right, _) | (Align::Left, Flow::Leftward | Flow::LabelsRight) => free,
             };
             line.put(group, Point::new(x + shift, base), "cell");
             x += width + self.gap;

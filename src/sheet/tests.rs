@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::figure::{Figure, Group, Mark, Node, Shape};
 use super::overlap::overlaps;
-use super::{Language, figure_names, scale, single, solution};
+use super::{Language, figure_names, question, scale, single, solution};
 use crate::graphical::construction::Construction;
 use crate::graphical::{construct, extents};
+use crate::mechanism::quantity::Answer;
 use crate::mechanism::structure::Structure;
 use crate::plan::{Extent, Plan};
 use crate::render::svg;
@@ -41,7 +42,10 @@ fn problem_3_1() -> (Scene, Construction) {
 }
 
 fn figures(scene: &Scene, construction: &Construction) -> Vec<(String, Figure)> {
-    let mut all = vec![("sheet".to_owned(), solution(scene, construction, Language::English))];
+    let mut all = vec![
+        ("sheet".to_owned(), solution(scene, construction, Language::English)),
+        ("question".to_owned(), question(scene, construction, Language::English)),
+    ];
     for name in figure_names() {
         if let Some(figure) = single(scene, construction, name, Language::English) {
             all.push(((*name).to_owned(), figure));
@@ -50,18 +54,176 @@ fn figures(scene: &Scene, construction: &Construction) -> Vec<(String, Figure)> 
     all
 }
 
+/// `work` on every scene, on all processors; what it reports, in the order of the scenes.
+fn on_all_scenes(work: impl Fn(&Scene, &Construction, &str) -> Vec<String> + Sync) -> Vec<String> {
+    let scenes = scenes();
+    let next = std::sync::atomic::AtomicUsize::new(0);
+    let found = std::sync::Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                while let Some(path) = scenes.get(next.fetch_add(1, std::sync::atomic::Ordering::Relaxed)) {
+                    let Some((scene, construction)) = solved(path) else { continue };
+                    let name = path.display();
+                    let own: Vec<String> =
+                        work(&scene, &construction, &std::fs::read_to_string(path).unwrap())
+                            .into_iter()
+                            .map(|what| format!("{name} {what}"))
+                            .collect();
+                    found.lock().unwrap().extend(own);
+                }
+            });
+        }
+    });
+    let mut found = found.into_inner().unwrap();
+    found.sort();
+    found
+}
+
 #[test]
 fn no_text_touches_ink_or_text_or_the_edge() {
-    let mut bad = Vec::new();
-    for path in scenes() {
-        let Some((scene, construction)) = solved(&path) else { continue };
-        for (name, figure) in figures(&scene, &construction) {
-            for overlap in overlaps(&figure) {
-                bad.push(format!("{} {name}: {overlap:?}", path.display()));
+    let bad = on_all_scenes(|scene, construction, _| {
+        let mut figures = figures(scene, construction);
+        for language in Language::ALL {
+            let tag = language.words().tag;
+            figures.push((format!("sheet {tag}"), solution(scene, construction, language)));
+            figures.push((format!("question {tag}"), question(scene, construction, language)));
+        }
+        let all = figures.iter().flat_map(|(name, figure)| {
+            overlaps(figure).into_iter().map(move |overlap| format!("{name}: {overlap:?}"))
+        });
+        all.collect()
+    });
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+#[test]
+fn every_character_has_a_glyph() {
+    let bad = on_all_scenes(|scene, construction, _| {
+        let mut bad = Vec::new();
+        for language in Language::ALL {
+            for figure in [solution(scene, construction, language), question(scene, construction, language)] {
+                figure.root.walk(&mut |node| {
+                    let Node::Text(text) = node else { return };
+                    for run in &text.runs {
+                        let lacks = |c: &char| !run.face.has(*c) && *c != '\u{200c}';
+                        bad.extend(
+                            run.text.chars().filter(lacks).map(|c| format!("{c:?} in {:?}", run.text)),
+                        );
+                    }
+                });
+            }
+        }
+        bad
+    });
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+/// A number as a person or a machine may have written it, without its sign.
+fn writings(value: f64) -> Vec<String> {
+    let size = value.abs();
+    let mut all: Vec<String> = (3..=7)
+        .map(|digits| {
+            let rounded: f64 = format!("{size:.*e}", digits - 1).parse().unwrap();
+            format!("{rounded}")
+        })
+        .collect();
+    all.push(format!("{size}"));
+    all.extend((1..=4).map(|decimals| format!("{size:.decimals$}")));
+    all.retain(|text| text.chars().filter(char::is_ascii_digit).count() >= 3);
+    all.sort();
+    all.dedup();
+    all
+}
+
+/// What a reader or a program may take out of a question: its words, titles and attributes, and all its bytes.
+fn tokens(text: &str) -> std::collections::BTreeSet<String> {
+    let number = |c: char| c.is_ascii_digit() || c == '.';
+    text.split(|c| !number(c)).map(|t| t.trim_matches('.').to_owned()).filter(|t| !t.is_empty()).collect()
+}
+
+/// The numbers that a scene states outside of what somebody printed.
+fn stated_numbers(text: &str) -> std::collections::BTreeSet<String> {
+    let mut scene: serde_json::Value = serde_json::from_str(text).unwrap();
+    scene.as_object_mut().unwrap().remove("published");
+    tokens(&scene.to_string())
+}
+
+#[test]
+fn a_question_gives_nothing_away() {
+    let bad = on_all_scenes(|scene, construction, text| {
+        let mut bad = Vec::new();
+        for language in [Language::English, Language::Arabic] {
+            let figure = question(scene, construction, language);
+            let mut words = format!("{} {}", figure.title, figure.description);
+            let mut leaking = Vec::new();
+            told(&figure.root, &mut words, &mut leaking);
+            bad.extend(leaking);
+            let (words, bytes) = (tokens(&words), tokens(&svg::write(&figure)));
+            let stated = stated_numbers(text);
+            for (name, value) in computed(scene, construction) {
+                for text in writings(value).into_iter().filter(|own| !stated.contains(own)) {
+                    // Three figures may be met by chance among the coordinates of the drawing, seven may not.
+                    let long = text.chars().filter(char::is_ascii_digit).count() >= 7;
+                    if words.contains(&text) || (long && bytes.contains(&text)) {
+                        bad.push(format!("{name} = {text}"));
+                    }
+                }
+            }
+        }
+        bad
+    });
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+/// All that the figure says in words, and every attribute that it must not have.
+fn told(group: &Group, words: &mut String, leaking: &mut Vec<String>) {
+    for (name, value) in &group.data {
+        words.push_str(&format!(" {value} "));
+        if !matches!(*name, "point" | "link" | "guide" | "page") {
+            leaking.push(format!("data-{name}=\"{value}\""));
+        }
+    }
+    words.push_str(group.title.as_deref().unwrap_or_default());
+    for child in &group.children {
+        match child {
+            Node::Group(child) => told(child, words, leaking),
+            Node::Text(text) => words.push_str(&format!(" {} ", text.content())),
+            Node::Mark(_) => {}
+        }
+    }
+}
+
+/// Every velocity, acceleration and rotation that the solution finds, in the units of the scene.
+fn computed(scene: &Scene, construction: &Construction) -> Vec<(String, f64)> {
+    let (length, time) = (scene.units.length.si, scene.units.time.si);
+    let mut all = Vec::new();
+    for (polygon, unit) in
+        [(&construction.velocity, length / time), (&construction.acceleration, length / (time * time))]
+    {
+        for vector in polygon.iter().flat_map(|p| p.vectors.iter().map(move |v| (p, v))) {
+            let (p, v) = vector;
+            let parts = [v.to[0] - v.from[0], v.to[1] - v.from[1]];
+            let size = libm::hypot(parts[0], parts[1]);
+            for mm in [parts[0], parts[1], size] {
+                all.push((format!("{:?}", v.quantity), mm * p.si_per_mm / unit));
             }
         }
     }
-    assert!(bad.is_empty(), "{}", bad.join("\n"));
+    for (asked, reading) in scene.mechanism.asked.iter().zip(&construction.answers) {
+        if asked.quantity.order() == crate::mechanism::quantity::Order::Position {
+            continue;
+        }
+        match &reading.answer {
+            Answer::Scalar { value, .. } => all.push((asked.name.clone(), value / asked.unit.si)),
+            Answer::Vector { value, .. } => {
+                all.extend(value.iter().map(|v| (asked.name.clone(), v / asked.unit.si)));
+                all.push((asked.name.clone(), libm::hypot(value[0], value[1]) / asked.unit.si));
+            }
+            _ => {}
+        }
+    }
+    all
 }
 
 #[test]
@@ -202,8 +364,15 @@ fn placed(json: &str) -> (Scene, Construction) {
     };
     let places = scene.mechanism.points.iter().map(mm).collect();
     let space = crate::graphical::construction::Space { metres_per_mm: per_mm, places, lines: vec![] };
-    let construction =
-        Construction { space, velocity: None, acceleration: None, steps: vec![], answers: vec![] };
+    let construction = Construction {
+        space,
+        velocity: None,
+        acceleration: None,
+        circle: None,
+        auxiliary: Vec::new(),
+        steps: vec![],
+        answers: vec![],
+    };
     (scene, construction)
 }
 
@@ -366,6 +535,6 @@ fn every_fixture_has_all_its_figures() {
     for entry in std::fs::read_dir(root.join("src/sheet/tests")).unwrap() {
         let path = entry.unwrap().path();
         let (scene, construction) = solved(&path).unwrap_or_else(|| panic!("{}", path.display()));
-        assert_eq!(figures(&scene, &construction).len(), 6, "{}", path.display());
+        assert_eq!(figures(&scene, &construction).len(), 7, "{}", path.display());
     }
 }

@@ -1,0 +1,259 @@
+//! Dimension lines on the skeleton of a question: the stated lengths, the places of fixed points and guides,
+//! the radii of wheels, the angles of bell cranks.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::figure::{Group, Mark, Pen, Shape, on_circle};
+use super::given;
+use super::human;
+use super::ink::{FINE, HEAD, SMALL, arc_arrow, head};
+use super::labels::{Obstacles, Request, Site};
+use super::rich::Rich;
+use super::skeleton::{Artist, PIN};
+use crate::mechanism::{Direction, Form, GuidePoint, LinkId, Path, PointId, Roll};
+
+/// How far dimension lines stand from what they measure.
+const AWAY: [f64; 9] = [6.0, 8.5, 11.0, 14.0, 17.0, 20.5, 24.0, 28.0, 33.0];
+/// How far an extension line runs past the dimension line.
+const PAST: f64 = 1.3;
+/// Shorter dimensions have their arrowheads outside.
+const TIGHT: f64 = 3.2 * HEAD;
+/// Distances shorter than this on paper are not dimensioned.
+const SHORTEST: f64 = 1.5;
+/// Size of a dimension's text beside that of other labels.
+const TYPE: f64 = 0.95 * SMALL;
+
+/// A dimension line's place: both ends, and the points that they measure.
+#[derive(Debug, Clone, Copy)]
+struct Span {
+    measured: [Point; 2],
+    ends: [Point; 2],
+    /// Away from what is measured.
+    away: Vec2,
+}
+
+impl Artist<'_> {
+    /// All dimensions, as ink; their texts join the labels.
+    pub(super) fn dimensions(&mut self, group: &Group) -> Group {
+        let mut all = Group::new("dimensions");
+        let mut ink = Obstacles::of(group);
+        let lengths = self.link_lengths();
+        let places = self.frame_lengths();
+        for (a, b, along, text) in lengths.into_iter().chain(places) {
+            self.length(&mut all, &mut ink, (a, b), along, text);
+        }
+        self.wheel_radii(&mut all, &mut ink);
+        self.bell_cranks(&mut all);
+        all
+    }
+
+    fn stated(&self, metres: f64) -> Rich {
+        human::stated(metres / self.notation.scene.units.length.si)
+    }
+
+    /// The stated lengths of links, each along its own line.
+    fn link_lengths(&self) -> Vec<(Point, Point, Vec2, Rich)> {
+        let mechanism = self.notation.mechanism();
+        let dimensions =
+            mechanism.moving().flat_map(|l| given::dimensions(mechanism.link(l), &self.notation));
+        let drawn = dimensions.filter_map(|d| {
+            let (a, b) = (self.pose.place(d.from)?, self.pose.place(d.to)?);
+            (a.distance(b) > SHORTEST).then(|| (a, b, (b - a).normalize(), self.stated(d.length)))
+        });
+        drawn.collect()
+    }
+
+    /// Places of fixed points and fixed guides, level and upright, from the first fixed point.
+    fn frame_lengths(&self) -> Vec<(Point, Point, Vec2, Rich)> {
+        let mechanism = self.notation.mechanism();
+        let exact = |p: PointId| mechanism.points.get(p.0)?.place.exact().map(|at| at.map(|c| c.value));
+        let mut fixed = (0..mechanism.points.len()).map(PointId).filter(|p| mechanism.is_fixed(*p));
+        let Some(first) = fixed.next() else { return Vec::new() };
+        let (Some(origin), Some(start)) = (exact(first), self.pose.place(first)) else { return Vec::new() };
+        let mut all = Vec::new();
+        let level = Vec2::new(1.0, 0.0);
+        let upright = Vec2::new(0.0, 1.0);
+        for point in fixed {
+            let (Some(place), Some(at)) = (exact(point), self.pose.place(point)) else { continue };
+            for (axis, along) in [(0, level), (1, upright)] {
+                let length = (place[axis] - origin[axis]).abs();
+                if self.pose.paper(length) > SHORTEST {
+                    all.push((start, at, along, self.stated(length)));
+                }
+            }
+        }
+        for slide in mechanism.slides.iter().filter(|s| s.guide.link == LinkId::FRAME) {
+            let Path::Straight { through, direction: Direction::Angle(angle), turned, offset } =
+                slide.guide.path
+            else {
+                continue;
+            };
+            let (sin, cos) = libm::sincos(angle.value + turned.value);
+            // Level and upright guides have a distance that the statement gives; others are told in words.
+            let axis = if sin == 0.0 {
+                1
+            } else if cos.abs() < 1e-15 {
+                0
+            } else {
+                continue;
+            };
+            let base = match through {
+                GuidePoint::Own(at) => Some(at.map(|c| c.value)),
+                GuidePoint::Point(p) => exact(p),
+            };
+            let (Some(base), Some(rider)) = (base, self.pose.rider(slide)) else { continue };
+            let left = if axis == 1 { cos * offset.value } else { -sin * offset.value };
+            let length = (base[axis] + left - origin[axis]).abs();
+            if self.pose.paper(length) > SHORTEST {
+                let along = if axis == 0 { level } else { upright };
+                all.push((start, rider, along, self.stated(length)));
+            }
+        }
+        all
+    }
+
+    /// One dimension line where it disturbs least.
+    fn length(
+        &mut self,
+        all: &mut Group,
+        ink: &mut Obstacles,
+        (a, b): (Point, Point),
+        along: Vec2,
+        text: Rich,
+    ) {
+        let line = text.set(TYPE);
+        let room = (line.ink.width() + 1.2, line.ink.height() + 1.2);
+        let across = Vec2::new(-along.y, along.x);
+        let mut best: Option<(f64, Span)> = None;
+        for away in [across, -across] {
+            let level = a.to_vec2().dot(away).max(b.to_vec2().dot(away));
+            for (rank, off) in AWAY.into_iter().enumerate() {
+                let end = |p: Point| p + away * (level + off - p.to_vec2().dot(away));
+                let span = Span { measured: [a, b], ends: [end(a), end(b)], away };
+                // Upward and to the right is where one looks first.
+                let taste = 1.2 * rank as f64 + if away.y > 0.0 || away.x < 0.0 { 0.6 } else { 0.0 };
+                let cost = taste + self.disturbance(ink, span, room);
+                if best.is_none_or(|(least, _)| cost < least) {
+                    best = Some((cost, span));
+                }
+            }
+        }
+        let Some((_, span)) = best else { return };
+        let own = drawn(span);
+        ink.extend(&own);
+        all.group(own);
+        let [from, to] = span.ends;
+        let mut request = Request::new(text, TYPE, Site::Along { from, to }, "label dimension");
+        request.leader = true;
+        self.labels.push(request);
+    }
+
+    fn disturbance(&self, ink: &Obstacles, span: Span, room: (f64, f64)) -> f64 {
+        let [a, b] = span.ends;
+        let mut cost = walk(a, b, 2.0).map(|p| touched(ink, p)).sum::<f64>();
+        for (measured, end) in span.measured.into_iter().zip(span.ends) {
+            let d = end - measured;
+            let free = measured + d * ((PIN + 1.5) / d.hypot().max(PIN + 1.5));
+            cost += 0.4 * walk(free, end, 2.0).map(|p| touched(ink, p)).sum::<f64>();
+        }
+        let reach = (span.away.x * room.0).abs() / 2.0 + (span.away.y * room.1).abs() / 2.0 + 0.6;
+        let beside = |side: f64| {
+            let own = Rect::from_center_size(a.midpoint(b) + span.away * (side * reach), room);
+            ink.cost(own).0.min(80.0)
+        };
+        cost + beside(1.0).min(beside(-1.0))
+    }
+
+    /// The radii of pitch circles: an arrow from the centre to the circle.
+    fn wheel_radii(&mut self, all: &mut Group, ink: &mut Obstacles) {
+        let mut wheels: Vec<(PointId, f64)> = Vec::new();
+        for roll in &self.notation.mechanism().rolls {
+            let own = match roll {
+                Roll::Circles { centres, radii, .. } => {
+                    vec![(centres[0], radii[0].value), (centres[1], radii[1].value)]
+                }
+                Roll::Line { centre, radius, .. } => vec![(*centre, radius.value)],
+            };
+            wheels.extend(own);
+        }
+        wheels.dedup();
+        for (centre, radius) in wheels {
+            let Some(at) = self.pose.place(centre) else { continue };
+            let drawn = self.pose.paper(radius);
+            if drawn < 2.0 * SHORTEST + HEAD {
+                continue;
+            }
+            let ways = (0..24).map(|k| f64::from(k) * (std::f64::consts::TAU / 24.0));
+            let cost = |way: f64| {
+                let (from, to) = (on_circle(at, PIN + 1.0, way), on_circle(at, drawn - 1.0, way));
+                walk(from, to, 2.0).map(|p| touched(ink, p)).sum::<f64>()
+            };
+            let best = ways.map(|way| (cost(way), way)).reduce(|a, b| if b.0 < a.0 { b } else { a });
+            let Some((_, way)) = best else { continue };
+            let (from, tip) = (on_circle(at, PIN, way), on_circle(at, drawn, way));
+            let mut own = Group::new("dimension radius");
+            own.mark(Mark::stroke(Shape::Line(from, tip), Pen::solid(FINE)).class("dimension-line"));
+            own.mark(head(tip, (tip - from).normalize(), HEAD * 0.8));
+            ink.extend(&own);
+            all.group(own);
+            let text = Rich::italic("R").up("\u{2009}").then(&self.stated(radius));
+            let mut request = Request::new(text, TYPE, Site::Along { from, to: tip }, "label dimension");
+            request.leader = true;
+            self.labels.push(request);
+        }
+    }
+
+    /// The angles between the arms of bell cranks.
+    fn bell_cranks(&mut self, all: &mut Group) {
+        for link in self.notation.mechanism().moving() {
+            let Form::Arms { angle, .. } = &self.notation.mechanism().link(link).form else { continue };
+            let [(_, vertex), (_, one), (_, other)] = self.pose.places(link)[..] else { continue };
+            let radius = (0.6 * one.distance(vertex).min(other.distance(vertex))).clamp(5.0, 9.0);
+            let d = one - vertex;
+            let start = libm::atan2(-d.y, d.x);
+            arc_arrow(all, vertex, radius, start, angle.value, FINE);
+            let at = on_circle(vertex, radius, start + angle.value / 2.0);
+            let toward = Some(start + angle.value / 2.0);
+            let text = human::degrees(angle.value.abs());
+            let mut request =
+                Request::new(text, TYPE, Site::Around { at, radius: 0.3, toward }, "label dimension");
+            request.leader = true;
+            self.labels.push(request);
+        }
+    }
+}
+
+/// A dimension line with its arrowheads and extension lines.
+fn drawn(span: Span) -> Group {
+    let mut own = Group::new("dimension");
+    let [a, b] = span.ends;
+    for (measured, end) in span.measured.into_iter().zip(span.ends) {
+        let d = end - measured;
+        if d.hypot() > PIN + 1.0 {
+            let from = measured + d.normalize() * (PIN + 0.8);
+            let line = Shape::Line(from, end + span.away * PAST);
+            own.mark(Mark::stroke(line, Pen::solid(FINE)).class("extension-line"));
+        }
+    }
+    let along = (b - a).normalize();
+    let (outward, from, to) = if a.distance(b) < TIGHT {
+        (false, a - along * (1.8 * HEAD), b + along * (1.8 * HEAD))
+    } else {
+        (true, a, b)
+    };
+    own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("dimension-line"));
+    let sign = if outward { 1.0 } else { -1.0 };
+    own.mark(head(a, along * -sign, HEAD * 0.8));
+    own.mark(head(b, along * sign, HEAD * 0.8));
+    own
+}
+
+/// Places along a stroke.
+fn walk(a: Point, b: Point, step: f64) -> impl Iterator<Item = Point> {
+    let pieces = (a.distance(b) / step).ceil().clamp(1.0, 400.0);
+    (0..=pieces as usize).map(move |i| a.lerp(b, i as f64 / pieces))
+}
+
+fn touched(ink: &Obstacles, at: Point) -> f64 {
+    ink.cost(Rect::from_center_size(at, (1.0, 1.0))).0.min(6.0)
+}

@@ -1,0 +1,364 @@
+//! What a scene states, in words and formulas: dimensions, places, guides, wheels, the motion that drives.
+//!
+//! **Architecture Invariant:** everything here is the scene's own; no result of a solver comes in.
+
+use super::human;
+use super::notation::Notation;
+use super::rich::Rich;
+use crate::mechanism::quantity::{Order, Quantity, Unit};
+use crate::mechanism::{
+    Direction, Form, GivenPoint, GuidePoint, Input, Link, LinkId, Path, Place, PointId, Rider, Roll, Sense,
+    Slide,
+};
+
+/// A dimension of a link: the distance of two of its points, as stated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dimension {
+    /// One end; a fixed point stands first, as one reads the mechanism.
+    pub from: PointId,
+    /// Other end.
+    pub to: PointId,
+    /// Metres.
+    pub length: f64,
+}
+
+/// The stated dimensions of a link.
+#[must_use]
+pub fn dimensions(link: &Link, notation: &Notation<'_>) -> Vec<Dimension> {
+    let mechanism = notation.mechanism();
+    let mut all = Vec::new();
+    let mut distance = |a: usize, b: usize, length: f64| {
+        if let (Some(a), Some(b)) = (link.points.get(a), link.points.get(b)) {
+            let (from, to) =
+                if mechanism.is_fixed(*b) && !mechanism.is_fixed(*a) { (*b, *a) } else { (*a, *b) };
+            all.push(Dimension { from, to, length });
+        }
+    };
+    match &link.form {
+        Form::Length(l) => distance(0, 1, l.value),
+        Form::Line(positions) => {
+            // Each piece between neighbours along the line is a dimension.
+            let mut along: Vec<usize> = (0..positions.len()).collect();
+            along.sort_by(|a, b| positions[*a].value.total_cmp(&positions[*b].value));
+            for pair in along.windows(2) {
+                distance(pair[0], pair[1], positions[pair[1]].value - positions[pair[0]].value);
+            }
+        }
+        Form::Sides { first_second, second_third, third_first, .. } => {
+            distance(0, 1, first_second.value);
+            distance(1, 2, second_third.value);
+            distance(2, 0, third_first.value);
+        }
+        Form::Arms { second, third, .. } => {
+            distance(0, 1, second.value);
+            distance(0, 2, third.value);
+        }
+        Form::Shape(_) | Form::Placed | Form::Single => {}
+    }
+    all
+}
+
+/// The dimensions and the motion that the scene states, item by item.
+#[must_use]
+pub fn items(notation: &Notation<'_>) -> Vec<Rich> {
+    let teller = Teller { n: notation };
+    let mechanism = notation.mechanism();
+    let mut parts: Vec<Rich> = Vec::new();
+    for link in mechanism.moving().map(|l| mechanism.link(l)) {
+        teller.link(link, &mut parts);
+    }
+    for (i, point) in mechanism.points.iter().enumerate() {
+        // The origin, where the sheet begins, needs no saying.
+        if let Place::Fixed([x, y]) | Place::Placed([x, y]) = point.place
+            && (x.value != 0.0 || y.value != 0.0)
+        {
+            parts.push(notation.point(PointId(i)).up("\u{a0}").then(&teller.place(x.value, y.value)));
+        }
+    }
+    for (i, slide) in mechanism.slides.iter().enumerate() {
+        parts.extend(teller.guide(i, slide));
+    }
+    for roll in &mechanism.rolls {
+        parts.push(teller.roll(roll));
+    }
+    parts.extend(teller.journals());
+    for (i, input) in mechanism.inputs.iter().enumerate() {
+        teller.input(i, input, &mut parts);
+    }
+    parts
+}
+
+/// The same as one paragraph.
+#[must_use]
+pub fn paragraph(notation: &Notation<'_>) -> Rich {
+    let parts = items(notation);
+    if parts.is_empty() {
+        return Rich::default();
+    }
+    let list = Rich::join(&parts, &Rich::upright(notation.words.comma));
+    Rich::italic(notation.words.given).up(" ").then(&list)
+}
+
+struct Teller<'a> {
+    n: &'a Notation<'a>,
+}
+
+impl Teller<'_> {
+    fn equals(&self, symbol: Rich, value: &Rich) -> Rich {
+        symbol.up("\u{a0}=\u{a0}").then(value)
+    }
+
+    fn length(&self, si: f64) -> Rich {
+        human::stated_quantity(si, &self.n.scene.units.length)
+    }
+
+    fn pair(&self, x: f64, y: f64) -> Rich {
+        let unit = self.n.scene.units.length.si;
+        let number = |si: f64| human::stated(si / unit);
+        Rich::upright("(").then(&number(x)).up(";\u{a0}").then(&number(y)).up(")")
+    }
+
+    fn place(&self, x: f64, y: f64) -> Rich {
+        human::with_unit(&self.pair(x, y), &self.n.scene.units.length.symbol)
+    }
+
+    fn own_place(&self, [x, y]: GivenPoint) -> Rich {
+        self.place(x.value, y.value)
+    }
+
+    fn number(&self, link: LinkId) -> Rich {
+        Rich::upright(self.n.number(link))
+    }
+
+    fn link(&self, link: &Link, parts: &mut Vec<Rich>) {
+        for d in dimensions(link, self.n) {
+            parts.push(self.equals(self.n.length(d.from, d.to), &self.length(d.length)));
+        }
+        match (&link.form, &link.points[..]) {
+            (Form::Sides { turn, .. }, [a, b, c]) => {
+                let points = self.n.point(*a).then(&self.n.point(*b)).then(&self.n.point(*c));
+                let sense = if *turn == Sense::Ccw { self.n.words.ccw } else { self.n.words.cw };
+                let sense = ("sense", Rich::upright(sense));
+                parts.push(Rich::fill(self.n.words.given_sense, &[("points", points), sense]));
+            }
+            (Form::Arms { angle, .. }, [a, b, c]) => {
+                let points = self.n.point(*b).then(&self.n.point(*a)).then(&self.n.point(*c));
+                let value = human::degrees(angle.value.abs()).word(self.n.sense(angle.value));
+                parts.push(self.equals(Rich::upright("∠\u{a0}").then(&points), &value));
+            }
+            (Form::Shape(places), points) => {
+                let place = |(p, at): (&PointId, &GivenPoint)| {
+                    self.n.point(*p).up("\u{a0}").then(&self.own_place(*at))
+                };
+                let places: Vec<Rich> = points.iter().zip(places).map(place).collect();
+                let places = Rich::join(&places, &Rich::upright(self.n.words.comma));
+                let link = ("link", Rich::upright(link.number.to_string()));
+                parts.push(Rich::fill(self.n.words.given_shape, &[link, ("places", places)]));
+            }
+            _ => {}
+        }
+    }
+
+    fn guide(&self, index: usize, slide: &Slide) -> Option<Rich> {
+        let words = self.n.words;
+        let link = ("link", self.number(slide.guide.link));
+        let guide = ("guide", self.n.guide(index));
+        let (through, direction, turned, offset) = match slide.guide.path {
+            Path::Arc { centre, radius } => {
+                let centre = match centre {
+                    GuidePoint::Point(p) => self.n.point(p),
+                    GuidePoint::Own(at) => self.own_place(at),
+                };
+                let radius = ("radius", self.length(radius.value));
+                return Some(Rich::fill(words.given_guide_arc, &[guide, link, ("centre", centre), radius]));
+            }
+            Path::Straight { through, direction, turned, offset } => (through, direction, turned, offset),
+        };
+        let place = match through {
+            GuidePoint::Point(p) => self.n.point(p),
+            GuidePoint::Own(at) => self.own_place(at),
+        };
+        let told = match direction {
+            Direction::Angle(angle) => {
+                let angle = ("angle", human::degrees(angle.value + turned.value));
+                let frame = slide.guide.link == LinkId::FRAME;
+                let template = if frame { words.given_guide } else { words.given_guide_moving };
+                Rich::fill(template, &[guide, link, ("place", place), angle])
+            }
+            Direction::Toward(target) => {
+                let line = match through {
+                    GuidePoint::Point(p) => self.n.length(p, target),
+                    GuidePoint::Own(_) => place.up("\u{2009}→\u{2009}").then(&self.n.point(target)),
+                };
+                let told = Rich::fill(words.given_guide_line, &[guide, link, ("line", line)]);
+                if turned.value == 0.0 {
+                    told
+                } else {
+                    let angle = ("angle", human::degrees(turned.value));
+                    told.up(" ").then(&Rich::fill(words.given_turned, &[angle]))
+                }
+            }
+        };
+        if offset.value == 0.0 {
+            return Some(told);
+        }
+        Some(told.up(" ").then(&Rich::fill(words.given_offset, &[("offset", self.length(offset.value))])))
+    }
+
+    fn roll(&self, roll: &Roll) -> Rich {
+        let words = self.n.words;
+        match roll {
+            Roll::Circles { links, radii, internal, .. } => {
+                let radii = radii.map(|r| self.length(r.value));
+                let template = if *internal { words.given_wheels_inside } else { words.given_wheels };
+                let radii = Rich::join(&radii, &Rich::upright(words.and));
+                let parts =
+                    [("one", self.number(links[0])), ("other", self.number(links[1])), ("radii", radii)];
+                Rich::fill(template, &parts)
+            }
+            Roll::Line { guide, wheel, radius, .. } => {
+                let radius = ("radius", self.length(radius.value));
+                let parts = [("wheel", self.number(*wheel)), radius, ("link", self.number(guide.link))];
+                Rich::fill(words.given_rack, &parts)
+            }
+        }
+    }
+
+    /// The journals of the pins, pins of one radius together; nothing where no rubbing speed is asked.
+    fn journals(&self) -> Vec<Rich> {
+        let mechanism = self.n.mechanism();
+        if !mechanism.asked.iter().any(|asked| matches!(asked.quantity, Quantity::Rub(..))) {
+            return Vec::new();
+        }
+        let mut radii: Vec<(f64, Vec<Rich>)> = Vec::new();
+        for (i, point) in mechanism.points.iter().enumerate() {
+            let Some(radius) = point.journal else { continue };
+            let name = self.n.point(PointId(i));
+            match radii.iter_mut().find(|(r, _)| *r == radius.value) {
+                Some((_, points)) => points.push(name),
+                None => radii.push((radius.value, vec![name])),
+            }
+        }
+        let told = |(radius, points): (f64, Vec<Rich>)| {
+            let points = Rich::join(&points, &Rich::upright(self.n.words.comma));
+            let radius = ("radius", self.length(radius));
+            Rich::fill(self.n.words.given_journal, &[("points", points), radius])
+        };
+        radii.into_iter().map(told).collect()
+    }
+
+    /// A rate in the unit in which the scene states it.
+    fn rate(&self, si: f64, unit: &Unit, senses: bool) -> Rich {
+        let value = human::stated_quantity(if senses { si.abs() } else { si }, unit);
+        let sense = if senses { self.n.sense(si) } else { "" };
+        if sense.is_empty() { value } else { value.word(sense) }
+    }
+
+    fn input(&self, index: usize, input: &Input, parts: &mut Vec<Rich>) {
+        let stated = self.n.scene.input_units.get(index);
+        let rate_unit = |usual: Unit| stated.and_then(|s| s.rate.clone()).unwrap_or(usual);
+        let second_unit = |usual: Unit| stated.and_then(|s| s.second.clone()).unwrap_or(usual);
+        let angle = |link, angle: f64| {
+            let angle = stated.and_then(|s| s.angle).unwrap_or(angle);
+            self.equals(self.n.symbol(Quantity::Angle(link), false), &human::degrees(angle))
+        };
+        match input {
+            Input::Angle { link, angle: at, omega, alpha } => {
+                parts.extend(at.map(|at| angle(*link, at.value)));
+                let unit = rate_unit(self.n.angular_unit(Order::Velocity));
+                let value = self.rate(omega.value, &unit, true);
+                parts.push(self.equals(self.n.symbol(Quantity::Omega(*link), false), &value));
+                self.second(
+                    Quantity::Alpha(*link),
+                    alpha.value,
+                    &second_unit(self.alpha_unit()),
+                    true,
+                    parts,
+                );
+            }
+            Input::Speed { angle: at, point, speed, link, alpha } => {
+                parts.extend(at.map(|at| angle(*link, at.value)));
+                let unit = rate_unit(self.n.unit(Order::Velocity));
+                let value = self.rate(speed.value, &unit, true);
+                parts.push(self.equals(self.n.symbol(Quantity::Velocity(*point), false), &value));
+                self.second(
+                    Quantity::Alpha(*link),
+                    alpha.value,
+                    &second_unit(self.alpha_unit()),
+                    true,
+                    parts,
+                );
+            }
+            Input::Slide { slide, at, velocity, acceleration } => {
+                let Some(point) = self.rider(*slide) else { return };
+                if let Some(at) = at {
+                    let distance = ("distance", self.length(at.value));
+                    let point = ("point", self.n.point(point));
+                    parts.push(Rich::fill(self.n.words.given_at, &[point, distance]));
+                }
+                let unit = rate_unit(self.n.unit(Order::Velocity));
+                let value = self.rate(velocity.value, &unit, false);
+                parts.push(self.equals(self.n.symbol(Quantity::Velocity(point), false), &value));
+                let unit = second_unit(self.n.unit(Order::Acceleration));
+                self.second(Quantity::Acceleration(point), acceleration.value, &unit, false, parts);
+            }
+        }
+    }
+
+    fn alpha_unit(&self) -> Unit {
+        self.n.angular_unit(Order::Acceleration)
+    }
+
+    /// A second rate, which is zero where it is not stated.
+    fn second(&self, quantity: Quantity, value: f64, unit: &Unit, senses: bool, parts: &mut Vec<Rich>) {
+        if value != 0.0 {
+            parts.push(self.equals(self.n.symbol(quantity, false), &self.rate(value, unit, senses)));
+        }
+    }
+
+    fn rider(&self, slide: usize) -> Option<PointId> {
+        let mechanism = self.n.mechanism();
+        match mechanism.slides.get(slide)?.rider {
+            Rider::Pin { point, .. } => Some(point),
+            Rider::Link { link, .. } => mechanism.links.get(link.0)?.points.first().copied(),
+        }
+    }
+}
+
+/// What is asked, one item per kind.
+#[must_use]
+pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
+    let words = notation.words;
+    let kinds = [
+        words.asked_places,
+        words.asked_angles,
+        words.asked_transmission,
+        words.asked_centres,
+        words.asked_velocities,
+        words.asked_omegas,
+        words.asked_rubbing,
+        words.asked_accelerations,
+        words.asked_alphas,
+    ];
+    let kind = |quantity: Quantity| match quantity {
+        Quantity::Position(_) => 0,
+        Quantity::Angle(_) => 1,
+        Quantity::Transmission(..) => 2,
+        Quantity::Centre(..) => 3,
+        Quantity::Omega(_) | Quantity::RelativeOmega(..) => 5,
+        Quantity::Rub(..) => 6,
+        Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => 8,
+        other if other.order() == Order::Acceleration => 7,
+        _ => 4,
+    };
+    let mut lists: [Vec<Rich>; 9] = Default::default();
+    for asked in &notation.mechanism().asked {
+        lists[kind(asked.quantity)].push(notation.symbol(asked.quantity, false));
+    }
+    let told = kinds.into_iter().zip(lists).filter(|(_, list)| !list.is_empty());
+    told.map(|(what, list)| {
+        let list = ("list", Rich::join(&list, &Rich::upright(words.comma)));
+        Rich::fill(words.asked, &[("what", Rich::upright(what)), list])
+    })
+    .collect()
+}
