@@ -214,6 +214,8 @@ pub struct SheetOptions {
     pub paper: Option<String>,
     /// Language tag: `en`, `ar`, `ar-x-ajala` or `fa`.
     pub language: Option<String>,
+    /// Colours: `mono`, `colour` or `dark`.
+    pub theme: Option<String>,
     /// Letter for angular acceleration.
     pub angular_acceleration: Option<AngularAcceleration>,
     /// Real length per length of paper: 10 for `1:10`.
