@@ -44,7 +44,7 @@ pub const fn figure_names() -> &'static [&'static str] {
 #[must_use]
 pub fn solution(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
-    let notation = Notation { scene, words };
+    let notation = Notation::new(scene, words);
     let construction = &told_apart(construction, &notation);
     let drawn = |name| panel(name, construction, &notation);
     let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration].map(drawn);
@@ -78,14 +78,15 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     }
     pager.steps(&steps::items(construction, &notation));
     let (pages, count) = pager.finish();
-    Figure {
+    let figure = Figure {
         width,
         height: height * count as f64,
         title: title(scene, words),
         description: description(construction, words),
         language: words.tag,
         root: pages,
-    }
+    };
+    localised(figure, scene)
 }
 
 /// The question sheet: the given data, the dimensioned skeleton, what is asked; nothing that the solution
@@ -93,7 +94,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 #[must_use]
 pub fn question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
-    let notation = Notation { scene, words };
+    let notation = Notation::new(scene, words);
     let skeleton = asked_skeleton(construction, &notation);
     let (width, height) = paper(scene);
     let width = width.max(skeleton.width + 2.0 * MARGIN);
@@ -109,23 +110,25 @@ pub fn question(scene: &Scene, construction: &Construction, language: Language) 
     let list = column(&items, pager.width(), words);
     pager.block(list);
     let (pages, count) = pager.finish();
-    Figure {
+    let figure = Figure {
         width,
         height: height * count as f64,
         title: title(scene, words),
         description: words.question.to_owned(),
         language: words.tag,
         root: pages,
-    }
+    };
+    localised(figure, scene)
 }
 
 /// The dimensioned skeleton of the question, cut to its ink.
 #[must_use]
 pub fn single_of_question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
-    let notation = Notation { scene, words };
+    let notation = Notation::new(scene, words);
     let block = asked_skeleton(construction, &notation);
-    cut(block.group, format!("{}: {}", title(scene, words), words.skeleton), words.question.to_owned(), words)
+    let title = format!("{}: {}", title(scene, words), words.skeleton);
+    localised(cut(block.group, title, words.question.to_owned(), words), scene)
 }
 
 /// The dimensioned skeleton with its caption.
@@ -146,7 +149,7 @@ fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> Block
 #[must_use]
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
     let words = language.words();
-    let notation = Notation { scene, words };
+    let notation = Notation::new(scene, words);
     let construction = &told_apart(construction, &notation);
     let (block, heading) = match name {
         "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
@@ -164,7 +167,8 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
         _ => {}
     });
-    Some(cut(block.group, format!("{}: {heading}", title(scene, words)), description, words))
+    let title = format!("{}: {heading}", title(scene, words));
+    Some(localised(cut(block.group, title, description, words), scene))
 }
 
 /// A drawing as a figure of its own, tight to its ink.
@@ -179,6 +183,36 @@ fn cut(mut root: Group, title: String, description: String, words: &Words) -> Fi
         language: words.tag,
         root,
     }
+}
+
+/// The decimal sign that the scene wishes, in everything that is set but what the scene's own title says.
+fn localised(mut figure: Figure, scene: &Scene) -> Figure {
+    if scene.sheet.decimal_comma {
+        commas(&mut figure.root);
+    }
+    figure
+}
+
+fn commas(group: &mut Group) {
+    for child in &mut group.children {
+        match child {
+            Node::Group(group) => commas(group),
+            Node::Text(text) if !matches!(text.class, "title" | "running-title") => {
+                text.runs.iter_mut().for_each(|run| run.text = with_comma(&run.text));
+            }
+            Node::Text(_) | Node::Mark(_) => {}
+        }
+    }
+}
+
+/// A point between two digits becomes a comma, which is as wide.
+fn with_comma(text: &str) -> String {
+    let characters: Vec<char> = text.chars().collect();
+    let digit = |i: Option<usize>| i.and_then(|i| characters.get(i)).is_some_and(char::is_ascii_digit);
+    let sign = |(i, c): (usize, &char)| {
+        if *c == '.' && digit(i.checked_sub(1)) && digit(Some(i + 1)) { ',' } else { *c }
+    };
+    characters.iter().enumerate().map(sign).collect()
 }
 
 /// Several figures below each other as one.

@@ -21,6 +21,7 @@ mod notation;
 pub mod overlap;
 mod polygon;
 mod pose;
+mod profile;
 mod results;
 mod rich;
 pub mod scale;

@@ -40,11 +40,25 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> Group {
     let known = artist.stated_rotations();
     artist.rotations(&mut group, known, false);
     artist.number_links();
-    let dimensions = artist.dimensions(&group);
-    group.group(dimensions);
-    let texts = place(&group, &artist.labels, None);
-    group.group(texts);
-    group
+    let mut dimensions = artist.dimensions(&group);
+    loop {
+        let mut whole = group.clone();
+        let mut requests = artist.labels.clone();
+        let mut lines = Group::new("dimensions");
+        for dimension in &dimensions {
+            lines.group(dimension.ink.clone());
+            requests.push(dimension.text.clone());
+        }
+        whole.group(lines);
+        let texts = place(&whole, &requests, None);
+        whole.group(texts);
+        // In a crowd the dimension that disturbs most is left to the given data, and so on.
+        let worst = (0..dimensions.len()).max_by(|a, b| dimensions[*a].cost.total_cmp(&dimensions[*b].cost));
+        match worst.filter(|_| !overlaps_in(&whole, None).is_empty()) {
+            Some(worst) => dimensions.remove(worst),
+            None => return whole,
+        };
+    }
 }
 
 /// The skeleton with the first fixed point at the origin of the group.
@@ -59,10 +73,22 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
     let mut artist = Artist::new(construction, notation);
     artist.links_and_joints(&mut group, true);
     let known = artist.known_rotations();
-    artist.rotations(&mut group, known, true);
-    artist.number_links();
-    let labels = artist.placed_labels(&group);
-    group.group(labels);
+    let names = artist.labels.clone();
+    // In a crowd the curved arrows give way to the names: those of α first, then those of ω.
+    let keep: [fn(bool) -> bool; 3] = [|_| true, |second| !second, |_| false];
+    let mut tries = keep.into_iter().peekable();
+    while let Some(keep) = tries.next() {
+        artist.labels = names.clone();
+        let mut whole = group.clone();
+        let kept = known.clone().into_iter().filter(|((_, second), _)| keep(*second)).collect();
+        artist.rotations(&mut whole, kept, true);
+        artist.number_links();
+        let labels = artist.placed_labels(&whole);
+        whole.group(labels);
+        if tries.peek().is_none() || overlaps_in(&whole, None).is_empty() {
+            return whole;
+        }
+    }
     group
 }
 

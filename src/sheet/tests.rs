@@ -119,6 +119,39 @@ fn every_character_has_a_glyph() {
     assert!(bad.is_empty(), "{}", bad.join("\n"));
 }
 
+#[test]
+fn every_notation_and_the_decimal_comma_are_drawn_clear_of_ink() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    for (name, notation, seen) in [
+        ("s000-ch3a-1", "norton", "OV"),
+        ("s000-ch3a-2", "uicker", "VA2/4"),
+        ("s000-ch3a-1", "rattan", "vba"),
+        ("s000-ch3a-1", "martin", "VB/A"),
+    ] {
+        let (mut scene, construction) = solved(&folder.join(format!("{name}.json"))).unwrap();
+        scene.sheet.notation = Some(notation.to_owned());
+        scene.sheet.decimal_comma = true;
+        let figure = solution(&scene, &construction, Language::English);
+        assert_eq!(overlaps(&figure), vec![], "{notation}");
+        let mut texts = Vec::new();
+        figure.root.walk(&mut |node| {
+            if let Node::Text(text) = node {
+                texts.push(text.content());
+            }
+        });
+        assert!(texts.iter().any(|text| text == seen), "{notation}: {seen}");
+        assert!(texts.iter().any(|text| text.contains("44,6")) || name != "s000-ch3a-1", "{notation}");
+        let digits = |c: char| c.is_ascii_digit();
+        let point = |text: &String| {
+            text.split('.')
+                .collect::<Vec<_>>()
+                .windows(2)
+                .any(|pair| pair[0].ends_with(digits) && pair[1].starts_with(digits))
+        };
+        assert!(!texts.iter().any(|text| point(text)), "{notation}");
+    }
+}
+
 /// A number as a person or a machine may have written it, without its sign.
 fn writings(value: f64) -> Vec<String> {
     let size = value.abs();
