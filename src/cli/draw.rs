@@ -18,6 +18,7 @@ pub(super) struct Job {
     pub(super) output: Vec<PathBuf>,
     pub(super) figure: Vec<String>,
     pub(super) kind: Kind,
+    pub(super) play: bool,
     pub(super) paper: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) dpi: f32,
@@ -36,6 +37,9 @@ pub(super) enum Kind {
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let formats: Vec<Format> = job.output.iter().map(|path| Format::of(path)).collect::<Result<_, _>>()?;
+    if job.play && job.kind != Kind::Steps {
+        return Err(Failure("--play plays the steps: say --as steps as well".to_owned()));
+    }
     if let Some(unknown) = job.figure.iter().find_map(|name| unknown_figure(name)) {
         return Err(Failure(unknown));
     }
@@ -56,7 +60,8 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let language = language(job, scene)?;
     let scales = match job.kind {
         Kind::Question => sheet::scale::for_question,
-        Kind::Solution | Kind::Steps => sheet::scale::for_scene,
+        Kind::Steps => sheet::scale::for_steps,
+        Kind::Solution => sheet::scale::for_scene,
     };
     let solved =
         crate::solve::solve(scene, Extent::WholeSkeleton, scales).map_err(|error| failure(scene, &error))?;
@@ -73,6 +78,14 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             return Err(Failure(
                 "--as question: the only figure that gives no answer away is skeleton".to_owned(),
             ));
+        }
+        (Kind::Steps, []) if job.play => {
+            let frames = sheet::film(scene, construction, language);
+            return write_film(job, &formats, &frames);
+        }
+        (Kind::Steps, []) => sheet::step_by_step(scene, construction, language),
+        (Kind::Steps, _) => {
+            return Err(Failure("--as steps draws all figures; leave out --figure".to_owned()));
         }
         (_, []) => sheet::solution(scene, construction, language),
         (_, names) => sheet::stack(&singles(scene, construction, language, names)?),
@@ -96,6 +109,22 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         };
         written.push((path.clone(), bytes));
     }
+    files::write_all(&written)?;
+    Ok(Ending::Fine)
+}
+
+/// Writes the steps as a film.
+fn write_film(job: &Job, formats: &[Format], frames: &[Figure]) -> Result<Ending, Failure> {
+    if let Some((path, _)) = job.output.iter().zip(formats).find(|(_, format)| !matches!(format, Format::Svg))
+    {
+        return Err(Failure(format!("{}: only SVG plays; end the name in .svg", path.display())));
+    }
+    let svg = crate::render::svg::write_film(frames);
+    if job.output.is_empty() {
+        print(&svg)?;
+        return Ok(Ending::Fine);
+    }
+    let written: Vec<_> = job.output.iter().map(|path| (path.clone(), svg.clone().into_bytes())).collect();
     files::write_all(&written)?;
     Ok(Ending::Fine)
 }

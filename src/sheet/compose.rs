@@ -10,7 +10,7 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{given, human, polygon, results, skeleton};
+use super::{given, growth, human, polygon, results, skeleton};
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
@@ -143,6 +143,113 @@ fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> Block
         .up(&comma)
         .then(&Rich::fill(words.scale, &[("scale", scale)]));
     captioned(skeleton::question(construction, notation), &caption)
+}
+
+/// The steps one by one: beside what is said of each, its drawing as it stands after it.
+#[must_use]
+pub fn step_by_step(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    let words = language.words();
+    let notation = Notation::new(scene, words);
+    let construction = &told_apart(construction, &notation);
+    let (width, height) = paper(scene);
+    let told = steps::by_step(construction, &notation);
+    let drawn: Vec<Option<Block>> =
+        told.iter().map(|told| after_step(construction, &notation, told.step, told.drawn?)).collect();
+    let largest = |side: fn(&Block) -> f64| drawn.iter().flatten().map(side).fold(0.0, f64::max);
+    let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
+    let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
+    let mut pager = Pager::new(width, height, title(scene, words), words);
+    pager.heading(&given::paragraph(&notation));
+    for (told, drawing) in told.iter().zip(drawn) {
+        pager.step(column(&told.items, pager.column(), words), drawing);
+    }
+    let (pages, count) = pager.finish();
+    let figure = Figure {
+        width,
+        height: height * count as f64,
+        title: format!("{}: {}", title(scene, words), words.steps),
+        description: description(construction, words),
+        language: words.tag,
+        root: pages,
+    };
+    localised(figure, scene)
+}
+
+/// The diagram that a step draws in, as it stands after it.
+fn after_step(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    step: usize,
+    order: Order,
+) -> Option<Block> {
+    let name = match order {
+        Order::Position => Name::Skeleton,
+        Order::Velocity => Name::Velocity,
+        Order::Acceleration => Name::Acceleration,
+    };
+    panel(name, &growth::after(construction, notation.mechanism(), step), notation)
+}
+
+/// The figures of a film, all of one size: the three diagrams as they stand after each step, each in its
+/// place, and the head of the step below them.
+#[must_use]
+pub fn film(scene: &Scene, construction: &Construction, language: Language) -> Vec<Figure> {
+    let words = language.words();
+    let notation = Notation::new(scene, words);
+    let construction = &told_apart(construction, &notation);
+    let names = [Name::Skeleton, Name::Velocity, Name::Acceleration];
+    // The places of the diagrams are those that the finished ones need.
+    let finished = names.map(|name| drawing(name, construction, &notation));
+    let boxes = finished.each_ref().map(|d| d.as_ref().and_then(Group::bounds));
+    let ink = boxes.map(|b| b.unwrap_or(Rect::ZERO).inflate(EDGE, EDGE));
+    let width = (ink[1].width() + ink[2].width()).max(ink[0].width());
+    let second = ink[0].height();
+    let head = second + ink[1].height().max(ink[2].height()) + 2.0 * TEXT;
+    let left = (width - ink[1].width() - ink[2].width()) / 2.0;
+    let corners = [
+        Point::new((width - ink[0].width()) / 2.0, 0.0),
+        Point::new(left, second),
+        Point::new(left + ink[1].width(), second),
+    ];
+    let told = steps::by_step(construction, &notation);
+    let last = told.len().saturating_sub(1);
+    let frames = told.iter().enumerate().map(|(i, told)| {
+        let now = growth::after(construction, notation.mechanism(), told.step);
+        let mut root = Group::new("frame").data("step", (told.step + 1).to_string());
+        for (k, name) in names.into_iter().enumerate() {
+            let own = if i == last { finished[k].clone() } else { drawing(name, &now, &notation) };
+            let Some(mut own) = own else { continue };
+            own.translate(corners[k] - ink[k].origin());
+            root.group(own);
+        }
+        if let Some(Item::Head(text)) = told.items.first() {
+            let line = text.set(TEXT);
+            line.put(&mut root, Point::new(((width - line.width) / 2.0).max(0.0), head - TEXT), "heading");
+        }
+        let figure = Figure {
+            width,
+            height: head + EDGE,
+            title: format!("{}: {}", title(scene, words), words.steps),
+            description: description(construction, words),
+            language: words.tag,
+            root,
+        };
+        localised(figure, scene)
+    });
+    frames.collect()
+}
+
+/// A diagram without its caption.
+fn drawing(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Group> {
+    match name {
+        Name::Skeleton => Some(skeleton::draw(construction, notation)),
+        Name::Velocity => {
+            construction.velocity.as_ref().map(|p| polygon::draw(p, &construction.steps, notation))
+        }
+        Name::Acceleration => {
+            construction.acceleration.as_ref().map(|p| polygon::draw(p, &construction.steps, notation))
+        }
+    }
 }
 
 /// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
@@ -282,34 +389,23 @@ enum Name {
 /// A drawing of the solution with its caption and scale.
 fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
     let words = notation.words;
-    let (drawing, letter, caption, scale) = match name {
+    let (letter, caption, scale) = match name {
         Name::Skeleton => {
-            let scale = notation.length_scale(construction.space.metres_per_mm);
-            (skeleton::draw(construction, notation), words.panels[0], words.skeleton, scale)
+            (words.panels[0], words.skeleton, notation.length_scale(construction.space.metres_per_mm))
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
-            (
-                polygon::draw(p, &construction.steps, notation),
-                words.panels[1],
-                words.velocity_diagram,
-                notation.scale(p.si_per_mm, p.order),
-            )
+            (words.panels[1], words.velocity_diagram, notation.scale(p.si_per_mm, p.order))
         }
         Name::Acceleration => {
             let p = construction.acceleration.as_ref()?;
-            (
-                polygon::draw(p, &construction.steps, notation),
-                words.panels[2],
-                words.acceleration_diagram,
-                notation.scale(p.si_per_mm, p.order),
-            )
+            (words.panels[2], words.acceleration_diagram, notation.scale(p.si_per_mm, p.order))
         }
     };
     let scale = Rich::fill(words.scale, &[("scale", scale)]);
     let comma = words.comma.trim_end();
     let caption = Rich::bold(format!("({letter})")).up(" ").up(caption).up(comma).up("\u{2002}").then(&scale);
-    Some(captioned(drawing, &caption))
+    Some(captioned(drawing(name, construction, notation)?, &caption))
 }
 
 /// A drawing with its caption below, upper left corner at the origin.
@@ -532,6 +628,34 @@ impl Pager {
         let (x, y) = (self.from_edge(MARGIN, block.width), self.y);
         self.y += block.height + 6.0;
         self.add(block.group, x, y);
+    }
+
+    /// What is said of a step, and its drawing beside it, or above it where it is too wide.
+    fn step(&mut self, text: Block, drawing: Option<Block>) {
+        let Some(drawing) = drawing else { return self.block(text) };
+        let beside = self.width() - GUTTER - text.width;
+        let together = drawing.width <= beside;
+        let height =
+            if together { text.height.max(drawing.height) } else { text.height + drawing.height + GUTTER };
+        if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
+            self.page();
+        }
+        let x = self.from_edge(MARGIN, text.width);
+        if together {
+            let free = (beside - drawing.width) / 2.0;
+            let far = self.from_edge(MARGIN + text.width + GUTTER + free, drawing.width);
+            let y = self.y;
+            self.add(drawing.group, far, y);
+            self.add(text.group, x, y);
+            self.y += height + 8.0;
+        } else {
+            let middle = MARGIN + (self.width() - drawing.width) / 2.0;
+            let y = self.y;
+            self.add(drawing.group, middle, y);
+            self.y += drawing.height + GUTTER;
+            // A long text goes on over the page.
+            self.block(text);
+        }
     }
 
     /// Panels in their order, side by side where they fit.

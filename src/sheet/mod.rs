@@ -14,6 +14,7 @@ pub mod figure;
 pub mod font;
 mod given;
 mod grid;
+mod growth;
 mod human;
 mod ink;
 mod labels;
@@ -31,7 +32,7 @@ mod steps;
 mod table;
 mod words;
 
-pub use compose::{figure_names, question, single, single_of_question, solution, stack};
+pub use compose::{figure_names, film, question, single, single_of_question, solution, stack, step_by_step};
 pub use figure::Figure;
 pub use words::Language;
 

@@ -763,6 +763,8 @@ impl Artist<'_> {
                     .slides
                     .iter()
                     .any(|s| s.guide.link == link && self.is_sleeve(s)) => {}
+                // While the drawing grows, a link of which one joint is there is not there yet.
+                None if self.pose.places(link).len() < self.notation.mechanism().link(link).points.len() => {}
                 None if !blocked => {
                     if let Some((_, at)) = self.pose.places(link).first() {
                         let slides = &self.notation.mechanism().slides;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::figure::{Figure, Group, Mark, Node, Shape};
 use super::overlap::overlaps;
-use super::{Language, figure_names, question, scale, single, solution};
+use super::{Language, figure_names, film, question, scale, single, solution, step_by_step};
 use crate::graphical::construction::Construction;
 use crate::graphical::{construct, extents};
 use crate::mechanism::quantity::Answer;
@@ -89,6 +89,9 @@ fn no_text_touches_ink_or_text_or_the_edge() {
             figures.push((format!("sheet {tag}"), solution(scene, construction, language)));
             figures.push((format!("question {tag}"), question(scene, construction, language)));
         }
+        figures.push(("step by step".to_owned(), step_by_step(scene, construction, Language::English)));
+        let film = film(scene, construction, Language::English).into_iter().enumerate();
+        figures.extend(film.map(|(i, frame)| (format!("frame {i}"), frame)));
         let all = figures.iter().flat_map(|(name, figure)| {
             overlaps(figure).into_iter().map(move |overlap| format!("{name}: {overlap:?}"))
         });
