@@ -6,9 +6,65 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::engine::Engine;
+use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
-use crate::mechanism::{LinkId, Mechanism, PointId, Rider, Roll, Slide};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
+
+/// From what instant centres are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CentreSource {
+    /// From the circle diagram alone: positions suffice.
+    Diagram,
+    /// Where the diagram stalls, from the velocity polygon as well.
+    Velocities,
+}
+
+/// A construction on the skeleton besides the polygons and the circle diagram.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Auxiliary {
+    /// Klein's construction on a slider-crank.
+    Klein {
+        /// The slider-crank.
+        crank: Engine,
+        /// Velocities only, or accelerations as well.
+        order: Order,
+    },
+    /// The inflection circle and the acceleration centre of a link.
+    Inflection {
+        /// The link.
+        link: LinkId,
+    },
+    /// Kennedy's theorem on three links; the first is common to the two centres that are taken as known.
+    Kennedy {
+        /// The links.
+        links: [LinkId; 3],
+    },
+    /// The centre of the rotation of a link from the present position to another.
+    Rotation {
+        /// The link.
+        link: LinkId,
+        /// Where the one input stands then: radians, or metres of a slide.
+        to: f64,
+    },
+    /// The loci of an instant centre in both its links.
+    Centrodes {
+        /// The links: in the first the locus is called fixed.
+        links: [LinkId; 2],
+    },
+}
+
+impl Auxiliary {
+    /// The instant centres that it needs.
+    #[must_use]
+    pub fn centres(&self) -> Vec<[LinkId; 2]> {
+        match *self {
+            Self::Kennedy { links: [i, j, k] } => vec![chord(i, j), chord(i, k), chord(j, k)],
+            Self::Centrodes { links: [i, j] } => vec![chord(i, j)],
+            Self::Klein { .. } | Self::Inflection { .. } | Self::Rotation { .. } => Vec::new(),
+        }
+    }
+}
 
 /// How much of the skeleton is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +73,8 @@ pub enum Extent {
     Asked,
     /// Every link and point, so that the skeleton can be shown: for figures.
     WholeSkeleton,
+    /// The same with all instant centres, where the scene asks for none: for figures of the circle diagram.
+    AllCentres,
 }
 
 /// The steps of a group of higher class: every group of the trial with the points that are wanted of it, that
@@ -66,7 +124,7 @@ pub struct GroupStep {
 }
 
 /// The steps that the asked quantities need, in order of transmission.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Plan {
     /// Steps of the skeleton.
     pub position: Vec<GroupStep>,
@@ -74,17 +132,69 @@ pub struct Plan {
     pub velocity: Vec<GroupStep>,
     /// Steps of the acceleration polygon.
     pub acceleration: Vec<GroupStep>,
+    /// The circle diagram.
+    pub centres: CentrePlan,
+    /// The constructions on the skeleton.
+    pub auxiliary: Vec<Auxiliary>,
+}
+
+/// What the circle diagram must lead to, and with which links.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct CentrePlan {
+    /// The links between which centres may be used: those that are solved on the way to the wanted ones. Empty
+    /// where no centre is wanted.
+    pub links: BTreeSet<LinkId>,
+    /// The wanted centres, by their links, the lower first.
+    pub wanted: BTreeSet<[LinkId; 2]>,
+    /// Primary centres that may not be used.
+    pub barred: BTreeSet<[LinkId; 2]>,
+    /// Where the diagram stalls, centres are taken from the velocity polygon, which is then planned as well.
+    pub with_velocities: bool,
+    /// The velocity diagram is laid off from centres, to feed an acceleration polygon.
+    pub feeds: bool,
+}
+
+/// The links of a centre, the lower first.
+#[must_use]
+pub fn chord(i: LinkId, j: LinkId) -> [LinkId; 2] {
+    if i <= j { [i, j] } else { [j, i] }
 }
 
 impl Plan {
     /// Plans for the asked quantities of a mechanism.
     #[must_use]
     pub fn new(mechanism: &Mechanism, structure: &Structure, extent: Extent) -> Self {
-        let mut wanted = Wanted { mechanism, structure, steps: BTreeMap::new() };
-        for asked in &mechanism.asked {
-            wanted.quantity(&asked.quantity);
+        Self::with(mechanism, structure, extent, CentreSource::Diagram)
+    }
+
+    /// Plans again where the circle diagram stalls; see [`CentreSource`].
+    #[must_use]
+    pub fn with(mechanism: &Mechanism, structure: &Structure, extent: Extent, source: CentreSource) -> Self {
+        Self::with_auxiliary(mechanism, structure, extent, source, &[])
+    }
+
+    /// The same with constructions on the skeleton, besides those by which a quantity is asked.
+    #[must_use]
+    pub fn with_auxiliary(
+        mechanism: &Mechanism,
+        structure: &Structure,
+        extent: Extent,
+        source: CentreSource,
+        auxiliary: &[Auxiliary],
+    ) -> Self {
+        let mut wanted =
+            Wanted { mechanism, structure, source, steps: BTreeMap::new(), auxiliary: Vec::new() };
+        for asked in mechanism.asked.iter().filter(|a| !a.by_centres()) {
+            match asked.method {
+                Method::Klein => wanted.klein(&asked.quantity),
+                _ => wanted.quantity(&asked.quantity),
+            }
         }
-        if extent == Extent::WholeSkeleton {
+        for &auxiliary in auxiliary {
+            wanted.auxiliary(auxiliary);
+        }
+        let centres = wanted.centres(extent);
+        if extent != Extent::Asked {
             for index in 0..mechanism.points.len() {
                 wanted.point(PointId(index), Order::Position);
             }
@@ -107,6 +217,8 @@ impl Plan {
             position: steps_of(Order::Position),
             velocity: steps_of(Order::Velocity),
             acceleration: steps_of(Order::Acceleration),
+            centres,
+            auxiliary: wanted.auxiliary,
         }
     }
 
@@ -127,6 +239,66 @@ impl Plan {
     }
 }
 
+/// The link that the only input moves: the driven link, or what slides on a driven slide of the frame.
+#[must_use]
+pub fn driver(mechanism: &Mechanism) -> Option<LinkId> {
+    let [input] = mechanism.inputs[..] else { return None };
+    match input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => Some(link),
+        Input::Slide { slide, .. } => {
+            let slide = mechanism.slides[slide];
+            let rider = match slide.rider {
+                Rider::Link { link, .. } | Rider::Pin { block: Some(link), .. } => Some(link),
+                Rider::Pin { block: None, point } => mechanism.point(point).links.first().copied(),
+            };
+            rider.filter(|_| slide.guide.link == LinkId::FRAME)
+        }
+    }
+}
+
+/// The link as whose point a velocity is found by its centre with the input: a slider on a fixed guide, whose pole
+/// is seen from the pair, else the link whose group finds the point.
+#[must_use]
+pub fn transfer_home(mechanism: &Mechanism, structure: &Structure, point: PointId) -> Option<LinkId> {
+    let slider = mechanism.slides.iter().find_map(|s| match s.rider {
+        Rider::Pin { point: pin, block: Some(block) } if pin == point && s.guide.link == LinkId::FRAME => {
+            Some(block)
+        }
+        _ => None,
+    });
+    slider.or_else(|| home(mechanism, structure, point))
+}
+
+/// The shortest chain of moving links from one to another, each with the pin by which it hangs on the one before;
+/// `None` where no moving pins join them.
+#[must_use]
+pub fn chain(mechanism: &Mechanism, from: LinkId, to: LinkId) -> Option<Vec<(LinkId, PointId)>> {
+    let mut reached: Vec<(LinkId, Option<(usize, PointId)>)> = vec![(from, None)];
+    let mut next = 0;
+    while let Some(&(link, _)) = reached.get(next) {
+        if link == to {
+            let mut hops = Vec::new();
+            let mut at = next;
+            while let (on, Some((before, pin))) = reached[at] {
+                hops.push((on, pin));
+                at = before;
+            }
+            hops.reverse();
+            return Some(hops);
+        }
+        let moving = mechanism.link(link).points.iter().filter(|&&p| !mechanism.is_fixed(p));
+        for &pin in moving {
+            for &other in &mechanism.point(pin).links {
+                if other != LinkId::FRAME && reached.iter().all(|(l, _)| *l != other) {
+                    reached.push((other, Some((next, pin))));
+                }
+            }
+        }
+        next += 1;
+    }
+    None
+}
+
 /// The link whose group finds a point first: `None` for a point of the frame or of no link.
 #[must_use]
 pub fn home(mechanism: &Mechanism, structure: &Structure, point: PointId) -> Option<LinkId> {
@@ -145,10 +317,54 @@ pub fn home(mechanism: &Mechanism, structure: &Structure, point: PointId) -> Opt
 struct Wanted<'a> {
     mechanism: &'a Mechanism,
     structure: &'a Structure,
+    source: CentreSource,
     steps: BTreeMap<(Order, usize), BTreeSet<(LinkId, PointId)>>,
+    auxiliary: Vec<Auxiliary>,
 }
 
 impl Wanted<'_> {
+    /// Klein's construction needs the skeleton and no polygon.
+    fn klein(&mut self, quantity: &Quantity) {
+        if let Some(crank) = Engine::with(self.mechanism, self.structure, quantity) {
+            self.auxiliary(Auxiliary::Klein { crank, order: quantity.order() });
+        }
+    }
+
+    fn auxiliary(&mut self, auxiliary: Auxiliary) {
+        if self.auxiliary.contains(&auxiliary) {
+            return;
+        }
+        match auxiliary {
+            Auxiliary::Klein { crank, order } => {
+                self.point(crank.crank_pin, Order::Position);
+                self.link(crank.rod, Order::Position);
+                let same = self.auxiliary.iter_mut().find_map(|known| match known {
+                    Auxiliary::Klein { crank: c, order } if *c == crank => Some(order),
+                    _ => None,
+                });
+                match same {
+                    Some(known) => *known = order.max(*known),
+                    None => self.auxiliary.push(auxiliary),
+                }
+            }
+            Auxiliary::Inflection { link } => {
+                self.link(link, Order::Acceleration);
+                for point in self.mechanism.link(link).points.clone() {
+                    self.point(point, Order::Acceleration);
+                }
+                self.auxiliary.push(auxiliary);
+            }
+            Auxiliary::Rotation { link, .. } => {
+                for point in self.mechanism.link(link).points.clone() {
+                    self.point(point, Order::Position);
+                }
+                self.auxiliary.push(auxiliary);
+            }
+            // Their centres are planned with the circle diagram.
+            Auxiliary::Kennedy { .. } | Auxiliary::Centrodes { .. } => self.auxiliary.push(auxiliary),
+        }
+    }
+
     fn quantity(&mut self, quantity: &Quantity) {
         let order = quantity.order();
         match *quantity {
@@ -156,6 +372,7 @@ impl Wanted<'_> {
             | Quantity::Acceleration(p)
             | Quantity::Normal(p)
             | Quantity::Tangential(p)
+            | Quantity::PathRadius(p)
             | Quantity::Position(p) => self.point(p, order),
             Quantity::RelativeVelocity(b, a)
             | Quantity::RelativeAcceleration(b, a)
@@ -168,11 +385,13 @@ impl Wanted<'_> {
             Quantity::RelativeOmega(i, j)
             | Quantity::RelativeAlpha(i, j)
             | Quantity::Rub(_, i, j)
-            | Quantity::Transmission(i, j)
-            | Quantity::Centre(i, j) => {
+            | Quantity::Ratio(i, j)
+            | Quantity::Advantage(i, j)
+            | Quantity::Transmission(i, j) => {
                 self.link(i, order);
                 self.link(j, order);
             }
+            Quantity::Centre(i, j) => self.centre(i, j),
             Quantity::Slip(p, link)
             | Quantity::SlipAcceleration(p, link)
             | Quantity::SlipNormal(p, link)
@@ -191,6 +410,128 @@ impl Wanted<'_> {
             for p in transmission_points(self.mechanism, i, j).into_iter().flatten() {
                 self.point(p, order);
             }
+        }
+    }
+
+    /// Positions of the links on the way to both; velocities only where the circle diagram has stalled.
+    fn centre(&mut self, i: LinkId, j: LinkId) {
+        let order = match self.source {
+            CentreSource::Diagram => Order::Position,
+            CentreSource::Velocities => Order::Velocity,
+        };
+        for link in [i, j] {
+            self.link(link, order);
+        }
+    }
+
+    /// The centres by which a velocity is carried over from the input link, and the points that it leads to.
+    fn transfer_centres(&mut self, asked: &Asked) -> BTreeSet<[LinkId; 2]> {
+        let mut wanted = BTreeSet::new();
+        let Some(input) = driver(self.mechanism) else { return wanted };
+        let of = |point: PointId| match asked.method {
+            Method::LinkToLink | Method::GaugeLine => home(self.mechanism, self.structure, point),
+            _ => transfer_home(self.mechanism, self.structure, point),
+        };
+        let (links, points) = match asked.quantity {
+            Quantity::Velocity(p) => (vec![of(p)], vec![p]),
+            Quantity::RelativeVelocity(b, a) => (vec![of(b), of(a)], vec![a, b]),
+            Quantity::CoincidentVelocity(p, l) => (vec![Some(l)], vec![p]),
+            Quantity::Slip(p, l) => (vec![of(p), Some(l)], vec![p]),
+            Quantity::Omega(l) => (vec![Some(l)], Vec::new()),
+            Quantity::RelativeOmega(i, j)
+            | Quantity::Ratio(i, j)
+            | Quantity::Advantage(i, j)
+            | Quantity::Rub(_, i, j) => (vec![Some(i), Some(j)], Vec::new()),
+            _ => (Vec::new(), Vec::new()),
+        };
+        for point in points {
+            self.point(point, Order::Position);
+        }
+        for link in links.into_iter().flatten().filter(|&l| l != LinkId::FRAME) {
+            self.link(link, Order::Position);
+            wanted.insert(chord(LinkId::FRAME, input));
+            wanted.insert(chord(LinkId::FRAME, link));
+            match asked.method {
+                Method::LinkToLink | Method::GaugeLine => {
+                    let hops = chain(self.mechanism, input, link).unwrap_or_default();
+                    wanted.extend(hops.iter().map(|(on, _)| chord(LinkId::FRAME, *on)));
+                    if let Some((on, _)) = hops.last() {
+                        // ω is read between two points of the link.
+                        for &point in self.mechanism.link(*on).points.iter().take(3) {
+                            self.point(point, Order::Position);
+                        }
+                    }
+                }
+                _ if link != input => {
+                    wanted.insert(chord(input, link));
+                }
+                _ => {}
+            }
+        }
+        wanted
+    }
+
+    /// The wanted centres, with the links that their own steps solve.
+    fn centres(&mut self, extent: Extent) -> CentrePlan {
+        let asked = |a: &Asked| match a.quantity {
+            Quantity::Centre(i, j) => Some(chord(i, j)),
+            _ => None,
+        };
+        let mut wanted: BTreeSet<[LinkId; 2]> = self.mechanism.asked.iter().filter_map(asked).collect();
+        for asked in self.mechanism.asked.iter().filter(|a| a.by_centres()) {
+            wanted.extend(self.transfer_centres(asked));
+        }
+        let none_asked = wanted.is_empty();
+        wanted.extend(self.auxiliary.iter().flat_map(Auxiliary::centres));
+        if extent == Extent::AllCentres && none_asked {
+            let all = 0..self.mechanism.links.len();
+            wanted = all
+                .clone()
+                .flat_map(|i| all.clone().map(move |j| (i, j)))
+                .filter(|(i, j)| i < j)
+                .map(|(i, j)| [LinkId(i), LinkId(j)])
+                .collect();
+        }
+        let feeds = self.mechanism.asked.iter().any(Asked::fed_by_centres);
+        if feeds && let Some(input) = driver(self.mechanism) {
+            let steps = self.steps.keys().filter(|(order, _)| *order == Order::Velocity);
+            let groups: BTreeSet<usize> = steps.map(|(_, group)| *group).collect();
+            let links = groups.iter().flat_map(|group| &self.structure.groups[*group].links);
+            let links: BTreeSet<LinkId> = links.copied().collect();
+            wanted.extend(links.iter().map(|link| chord(LinkId::FRAME, *link)));
+            wanted.extend(links.iter().filter(|link| **link != input).map(|link| chord(input, *link)));
+        }
+        let mut way = Wanted {
+            mechanism: self.mechanism,
+            structure: self.structure,
+            source: self.source,
+            steps: BTreeMap::new(),
+            auxiliary: Vec::new(),
+        };
+        for &[i, j] in &wanted {
+            self.centre(i, j);
+            way.centre(i, j);
+        }
+        let mut links: BTreeSet<LinkId> = BTreeSet::new();
+        if !wanted.is_empty() {
+            links.insert(LinkId::FRAME);
+            links.extend(
+                way.steps.keys().flat_map(|(_, group)| self.structure.groups[*group].links.iter().copied()),
+            );
+        }
+        // The pins of these links must stand on the skeleton.
+        for point in (0..self.mechanism.points.len()).map(PointId) {
+            let on = self.mechanism.point(point).links.iter().filter(|l| links.contains(l)).count();
+            if on > 1 {
+                self.point(point, Order::Position);
+            }
+        }
+        CentrePlan {
+            links,
+            wanted,
+            barred: BTreeSet::new(),
+            with_velocities: self.source == CentreSource::Velocities,
+            feeds,
         }
     }
 
@@ -258,8 +599,12 @@ impl Wanted<'_> {
             if let GroupKind::Higher { .. } = kind {
                 self.surroundings(group, lower);
             }
-            if let GroupKind::Wheel { wheel, roll, .. } | GroupKind::Rolling { wheel, roll, .. } = kind {
-                self.rolled_on(roll, wheel, lower);
+            if let GroupKind::Wheel { wheel: link, roll, .. }
+            | GroupKind::DrivenWheel { wheel: link, roll, .. }
+            | GroupKind::Rolling { wheel: link, roll, .. }
+            | GroupKind::Rack { link, roll, .. } = kind
+            {
+                self.rolled_on(roll, link, lower);
             }
             for slide in slides_of(kind).into_iter().flatten() {
                 let slide = self.mechanism.slides[slide];
@@ -290,10 +635,14 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
         }
         GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
         GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin)],
-        GroupKind::Yoke { pin, .. } => [Some(pin), None],
-        GroupKind::Wheel { centre, .. } => [Some(centre), None],
-        GroupKind::TrialDriver { base } => [Some(base), None],
+        GroupKind::Yoke { pin: base, .. }
+        | GroupKind::Rpp { base, .. }
+        | GroupKind::Wheel { centre: base, .. }
+        | GroupKind::TrialDriver { base } => [Some(base), None],
         GroupKind::Prp { .. }
+        | GroupKind::Rack { .. }
+        | GroupKind::DrivenBar { .. }
+        | GroupKind::DrivenWheel { .. }
         | GroupKind::DrivenSlide { .. }
         | GroupKind::Higher { .. }
         | GroupKind::Other => [None, None],
@@ -304,9 +653,12 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
 fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
     match kind {
         GroupKind::Rrp { slide, .. } | GroupKind::Rpr { slide, .. } => [Some(slide), None],
-        GroupKind::Prp { slides: [a, b], .. } => [Some(a), Some(b)],
-        GroupKind::Yoke { ride, slot, .. } => [Some(ride), Some(slot)],
-        GroupKind::DrivenSlide { slide, .. } => [Some(slide), None],
+        GroupKind::Prp { slides: [a, b], .. } | GroupKind::DrivenBar { slides: [a, b], .. } => {
+            [Some(a), Some(b)]
+        }
+        GroupKind::Yoke { ride, slot, .. } | GroupKind::Rpp { ride, slot, .. } => [Some(ride), Some(slot)],
+        GroupKind::DrivenSlide { slide, .. } | GroupKind::Rack { ride: slide, .. } => [Some(slide), None],
+        GroupKind::DrivenWheel { guide, .. } => [guide, None],
         GroupKind::Wheel { .. }
         | GroupKind::Rolling { .. }
         | GroupKind::TrialDriver { .. }
@@ -331,10 +683,17 @@ fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
         GroupKind::Rrr { bases: [a, b], pin, .. } => [Some(a), Some(b), Some(pin)],
         GroupKind::Rrp { base, pin, .. } | GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin), None],
         GroupKind::Prp { pin, .. } | GroupKind::Yoke { pin, .. } => [Some(pin), None, None],
-        GroupKind::Rolling { base, centre, .. } => [Some(base), Some(centre), None],
-        GroupKind::Wheel { centre: base, .. } => [Some(base), None, None],
-        GroupKind::TrialDriver { base } => [Some(base), None, None],
-        GroupKind::DrivenSlide { .. } | GroupKind::Higher { .. } | GroupKind::Other => [None, None, None],
+        GroupKind::Rpp { base, point: pin, .. } | GroupKind::Rolling { base, centre: pin, .. } => {
+            [Some(base), Some(pin), None]
+        }
+        GroupKind::DrivenBar { pins: [a, b], .. } => [Some(a), Some(b), None],
+        GroupKind::Wheel { centre: base, .. }
+        | GroupKind::DrivenWheel { centre: base, .. }
+        | GroupKind::TrialDriver { base } => [Some(base), None, None],
+        GroupKind::Rack { .. }
+        | GroupKind::DrivenSlide { .. }
+        | GroupKind::Higher { .. }
+        | GroupKind::Other => [None, None, None],
     }
 }
 

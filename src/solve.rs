@@ -5,7 +5,7 @@ use crate::graphical::construction::Reading;
 use crate::graphical::{self, DrawError, Extents, Scales, Solution};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
-use crate::plan::{Extent, Plan};
+use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
 
 /// A scene taken apart, planned and drawn.
@@ -54,7 +54,7 @@ impl SolveError {
             Self::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. }) => {
                 Some(Refusal::CannotAssemble)
             }
-            Self::Draw(DrawError::Ambiguous { .. }) => Some(Refusal::Ambiguous),
+            Self::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Some(Refusal::Ambiguous),
             Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
             Self::Unanswered { .. } | Self::Structure(_) | Self::Draw(DrawError::NoConstruction { .. }) => {
                 None
@@ -71,13 +71,33 @@ impl SolveError {
 pub fn solve(
     scene: &Scene,
     extent: Extent,
-    choose: impl FnOnce(&Scene, Extents) -> Scales,
+    choose: impl Fn(&Scene, Extents) -> Scales,
+) -> Result<Solved, SolveError> {
+    solve_with(scene, extent, &[], choose)
+}
+
+/// As [`solve`], with constructions on the skeleton besides those by which a quantity is asked.
+///
+/// # Errors
+/// See [`SolveError`].
+pub fn solve_with(
+    scene: &Scene,
+    extent: Extent,
+    auxiliary: &[Auxiliary],
+    choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
-    let plan = Plan::new(&scene.mechanism, &structure, extent);
-    let extents = graphical::extents(&scene.mechanism, &structure, &plan)?;
-    let scales = choose(scene, extents);
-    let solution = graphical::construct(&scene.mechanism, &structure, &plan, scales)?;
+    let draw = |plan: &Plan| {
+        let extents = graphical::extents(&scene.mechanism, &structure, plan)?;
+        graphical::construct(&scene.mechanism, &structure, plan, choose(scene, extents))
+    };
+    let plan_from = |source| Plan::with_auxiliary(&scene.mechanism, &structure, extent, source, auxiliary);
+    let mut plan = plan_from(CentreSource::Diagram);
+    let mut solution = draw(&plan)?;
+    if solution.construction.circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty()) {
+        plan = plan_from(CentreSource::Velocities);
+        solution = draw(&plan)?;
+    }
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     Ok(Solved { structure, plan, solution })
 }

@@ -271,3 +271,32 @@ fn loose_links_are_named() {
     };
     assert_eq!((left, links), (2, vec![3, 4]));
 }
+
+#[test]
+fn links_that_slide_without_turning_are_known_either_way_round() {
+    type Groups<'a> = &'a [(&'a str, &'a [u32])];
+    let kinds: &[(&str, Groups<'_>)] = &[
+        ("oldham", &[("driver", &[2]), ("RPP", &[3, 4])]),
+        ("riding-link", &[("driver", &[2]), ("RRP", &[3, 4])]),
+        ("riding-link-on-slot", &[("driver", &[2]), ("PRP", &[3, 4])]),
+        ("links-on-two-guides", &[("driver", &[2]), ("driver", &[3]), ("PRP", &[4, 5])]),
+        ("curved-yoke", &[("driver", &[2]), ("PPR", &[3, 4])]),
+        ("reversed-yoke", &[("driver", &[2]), ("driver", &[3]), ("PPR", &[4, 5])]),
+        ("rack", &[("driver", &[2]), ("rack", &[3])]),
+        ("driven-wheel", &[("driven wheel", &[2]), ("RRP", &[3, 4])]),
+        ("trammel-driven-by-bar", &[("driven bar", &[2, 3, 4])]),
+    ];
+    for (name, expected) in kinds {
+        assert_eq!(groups(&common::example(&format!("pairs/{name}"))), named(expected), "{name}");
+    }
+}
+
+/// A rack that slides on the frame beside its pinion touches it without a constraint of its own; the wheel
+/// that rolls at the end of a rod needs one.
+#[test]
+fn only_what_nothing_else_holds_is_held_by_its_contact() {
+    let mobility = structure(&common::example("pairs/rack")).mobility;
+    assert_eq!((mobility.rolling, mobility.higher, mobility.freedoms), (0, 1, 1));
+    let mobility = structure(&common::example("pairs/wheel-on-plane")).mobility;
+    assert_eq!((mobility.rolling, mobility.higher, mobility.freedoms), (1, 0, 1));
+}

@@ -64,6 +64,7 @@ impl State {
                 }
             }
             Quantity::Omega(link) => self.turning(link, None, 1),
+            Quantity::Ratio(link, other) | Quantity::Advantage(other, link) => self.ratio(link, other),
             Quantity::RelativeOmega(link, other) => self.turning(link, Some(other), 1),
             Quantity::Alpha(link) => self.turning(link, None, 2),
             Quantity::RelativeAlpha(link, other) => self.turning(link, Some(other), 2),
@@ -85,6 +86,7 @@ impl State {
             Quantity::ContactNormal(..) => undefined("it is drawn, not asked"),
             Quantity::Centre(a, b) => self.centre(a, b),
             Quantity::Rub(p, a, b) => self.rubbing(p, a, b),
+            Quantity::PathRadius(p) => self.path_radius(p),
             Quantity::Position(p) => self.position(p),
             Quantity::Angle(link) => self.scalar(0, 1.0, |s| s.angle(link.0).v.wrapped()),
             Quantity::Transmission(coupler, output) => self.transmission(coupler, output),
@@ -98,6 +100,7 @@ impl State {
             | Quantity::Acceleration(p)
             | Quantity::Normal(p)
             | Quantity::Tangential(p)
+            | Quantity::PathRadius(p)
             | Quantity::Position(p) => (vec![p], vec![]),
             Quantity::RelativeVelocity(p, o)
             | Quantity::RelativeAcceleration(p, o)
@@ -105,6 +108,8 @@ impl State {
             | Quantity::RelativeTangential(p, o) => (vec![p, o], vec![]),
             Quantity::Omega(l) | Quantity::Alpha(l) | Quantity::Angle(l) => (vec![], vec![l]),
             Quantity::RelativeOmega(a, b)
+            | Quantity::Ratio(a, b)
+            | Quantity::Advantage(a, b)
             | Quantity::RelativeAlpha(a, b)
             | Quantity::Centre(a, b)
             | Quantity::Transmission(a, b) => (vec![], vec![a, b]),
@@ -281,6 +286,30 @@ impl State {
         })
     }
 
+    /// |v|³ / |v × a|.
+    fn path_radius(&self, point: PointId) -> Read {
+        if self.model.mechanism.is_fixed(point) {
+            return undefined(format!("{} does not move", self.name(point)));
+        }
+        let site = self.carrier(point, None)?;
+        let [speed, bending] = self.read(2, self.solved.as_ref(), |s| {
+            let place = s.site(&site);
+            let (v, a) = (parts(place, 1), parts(place, 2));
+            [square(v), v[0] * a[1] - v[1] * a[0]]
+        })?;
+        if speed.value <= ZERO * speed.bound {
+            return undefined(format!("{} stands still here", self.name(point)));
+        }
+        if bending.value.abs() <= ZERO * bending.bound {
+            return undefined(format!("the path of {} runs straight here", self.name(point)));
+        }
+        self.scalar(2, self.unit(1, 0), |s| {
+            let place = s.site(&site);
+            let (v, a) = (parts(place, 1), parts(place, 2));
+            square(v) * square(v).sqrt() / (v[0] * a[1] - v[1] * a[0]).abs()
+        })
+    }
+
     fn turning(&self, link: LinkId, other: Option<LinkId>, order: u8) -> Read {
         self.scalar(order, self.unit(0, order), |s| {
             let own = s.angle(link.0).at(order);
@@ -289,6 +318,15 @@ impl State {
                 None => own,
             }
         })
+    }
+
+    /// ω of the first link over that of the second.
+    fn ratio(&self, link: LinkId, other: LinkId) -> Read {
+        let [turns] = self.read(1, self.solved.as_ref(), |s| [s.angle(other.0).d])?;
+        if turns.value.abs() <= ZERO * turns.bound {
+            return undefined(format!("link {} does not turn", self.number(other)));
+        }
+        self.scalar(1, 1.0, |s| s.angle(link.0).d / s.angle(other.0).d)
     }
 
     fn slipping(&self, quantity: &Quantity, point: PointId, link: LinkId) -> Read {

@@ -9,6 +9,8 @@
 //!
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
+mod circles;
+mod homogeneous;
 mod reckon;
 mod scalar;
 mod tape;
@@ -16,6 +18,7 @@ mod tape;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
+pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
 pub use scalar::Real;
 pub use tape::{Blank, Nudge, Operation, Reason, Recorder, Stroke, Tape};
 
@@ -153,6 +156,8 @@ macro_rules! copy_type {
         impl<B: Bench> Copy for $name<B> {})*
     };
 }
+
+use copy_type;
 
 copy_type!(Point, Direction, Line, Circle, Meet, Pair);
 
@@ -447,6 +452,31 @@ impl<B: Bench> Board<B> {
     pub fn lay_off(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
         let point = self.shifted(from, along, length);
         self.stroke(Operation::LayOff, point)
+    }
+
+    /// A point moved by two components.
+    pub fn moved(&mut self, from: Point<B>, by: [Mm<B>; 2]) -> Point<B> {
+        let point = Point { x: self.add(from.x, by[0].0), y: self.add(from.y, by[1].0) };
+        self.stroke(Operation::LayOff, point)
+    }
+
+    /// An arrow's tip turned clockwise by 90° about its tail, with the set square.
+    pub fn turned_about(&mut self, tail: Point<B>, tip: Point<B>) -> Point<B> {
+        let [dx, dy] = self.between(tail, tip);
+        let down = Mm(self.neg(dx.0));
+        self.moved(tail, [dy, down])
+    }
+
+    /// An arrow's tip turned counter-clockwise by 90° about its tail.
+    pub fn turned_back(&mut self, tail: Point<B>, tip: Point<B>) -> Point<B> {
+        let [dx, dy] = self.between(tail, tip);
+        let left = Mm(self.neg(dy.0));
+        self.moved(tail, [left, dx])
+    }
+
+    /// The components of a quantity that has a direction.
+    pub fn components(&mut self, along: Direction<B>, size: Amount<B>) -> [Amount<B>; 2] {
+        [Amount(self.mul(along.x, size.0)), Amount(self.mul(along.y, size.0))]
     }
 
     fn shifted(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {

@@ -117,3 +117,13 @@ impl<B: Bench> Board<B> {
         self.push(value, &[(y, by_y), (x, by_x)], inner)
     }
 }
+
+/// The power of two that brings a size to between a half and one; one where there is no size.
+pub(super) fn power_of_two(size: f64) -> f64 {
+    if !(size.is_normal()) {
+        return 1.0;
+    }
+    let (_, exponent) = libm::frexp(size);
+    // Halved, so that neither the factor nor its reciprocal leaves the doubles.
+    libm::ldexp(1.0, (-exponent).clamp(-500, 500))
+}

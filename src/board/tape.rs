@@ -25,6 +25,8 @@ pub enum Operation {
     Divide,
     /// The corner of a figure similar to a given one.
     Similar,
+    /// The foot of a perpendicular.
+    Foot,
 }
 
 impl Operation {
@@ -39,6 +41,7 @@ impl Operation {
             Self::MeetCircles => "meet circle circle",
             Self::Divide => "divide",
             Self::Similar => "similar",
+            Self::Foot => "foot",
         }
     }
 }

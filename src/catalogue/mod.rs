@@ -51,6 +51,7 @@ pub const KINDS: &[Kind] = &[
     kind!("drag-link-shaper", "Drag-link quick return: double crank, rod and ram"),
     kind!("scotch-yoke", "Scotch yoke: harmonic motion"),
     kind!("oblique-yoke", "Yoke with an oblique slot"),
+    kind!("oldham", "Oldham's coupling of two parallel shafts"),
     kind!("elliptic-trammel", "Elliptic trammel, driven by one slider"),
     kind!("slotted-lever", "Crank and slotted lever"),
     kind!("offset-shaper", "Crank-shaper whose slot lies beside the lever"),
@@ -67,6 +68,8 @@ pub const KINDS: &[Kind] = &[
     kind!("differential-stroke", "Gears that drive one point of a linkage from two sides (Andreau)"),
     kind!("hypocycloid", "Planet in a ring gear with a rod and a slider"),
     kind!("rolling-rocker", "Eccentric gear on which the gear of a rocker rolls"),
+    kind!("rack-pinion", "Pinion that drives a rack"),
+    kind!("rolling-wheel", "Driven wheel on the ground with a rod and a slider"),
     kind!("rack-wheel", "Wheel that rolls on the ground, pushed by a crank and rod"),
 ];
 

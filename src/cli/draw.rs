@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::report::short;
 use super::{Ending, Failure, failure, files, print, read_scene};
-use crate::plan::Extent;
+use crate::graphical::Scales;
+use crate::graphical::construction::Construction;
+use crate::plan::{Auxiliary, Extent};
 use crate::scene::{Scene, Subject};
 use crate::sheet::{self, Figure};
 
@@ -58,19 +60,25 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
     }
     let language = language(job, scene)?;
+    // What the scene wishes to have drawn is a wish for the solution.
+    let names: Vec<&str> = if job.figure.is_empty() && job.kind == Kind::Solution {
+        scene.sheet.figures.iter().map(String::as_str).collect()
+    } else {
+        job.figure.iter().map(String::as_str).collect()
+    };
     let scales = match job.kind {
         Kind::Question => sheet::scale::for_question,
         Kind::Steps => sheet::scale::for_steps,
         Kind::Solution => sheet::scale::for_scene,
     };
-    let solved =
-        crate::solve::solve(scene, Extent::WholeSkeleton, scales).map_err(|error| failure(scene, &error))?;
+    let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
+    let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
+    let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
+    let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(Failure)?;
+    let solved = crate::solve::solve_with(scene, extent, &auxiliary, scales)
+        .map_err(|error| failure(scene, &error))?;
     let construction = &solved.solution.construction;
-    let names: Vec<&str> = if job.figure.is_empty() {
-        scene.sheet.figures.iter().map(String::as_str).collect()
-    } else {
-        job.figure.iter().map(String::as_str).collect()
-    };
+    let shown = Shown { scene, extent, language };
     let figure = match (job.kind, &names[..]) {
         (Kind::Question, []) => sheet::question(scene, construction, language),
         (Kind::Question, ["skeleton"]) => sheet::single_of_question(scene, construction, language),
@@ -88,7 +96,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             return Err(Failure("--as steps draws all figures; leave out --figure".to_owned()));
         }
         (_, []) => sheet::solution(scene, construction, language),
-        (_, names) => sheet::stack(&singles(scene, construction, language, names)?),
+        (_, names) => sheet::stack(&shown.singles(construction, names)?),
     };
     if figure.width > LARGEST_SHEET || figure.height > LARGEST_SHEET {
         let [width, height] = [figure.width, figure.height].map(|mm| short(mm / 1000.0));
@@ -132,10 +140,11 @@ fn write_film(job: &Job, formats: &[Format], frames: &[Figure]) -> Result<Ending
 /// What is wrong with the name of a figure, if it is unknown.
 fn unknown_figure(name: &str) -> Option<String> {
     let known = sheet::figure_names();
-    if known.contains(&name) {
+    let head = sheet::figure_head(name);
+    if known.contains(&head) {
         return None;
     }
-    let nearest = crate::scene::nearest(name, known);
+    let nearest = crate::scene::nearest(head, known);
     let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
     Some(format!("unknown figure {name}{mend} (known: {})", known.join(", ")))
 }
@@ -147,20 +156,39 @@ fn language(job: &Job, scene: &Scene) -> Result<sheet::Language, Failure> {
     })
 }
 
-fn singles(
-    scene: &Scene,
-    construction: &crate::graphical::construction::Construction,
+/// What every single figure of a run has in common.
+struct Shown<'a> {
+    scene: &'a Scene,
+    extent: Extent,
     language: sheet::Language,
-    names: &[&str],
-) -> Result<Vec<Figure>, Failure> {
-    names
-        .iter()
-        .map(|name| {
-            sheet::single(scene, construction, name, language).ok_or_else(|| {
-                Failure(format!("figure {name}: nothing asked in this scene needs it, so it is not drawn"))
-            })
+}
+
+impl Shown<'_> {
+    fn singles(&self, construction: &Construction, names: &[&str]) -> Result<Vec<Figure>, Failure> {
+        names.iter().map(|name| self.single(construction, name)).collect()
+    }
+
+    fn single(&self, construction: &Construction, name: &str) -> Result<Figure, Failure> {
+        let scene = self.scene;
+        let kind = sheet::auxiliary(name, scene).ok().flatten();
+        let drawing = construction.auxiliary.iter().find(|a| Some(a.kind) == kind);
+        // A construction that outgrows the sheet is drawn once more to a scale of its own.
+        let smaller = drawing.filter(|_| scene.sheet.length_scale.is_none());
+        let smaller = smaller.and_then(|drawing| sheet::scale::for_auxiliary(construction, drawing));
+        let again = smaller.zip(kind).map(|(length, kind)| {
+            let choose =
+                |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
+            crate::solve::solve_with(scene, self.extent, &[kind], choose)
+                .map_err(|error| failure(scene, &error))
+        });
+        let again = again.transpose()?;
+        let construction = again.as_ref().map_or(construction, |solved| &solved.solution.construction);
+        sheet::single(scene, construction, name, self.language).ok_or_else(|| {
+            let why = drawing.and_then(|drawing| drawing.refused);
+            let why = why.unwrap_or("nothing asked in this scene needs it, so it is not drawn");
+            Failure(format!("figure {name}: {why}"))
         })
-        .collect()
+    }
 }
 
 #[cfg(feature = "png")]

@@ -86,14 +86,21 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 "change the dimensions or the input".to_owned(),
             )
         }
+        DrawError::NotPlaced { point } => {
+            let name = &scene.mechanism.point(*point).name;
+            (
+                Subject::Point(*point),
+                format!("ambiguous: rolling does not say where {name} stands"),
+                format!("say it, as in \"placed\": {{ \"{name}\": [0, 0] }}"),
+            )
+        }
         DrawError::NoConstruction { links } => {
             let names: Vec<String> =
                 links.iter().map(|&l| scene.mechanism.link(l).number.to_string()).collect();
             (
                 links.first().map_or(Subject::Scene, |&l| Subject::Link(l)),
                 format!("no graphical construction is known for the group of links {}", names.join(", ")),
-                "linkgram solves driven cranks, and groups RRR and RRP with straight guides on link 1"
-                    .to_owned(),
+                "`linkgram structure` shows how the mechanism falls apart".to_owned(),
             )
         }
     }

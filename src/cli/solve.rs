@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::report::{describe, short};
 use super::{Ending, Failure, failure, print, read_scene};
 use crate::check::{Agreement, Compared};
-use crate::mechanism::quantity::{Answer, Asked, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Method, Quantity};
 use crate::plan::Extent;
 use crate::scene::Scene;
 
@@ -18,7 +18,11 @@ pub(super) fn run(path: &Path, as_json: bool, explain: bool) -> Result<Ending, F
     let solved = crate::solve::solve(scene, Extent::Asked, crate::sheet::scale::for_scene)
         .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
-    let explanation = explain.then(|| solved.plan.explain(&scene.mechanism, &solved.structure).to_string());
+    let explanation = explain.then(|| {
+        let circle = solved.solution.construction.circle.as_ref();
+        let centres = circle.map_or_else(String::new, |c| c.explain(&scene.mechanism).to_string());
+        solved.plan.explain(&scene.mechanism, &solved.structure).to_string() + &centres
+    });
     let text = if as_json {
         let mut object = object(&file, scene, &solved, &agreement);
         if let (Some(explanation), Some(map)) = (&explanation, object.as_object_mut()) {
@@ -37,10 +41,10 @@ pub(super) fn run(path: &Path, as_json: bool, explain: bool) -> Result<Ending, F
 fn table(solved: &crate::solve::Solved, agreement: &Agreement) -> String {
     let mut out = String::new();
     let _ = writeln!(out, "{}", solved.structure.mobility);
-    let width = agreement.compared.iter().map(|c| c.asked.name.len()).max().unwrap_or(0);
+    let width = agreement.compared.iter().map(|c| named(&c.asked).len()).max().unwrap_or(0);
     for compared in &agreement.compared {
         let asked = &compared.asked;
-        let _ = write!(out, "{:width$}  {}", asked.name, describe(asked, &compared.graphical.answer));
+        let _ = write!(out, "{:width$}  {}", named(asked), describe(asked, &compared.graphical.answer));
         let _ = match (compared.difference, compared.indeterminate()) {
             (Some(d), _) => writeln!(
                 out,
@@ -54,6 +58,14 @@ fn table(solved: &crate::solve::Solved, agreement: &Agreement) -> String {
     }
     let _ = writeln!(out, "{}", verdict(agreement));
     out
+}
+
+/// The name of a quantity, with the method by which it is asked where that is not the polygon.
+fn named(asked: &Asked) -> String {
+    match asked.method {
+        Method::Polygon => asked.name.clone(),
+        method => format!("{} by {}", asked.name, method.name()),
+    }
 }
 
 /// One line on the agreement of the two solvers.
@@ -89,6 +101,9 @@ fn quantity(compared: &Compared) -> Value {
     let mut map = Map::new();
     map.insert("name".to_owned(), json!(asked.name));
     map.insert("unit".to_owned(), json!(asked.unit.symbol));
+    if asked.method != Method::Polygon {
+        map.insert("method".to_owned(), json!(asked.method.name()));
+    }
     if let Some(why) = compared.indeterminate() {
         map.insert("indeterminate".to_owned(), json!(why.to_string()));
         return Value::Object(map);

@@ -9,6 +9,7 @@ use super::report::short;
 use super::{Ending, Failure, print, read_scene};
 use crate::mechanism::PointId;
 use crate::mechanism::report::{DeadPosition, FourBar, InLine, Report, report};
+use crate::mechanism::slider_crank::SliderCrank;
 use crate::plan::Extent;
 use crate::scene::Scene;
 
@@ -100,6 +101,9 @@ fn table(scene: &Scene, report: &Report) -> String {
     for four_bar in &report.four_bars {
         write_four_bar(&mut out, scene, four_bar);
     }
+    for slider_crank in &report.slider_cranks {
+        write_slider_crank(&mut out, scene, slider_crank);
+    }
     out
 }
 
@@ -130,24 +134,92 @@ fn write_four_bar(out: &mut String, scene: &Scene, four_bar: &FourBar) {
             degrees(greatest)
         );
     }
+    let [driver, coupler, output] = four_bar.links;
     for dead in &four_bar.dead {
-        let _ = writeln!(
-            out,
-            "  links {} in line, {}: link {second} at {} deg, {} deg from here",
-            numbers(&in_line(four_bar, dead)),
-            if dead.extended { "stretched" } else { "folded" },
-            degrees(dead.angle),
-            degrees(dead.turn)
-        );
+        write_dead(out, [driver, coupler, output], dead);
     }
 }
 
-fn in_line(four_bar: &FourBar, dead: &DeadPosition) -> [u32; 2] {
-    let [driver, coupler, output] = four_bar.links;
-    match dead.links {
-        InLine::CouplerAndOutput => [coupler, output],
-        InLine::DriverAndCoupler => [driver, coupler],
+fn write_dead(out: &mut String, links: [u32; 3], dead: &DeadPosition) {
+    let [crank, rod, _] = links;
+    let how = match (dead.links, dead.extended) {
+        (InLine::CouplerSquareToGuide, _) => format!("link {rod} square to the guide"),
+        (_, true) => format!("links {} in line, stretched", numbers(&in_line(links, dead))),
+        (_, false) => format!("links {} in line, folded", numbers(&in_line(links, dead))),
+    };
+    let _ = writeln!(
+        out,
+        "  {how}: link {crank} at {} deg, {} deg from here",
+        degrees(dead.angle),
+        degrees(dead.turn)
+    );
+}
+
+fn write_slider_crank(out: &mut String, scene: &Scene, slider_crank: &SliderCrank) {
+    let unit = &scene.units.length;
+    let [crank, rod, offset] = slider_crank.lengths.map(|l| short(l / unit.si));
+    let [o, a, b] = &slider_crank.joints;
+    let [first, second] = slider_crank.links;
+    let driven = if slider_crank.from_slider { ", driven by the slider" } else { "" };
+    let symbol = &unit.symbol;
+    let _ = writeln!(out, "slider-crank {o}-{a}-{b}{driven}");
+    let _ =
+        writeln!(out, "  link {first} {crank}, link {second} {rod}, offset of the guide {offset} {symbol}");
+    if let (Some(transmission), Some(pressure)) = (slider_crank.transmission, slider_crank.pressure()) {
+        let (transmission, pressure) = (degrees(transmission), degrees(pressure));
+        let _ = writeln!(out, "  transmission angle {transmission} deg, pressure angle {pressure} deg");
     }
+    if let Some(stroke) = slider_crank.stroke {
+        let _ = writeln!(out, "  stroke {} {symbol}", short(stroke / unit.si));
+    }
+    for dead in &slider_crank.dead {
+        write_dead(out, [first, second, 0], dead);
+    }
+}
+
+fn in_line([driver, coupler, output]: [u32; 3], dead: &DeadPosition) -> Vec<u32> {
+    match dead.links {
+        InLine::CouplerAndOutput => vec![coupler, output],
+        InLine::DriverAndCoupler => vec![driver, coupler],
+        InLine::CouplerSquareToGuide => vec![coupler],
+    }
+}
+
+fn dead_positions(links: [u32; 3], dead: &[DeadPosition]) -> Vec<Value> {
+    let position = |d: &DeadPosition| {
+        let (angle, turn) = (d.angle.to_degrees(), d.turn.to_degrees());
+        match d.links {
+            InLine::CouplerSquareToGuide => {
+                json!({ "square_to_guide": links[1], "angle_deg": angle, "turn_deg": turn })
+            }
+            _ => json!({
+                "in_line": in_line(links, d),
+                "extended": d.extended,
+                "angle_deg": angle,
+                "turn_deg": turn,
+            }),
+        }
+    };
+    dead.iter().map(position).collect()
+}
+
+fn slider_crank(scene: &Scene, slider_crank: &SliderCrank) -> Value {
+    let unit = &scene.units.length;
+    let [crank, rod, offset] = slider_crank.lengths.map(|l| l / unit.si);
+    let [first, second] = slider_crank.links;
+    json!({
+        "links": slider_crank.links,
+        "joints": slider_crank.joints,
+        "unit": unit.symbol,
+        "crank": crank,
+        "rod": rod,
+        "offset": offset,
+        "driven_by_slider": slider_crank.from_slider,
+        "transmission_deg": slider_crank.transmission.map(f64::to_degrees),
+        "pressure_deg": slider_crank.pressure().map(f64::to_degrees),
+        "stroke": slider_crank.stroke.map(|stroke| stroke / unit.si),
+        "dead_positions": dead_positions([first, second, 0], &slider_crank.dead),
+    })
 }
 
 fn object(file: &str, scene: &Scene, report: &Report) -> Value {
@@ -169,6 +241,7 @@ fn object(file: &str, scene: &Scene, report: &Report) -> Value {
         })
         .collect();
     let four_bars: Vec<Value> = report.four_bars.iter().map(|f| four_bar(scene, f)).collect();
+    let slider_cranks: Vec<Value> = report.slider_cranks.iter().map(|s| slider_crank(scene, s)).collect();
     let mobility = &report.mobility;
     json!({
         "scene": scene.title.in_language("en").unwrap_or(file),
@@ -189,24 +262,13 @@ fn object(file: &str, scene: &Scene, report: &Report) -> Value {
         "groups": groups,
         "refused": report.refused,
         "four_bars": four_bars,
+        "slider_cranks": slider_cranks,
     })
 }
 
 fn four_bar(scene: &Scene, four_bar: &FourBar) -> Value {
     let unit = &scene.units.length;
     let [frame, driver, coupler, output] = four_bar.lengths.map(|l| l / unit.si);
-    let dead: Vec<Value> = four_bar
-        .dead
-        .iter()
-        .map(|d| {
-            json!({
-                "in_line": in_line(four_bar, d),
-                "extended": d.extended,
-                "angle_deg": d.angle.to_degrees(),
-                "turn_deg": d.turn.to_degrees(),
-            })
-        })
-        .collect();
     json!({
         "links": four_bar.links,
         "joints": four_bar.joints,
@@ -219,6 +281,6 @@ fn four_bar(scene: &Scene, four_bar: &FourBar) -> Value {
         "transmission_deg": four_bar.transmission.map(f64::to_degrees),
         "pressure_deg": four_bar.pressure().map(f64::to_degrees),
         "transmission_range_deg": four_bar.transmission_range.map(|r| r.map(f64::to_degrees)),
-        "dead_positions": dead,
+        "dead_positions": dead_positions(four_bar.links, &four_bar.dead),
     })
 }

@@ -18,11 +18,9 @@ use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
 use crate::plan::{GroupStep, Plan};
 
-use super::construction::{
-    Act, Calculation, Claim, Equation, Label, Reference, Term, TermDirection, VectorKind,
-};
+use super::construction::{Act, Calculation, Claim, Label, Reference, VectorKind};
 use super::draughtsman::{Draughtsman, Foot};
-use super::velocity::{Target, Unknown, main_base, routes_of};
+use super::dyad::{Route, Target, Unknown};
 
 /// Draws the steps of the acceleration polygon.
 pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
@@ -35,15 +33,6 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     }
 }
 
-/// A way to the sought image after its known parts have been laid off.
-struct Route<B: Bench> {
-    /// Where the known parts end and the line of unknown length begins.
-    foot: (Label, Point<B>),
-    ray: Line<B>,
-    claim: Claim,
-    unknown: Unknown,
-}
-
 impl<B: Bench> Draughtsman<'_, B> {
     /// Draws the acceleration polygon of one group.
     pub(super) fn acceleration_of(&mut self, step: &GroupStep, group: &Group) {
@@ -53,12 +42,23 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
             GroupKind::DrivenSlide { slide, input } => self.acceleration_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.acceleration_of_wheel(step, wheel, centre, roll),
+            GroupKind::DrivenBar { link, input, .. } => {
+                let alpha = self.given_rate(Order::Acceleration, input);
+                self.alphas[link.0] = Some(alpha);
+                self.dyad(Order::Acceleration, step, group);
+            }
+            GroupKind::DrivenWheel { wheel, centre, input, .. } => {
+                let alpha = self.given_rate(Order::Acceleration, input);
+                self.alphas[wheel.0] = Some(alpha);
+                self.dyad(Order::Acceleration, step, group);
+                self.points_of_wheel(Order::Acceleration, step, wheel, centre);
+            }
             GroupKind::Rolling { wheel, centre, roll, .. } => {
-                self.acceleration_of_group(step, group);
+                self.dyad(Order::Acceleration, step, group);
                 self.acceleration_of_wheel(step, wheel, centre, roll);
             }
             GroupKind::Higher { trial } => self.polygon_by_trial(Order::Acceleration, step, trial),
-            _ => self.acceleration_of_group(step, group),
+            _ => self.dyad(Order::Acceleration, step, group),
         }
         self.rates_of_blocks(Order::Acceleration, &group.links);
         for &link in &group.links {
@@ -67,7 +67,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Aⁿ_B or Aⁿ_BA, as the reference moves or not; of the link's own point under a pin of another.
-    fn normal_of(&self, link: LinkId, point: PointId, base: PointId) -> Quantity {
+    pub(super) fn normal_of(&self, link: LinkId, point: PointId, base: PointId) -> Quantity {
         if !self.mechanism.link(link).points.contains(&point) {
             Quantity::CoincidentNormal(point, link)
         } else if self.mechanism.is_fixed(base) {
@@ -78,7 +78,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Aᵗ_B or Aᵗ_BA, as the reference moves or not.
-    fn tangential_of(&self, point: PointId, base: PointId) -> Quantity {
+    pub(super) fn tangential_of(&self, point: PointId, base: PointId) -> Quantity {
         if self.mechanism.is_fixed(base) {
             Quantity::Tangential(point)
         } else {
@@ -252,27 +252,27 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.note_ray(Order::Acceleration, known, meet.at, along_normal);
         let target = Target::Under(contact, wheel);
         self.read_alpha(&arm, target, (wheel, centre), (label, meet.at), meet.along[0]);
-        let relative = Quantity::ContactNormal(contact, other, wheel);
-        let vector = self.note_vector(
-            Order::Acceleration,
-            (VectorKind::Normal, relative, Some(along_normal)),
-            (label, meet.at),
-            (label_other, known),
-        );
+        self.read_contact_normal((roll, wheel), along_normal, (label, meet.at), (label_other, known));
+        self.points_of_wheel(Order::Acceleration, step, wheel, centre);
+    }
+
+    /// Reads the normal acceleration of the solved body's contact point against that of the other body.
+    pub(super) fn read_contact_normal(
+        &mut self,
+        (roll, body): (usize, LinkId),
+        claim: Claim,
+        tail: (Label, Point<B>),
+        head: (Label, Point<B>),
+    ) {
+        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        let relative = Quantity::ContactNormal(contact, self.rolled_on(roll, body), body);
+        let part = (VectorKind::Normal, relative, Some(claim));
+        let vector = self.note_vector(Order::Acceleration, part, tail, head);
         self.act_read(Order::Acceleration, vector);
-        for &(of, point) in &step.points {
-            if of != wheel {
-                continue;
-            }
-            let image = self.acceleration_about(wheel, centre, point);
-            self.note_image(Order::Acceleration, point, image);
-            let label = self.label(point);
-            self.absolute_vector(Order::Acceleration, Quantity::Acceleration(point), label, image);
-        }
     }
 
     /// The thick vectors to an image: relative to its base, and from the pole.
-    fn whole_acceleration(&mut self, point: PointId, base: PointId, image: Point<B>) {
+    pub(super) fn whole_acceleration(&mut self, point: PointId, base: PointId, image: Point<B>) {
         let from = self.image(Order::Acceleration, base);
         let head = (self.label(point), image);
         let kind = self.kind_of(base);
@@ -282,43 +282,14 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act_read(Order::Acceleration, vector);
     }
 
-    /// From the known end of an open constraint, after its known parts, the line of unknown length.
-    fn closing_acceleration(&mut self, unknown: Unknown, end: PointId) -> Route<B> {
-        match unknown {
-            Unknown::Turn { link, base, to } => self.acceleration_arm(link, base, to, 1),
-            Unknown::Slide { slide, back } => self.acceleration_slide(slide, back, end, 1),
-            Unknown::Roll { roll, wheel, centre } => self.acceleration_roll(roll, wheel, centre, 1),
-        }
-    }
-
-    /// The line of an open constraint, for a trial.
-    pub(super) fn closing_acceleration_line(&mut self, unknown: Unknown, end: PointId) -> Line<B> {
-        self.closing_acceleration(unknown, end).ray
-    }
-
-    /// Reads what an open constraint has become when its end's image is known.
-    pub(super) fn read_closing_acceleration(
-        &mut self,
-        unknown: Unknown,
-        target: Target,
-        (label, image): (Label, Point<B>),
-    ) {
-        let route = self.closing_acceleration(unknown, target.pin());
-        let [along, _] = self.board.square_off(route.ray, image);
-        self.note_ray(Order::Acceleration, route.foot.1, image, route.claim);
-        match unknown {
-            Unknown::Turn { link, base, .. } => {
-                self.read_alpha(&route, target, (link, base), (label, image), along);
-            }
-            Unknown::Slide { slide, back } => {
-                self.read_sliding(&route, target, (slide, back), (label, image), along);
-            }
-            Unknown::Roll { .. } => {}
-        }
-    }
-
     /// Lays off the normal part, and from its end a line perpendicular to the link.
-    fn acceleration_arm(&mut self, link: LinkId, base: PointId, pin: PointId, index: u8) -> Route<B> {
+    pub(super) fn acceleration_arm(
+        &mut self,
+        link: LinkId,
+        base: PointId,
+        pin: PointId,
+        index: u8,
+    ) -> Route<B> {
         let foot_of = if self.mechanism.link(link).points.contains(&pin) { None } else { Some(link) };
         let label = Label::Foot { point: pin, link: foot_of, index };
         let foot = self.lay_off_normal(link, pin, base, label);
@@ -333,17 +304,34 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// Lays off Coriolis and, on an arc, the normal part of the sliding; from their end a line along the
-    /// guide. Backwards, they end at the rider's known image.
-    fn acceleration_slide(&mut self, slide: usize, back: bool, pin: PointId, index: u8) -> Route<B> {
+    /// From the end of the known parts of a sliding a line along the guide.
+    pub(super) fn acceleration_slide(
+        &mut self,
+        slide: usize,
+        back: bool,
+        pin: PointId,
+        index: u8,
+    ) -> Route<B> {
+        let (foot, along) = self.sliding_foot(slide, back, pin, index);
+        let claim = Claim::Parallel(Reference::Guide(slide));
+        self.act(Act::DrawRay { from: foot.0, claim });
+        let unknown = Unknown::Slide { slide, back };
+        Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
+    }
+
+    /// Lays off Coriolis and, on an arc, the normal part of the sliding; tells their end and the direction of
+    /// the guide. Backwards, they end at the rider's known image.
+    pub(super) fn sliding_foot(
+        &mut self,
+        slide: usize,
+        back: bool,
+        pin: PointId,
+        index: u8,
+    ) -> ((Label, Point<B>), Direction<B>) {
         let guide = self.mechanism.slides[slide].guide;
         let rider = self.riding_point(slide, pin);
         let (along, inward) = self.tangent(slide, pin);
-        let (mut label, mut at) = if back {
-            (self.label(pin), self.image(Order::Acceleration, pin))
-        } else {
-            (self.label_under(pin, guide.link), self.image_under(Order::Acceleration, pin, guide.link))
-        };
+        let (mut label, mut at) = self.slide_start(Order::Acceleration, (slide, back), pin);
         let slip = self.slips[slide];
         if let (Some(slip), false) = (slip, self.translates[guide.link.0]) {
             let coriolis = self.coriolis(slip, (rider, guide.link));
@@ -368,19 +356,18 @@ impl<B: Bench> Draughtsman<'_, B> {
             let foot = Label::Foot { point: pin, link: self.foot_link(slide, back), index: index + 1 };
             (label, at) = self.lay_off_part(slide, kind, (label, at), (inward, normal), (back, foot));
         }
-        let claim = Claim::Parallel(Reference::Guide(slide));
-        self.act(Act::DrawRay { from: label, claim });
-        Route {
-            foot: (label, at),
-            ray: Line { through: at, along },
-            claim,
-            unknown: Unknown::Slide { slide, back },
-        }
+        ((label, at), along)
     }
 
     /// The known parts of a rolling wheel's centre: Aⁿ = V²/l towards the other centre; on a straight line
     /// that turns, Coriolis. From their end the line of unknown length.
-    fn acceleration_roll(&mut self, roll: usize, wheel: LinkId, centre: PointId, index: u8) -> Route<B> {
+    pub(super) fn acceleration_roll(
+        &mut self,
+        roll: usize,
+        wheel: LinkId,
+        centre: PointId,
+        index: u8,
+    ) -> Route<B> {
         let unknown = Unknown::Roll { roll, wheel, centre };
         let body = self.rolled_on(roll, wheel);
         let scale = self.polygon_scale(Order::Acceleration);
@@ -449,7 +436,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// What the unknown part of a rolling wheel's centre is called.
-    fn rolling_tangential(&self, roll: usize, wheel: LinkId, centre: PointId) -> Quantity {
+    pub(super) fn rolling_tangential(&self, roll: usize, wheel: LinkId, centre: PointId) -> Quantity {
         let body = self.rolled_on(roll, wheel);
         match self.other_centre(roll, wheel) {
             Some(other) if self.mechanism.is_fixed(other) => Quantity::Tangential(centre),
@@ -459,11 +446,10 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// Feet of the sliding parts are named after the rider where the polygon is closed backwards, else
-    /// after the guide's link.
+    /// Feet of the sliding parts are named after the rider where the polygon is closed backwards from a
+    /// pin, else after the guide's link.
     fn foot_link(&self, slide: usize, back: bool) -> Option<LinkId> {
-        let guide = self.mechanism.slides[slide].guide.link;
-        if back { None } else { Some(guide) }
+        self.solved_side(slide, back).map(|_| self.mechanism.slides[slide].guide.link)
     }
 
     /// Aᶜ = 2 V ω, signed along the guide's direction turned by +90°.
@@ -505,107 +491,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         (end, foot)
     }
 
-    /// Two lines of unknown length from the feet meet in the sought image.
-    fn acceleration_of_group(&mut self, step: &GroupStep, group: &Group) {
-        let kind = group.kind;
-        let Some((target, unknowns)) = routes_of(kind) else { return };
-        self.board.purpose("acceleration image");
-        let pin = target.pin();
-        let links: Vec<LinkId> =
-            group.links.iter().copied().filter(|&l| !self.mechanism.link(l).block).collect();
-        self.step(Order::Acceleration, &links, Vec::new());
-        // What stands on the frame is laid off first.
-        let from_frame = |d: &Self, unknown: Unknown| match unknown {
-            Unknown::Turn { base, .. } => d.mechanism.is_fixed(base),
-            Unknown::Slide { .. } | Unknown::Roll { .. } => false,
-        };
-        let swapped = !from_frame(self, unknowns[0]) && from_frame(self, unknowns[1]);
-        let unknowns = if swapped { [unknowns[1], unknowns[0]] } else { unknowns };
-        let mut index = 1;
-        let routes = unknowns.map(|unknown| match unknown {
-            Unknown::Turn { link, base, to } => {
-                index += 1;
-                self.acceleration_arm(link, base, to, index - 1)
-            }
-            Unknown::Roll { roll, wheel, centre } => {
-                index += 2;
-                self.acceleration_roll(roll, wheel, centre, index - 2)
-            }
-            Unknown::Slide { slide, back } => {
-                let first = if back { 1 } else { index };
-                index += 2;
-                self.acceleration_slide(slide, back, pin, first)
-            }
-        });
-        let equation = self.acceleration_equation(target, unknowns);
-        self.equation(equation);
-        let reason = self.reason(&links);
-        let meet = self.board.meet_lines(routes[0].ray, routes[1].ray, reason);
-        let label = match target {
-            Target::Pin(pin) => {
-                self.note_image(Order::Acceleration, pin, meet.at);
-                self.label(pin)
-            }
-            Target::Under(pin, link) => {
-                self.note_under(Order::Acceleration, pin, link, meet.at);
-                self.label_under(pin, link)
-            }
-        };
-        self.act(Act::MarkMeet { label, crossing: meet.crossing });
-        for (route, along) in routes.iter().zip(meet.along) {
-            self.note_ray(Order::Acceleration, route.foot.1, meet.at, route.claim);
-            match route.unknown {
-                Unknown::Turn { link, base, .. } => {
-                    self.read_alpha(route, target, (link, base), (label, meet.at), along);
-                }
-                Unknown::Slide { slide, back } => {
-                    self.read_sliding(route, target, (slide, back), (label, meet.at), along);
-                }
-                Unknown::Roll { roll, wheel, centre } => {
-                    let quantity = self.rolling_tangential(roll, wheel, centre);
-                    let kind = if route.foot.0 == Label::Pole {
-                        VectorKind::Absolute
-                    } else {
-                        VectorKind::Tangential
-                    };
-                    let vector = self.note_vector(
-                        Order::Acceleration,
-                        (kind, quantity, Some(route.claim)),
-                        route.foot,
-                        (label, meet.at),
-                    );
-                    self.act_read(Order::Acceleration, vector);
-                }
-            }
-        }
-        self.rates_by_riding(Order::Acceleration, kind);
-        self.whole_vectors(target, unknowns, label, meet.at);
-        self.further_accelerations(step, kind);
-    }
-
-    /// The thick vectors to the found image: from the pole, and from each moving base.
-    fn whole_vectors(&mut self, target: Target, unknowns: [Unknown; 2], label: Label, image: Point<B>) {
-        let drawn = |d: &Self, quantity: Quantity| {
-            d.polygon(Order::Acceleration).is_some_and(|p| p.vectors.iter().any(|v| v.quantity == quantity))
-        };
-        let quantity = match target {
-            Target::Pin(pin) => Quantity::Acceleration(pin),
-            Target::Under(pin, link) => Quantity::CoincidentAcceleration(pin, link),
-        };
-        if !drawn(self, quantity) {
-            self.absolute_vector(Order::Acceleration, quantity, label, image);
-        }
-        for unknown in unknowns {
-            if let (Unknown::Turn { base, .. }, Target::Pin(pin)) = (unknown, target)
-                && !self.mechanism.is_fixed(base)
-            {
-                self.whole_acceleration(pin, base, image);
-            }
-        }
-    }
-
     /// Reads the tangential part along a route and divides by the link's length.
-    fn read_alpha(
+    pub(super) fn read_alpha(
         &mut self,
         route: &Route<B>,
         target: Target,
@@ -643,7 +530,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Reads the apparent acceleration along a route.
-    fn read_sliding(
+    pub(super) fn read_sliding(
         &mut self,
         route: &Route<B>,
         target: Target,
@@ -658,24 +545,20 @@ impl<B: Bench> Draughtsman<'_, B> {
         let read = self.board.read(along, scale);
         let value = if back { self.board.opposite(read) } else { read };
         self.sliding_accelerations[slide] = Some(value);
-        let (tail, head) = if back { ((label, image), route.foot) } else { (route.foot, (label, image)) };
+        let ends = [route.foot, (label, image)];
+        let (quantity, reversed) = self.sliding_unknown(Order::Acceleration, target, (slide, back));
+        let [tail, head] = if reversed { [ends[1], ends[0]] } else { ends };
         let straight = matches!(guide.path, Path::Straight { .. });
         let part = if straight {
             Quantity::SlipAcceleration(rider, guide.link)
         } else {
             Quantity::SlipTangential(rider, guide.link)
         };
-        let quantity = match target {
-            Target::Pin(pin) if straight && guide.link == LinkId::FRAME => Quantity::Acceleration(pin),
-            Target::Under(pin, link) if !back && guide.link == LinkId::FRAME => {
-                Quantity::CoincidentAcceleration(pin, link)
-            }
-            _ => part,
-        };
         let kind = if route.foot.0 == Label::Pole { VectorKind::Absolute } else { VectorKind::Sliding };
         let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(route.claim)), tail, head);
         self.act_read(Order::Acceleration, vector);
-        self.note_part(part, tail.1, head.1);
+        let [from, to] = if back { [ends[1].1, ends[0].1] } else { [ends[0].1, ends[1].1] };
+        self.note_part(part, from, to);
         if straight {
             return;
         }
@@ -685,121 +568,6 @@ impl<B: Bench> Draughtsman<'_, B> {
             let ends = if back { (image, part.head) } else { (part.tail, image) };
             self.note_part(Quantity::SlipAcceleration(rider, guide.link), ends.0, ends.1);
         }
-    }
-
-    /// A_A + Aⁿ_BA + Aᵗ_BA, or A_A4 + Aᶜ + A_slip, as one side of the equation.
-    fn acceleration_route(&mut self, target: Target, unknown: Unknown) -> Vec<Term> {
-        let known = |quantity: Quantity, magnitude: f64, direction: TermDirection| Term {
-            quantity,
-            magnitude: magnitude.is_finite().then_some(magnitude),
-            direction: Some(direction),
-        };
-        let size = |d: &Self, quantity: Quantity| {
-            d.polygon(Order::Acceleration)
-                .and_then(|p| p.vectors.iter().rev().find(|v| v.quantity == quantity))
-                .map(|v| libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]) * d.scales.acceleration)
-        };
-        let pin = target.pin();
-        let mut terms = Vec::new();
-        match unknown {
-            Unknown::Turn { link, base, .. } => {
-                if !self.mechanism.is_fixed(base) {
-                    let image = self.image(Order::Acceleration, base).value();
-                    let magnitude = libm::hypot(image[0], image[1]) * self.scales.acceleration;
-                    terms.push(known(Quantity::Acceleration(base), magnitude, TermDirection::Found));
-                }
-                let line = Reference::Points(base, pin);
-                let normal = self.normal_of(link, pin, base);
-                let magnitude = size(self, normal).unwrap_or(0.0);
-                terms.push(known(normal, magnitude, TermDirection::Claim(Claim::Parallel(line))));
-                let tangential = match target {
-                    Target::Pin(pin) => self.tangential_of(pin, base),
-                    Target::Under(pin, link) => Quantity::CoincidentTangential(pin, link),
-                };
-                terms.push(Term {
-                    quantity: tangential,
-                    magnitude: None,
-                    direction: Some(TermDirection::Claim(Claim::Perpendicular(line))),
-                });
-            }
-            Unknown::Roll { roll, wheel, centre } => {
-                let body = self.rolled_on(roll, wheel);
-                let (claim, base) = match self.other_centre(roll, wheel) {
-                    Some(other) => (Claim::Perpendicular(Reference::Points(other, centre)), Some(other)),
-                    None => (self.rolling_direction(roll, wheel, centre).1, None),
-                };
-                if let Some(other) = base {
-                    if !self.mechanism.is_fixed(other) {
-                        let image = self.image(Order::Acceleration, other).value();
-                        let magnitude = libm::hypot(image[0], image[1]) * self.scales.acceleration;
-                        terms.push(known(Quantity::Acceleration(other), magnitude, TermDirection::Found));
-                    }
-                    for normal in [Quantity::Normal(centre), Quantity::RelativeNormal(centre, other)] {
-                        if let Some(magnitude) = size(self, normal) {
-                            let line = Claim::Parallel(Reference::Points(other, centre));
-                            terms.push(known(normal, magnitude, TermDirection::Claim(line)));
-                        }
-                    }
-                } else if let Some(magnitude) = size(self, Quantity::Coriolis(centre, body)) {
-                    terms.push(known(Quantity::Coriolis(centre, body), magnitude, TermDirection::Found));
-                }
-                terms.push(Term {
-                    quantity: self.rolling_tangential(roll, wheel, centre),
-                    magnitude: None,
-                    direction: Some(TermDirection::Claim(claim)),
-                });
-            }
-            Unknown::Slide { slide, back } => {
-                let guide = self.mechanism.slides[slide].guide;
-                let rider = self.riding_point(slide, pin);
-                let line = Reference::Guide(slide);
-                let moving = guide.link != LinkId::FRAME;
-                let straight = matches!(guide.path, Path::Straight { .. });
-                if moving && !back {
-                    let quantity = Quantity::CoincidentAcceleration(pin, guide.link);
-                    let image = self.image_under(Order::Acceleration, pin, guide.link).value();
-                    let magnitude = libm::hypot(image[0], image[1]) * self.scales.acceleration;
-                    terms.push(known(quantity, magnitude, TermDirection::Found));
-                }
-                let across = TermDirection::Claim(Claim::Perpendicular(line));
-                for quantity in
-                    [Quantity::Coriolis(rider, guide.link), Quantity::SlipNormal(rider, guide.link)]
-                {
-                    if let Some(magnitude) = size(self, quantity) {
-                        terms.push(known(quantity, magnitude, across));
-                    }
-                }
-                let quantity = match (target, moving, straight) {
-                    (Target::Pin(pin), false, true) => Quantity::Acceleration(pin),
-                    (Target::Under(pin, link), false, true) => Quantity::CoincidentAcceleration(pin, link),
-                    (.., true) => Quantity::SlipAcceleration(rider, guide.link),
-                    (.., false) => Quantity::SlipTangential(rider, guide.link),
-                };
-                let direction = Some(TermDirection::Claim(Claim::Parallel(line)));
-                terms.push(Term { quantity, magnitude: None, direction });
-            }
-        }
-        terms
-    }
-
-    fn acceleration_equation(&mut self, target: Target, unknowns: [Unknown; 2]) -> Equation {
-        if let Target::Under(pin, _) = target {
-            let image = self.image(Order::Acceleration, pin).value();
-            let left = vec![Term {
-                quantity: Quantity::Acceleration(pin),
-                magnitude: Some(libm::hypot(image[0], image[1]) * self.scales.acceleration),
-                direction: Some(TermDirection::Found),
-            }];
-            let mut right = self.acceleration_route(target, unknowns[0]);
-            right.extend(self.acceleration_route(target, unknowns[1]));
-            return Equation { left, right };
-        }
-        let slides_on_frame = |d: &Self, unknown: Unknown| match unknown {
-            Unknown::Slide { slide, .. } => d.mechanism.slides[slide].guide.link == LinkId::FRAME,
-            Unknown::Turn { .. } | Unknown::Roll { .. } => false,
-        };
-        let [a, b] = if slides_on_frame(self, unknowns[1]) { [unknowns[1], unknowns[0]] } else { unknowns };
-        Equation { left: self.acceleration_route(target, a), right: self.acceleration_route(target, b) }
     }
 
     /// Aⁿ = ω² l and Aᵗ = ε l about a point whose image is known.
@@ -817,14 +585,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             Quantity::CoincidentTangential(point, link)
         };
         let value = tangential.value().abs();
-        self.act(Act::Calculate(Calculation::Tangential {
-            quantity,
-            link,
-            ends: [base, point],
-            alpha: alpha.value(),
-            length: length.value(),
-            value,
-        }));
+        self.act_turning(Order::Acceleration, quantity, link, [base, point], [alpha, length, tangential]);
         let square = self.square_to(link, base, point);
         let mm = self.board.to_paper(tangential, scale);
         let image = self.board.lay_off(foot, square, mm);
@@ -843,56 +604,5 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act(Act::LayOffVector { vector, value, mm: mm.value().abs() });
         self.note_part(quantity, foot, image);
         image
-    }
-
-    /// Images of the further points of the group's links.
-    fn further_accelerations(&mut self, step: &GroupStep, kind: GroupKind) {
-        for &(link, point) in &step.points {
-            self.board.purpose("acceleration image of a further point");
-            let image = match (kind, main_base(kind, link)) {
-                (GroupKind::Rpr { lever, base, .. }, _) if link == lever => {
-                    self.acceleration_about(link, base, point)
-                }
-                (GroupKind::Rpr { pin, .. }, _) => self.acceleration_about(link, pin, point),
-                (GroupKind::Yoke { pin, .. }, _) => self.riding_image(Order::Acceleration, link, pin, point),
-                (_, Some((base, pin))) => match self.straight_ratio(link, base, pin, point) {
-                    Some(ratio) => self.divide_image(Order::Acceleration, (base, pin), point, ratio),
-                    None => self.acceleration_corner(link, (base, pin), point),
-                },
-                (_, None) => continue,
-            };
-            self.note_image(Order::Acceleration, point, image);
-            let label = self.label(point);
-            self.absolute_vector(Order::Acceleration, Quantity::Acceleration(point), label, image);
-        }
-    }
-
-    /// A corner of the image triangle, by normal parts and perpendiculars from two images.
-    fn acceleration_corner(
-        &mut self,
-        link: LinkId,
-        (base, pin): (PointId, PointId),
-        point: PointId,
-    ) -> Point<B> {
-        if !self.crosses_well(base, pin, point) {
-            return self.similar_image(Order::Acceleration, link, (base, pin), point);
-        }
-        let arms = [self.acceleration_arm(link, base, point, 1), self.acceleration_arm(link, pin, point, 2)];
-        let reason = self.reason(&[link]);
-        let meet = self.board.meet_lines(arms[0].ray, arms[1].ray, reason);
-        self.act(Act::MarkMeet { label: self.label(point), crossing: meet.crossing });
-        for arm in &arms {
-            self.note_ray(Order::Acceleration, arm.foot.1, meet.at, arm.claim);
-            if let Unknown::Turn { base, .. } = arm.unknown {
-                let quantity = self.tangential_of(point, base);
-                self.note_vector(
-                    Order::Acceleration,
-                    (VectorKind::Tangential, quantity, Some(arm.claim)),
-                    arm.foot,
-                    (self.label(point), meet.at),
-                );
-            }
-        }
-        meet.at
     }
 }

@@ -4,9 +4,14 @@
 //! the draughtsman in their order. Coordinates are paper millimetres in each diagram's own frame: the
 //! pole of a polygon, the first fixed point of the skeleton, is (0, 0).
 
-use crate::mechanism::quantity::{Answer, Order, Quantity};
+use std::fmt;
+
+use crate::mechanism::quantity::{Answer, Method, Order, Quantity};
 use crate::mechanism::structure::Closing;
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::{LinkId, Mechanism, PointId};
+
+use super::auxiliary::AuxiliaryDrawing;
+pub use super::centres::CentreLine;
 
 /// A place on the paper, millimetres in the diagram's own frame.
 pub type Mm2 = [f64; 2];
@@ -20,6 +25,10 @@ pub struct Construction {
     pub velocity: Option<Polygon>,
     /// The acceleration polygon, if any asked quantity needs it.
     pub acceleration: Option<Polygon>,
+    /// The circle diagram, if any instant centre is wanted.
+    pub circle: Option<CircleDiagram>,
+    /// The other constructions on the skeleton, in the order of the plan.
+    pub auxiliary: Vec<AuxiliaryDrawing>,
     /// The numbered steps, in the order in which they were drawn.
     pub steps: Vec<Step>,
     /// One answer per asked quantity, in order.
@@ -44,6 +53,343 @@ pub struct Space {
     pub places: Vec<Option<Mm2>>,
     /// Arcs, rays and guide lines by which places were found.
     pub lines: Vec<ConstructionLine>,
+}
+
+/// The instant centres that were found, and in which order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CircleDiagram {
+    /// The links on the circle: all of the mechanism.
+    pub links: Vec<LinkId>,
+    /// The centres that were wanted.
+    pub wanted: Vec<[LinkId; 2]>,
+    /// The centres found: the primary ones, then one per step.
+    pub centres: Vec<Centre>,
+    /// Wanted centres to which no construction led.
+    pub stalled: Vec<[LinkId; 2]>,
+    /// The velocities that were asked for by a method of centres.
+    pub transfers: Vec<Transfer>,
+}
+
+impl CircleDiagram {
+    /// The centre of two links, where it was found.
+    #[must_use]
+    pub fn centre(&self, links: [LinkId; 2]) -> Option<&Centre> {
+        self.centres.iter().find(|c| c.links == links)
+    }
+
+    /// Which centres were marked, which constructed by which triangles, and how many were left out, as text.
+    #[must_use]
+    pub fn explain<'a>(&'a self, mechanism: &'a Mechanism) -> CircleExplanation<'a> {
+        CircleExplanation { circle: self, mechanism }
+    }
+
+    /// How many centres the mechanism has: N = n (n − 1) / 2.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.links.len() * self.links.len().saturating_sub(1) / 2
+    }
+}
+
+/// The text of [`CircleDiagram::explain`].
+#[derive(Debug, Clone, Copy)]
+pub struct CircleExplanation<'a> {
+    circle: &'a CircleDiagram,
+    mechanism: &'a Mechanism,
+}
+
+impl fmt::Display for CircleExplanation<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = |l: LinkId| self.mechanism.link(l).number;
+        let name = |links: [LinkId; 2]| format!("I({},{})", number(links[0]), number(links[1]));
+        let primary: Vec<String> =
+            self.circle.centres.iter().filter(|c| c.found.is_primary()).map(|c| name(c.links)).collect();
+        writeln!(f, "kept    primary centres: {}", primary.join(", "))?;
+        for centre in self.circle.centres.iter().filter(|c| !c.found.is_primary()) {
+            let [i, j] = centre.links;
+            let how = match centre.found {
+                Found::Kennedy { lines } => {
+                    let line = |line: CentreLine| match line {
+                        CentreLine::Via(k) => format!("triangle {}-{}-{}", number(i), number(k), number(j)),
+                        CentreLine::Normal(_) => "the common normal of the contact".to_owned(),
+                    };
+                    format!("{} and {}", line(lines[0]), line(lines[1]))
+                }
+                _ => "the velocity polygon, where the circle diagram stalls".to_owned(),
+            };
+            writeln!(f, "kept    centre {}: {how}", name(centre.links))?;
+        }
+        for &stalled in &self.circle.stalled {
+            writeln!(f, "stalled centre {}: no two triangles lead to it", name(stalled))?;
+        }
+        let found = self.circle.centres.len() + self.circle.stalled.len();
+        writeln!(
+            f,
+            "skipped {} of {} centres (nothing asked needs them)",
+            self.circle.count() - found,
+            self.circle.count()
+        )
+    }
+}
+
+/// A velocity that was carried over from the input by instant centres, on the skeleton.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Transfer {
+    /// Index of the asked quantity.
+    pub asked: usize,
+    /// By which construction.
+    pub method: Method,
+    /// m/s per millimetre of the arrows.
+    pub si_per_mm: f64,
+    /// What is calculated and read, in order.
+    pub acts: Vec<TransferAct>,
+    /// What is drawn, in order.
+    pub ink: Vec<TransferInk>,
+}
+
+/// A point of the skeleton, or an instant centre.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Spot {
+    /// A point of the mechanism.
+    Point(PointId),
+    /// The centre of two links, the lower first.
+    Centre([LinkId; 2]),
+}
+
+/// A calculation or reading of a transfer. Lengths of paper in mm, the rest SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TransferAct {
+    /// ω_k : ω_i = (1i–ik) : (1k–ik).
+    Ratio {
+        /// The input link i.
+        input: LinkId,
+        /// The sought link k.
+        link: LinkId,
+        /// (1i–ik) and (1k–ik) on paper.
+        mm: [f64; 2],
+        /// ω_i and ω_k, signed.
+        omegas: [f64; 2],
+    },
+    /// V of the common centre of two links, as a point of the first: ω (1i–ik).
+    CommonSpeed {
+        /// The two links, whose centre has one velocity in both.
+        links: [LinkId; 2],
+        /// The link whose ω is known.
+        of: LinkId,
+        /// Distance from its pole on paper.
+        mm: f64,
+        /// Its ω, signed.
+        omega: f64,
+        /// V, not negative.
+        speed: f64,
+    },
+    /// V of a point: ω times its distance from the pole of its link.
+    AboutPole {
+        /// The link.
+        link: LinkId,
+        /// The point.
+        point: PointId,
+        /// Distance from the pole on paper.
+        mm: f64,
+        /// ω, signed.
+        omega: f64,
+        /// V, not negative.
+        speed: f64,
+    },
+    /// The link's pole is at infinity: all its points have one velocity.
+    Translation {
+        /// The link.
+        link: LinkId,
+        /// V, not negative.
+        speed: f64,
+    },
+    /// V of a point read at the gauge line.
+    Gauge {
+        /// Where the known velocity stands.
+        from: Spot,
+        /// The point.
+        point: PointId,
+        /// V on paper.
+        mm: f64,
+        /// V, not negative.
+        speed: f64,
+    },
+    /// V of the next pin cut off by a parallel to the link.
+    Parallel {
+        /// The link.
+        link: LinkId,
+        /// The pin whose velocity was known.
+        from: PointId,
+        /// The next one.
+        to: PointId,
+        /// Both pins and the pole are in one line: V is in proportion to the distance from the pole.
+        flat: bool,
+        /// V on paper.
+        mm: f64,
+        /// V, not negative.
+        speed: f64,
+    },
+    /// ω = V / (distance from the pole).
+    Omega {
+        /// The link.
+        link: LinkId,
+        /// Where V is known.
+        spot: Spot,
+        /// Distance from the pole on paper.
+        mm: f64,
+        /// V, not negative.
+        speed: f64,
+        /// ω, signed.
+        omega: f64,
+    },
+    /// ω from how much longer A′B′ is than AB: its pole may be off the sheet.
+    OmegaByParallel {
+        /// The link.
+        link: LinkId,
+        /// A.
+        from: PointId,
+        /// B.
+        to: PointId,
+        /// A′B′ (signed along AB) and AB on paper.
+        mm: [f64; 2],
+        /// ω, signed.
+        omega: f64,
+    },
+}
+
+/// A stroke of a transfer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TransferInk {
+    /// A piece of a line of centres.
+    LineOfCentres {
+        /// A pole.
+        from: Mm2,
+        /// The common centre.
+        to: Mm2,
+    },
+    /// From a pole to a point of its link.
+    Radius {
+        /// The pole.
+        from: Mm2,
+        /// The point.
+        to: Mm2,
+    },
+    /// A velocity's arrow.
+    Velocity {
+        /// Its tail.
+        at: Mm2,
+        /// Its tip.
+        tip: Mm2,
+        /// Whose velocity.
+        of: Spot,
+    },
+    /// A velocity's arrow turned by 90°: A A′.
+    Turned {
+        /// A.
+        at: Mm2,
+        /// A′.
+        tip: Mm2,
+        /// Whose velocity.
+        of: PointId,
+    },
+    /// A gauge line from a pole.
+    Gauge {
+        /// The pole.
+        from: Mm2,
+        /// Its far end.
+        to: Mm2,
+    },
+    /// The arc on which a point is turned about a pole.
+    Arc {
+        /// The pole.
+        centre: Mm2,
+        /// The point.
+        from: Mm2,
+        /// Where it comes to lie.
+        to: Mm2,
+    },
+    /// The perpendicular from the turned point to the gauge line.
+    Upright {
+        /// Its foot.
+        from: Mm2,
+        /// On the gauge line.
+        to: Mm2,
+    },
+    /// The parallel to a link.
+    Parallel {
+        /// A′.
+        from: Mm2,
+        /// B′.
+        to: Mm2,
+    },
+    /// The line from a pin toward the pole of its link.
+    ToPole {
+        /// The pin.
+        from: Mm2,
+        /// B′.
+        to: Mm2,
+    },
+}
+
+/// An instant centre on the skeleton.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Centre {
+    /// Its two links, the lower first.
+    pub links: [LinkId; 2],
+    /// Where it lies.
+    pub place: CentrePlace,
+    /// How it was found.
+    pub found: Found,
+}
+
+/// Where an instant centre lies on the skeleton.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CentrePlace {
+    /// On the plane of the paper, however far off the sheet.
+    At(Mm2),
+    /// At infinity in the direction of this unit vector, whose sign has no meaning.
+    Toward([f64; 2]),
+}
+
+/// How an instant centre was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Found {
+    /// Primary: a turning pair.
+    Pin(PointId),
+    /// Primary: a straight guide, by index of the sliding pair; the centre is at infinity.
+    Guide {
+        /// Index of the sliding pair.
+        slide: usize,
+    },
+    /// Primary: the centre of curvature of an arc guide.
+    ArcGuide {
+        /// Index of the sliding pair.
+        slide: usize,
+    },
+    /// Primary: the contact point of a rolling pair.
+    Rolling {
+        /// Index of the rolling pair.
+        roll: usize,
+    },
+    /// By Kennedy's theorem: where two lines of centres meet.
+    Kennedy {
+        /// The two lines.
+        lines: [CentreLine; 2],
+    },
+    /// From the velocity polygon: on the normal to V of this point, at the distance V / ω.
+    Normal {
+        /// The point.
+        point: PointId,
+    },
+    /// From the velocity polygon: the line of both poles divided inversely as the angular velocities.
+    Rates,
+}
+
+impl Found {
+    /// Seen from the pairs, without construction.
+    #[must_use]
+    pub fn is_primary(&self) -> bool {
+        matches!(self, Self::Pin(_) | Self::Guide { .. } | Self::ArcGuide { .. } | Self::Rolling { .. })
+    }
 }
 
 /// A polygon with its pole at (0, 0).
@@ -372,6 +718,17 @@ pub enum Act {
         label: Label,
         /// The image it coincides with.
         with: Label,
+    },
+    /// Lay off a velocity that was found from a link's instant centre with the frame.
+    LayOffFromCentre {
+        /// Index into [`Polygon::vectors`].
+        vector: usize,
+        /// The link.
+        link: LinkId,
+        /// Its magnitude in SI units.
+        value: f64,
+        /// Its length on paper in mm.
+        mm: f64,
     },
     /// Read a vector off the diagram.
     ReadVector {

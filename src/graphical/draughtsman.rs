@@ -2,13 +2,15 @@
 
 use crate::board::{Amount, Bench, Board, Point, Reason, Scale, Side};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::Structure;
+use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
-use crate::plan::home;
+use crate::plan::{Auxiliary, home};
 
+use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, Klein, NamedPoint, Stroke, StrokeRole, StrokeShape};
+use super::centres::{Centres, FromCentres, Why};
 use super::construction::{
-    Act, Calculation, Claim, Construction, ConstructionLine, Equation, Image, Label, LinkImage, Polygon,
-    Reading, Space, Step, Vector, VectorKind,
+    Act, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image, Label,
+    LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
 use super::pose::Pose;
 use super::{Scales, scale};
@@ -77,6 +79,14 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) sliding_accelerations: Vec<Option<Amount<B>>>,
     /// Velocity of a rolling wheel's centre along the line on which it rolls, by index of the rolling pair.
     pub(super) rolling_speeds: Vec<Option<Amount<B>>>,
+    /// Instant centres found so far.
+    pub(super) centres: Centres<B>,
+    /// Klein's constructions drawn so far.
+    pub(super) kleins: Vec<Klein<B>>,
+    /// What the methods of centres led to, by index of the asked quantity.
+    pub(super) transferred: Vec<(usize, Result<FromCentres<B>, Why>)>,
+    /// Why the velocity diagram could not be laid off from centres, where it should have been.
+    pub(super) fed: Result<(), Why>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
     pub(super) parts: Vec<Part<B>>,
     /// While a trial is on the board, nothing is recorded.
@@ -114,6 +124,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             slips: vec![None; mechanism.slides.len()],
             sliding_accelerations: vec![None; mechanism.slides.len()],
             rolling_speeds: vec![None; mechanism.rolls.len()],
+            centres: Centres::default(),
+            kleins: Vec::new(),
+            transferred: Vec::new(),
+            fed: Ok(()),
             parts: Vec::new(),
             silent: false,
             sides: None,
@@ -122,6 +136,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 space: Space { metres_per_mm: scales.length, places: vec![None; points], lines: Vec::new() },
                 velocity: None,
                 acceleration: None,
+                circle: None,
+                auxiliary: Vec::new(),
                 steps: Vec::new(),
                 answers: Vec::new(),
             },
@@ -220,6 +236,80 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.record.space.lines.push(line);
     }
 
+    /// Opens the circle diagram.
+    pub(super) fn note_circle(&mut self, diagram: CircleDiagram) {
+        self.record.circle = Some(diagram);
+    }
+
+    /// Notes a centre of the circle diagram.
+    pub(super) fn note_centre(&mut self, centre: Centre) {
+        if let Some(circle) = &mut self.record.circle {
+            circle.centres.push(centre);
+        }
+    }
+
+    /// Notes the centres at which the circle diagram stalls.
+    pub(super) fn note_stalled(&mut self, stalled: Vec<[LinkId; 2]>) {
+        if let Some(circle) = &mut self.record.circle {
+            circle.stalled = stalled;
+        }
+    }
+
+    /// Opens a construction on the skeleton.
+    pub(super) fn open_auxiliary(&mut self, kind: Auxiliary) {
+        self.record.auxiliary.push(AuxiliaryDrawing {
+            kind,
+            strokes: Vec::new(),
+            points: Vec::new(),
+            acts: Vec::new(),
+            refused: None,
+        });
+    }
+
+    /// Notes a stroke of the construction on the skeleton that is being drawn.
+    pub(super) fn note_stroke(&mut self, stroke: Stroke) {
+        if let Some(drawing) = self.record.auxiliary.last_mut() {
+            drawing.strokes.push(stroke);
+        }
+    }
+
+    /// Notes the chord between two meeting points.
+    pub(super) fn note_chord(&mut self, [from, to]: [[f64; 2]; 2]) {
+        let shape = StrokeShape::Line(from, to);
+        self.note_stroke(Stroke { shape, role: StrokeRole::Produced, claim: None });
+    }
+
+    /// Notes a named point of the construction on the skeleton that is being drawn.
+    pub(super) fn note_named(&mut self, point: NamedPoint) {
+        if let Some(drawing) = self.record.auxiliary.last_mut() {
+            drawing.points.push(point);
+        }
+    }
+
+    /// Records an act of the construction on the skeleton that is being drawn.
+    pub(super) fn act_auxiliary(&mut self, act: AuxiliaryAct) {
+        if let Some(drawing) = self.record.auxiliary.last_mut() {
+            drawing.acts.push(act);
+        }
+    }
+
+    /// Notes why the construction on the skeleton that is being drawn does not exist here.
+    pub(super) fn refuse_auxiliary(&mut self, why: &'static str) {
+        if let Some(drawing) = self.record.auxiliary.last_mut() {
+            drawing.refused = Some(why);
+        }
+    }
+
+    /// The transfers of velocities by centres.
+    pub(super) fn transfers_mut(&mut self) -> Option<&mut Vec<Transfer>> {
+        self.record.circle.as_mut().map(|circle| &mut circle.transfers)
+    }
+
+    /// The transfer that is being drawn.
+    pub(super) fn transfer_mut(&mut self) -> Option<&mut Transfer> {
+        self.transfers_mut()?.last_mut()
+    }
+
     /// Opens a polygon.
     pub(super) fn open_polygon(&mut self, order: Order) {
         let polygon = Polygon {
@@ -281,8 +371,14 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         if self.mechanism.is_fixed(point) {
             return Label::Pole;
         }
+        let moving = |slide: usize| self.mechanism.slides[slide].guide.link != LinkId::FRAME;
         let on_moving_guide = self.mechanism.slides.iter().any(|s| {
             s.guide.link != LinkId::FRAME && matches!(s.rider, Rider::Pin { point: p, .. } if p == point)
+        }) || self.structure.groups.iter().any(|group| match group.kind {
+            GroupKind::Rrp { pin, slide, rider: Some(_), .. } => pin == point && moving(slide),
+            GroupKind::Prp { pin, slides, .. } => pin == point && slides.into_iter().any(moving),
+            GroupKind::Rpp { point: pin, .. } => pin == point,
+            _ => false,
         });
         let link = if on_moving_guide { home(self.mechanism, self.structure, point) } else { None };
         Label::Image { point, link }
@@ -290,7 +386,11 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// The label of the point of a link under a pin of another.
     pub(super) fn label_under(&self, pin: PointId, link: LinkId) -> Label {
-        if link == LinkId::FRAME { Label::Pole } else { Label::Image { point: pin, link: Some(link) } }
+        match link {
+            LinkId::FRAME => Label::Pole,
+            _ if self.mechanism.link(link).points.contains(&pin) => self.label(pin),
+            _ => Label::Image { point: pin, link: Some(link) },
+        }
     }
 
     /// Notes a vector that answers a quantity, for reading.

@@ -5,8 +5,12 @@
 //! stands only what the textbook calculates: V = ωl, ω = V/l, Aⁿ = V²/l, Aᵗ = εl, ε = Aᵗ/l, scales.
 
 mod acceleration;
+pub mod auxiliary;
+mod centres;
+pub mod centrodes;
 pub mod construction;
 mod draughtsman;
+mod dyad;
 mod link_figure;
 mod pose;
 mod position;
@@ -19,7 +23,7 @@ use crate::given::Given;
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::Plan;
-use construction::{Construction, ConstructionLine, Polygon};
+use construction::{Construction, ConstructionLine, Polygon, TransferInk};
 use draughtsman::Draughtsman;
 
 /// The scale factors of a solution.
@@ -38,7 +42,7 @@ pub struct Scales {
 pub struct Extents {
     /// Width and height of the skeleton, m.
     pub space: [f64; 2],
-    /// Width and height of the velocity polygon, m/s; zero where there is none.
+    /// Width and height of the velocity polygon, m/s; where there is none, of the arrows on the skeleton.
     pub velocity: [f64; 2],
     /// Width and height of the acceleration polygon, m/s²; zero where there is none.
     pub acceleration: [f64; 2],
@@ -85,6 +89,12 @@ pub enum DrawError {
         pin: PointId,
         /// The least distance by which it is missed, metres.
         least: f64,
+    },
+    /// A wheel or rack that rolls on without saying where it stands.
+    #[error("rolling does not say where the point stands")]
+    NotPlaced {
+        /// The point.
+        point: PointId,
     },
     /// No construction is known for a group.
     #[error("no construction is known for a group")]
@@ -196,6 +206,7 @@ pub fn construct_on(
 ) -> Result<Solution, DrawError> {
     let board = Board::<Recorded>::new(tape);
     let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
+    auxiliary::draw(&mut draughtsman, plan);
     let (answers, slots) = reading::answers(&mut draughtsman);
     let (construction, tape) = draughtsman.finish(answers);
     Ok(Solution { construction, tape, slots })
@@ -231,11 +242,17 @@ where
 {
     let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
     position::draw(&mut draughtsman, plan)?;
-    if !plan.velocity.is_empty() {
+    if plan.centres.feeds {
+        centres::draw(&mut draughtsman, plan);
+        draughtsman.fed = centres::feed(&mut draughtsman, plan);
+    } else if !plan.velocity.is_empty() {
         velocity::draw(&mut draughtsman, plan);
     }
-    if !plan.acceleration.is_empty() {
+    if !plan.acceleration.is_empty() && draughtsman.fed.is_ok() {
         acceleration::draw(&mut draughtsman, plan);
+    }
+    if !plan.centres.wanted.is_empty() && !plan.centres.feeds {
+        centres::draw(&mut draughtsman, plan);
     }
     Ok(draughtsman)
 }
@@ -299,9 +316,21 @@ fn measure(record: &Construction, scales: Scales) -> Extents {
             extent(&mut points.chain(vectors).chain(ends), Some([0.0; 2]), scale)
         })
     };
+    // Arrows on the skeleton, where there is no polygon: half as long as a polygon would be.
+    let arrows =
+        record.circle.iter().flat_map(|c| &c.transfers).flat_map(|t| &t.ink).filter_map(|ink| match ink {
+            TransferInk::Velocity { at, tip, .. } | TransferInk::Turned { at, tip, .. } => {
+                Some(2.0 * libm::hypot(tip[0] - at[0], tip[1] - at[1]) * scales.velocity)
+            }
+            _ => None,
+        });
+    let longest = arrows.fold(0.0, f64::max);
     Extents {
         space: extent(&mut record.space.places.iter().flatten().copied(), None, scales.length),
-        velocity: polygon(&record.velocity, scales.velocity),
+        velocity: match &record.velocity {
+            None => [longest; 2],
+            drawn => polygon(drawn, scales.velocity),
+        },
         acceleration: polygon(&record.acceleration, scales.acceleration),
     }
 }

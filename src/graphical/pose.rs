@@ -2,7 +2,7 @@
 
 use crate::board::{Bench, Circle, Direction, Line, Point};
 use crate::given::Given;
-use crate::mechanism::{Form, Guide, GuidePoint, LinkId, Path, PointId, Rider};
+use crate::mechanism::{Form, Guide, GuidePoint, LinkId, Path, PointId, Rider, Slide};
 
 use super::draughtsman::Draughtsman;
 
@@ -198,6 +198,54 @@ impl<B: Bench> Draughtsman<'_, B> {
                 Track::Arc(Circle { centre, radius: circle.radius })
             }
         }
+    }
+
+    /// A direction of the own figure of a link that slides without turning against a solved one, and where
+    /// it points on the skeleton. The link rides on the solved one's guide, or carries the guide on which
+    /// that rides. A rider of placed points rides as placed: its own axes are the world's.
+    pub(super) fn ride_directions(&mut self, slide: usize, link: LinkId) -> (Direction<B>, Direction<B>) {
+        let own_x = self.board.rightward();
+        let Slide { rider: Rider::Link { link: rider, turned: Some(turned) }, guide } =
+            self.mechanism.slides[slide]
+        else {
+            return (own_x, own_x);
+        };
+        if self.stands_in_world(link) {
+            return (own_x, own_x);
+        }
+        let by = self.board.angle(turned);
+        if rider == link {
+            let Track::Straight(line) = self.track(slide, None) else { return (own_x, own_x) };
+            return (own_x, self.board.turned(line.along, by));
+        }
+        let Track::Straight(line) = self.own_line(&guide) else { return (own_x, own_x) };
+        (self.board.turned(line.along, by), self.carried(rider, own_x))
+    }
+
+    /// The track of a point of a link that slides without turning against a solved one, or of a pin on a
+    /// guide of a solved link.
+    pub(super) fn riding_track(&mut self, slide: usize, link: Option<LinkId>, of: PointId) -> Track<B> {
+        let Slide { rider, guide } = self.mechanism.slides[slide];
+        let (Some(link), Rider::Link { link: rider, .. }) = (link, rider) else {
+            return self.track(slide, Some(of));
+        };
+        if rider == link {
+            return self.track(slide, Some(of));
+        }
+        // The link carries the guide: its line passes through the first joint of the solved rider.
+        let Some(&first) = self.mechanism.link(rider).points.first() else {
+            return self.track(slide, Some(of));
+        };
+        let own_first = self.own(rider, first);
+        let at = self.carried_point(rider, own_first);
+        let own_of = self.own(link, of);
+        let (own_along, along) = self.ride_directions(slide, link);
+        self.poses[link.0] = Some(Pose { own_anchor: own_of, anchor: at, own_along, along });
+        let Track::Straight(own_guide) = self.own_line(&guide) else { return self.track(slide, Some(of)) };
+        let [_, across] = self.board.square_off(own_guide, own_of);
+        let along = self.carried(link, own_guide.along);
+        let left = self.board.quarter_turn(along);
+        Track::Straight(Line { through: self.board.lay_off(at, left, across), along })
     }
 
     /// The direction of a guide under a point of the skeleton: along a straight guide; on an arc the

@@ -40,17 +40,27 @@ impl<B: Bench> Draughtsman<'_, B> {
         match group.kind {
             GroupKind::Driver { base, input } => self.driver(step, group.links[0], base, input),
             GroupKind::Rrr { links, bases, pin } => self.rrr(step, links, bases, pin)?,
-            GroupKind::Rrp { rod, base, pin, slide } => self.rrp(step, rod, base, pin, slide)?,
+            GroupKind::Rrp { rod, base, pin, slide, rider } => {
+                self.rrp(step, (rod, base), pin, (slide, rider))?;
+            }
             GroupKind::Rpr { lever, base, pin, slide, rod } => {
                 self.rpr(step, lever, base, pin, slide)?;
-                if let Some(rod) = rod {
-                    self.ride_along(step, rod, slide, pin);
-                }
+                self.ride_along(step, slide, rod, pin);
             }
-            GroupKind::Prp { pin, slides } => self.prp(pin, slides)?,
-            GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot),
+            GroupKind::Prp { pin, slides, riders } => self.prp(step, pin, slides, riders)?,
+            GroupKind::Rpp { link, point, lever, base, ride, slot } => {
+                self.rpp(step, (link, point), (lever, base), (ride, slot));
+            }
+            GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot)?,
             GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.wheel(step, wheel, centre, roll),
+            GroupKind::DrivenBar { link, pins, slides, input } => {
+                self.driven_bar(step, link, pins, slides, input)?;
+            }
+            GroupKind::Rack { link, roll, .. } => self.rack(step, link, roll)?,
+            GroupKind::DrivenWheel { wheel, centre, roll, input, .. } => {
+                self.driven_wheel(step, (wheel, centre), roll, input)?;
+            }
             GroupKind::Rolling { rod, base, wheel, centre, roll } => {
                 self.rolling(step, (rod, base), wheel, centre, roll)?;
             }
@@ -110,13 +120,17 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// A driven link: lay its points off along the given angle from its base.
-    fn driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
-        let angle = match self.mechanism.inputs[input] {
+    /// The angle of a driven link, where the input states it.
+    fn driven_angle(&self, input: usize) -> Option<Given> {
+        match self.mechanism.inputs[input] {
             Input::Angle { angle, .. } | Input::Speed { angle, .. } => angle,
             Input::Slide { .. } => None,
-        };
-        match angle {
+        }
+    }
+
+    /// A driven link: lay its points off along the given angle from its base.
+    fn driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
+        match self.driven_angle(input) {
             Some(angle) => {
                 let angle = self.board.angle(angle);
                 let along = self.board.protractor(angle);
@@ -200,7 +214,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         if let Rider::Link { link, .. } = rider {
             let own_anchor = self.own(link, first);
             let anchor = self.at(first);
-            let (own_along, along) = self.ride_directions(slide);
+            let (own_along, along) = self.ride_directions(slide, link);
             self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
             self.transfer_by_pose(step, link);
         }
@@ -242,7 +256,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             };
             let radius = circle.radius.value() * self.scales.length;
             self.act(Act::StrikeArc { centre: base, to: centre, radius });
-            self.take_hinted(&main, centre, pair)?;
+            self.take_hinted(&main, None, centre, pair)?;
         }
         self.transfer_points(step, &main, centre);
         self.wheel(step, wheel, centre, roll);
@@ -289,10 +303,133 @@ impl<B: Bench> Draughtsman<'_, B> {
         })
     }
 
-    /// The contact point of a wheel: on the line of centres, or the foot of the centre on the line.
+    /// A driven link with two pins on guides: where its second pin may stand, the first lies on that guide
+    /// carried over by the link's own length and direction.
+    fn driven_bar(
+        &mut self,
+        step: &GroupStep,
+        link: LinkId,
+        [first, second]: [PointId; 2],
+        slides: [usize; 2],
+        input: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("driven link on two guides");
+        for slide in slides {
+            self.act(Act::DrawGuide { slide });
+        }
+        let (own_first, own_second) = (self.own(link, first), self.own(link, second));
+        let (own_along, along) = match self.driven_angle(input) {
+            Some(angle) if !matches!(self.mechanism.link(link).form, Form::Placed) => {
+                let angle = self.board.angle(angle);
+                (self.own_line_of(link), self.board.protractor(angle))
+            }
+            _ => {
+                let x = self.board.rightward();
+                (x, x)
+            }
+        };
+        let pose = |own_anchor, anchor| Some(Pose { own_anchor, anchor, own_along, along });
+        if self.prick_given(first) {
+            self.act(Act::MarkPlaces);
+        } else {
+            let own_track = self.track(slides[0], Some(first));
+            let track = self.track(slides[1], Some(second));
+            let from = match track {
+                Track::Straight(line) => line.through,
+                Track::Arc(arc) => arc.centre,
+            };
+            self.poses[link.0] = pose(own_second, from);
+            let through = self.carried_point(link, own_first);
+            let carried = match track {
+                Track::Straight(line) => Track::Straight(Line { through, along: line.along }),
+                Track::Arc(arc) => Track::Arc(Circle { centre: through, radius: arc.radius }),
+            };
+            self.meet_tracks([own_track, carried], first, slides)?;
+        }
+        self.poses[link.0] = pose(own_first, self.at(first));
+        if !self.prick_given(second) {
+            let at = self.carried_point(link, own_second);
+            self.place(second, at);
+            self.act(Act::TransferPoint { link, point: second });
+        }
+        self.transfer_by_pose(step, link);
+        Ok(())
+    }
+
+    /// The direction of a link's first-to-second line in its own figure.
+    fn own_line_of(&mut self, link: LinkId) -> Direction<B> {
+        let points = self.mechanism.link(link).points.clone();
+        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
+            return self.board.rightward();
+        };
+        let (a, b) = (self.own(link, first), self.own(link, second));
+        let reason = self.reason(&[link]);
+        self.board.toward(a, b, reason).0
+    }
+
+    /// A rack or a wheel that rolls from where it is placed: rolling says nothing of where it began.
+    fn must_be_placed(&mut self, link: LinkId) -> Result<(), DrawError> {
+        let points = self.mechanism.link(link).points.clone();
+        let mut placed = false;
+        for &point in &points {
+            placed |= self.prick_given(point);
+        }
+        self.act(Act::MarkPlaces);
+        match points.first() {
+            Some(&point) if !placed => Err(DrawError::NotPlaced { point }),
+            _ => Ok(()),
+        }
+    }
+
+    /// A rack on a solved wheel.
+    fn rack(&mut self, step: &GroupStep, link: LinkId, roll: usize) -> Result<(), DrawError> {
+        self.board.purpose("rack");
+        self.must_be_placed(link)?;
+        self.transfer_by_pose(step, link);
+        self.contact(link, roll);
+        Ok(())
+    }
+
+    /// A driven wheel: from its placed centre, along the angle of its input where that is given.
+    fn driven_wheel(
+        &mut self,
+        step: &GroupStep,
+        (wheel, centre): (LinkId, PointId),
+        roll: usize,
+        input: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("driven wheel");
+        if !self.prick_given(centre) {
+            return Err(DrawError::NotPlaced { point: centre });
+        }
+        self.act(Act::MarkPlaces);
+        match (self.driven_angle(input), self.mechanism.link(wheel).points.len()) {
+            (Some(angle), 2..) => {
+                let angle = self.board.angle(angle);
+                let along = self.board.protractor(angle);
+                self.driver_along(step, wheel, centre, along);
+                self.contact(wheel, roll);
+            }
+            _ => self.wheel(step, wheel, centre, roll),
+        }
+        Ok(())
+    }
+
+    /// A wheel about its known centre.
     fn wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
         self.board.purpose("contact point");
         self.wheel_points(step, wheel, centre);
+        if matches!(self.mechanism.link(wheel).form, Form::Single) && self.carries_guide(wheel) {
+            // The axes of a wheel are the world's.
+            let (own_anchor, anchor, x) = (self.own(wheel, centre), self.at(centre), self.board.rightward());
+            self.poses[wheel.0] = Some(Pose { own_anchor, anchor, own_along: x, along: x });
+        }
+        self.contact(wheel, roll);
+    }
+
+    /// The contact point of a rolling pair: on the line of centres, or the foot of the centre on the line.
+    fn contact(&mut self, wheel: LinkId, roll: usize) {
+        self.board.purpose("contact point");
         let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
         let scale = self.length_scale();
         let at = match self.mechanism.rolls[roll] {
@@ -403,7 +540,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let radius = circle.radius.value() * self.scales.length;
             self.act(Act::StrikeArc { centre: *base, to: pin, radius });
         }
-        self.take_hinted(&main, pin, pair)?;
+        self.take_hinted(&main, None, pin, pair)?;
         let at = self.at(pin).value();
         let index = self.step_index();
         for circle in circles {
@@ -418,25 +555,25 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn rrp(
         &mut self,
         step: &GroupStep,
-        rod: LinkId,
-        base: PointId,
+        (rod, base): (LinkId, PointId),
         pin: PointId,
-        slide: usize,
+        (slide, rider): (usize, Option<LinkId>),
     ) -> Result<(), DrawError> {
         self.board.purpose("pin by arc and guide");
         let main = [(rod, base)];
         if self.prick_given(pin) {
             self.act(Act::MarkPlaces);
             self.transfer_points(step, &main, pin);
+            self.ride_along(step, slide, rider, pin);
             return Ok(());
         }
-        let track = self.track(slide, Some(pin));
+        let track = self.riding_track(slide, rider, pin);
         let circle = self.circle(main[0], pin);
         let pair = self.meet_track(track, circle, (rod, base), (slide, pin))?;
         self.act(Act::DrawGuide { slide });
         let radius = circle.radius.value() * self.scales.length;
         self.act(Act::StrikeArc { centre: base, to: pin, radius });
-        self.take_hinted(&main, pin, pair)?;
+        self.take_hinted(&main, rider.map(|link| (slide, link)), pin, pair)?;
         let at = self.at(pin).value();
         let index = self.step_index();
         let (centre, radius) = (circle.centre.value(), circle.radius.value());
@@ -456,6 +593,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             },
         });
         self.transfer_points(step, &main, pin);
+        self.ride_along(step, slide, rider, pin);
         Ok(())
     }
 
@@ -553,42 +691,52 @@ impl<B: Bench> Draughtsman<'_, B> {
         pin: PointId,
         pair: Pair<B>,
     ) -> Result<Side, DrawError> {
+        let reason = self.reason(&[lever]);
+        let poses = [Side::First, Side::Second].map(|side| {
+            let own_pin = self.board.take(pair, side);
+            let (own_along, _) = self.board.toward(own_anchor, own_pin, reason);
+            Pose { own_anchor, anchor, own_along, along }
+        });
+        self.choose_pose(lever, poses, pin)
+    }
+
+    /// Chooses between two poses of a link by the hints for its points.
+    fn choose_pose(&mut self, link: LinkId, poses: [Pose<B>; 2], pin: PointId) -> Result<Side, DrawError> {
         if let Some(side) = self.prescribed_side() {
             return Ok(side);
         }
-        let origin = self.origin_of_space().map(|g| g.value);
-        let per_mm = self.scales.length;
-        let reason = self.reason(&[lever]);
-        let mut score: [Option<f64>; 2] = [None; 2];
-        let mut shown = [[0.0; 2]; 2];
-        let mut named = pin;
-        for (index, side) in [Side::First, Side::Second].into_iter().enumerate() {
-            let own_pin = self.board.take(pair, side);
-            let (own_along, _) = self.board.toward(own_anchor, own_pin, reason);
-            self.poses[lever.0] = Some(Pose { own_anchor, anchor, own_along, along });
-            for point in self.mechanism.link(lever).points.clone() {
-                if self.mechanism.is_fixed(point) || self.places[point.0].is_some() {
-                    continue;
-                }
-                let own = self.own(lever, point);
-                let at = self.carried_point(lever, own).value();
-                let world = [0, 1].map(|k| origin[k] + at[k] * per_mm);
-                (shown[index], named) = (world, point);
-                if let Some(hint) = self.mechanism.point(point).place.hint() {
-                    let [dx, dy] = [0, 1].map(|k| world[k] - hint[k]);
-                    score[index] = Some(score[index].unwrap_or(0.0) + dx * dx + dy * dy);
-                }
-            }
-        }
-        self.poses[lever.0] = None;
-        match score {
+        let tried = poses.map(|pose| self.hints_of_pose(link, pose));
+        match tried.map(|(score, _)| score) {
             [Some(a), Some(b)] if (a - b).abs() > HINT_TIE * (a + b) => {
                 Ok(if a < b { Side::First } else { Side::Second })
             }
             // A lever of which nothing else is named stands with its guide towards the pin.
-            [None, None] if named == pin => Ok(Side::First),
-            _ => Err(DrawError::Ambiguous { pin: named, first: shown[0], second: shown[1] }),
+            [None, None] if tried[0].1.is_none() => Ok(Side::First),
+            _ => {
+                let [first, second] = tried.map(|(_, shown)| shown.map_or([0.0; 2], |(_, at)| at));
+                let named = tried[1].1.map_or(pin, |(point, _)| point);
+                Err(DrawError::Ambiguous { pin: named, first, second })
+            }
         }
+    }
+
+    /// How far the points of a link would stand from their hints (square metres), and where one of them
+    /// would stand, if the link stood so.
+    fn hints_of_pose(&mut self, link: LinkId, pose: Pose<B>) -> (Option<f64>, Option<(PointId, [f64; 2])>) {
+        let origin = self.origin_of_space().map(|g| g.value);
+        let before = self.poses[link.0].replace(pose);
+        let (mut score, mut shown) = (None, None);
+        for point in self.mechanism.link(link).points.clone() {
+            if self.mechanism.is_fixed(point) || self.places[point.0].is_some() {
+                continue;
+            }
+            let own = self.own(link, point);
+            let at = self.carried_point(link, own).value();
+            shown = Some((point, [0, 1].map(|k| origin[k] + at[k] * self.scales.length)));
+            score = self.miss_of_hint(point, at).map(|m| m + score.unwrap_or(0.0)).or(score);
+        }
+        self.poses[link.0] = before;
+        (score, shown)
     }
 
     /// Transfers the wanted points of a link whose pose is known.
@@ -604,38 +752,47 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// The pose of a rod that slides without turning on a lever, and has a known pin.
-    fn ride_along(&mut self, step: &GroupStep, rod: LinkId, slide: usize, pin: PointId) {
-        let own_anchor = self.own(rod, pin);
+    /// The pose of a link that slides without turning against a solved one, and has a known pin.
+    fn ride_along(&mut self, step: &GroupStep, slide: usize, link: Option<LinkId>, pin: PointId) {
+        let Some(link) = link else { return };
+        let own_anchor = self.own(link, pin);
         let anchor = self.at(pin);
-        let (own_along, along) = self.ride_directions(slide);
-        self.poses[rod.0] = Some(Pose { own_anchor, anchor, own_along, along });
-        self.transfer_by_pose(step, rod);
+        let (own_along, along) = self.ride_directions(slide, link);
+        self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+        self.transfer_by_pose(step, link);
     }
 
-    /// Own x-axis of a rider link and where it points on the skeleton. A rider of placed points rides as
-    /// placed: its own axes are the world's.
-    fn ride_directions(&mut self, slide: usize) -> (Direction<B>, Direction<B>) {
-        let own_x = self.board.rightward();
-        let Rider::Link { turned: Some(turned), .. } = self.mechanism.slides[slide].rider else {
-            return (own_x, own_x);
-        };
-        let Track::Straight(guide) = self.track(slide, None) else { return (own_x, own_x) };
-        let by = self.board.angle(turned);
-        (own_x, self.board.turned(guide.along, by))
-    }
-
-    /// A pin on two guides.
-    fn prp(&mut self, pin: PointId, slides: [usize; 2]) -> Result<(), DrawError> {
+    /// A pin on two guides, itself or with links that slide without turning.
+    fn prp(
+        &mut self,
+        step: &GroupStep,
+        pin: PointId,
+        slides: [usize; 2],
+        riders: [Option<LinkId>; 2],
+    ) -> Result<(), DrawError> {
         self.board.purpose("pin on two guides");
         if self.prick_given(pin) {
             self.act(Act::MarkPlaces);
-            return Ok(());
+        } else {
+            let tracks = [0, 1].map(|i| self.riding_track(slides[i], riders[i], pin));
+            for slide in slides {
+                self.act(Act::DrawGuide { slide });
+            }
+            self.meet_tracks(tracks, pin, slides)?;
         }
-        let tracks = slides.map(|slide| self.track(slide, Some(pin)));
-        for slide in slides {
-            self.act(Act::DrawGuide { slide });
+        for (slide, rider) in slides.into_iter().zip(riders) {
+            self.ride_along(step, slide, rider, pin);
         }
+        Ok(())
+    }
+
+    /// Where two guides meet.
+    fn meet_tracks(
+        &mut self,
+        tracks: [Track<B>; 2],
+        pin: PointId,
+        slides: [usize; 2],
+    ) -> Result<(), DrawError> {
         let links = slides.map(|slide| self.mechanism.slides[slide].guide.link);
         let reason = self.reason(&links);
         match tracks {
@@ -650,52 +807,112 @@ impl<B: Bench> Draughtsman<'_, B> {
                     Track::Straight(line) => self.board.meet_line_circle(line, arc, reason),
                     Track::Arc(second) => self.board.meet_circles(arc, second, reason),
                 };
-                let pair = pair.map_err(|_| DrawError::CannotAssemble {
-                    pin,
-                    why: Box::new(Misfit {
-                        first: ("radius of the guide-".to_owned(), arc.radius.value() * self.scales.length),
-                        second: (String::new(), None),
-                        pin: self.mechanism.point(pin).name.clone(),
-                        distance: 0.0,
-                    }),
-                    range: None,
-                })?;
-                self.take_hinted(&[], pin, pair)
+                let pair = pair.map_err(|_| self.misses_arc(pin, arc))?;
+                self.take_hinted(&[], None, pin, pair)
             }
         }
     }
 
+    fn misses_arc(&self, pin: PointId, arc: Circle<B>) -> DrawError {
+        DrawError::CannotAssemble {
+            pin,
+            why: Box::new(Misfit {
+                first: ("radius of the guide-".to_owned(), arc.radius.value() * self.scales.length),
+                second: (String::new(), None),
+                pin: self.mechanism.point(pin).name.clone(),
+                distance: 0.0,
+            }),
+            range: None,
+        }
+    }
+
+    /// Two links whose directions follow from a solved one, by two sliding pairs one after the other. The
+    /// pinned one stands by its pin; parallels to both guides meet in a joint of the one between.
+    fn rpp(
+        &mut self,
+        step: &GroupStep,
+        (link, point): (LinkId, PointId),
+        (lever, base): (LinkId, PointId),
+        (ride, slot): (usize, usize),
+    ) {
+        self.board.purpose("link between two guides");
+        // Only the direction counts until the joint is found.
+        let (own_anchor, anchor) = (self.own(link, point), self.at(base));
+        let (own_along, along) = self.ride_directions(ride, link);
+        self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+        self.ride_along(step, slot, Some(lever), base);
+        for slide in [ride, slot] {
+            self.act(Act::DrawGuide { slide });
+        }
+        if self.prick_given(point) {
+            self.act(Act::MarkPlaces);
+        } else {
+            let tracks = [ride, slot].map(|slide| self.riding_track(slide, Some(link), point));
+            if let [Track::Straight(first), Track::Straight(second)] = tracks {
+                let reason = self.reason(&[link, lever]);
+                let meet = self.board.meet_lines(first, second, reason);
+                self.place(point, meet.at);
+                self.act(Act::MarkIntersection { point, crossing: meet.crossing });
+            }
+        }
+        self.ride_along(step, ride, Some(link), point);
+    }
+
     /// A link that rides without turning, with a slot through a pin that stands already: a parallel to the
-    /// slot and the guide meet in its first joint.
-    fn yoke(&mut self, step: &GroupStep, link: LinkId, ride: usize, pin: PointId, slot: usize) {
+    /// slot and the guide meet in its first joint. Of a curved slot the centre runs on a parallel to the
+    /// guide, and stands where an arc about the pin meets that.
+    fn yoke(
+        &mut self,
+        step: &GroupStep,
+        link: LinkId,
+        ride: usize,
+        pin: PointId,
+        slot: usize,
+    ) -> Result<(), DrawError> {
         self.board.purpose("yoke through a pin");
         self.act(Act::DrawGuide { slide: ride });
         self.act(Act::DrawGuide { slide: slot });
-        let Some(&first) = self.mechanism.link(link).points.first() else { return };
+        let Some(&first) = self.mechanism.link(link).points.first() else { return Ok(()) };
         if matches!(self.mechanism.link(link).form, Form::Placed) {
             let (anchor, x) = (self.at(pin), self.board.rightward());
             self.poses[link.0] = Some(Pose { own_anchor: anchor, anchor, own_along: x, along: x });
             self.transfer_by_pose(step, link);
-            return;
+            return Ok(());
         }
-        let (own_along, along) = self.ride_directions(ride);
+        let Track::Straight(guide) = self.riding_track(ride, Some(link), first) else { return Ok(()) };
+        let (own_along, rides) = self.ride_directions(ride, link);
         let own_anchor = self.own(link, first);
-        // The slot's line carried over as if the first joint stood at the pin, then shifted so that it
-        // passes through the pin.
         let at_pin = self.at(pin);
-        self.poses[link.0] = Some(Pose { own_anchor, anchor: at_pin, own_along, along });
-        let (Track::Straight(slot_line), Track::Straight(guide)) =
-            (self.track(slot, Some(pin)), self.track(ride, None))
-        else {
-            return;
-        };
-        let [_, across] = self.board.square_off(slot_line, at_pin);
-        let left = self.board.quarter_turn(slot_line.along);
-        let through = self.board.lay_off(at_pin, left, across);
         let reason = self.reason(&[link]);
-        let meet = self.board.meet_lines(Line { through, along: slot_line.along }, guide, reason);
-        self.poses[link.0] = Some(Pose { own_anchor, anchor: meet.at, own_along, along });
+        let pose = |anchor| Some(Pose { own_anchor, anchor, own_along, along: rides });
+        // The slot carried over as if the first joint stood at the pin, or at the start of the guide.
+        let straight = matches!(self.mechanism.slides[slot].guide.path, Path::Straight { .. });
+        self.poses[link.0] = pose(if straight { at_pin } else { guide.through });
+        match self.track(slot, Some(pin)) {
+            Track::Straight(line) => {
+                let [_, across] = self.board.square_off(line, at_pin);
+                let left = self.board.quarter_turn(line.along);
+                let through = self.board.lay_off(at_pin, left, across);
+                let meet = self.board.meet_lines(Line { through, along: line.along }, guide, reason);
+                self.poses[link.0] = pose(meet.at);
+            }
+            Track::Arc(arc) => {
+                let centres = Line { through: arc.centre, along: guide.along };
+                let about = Circle { centre: at_pin, radius: arc.radius };
+                let pair = self.board.meet_line_circle(centres, about, reason);
+                let pair = pair.map_err(|_| self.misses_arc(pin, arc))?;
+                let poses = [Side::First, Side::Second].map(|side| {
+                    let centre = self.board.take(pair, side);
+                    let [along, _] = self.board.square_off(centres, centre);
+                    let anchor = self.board.lay_off(guide.through, guide.along, along);
+                    Pose { own_anchor, anchor, own_along, along: rides }
+                });
+                let side = if pair.tangent { Side::First } else { self.choose_pose(link, poses, pin)? };
+                self.poses[link.0] = Some(poses[usize::from(side == Side::Second)]);
+            }
+        }
         self.transfer_by_pose(step, link);
+        Ok(())
     }
 
     fn circle(&mut self, (link, base): (LinkId, PointId), pin: PointId) -> Circle<B> {
@@ -708,18 +925,25 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn take_hinted(
         &mut self,
         main: &[(LinkId, PointId)],
+        rider: Option<(usize, LinkId)>,
         pin: PointId,
         pair: Pair<B>,
     ) -> Result<(), DrawError> {
         let crossing = pair.crossing;
-        let side = if pair.tangent { Side::First } else { self.choose(main, pin, pair)? };
+        let side = if pair.tangent { Side::First } else { self.choose(main, rider, pin, pair)? };
         let at = self.board.take(pair, side);
         self.place(pin, at);
         self.act(Act::MarkIntersection { point: pin, crossing });
         Ok(())
     }
 
-    fn choose(&mut self, main: &[(LinkId, PointId)], pin: PointId, pair: Pair<B>) -> Result<Side, DrawError> {
+    fn choose(
+        &mut self,
+        main: &[(LinkId, PointId)],
+        rider: Option<(usize, LinkId)>,
+        pin: PointId,
+        pair: Pair<B>,
+    ) -> Result<Side, DrawError> {
         if let Some(side) = self.prescribed_side() {
             return Ok(side);
         }
@@ -750,6 +974,11 @@ impl<B: Bench> Draughtsman<'_, B> {
                         *score = Some(score.unwrap_or(0.0) + m);
                     }
                 }
+                let Some((slide, link)) = rider else { continue };
+                let (own_anchor, anchor) = (self.own(link, pin), self.board.take(pair, *side));
+                let (own_along, along) = self.ride_directions(slide, link);
+                let carried = self.hints_of_pose(link, Pose { own_anchor, anchor, own_along, along }).0;
+                *score = carried.map(|m| m + score.unwrap_or(0.0)).or(*score);
             }
         }
         match score {
@@ -767,9 +996,14 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// Whether a link carries a guide, so that its pose will be needed.
+    /// Whether a link carries a guide, or a link that slides without turning, so that its pose will be
+    /// needed.
     pub(super) fn carries_guide(&self, link: LinkId) -> bool {
-        self.mechanism.slides.iter().any(|s| s.guide.link == link)
+        let slides = self.mechanism.slides.iter().any(|s| {
+            s.guide.link == link || matches!(s.rider, Rider::Link { link: rider, .. } if rider == link)
+        });
+        let rolls = self.mechanism.rolls.iter();
+        slides || rolls.into_iter().any(|r| matches!(r, Roll::Line { guide, .. } if guide.link == link))
     }
 
     /// Transfers the further points of the group that are wanted.

@@ -1,10 +1,12 @@
 //! Reads the asked quantities off the finished diagrams.
 
-use crate::board::{Amount, Angle, Bench, Board, MarkOf, Point, Recorded};
-use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
+use crate::board::{Amount, Angle, Bench, Board, Direction, Line, Location, MarkOf, Point, Recorded};
+use crate::mechanism::quantity::{Answer, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{Form, LinkId, PointId};
-use crate::plan::{home, transmission_points};
+use crate::plan::{Auxiliary, chord, home, transmission_points};
 
+use super::auxiliary::KleinAnswer;
+use super::centres::{FromCentres, NO_INPUT};
 use super::construction::{Act, Calculation, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
 
@@ -13,6 +15,7 @@ enum Read<B: Bench> {
     Vector([Amount<B>; 2]),
     Scalar(Amount<B>),
     Angle(Angle<B>),
+    Toward(Direction<B>, Angle<B>),
     Undefined(&'static str),
 }
 
@@ -22,9 +25,17 @@ pub(super) fn answers(d: &mut Draughtsman<'_, Recorded>) -> (Vec<Reading>, Vec<V
     let mut slots = Vec::new();
     let readings = asked
         .iter()
-        .map(|asked| {
-            let read = d.read_quantity(&asked.quantity);
-            let drawn_mm = d.drawn_length(&asked.quantity);
+        .enumerate()
+        .map(|(index, asked)| {
+            let read = if asked.method == Method::Klein {
+                d.read_klein(&asked.quantity)
+            } else if asked.by_centres() {
+                d.read_from_centres(index)
+            } else {
+                d.read_quantity(&asked.quantity)
+            };
+            let of_polygon = asked.method != Method::Klein;
+            let drawn_mm = of_polygon.then(|| d.drawn_length(&asked.quantity)).flatten();
             let answer = d.answer(read, &mut slots);
             Reading { answer, drawn_mm }
         })
@@ -37,7 +48,7 @@ impl Draughtsman<'_, Recorded> {
         let marks: Vec<MarkOf<Recorded>> = match &read {
             Read::Vector([x, y]) => vec![x.mark(), y.mark()],
             Read::Scalar(a) => vec![a.mark()],
-            Read::Angle(a) => vec![a.mark()],
+            Read::Angle(a) | Read::Toward(_, a) => vec![a.mark()],
             Read::Undefined(_) => Vec::new(),
         };
         slots.push(marks.clone());
@@ -54,6 +65,9 @@ impl Draughtsman<'_, Recorded> {
             }
             Read::Scalar(a) => Answer::Scalar { value: a.value(), bound: bounds.next().unwrap_or(0.0) },
             Read::Angle(a) => Answer::Scalar { value: a.value(), bound: bounds.next().unwrap_or(0.0) },
+            Read::Toward(direction, _) => {
+                Answer::AtInfinity { direction: direction.value(), bound: bounds.next().unwrap_or(0.0) }
+            }
             Read::Undefined(why) => Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() }),
         }
     }
@@ -68,7 +82,37 @@ impl<B: Bench> Draughtsman<'_, B> {
         })
     }
 
+    /// What Klein's construction says of a quantity.
+    fn read_klein(&mut self, quantity: &Quantity) -> Read<B> {
+        match self.klein_answer(quantity) {
+            KleinAnswer::Vector(vector) => Read::Vector(vector),
+            KleinAnswer::Scalar(scalar) => Read::Scalar(scalar),
+            KleinAnswer::None => {
+                let refused = self.record().auxiliary.iter().find_map(|drawing| match drawing.kind {
+                    Auxiliary::Klein { crank, .. } if crank.leads_to(quantity) => drawing.refused,
+                    _ => None,
+                });
+                Read::Undefined(refused.unwrap_or(
+                    "Klein's construction leads to the pins and the rod of a slider-crank with a driven crank only",
+                ))
+            }
+        }
+    }
+
+    /// A velocity or an angular velocity by one of the methods of instant centres.
+    fn read_from_centres(&self, index: usize) -> Read<B> {
+        match self.transferred.iter().find(|(of, _)| *of == index) {
+            Some((_, Ok(FromCentres::Vector(components)))) => Read::Vector(*components),
+            Some((_, Ok(FromCentres::Scalar(rate)))) => Read::Scalar(*rate),
+            Some((_, Err(why))) => Read::Undefined(why),
+            None => Read::Undefined(NO_INPUT),
+        }
+    }
+
     fn read_quantity(&mut self, quantity: &Quantity) -> Read<B> {
+        if let (Err(why), false) = (self.fed, matches!(quantity.order(), Order::Position)) {
+            return Read::Undefined(why);
+        }
         match *quantity {
             Quantity::Velocity(p) => self.read_absolute(Order::Velocity, p, *quantity),
             Quantity::Acceleration(p) => self.read_absolute(Order::Acceleration, p, *quantity),
@@ -83,8 +127,14 @@ impl<B: Bench> Draughtsman<'_, B> {
             Quantity::Omega(l) => Read::Scalar(self.rate(Order::Velocity, l)),
             Quantity::Alpha(l) => Read::Scalar(self.rate(Order::Acceleration, l)),
             Quantity::RelativeOmega(i, j) => self.read_difference(Order::Velocity, i, j),
+            Quantity::Ratio(i, j) | Quantity::Advantage(j, i) => {
+                let (first, second) = (self.rate(Order::Velocity, i), self.rate(Order::Velocity, j));
+                let reason = self.reason(&[j]);
+                Read::Scalar(self.board.quotient(first, second, reason))
+            }
             Quantity::RelativeAlpha(i, j) => self.read_difference(Order::Acceleration, i, j),
             Quantity::Rub(pin, i, j) => self.read_rub(pin, i, j),
+            Quantity::PathRadius(p) => self.read_path_radius(p),
             Quantity::Position(p) => self.read_position(p),
             Quantity::Angle(l) => Read::Angle(self.read_angle(l)),
             Quantity::Transmission(i, j) => self.read_transmission(i, j),
@@ -99,7 +149,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             | Quantity::CoincidentAcceleration(_, link)
             | Quantity::CoincidentNormal(_, link)
             | Quantity::CoincidentTangential(_, link) => self.read_part(Order::Acceleration, quantity, link),
-            Quantity::Centre(..) => Read::Undefined("instant centres have no construction yet"),
+            Quantity::Centre(i, j) => self.read_centre(i, j),
         }
     }
 
@@ -124,7 +174,14 @@ impl<B: Bench> Draughtsman<'_, B> {
             None if matches!(quantity, Quantity::Coriolis(..)) && self.translates[link.0] => {
                 Read::Vector([self.rest(), self.rest()])
             }
-            None => Read::Undefined("no construction drew this vector"),
+            None => match *quantity {
+                Quantity::CoincidentVelocity(pin, _) | Quantity::CoincidentAcceleration(pin, _) => {
+                    self.step(order, &[link], Vec::new());
+                    let (pole, image) = (self.board.origin(), self.image_under(order, pin, link));
+                    self.read_vector(order, pole, image)
+                }
+                _ => Read::Undefined("no construction drew this vector"),
+            },
         }
     }
 
@@ -248,19 +305,64 @@ impl<B: Bench> Draughtsman<'_, B> {
         Read::Scalar(value)
     }
 
+    /// ρ = V² / Aⁿ, with Aⁿ the part of the acceleration square to V.
+    fn read_path_radius(&mut self, p: PointId) -> Read<B> {
+        if self.mechanism.is_fixed(p) {
+            return Read::Undefined("the point does not move");
+        }
+        let (pole, end) = (self.board.origin(), self.image(Order::Velocity, p));
+        let reason = self.reason(&[]);
+        let (along, mm) = self.board.toward(pole, end, reason);
+        if self.board.is_nothing(mm) {
+            return Read::Undefined("the point stands still here");
+        }
+        let image = self.image(Order::Acceleration, p);
+        let [_, across] = self.board.square_off(Line { through: pole, along }, image);
+        if self.board.is_nothing(across) {
+            return Read::Undefined("the path runs straight here");
+        }
+        let (velocity, acceleration) =
+            (self.polygon_scale(Order::Velocity), self.polygon_scale(Order::Acceleration));
+        let speed = self.board.read(mm, velocity);
+        let normal = self.board.read(across, acceleration);
+        let normal = self.board.magnitude(normal);
+        let radius = self.board.square_over(speed, normal, reason);
+        Read::Scalar(radius)
+    }
+
     /// The place in the world: as given for a fixed or placed point, else read off the skeleton.
     fn read_position(&mut self, p: PointId) -> Read<B> {
         if let Some([x, y]) = self.mechanism.point(p).place.exact() {
             return Read::Vector([self.board.amount(x), self.board.amount(y)]);
         }
         let at = self.at(p);
+        Read::Vector(self.in_world(at))
+    }
+
+    /// A place of the skeleton in the world.
+    fn in_world(&mut self, at: Point<B>) -> [Amount<B>; 2] {
         let scale = self.length_scale();
         let from = self.board.origin();
         let [x, y] = self.board.between(from, at);
         let origin = self.origin_of_space();
         let along = [x, y].map(|mm| self.board.read(mm, scale));
         let start = origin.map(|g| self.board.amount(g));
-        Read::Vector([self.board.sum(start[0], along[0]), self.board.sum(start[1], along[1])])
+        [self.board.sum(start[0], along[0]), self.board.sum(start[1], along[1])]
+    }
+
+    /// An instant centre: its place in the world, or the direction in which it lies at infinity.
+    fn read_centre(&mut self, i: LinkId, j: LinkId) -> Read<B> {
+        if i == j {
+            return Read::Undefined("a link has no motion against itself");
+        }
+        let Some(&centre) = self.centres.known.get(&chord(i, j)) else {
+            return Read::Undefined("no two triangles of the circle diagram lead to this centre");
+        };
+        let reason = self.reason(&[i, j]);
+        match self.board.locate(centre, reason) {
+            Location::Toward(direction, angle) => Read::Toward(direction, angle),
+            Location::At(at) => Read::Vector(self.in_world(at)),
+        }
     }
 
     /// Angle of a link's own x-axis, by protractor.

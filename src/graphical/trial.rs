@@ -25,9 +25,9 @@ use crate::plan::{GroupStep, trial_steps};
 use super::DrawError;
 use super::construction::{Act, Label};
 use super::draughtsman::Draughtsman;
+use super::dyad::{Target, Unknown};
 use super::pose::{Pose, Track};
 use super::position::HINT_TIE;
-use super::velocity::{Target, Unknown};
 
 /// Trial angles in a whole turn.
 const TRIALS: u32 = 720;
@@ -473,10 +473,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let (unknown, end) = closing_unknown(trial.closing);
         let loud = !self.silent;
         self.silent = true;
-        let ray = match order {
-            Order::Acceleration => self.closing_acceleration_line(unknown, end),
-            _ => self.closing_line(unknown, end),
-        };
+        let ray = self.closing_line(order, unknown, end);
         self.silent = !loud;
         let (along, whole) = self.board.toward(rest, turning, reason);
         let meet = self.board.meet_lines(Line { through: rest, along }, ray, reason);
@@ -488,23 +485,6 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.note_trial_line(order, rest, meet.at);
         let part = self.board.ratio(meet.along[0], whole, reason);
         self.board.part_of(unit, part)
-    }
-
-    /// ω or ε of an input on a link's angle.
-    fn given_rate(&mut self, order: Order, input: usize) -> Amount<B> {
-        let rate = match (self.mechanism.inputs[input], order) {
-            (Input::Angle { alpha, .. } | Input::Speed { alpha, .. }, Order::Acceleration) => alpha,
-            (Input::Angle { omega, .. }, _) => omega,
-            (Input::Speed { link, point, speed, .. }, _) => {
-                let Some(&first) = self.mechanism.link(link).points.first() else { return self.rest() };
-                let length = self.length(link, first, point);
-                let speed = self.board.amount(speed);
-                let reason = self.reason(&[link]);
-                return self.board.quotient(speed, length, reason);
-            }
-            (Input::Slide { .. }, _) => Given::exact(0.0),
-        };
-        self.board.amount(rate)
     }
 
     /// Reads what the open constraint has become in the true polygon: ω or ε of the closing rod, the sliding.
@@ -520,10 +500,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.step(order, &links, Vec::new());
         let image = self.image(order, end);
         let head = (self.label(end), image);
-        match order {
-            Order::Acceleration => self.read_closing_acceleration(unknown, Target::Pin(end), head),
-            _ => self.read_closing_velocity(unknown, Target::Pin(end), head),
-        }
+        self.read_closing(order, unknown, Target::Pin(end), head);
         if let Closing::Slide { slide, .. } = trial.closing
             && let crate::mechanism::Rider::Pin { block: Some(block), .. } =
                 self.mechanism.slides[slide].rider

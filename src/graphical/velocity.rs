@@ -11,17 +11,16 @@
 //! 5. Further points: divide the image line as the link is divided, or from two images perpendiculars to
 //!    the sides; the image has the link's own reading sense.
 
-use crate::board::{Amount, Bench, Line, Mm, Point, Ratio};
+use crate::board::{Amount, Bench, Direction, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
-use super::construction::{
-    Act, Calculation, Claim, Equation, Label, Reference, Term, TermDirection, VectorKind,
-};
+use super::construction::{Act, Calculation, Claim, Label, Reference, VectorKind};
 use super::draughtsman::Draughtsman;
+use super::dyad::{Route, Target, Unknown};
 
 /// Two sides of an image triangle that cross flatter than this are not constructed from but replaced by
 /// the similar figure (sine of about 3°, `drawing.md`).
@@ -38,104 +37,6 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     }
 }
 
-/// A way to the sought image: from a known image along a line of unknown length.
-struct Route<B: Bench> {
-    from: (Label, Point<B>),
-    ray: Line<B>,
-    claim: Claim,
-    unknown: Unknown,
-}
-
-/// What the length along a route tells.
-#[derive(Clone, Copy)]
-pub(super) enum Unknown {
-    /// A link turns about its base.
-    Turn {
-        link: LinkId,
-        base: PointId,
-        /// The point whose image the route leads to.
-        to: PointId,
-    },
-    /// A rider slides along its guide.
-    Slide {
-        slide: usize,
-        /// The image of the rider is known and that of the guide's point is sought.
-        back: bool,
-    },
-    /// A wheel's centre runs along the body on which it rolls.
-    Roll {
-        /// Index of the rolling pair.
-        roll: usize,
-        /// The wheel.
-        wheel: LinkId,
-        /// Its centre.
-        centre: PointId,
-    },
-}
-
-/// The image that a group's two routes lead to.
-#[derive(Clone, Copy)]
-pub(super) enum Target {
-    /// That of the group's pin.
-    Pin(PointId),
-    /// That of the point of a link under a pin of a solved link.
-    Under(PointId, LinkId),
-}
-
-impl Target {
-    pub(super) fn pin(self) -> PointId {
-        match self {
-            Self::Pin(pin) | Self::Under(pin, _) => pin,
-        }
-    }
-}
-
-/// The image that a group is solved for, and the two unknowns that lead to it; those of the frame first.
-pub(super) fn routes_of(kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
-    Some(match kind {
-        GroupKind::Rrr { links, bases, pin } => {
-            (Target::Pin(pin), [0, 1].map(|i| Unknown::Turn { link: links[i], base: bases[i], to: pin }))
-        }
-        GroupKind::Rrp { rod, base, pin, slide } => (
-            Target::Pin(pin),
-            [Unknown::Turn { link: rod, base, to: pin }, Unknown::Slide { slide, back: false }],
-        ),
-        GroupKind::Rolling { rod, base, wheel, centre, roll } => (
-            Target::Pin(centre),
-            [Unknown::Turn { link: rod, base, to: centre }, Unknown::Roll { roll, wheel, centre }],
-        ),
-        GroupKind::Prp { pin, slides } => {
-            (Target::Pin(pin), slides.map(|slide| Unknown::Slide { slide, back: false }))
-        }
-        GroupKind::Rpr { lever, base, pin, slide, .. } => (
-            Target::Under(pin, lever),
-            [Unknown::Turn { link: lever, base, to: pin }, Unknown::Slide { slide, back: true }],
-        ),
-        GroupKind::Yoke { link, ride, pin, slot } => (
-            Target::Under(pin, link),
-            [Unknown::Slide { slide: ride, back: false }, Unknown::Slide { slide: slot, back: true }],
-        ),
-        GroupKind::Driver { .. }
-        | GroupKind::TrialDriver { .. }
-        | GroupKind::DrivenSlide { .. }
-        | GroupKind::Wheel { .. }
-        | GroupKind::Higher { .. }
-        | GroupKind::Other => return None,
-    })
-}
-
-/// Base and pin between which the images of a link's further points are found.
-pub(super) fn main_base(kind: GroupKind, link: LinkId) -> Option<(PointId, PointId)> {
-    match kind {
-        GroupKind::Rrr { links, bases, pin } => {
-            links.iter().position(|&l| l == link).map(|index| (bases[index], pin))
-        }
-        GroupKind::Rrp { rod, base, pin, .. } if rod == link => Some((base, pin)),
-        GroupKind::Rolling { rod, base, centre, .. } if rod == link => Some((base, centre)),
-        _ => None,
-    }
-}
-
 impl<B: Bench> Draughtsman<'_, B> {
     /// Draws the velocity polygon of one group.
     pub(super) fn velocity_of(&mut self, step: &GroupStep, group: &Group) {
@@ -143,12 +44,18 @@ impl<B: Bench> Draughtsman<'_, B> {
             GroupKind::Driver { base, input } => self.velocity_of_driver(step, group.links[0], base, input),
             GroupKind::DrivenSlide { slide, input } => self.velocity_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.velocity_of_wheel(step, wheel, centre, roll),
+            GroupKind::DrivenWheel { .. } => self.velocity_of_driven_wheel(step, group.kind),
+            GroupKind::DrivenBar { link, input, .. } => {
+                let omega = self.given_rate(Order::Velocity, input);
+                self.omegas[link.0] = Some(omega);
+                self.dyad(Order::Velocity, step, group);
+            }
             GroupKind::Rolling { wheel, centre, roll, .. } => {
-                self.velocity_of_group(step, group);
+                self.dyad(Order::Velocity, step, group);
                 self.velocity_of_wheel(step, wheel, centre, roll);
             }
             GroupKind::Higher { trial } => self.polygon_by_trial(Order::Velocity, step, trial),
-            _ => self.velocity_of_group(step, group),
+            _ => self.dyad(Order::Velocity, step, group),
         }
         self.rates_of_blocks(Order::Velocity, &group.links);
         for &link in &group.links {
@@ -179,10 +86,18 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn velocity_of_driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
         self.board.purpose("velocity of a driven point");
         self.step(Order::Velocity, &[link], Vec::new());
-        let omega = match self.mechanism.inputs[input] {
-            Input::Angle { omega, .. } => self.board.amount(omega),
-            Input::Speed { point, speed, .. } => {
-                let Some(&first) = self.mechanism.link(link).points.first() else { return };
+        let omega = self.given_rate(Order::Velocity, input);
+        self.omegas[link.0] = Some(omega);
+        self.driven_velocities(step, link, base);
+    }
+
+    /// ω or ε of a driven link; ω from the speed of one of its points where that is given.
+    pub(super) fn given_rate(&mut self, order: Order, input: usize) -> Amount<B> {
+        let rate = match (self.mechanism.inputs[input], order) {
+            (Input::Angle { alpha, .. } | Input::Speed { alpha, .. }, Order::Acceleration) => alpha,
+            (Input::Angle { omega, .. }, _) => omega,
+            (Input::Speed { link, point, speed, .. }, _) => {
+                let Some(&first) = self.mechanism.link(link).points.first() else { return self.rest() };
                 let length = self.length(link, first, point);
                 let speed = self.board.amount(speed);
                 let reason = self.reason(&[link]);
@@ -195,12 +110,11 @@ impl<B: Bench> Draughtsman<'_, B> {
                     length: length.value(),
                     value: omega.value(),
                 }));
-                omega
+                return omega;
             }
-            Input::Slide { .. } => return,
+            (Input::Slide { .. }, _) => Given::exact(0.0),
         };
-        self.omegas[link.0] = Some(omega);
-        self.driven_velocities(step, link, base);
+        self.board.amount(rate)
     }
 
     /// V = ω l of each wanted point of a link whose ω is known, about its base.
@@ -229,23 +143,13 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The direction from `base` to `point` on the skeleton, turned by +90°: that of the velocity of
     /// `point` for a positive ω.
-    pub(super) fn square_to(
-        &mut self,
-        link: LinkId,
-        base: PointId,
-        point: PointId,
-    ) -> crate::board::Direction<B> {
+    pub(super) fn square_to(&mut self, link: LinkId, base: PointId, point: PointId) -> Direction<B> {
         let along = self.outward(link, base, point);
         self.board.quarter_turn(along)
     }
 
     /// The direction from `base` to `point` on the skeleton.
-    pub(super) fn outward(
-        &mut self,
-        link: LinkId,
-        base: PointId,
-        point: PointId,
-    ) -> crate::board::Direction<B> {
+    pub(super) fn outward(&mut self, link: LinkId, base: PointId, point: PointId) -> Direction<B> {
         let (from, to) = (self.at(base), self.at(point));
         let reason = self.reason(&[link]);
         self.board.toward(from, to, reason).0
@@ -343,15 +247,47 @@ impl<B: Bench> Draughtsman<'_, B> {
             length: radius.value(),
             value: omega.value(),
         }));
+        self.points_of_wheel(Order::Velocity, step, wheel, centre);
+    }
+
+    /// Images of the further points of a wheel, about its centre.
+    pub(super) fn points_of_wheel(&mut self, order: Order, step: &GroupStep, wheel: LinkId, centre: PointId) {
         for &(of, point) in &step.points {
-            if of != wheel {
-                continue;
+            if of == wheel {
+                let image = self.image_about(order, wheel, centre, point);
+                self.note_image(order, point, image);
+                self.absolute_of(order, point, image);
             }
-            let image = self.velocity_about(wheel, centre, point);
-            self.note_image(Order::Velocity, point, image);
-            let label = self.label(point);
-            self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);
         }
+    }
+
+    /// The contact points of both bodies have one velocity; from its image V = ω r of the driven wheel's
+    /// centre against it.
+    fn velocity_of_driven_wheel(&mut self, step: &GroupStep, kind: GroupKind) {
+        let GroupKind::DrivenWheel { wheel, centre, roll, input, .. } = kind else { return };
+        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        self.board.purpose("velocity of a driven wheel");
+        self.step(Order::Velocity, &[wheel], Vec::new());
+        let omega = self.given_rate(Order::Velocity, input);
+        self.omegas[wheel.0] = Some(omega);
+        let other = self.rolled_on(roll, wheel);
+        let image = self.contact_image(Order::Velocity, roll, other);
+        self.note_under(Order::Velocity, contact, wheel, image);
+        let with = self.label_under(contact, other);
+        self.act(Act::SameImage { label: self.label_under(contact, wheel), with });
+        let head = self.label(centre);
+        let at = self.spin_part(Order::Velocity, roll, (wheel, centre), head);
+        self.note_image(Order::Velocity, centre, at);
+        if other != LinkId::FRAME {
+            self.absolute_vector(Order::Velocity, Quantity::Velocity(centre), head, at);
+        }
+        // How fast the centre runs along what holds it shows in the same figure.
+        if let Some((target, [held, _])) = self.routes_of(kind) {
+            let loud = !std::mem::replace(&mut self.silent, true);
+            self.read_closing(Order::Velocity, held, target, (head, at));
+            self.silent = !loud;
+        }
+        self.points_of_wheel(Order::Velocity, step, wheel, centre);
     }
 
     /// The body on which a wheel rolls.
@@ -381,32 +317,30 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// From the image of the base a line perpendicular to the link.
-    fn velocity_arm(&mut self, link: LinkId, base: PointId, to: PointId) -> Route<B> {
+    pub(super) fn velocity_arm(&mut self, link: LinkId, base: PointId, to: PointId) -> Route<B> {
         let image = self.image(Order::Velocity, base);
         let along = self.square_to(link, base, to);
-        Route {
-            from: (self.label(base), image),
-            ray: Line { through: image, along },
-            claim: Claim::Perpendicular(Reference::Points(base, to)),
-            unknown: Unknown::Turn { link, base, to },
-        }
+        let claim = Claim::Perpendicular(Reference::Points(base, to));
+        self.velocity_ray((self.label(base), image), along, claim, Unknown::Turn { link, base, to })
     }
 
     /// From the image of the guide's point (or backwards from the rider's) a line along the guide.
-    fn velocity_slide(&mut self, slide: usize, back: bool, pin: PointId) -> Route<B> {
-        let link = self.mechanism.slides[slide].guide.link;
+    pub(super) fn velocity_slide(&mut self, slide: usize, back: bool, pin: PointId) -> Route<B> {
         let (along, _) = self.tangent(slide, pin);
-        let from = if back {
-            (self.label(pin), self.image(Order::Velocity, pin))
-        } else {
-            (self.label_under(pin, link), self.image_under(Order::Velocity, pin, link))
-        };
-        Route {
-            from,
-            ray: Line { through: from.1, along },
-            claim: Claim::Parallel(Reference::Guide(slide)),
-            unknown: Unknown::Slide { slide, back },
-        }
+        let from = self.slide_start(Order::Velocity, (slide, back), pin);
+        let claim = Claim::Parallel(Reference::Guide(slide));
+        self.velocity_ray(from, along, claim, Unknown::Slide { slide, back })
+    }
+
+    fn velocity_ray(
+        &mut self,
+        foot: (Label, Point<B>),
+        along: Direction<B>,
+        claim: Claim,
+        unknown: Unknown,
+    ) -> Route<B> {
+        self.act(Act::DrawRay { from: foot.0, claim });
+        Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
     }
 
     /// The point about which a rolling wheel's centre moves, where the other body is a circle.
@@ -419,20 +353,18 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// From the image of the other centre a line perpendicular to the line of centres; on a straight line
     /// from the image of the point under the centre a line along it.
-    fn velocity_roll(&mut self, roll: usize, wheel: LinkId, centre: PointId) -> Route<B> {
+    pub(super) fn velocity_roll(&mut self, roll: usize, wheel: LinkId, centre: PointId) -> Route<B> {
         let unknown = Unknown::Roll { roll, wheel, centre };
         let body = self.rolled_on(roll, wheel);
         if let Some(other) = self.other_centre(roll, wheel) {
             let image = self.image(Order::Velocity, other);
             let along = self.square_to(body, other, centre);
             let claim = Claim::Perpendicular(Reference::Points(other, centre));
-            let from = (self.label(other), image);
-            return Route { from, ray: Line { through: image, along }, claim, unknown };
+            return self.velocity_ray((self.label(other), image), along, claim, unknown);
         }
         let image = self.image_under(Order::Velocity, centre, body);
         let (along, claim) = self.rolling_direction(roll, wheel, centre);
-        let from = (self.label_under(centre, body), image);
-        Route { from, ray: Line { through: image, along }, claim, unknown }
+        self.velocity_ray((self.label_under(centre, body), image), along, claim, unknown)
     }
 
     /// Along the line on which a wheel rolls: square to its contact radius.
@@ -441,14 +373,23 @@ impl<B: Bench> Draughtsman<'_, B> {
         roll: usize,
         wheel: LinkId,
         centre: PointId,
-    ) -> (crate::board::Direction<B>, Claim) {
+    ) -> (Direction<B>, Claim) {
         let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
         let along = self.square_to(wheel, centre, contact);
         (along, Claim::Perpendicular(Reference::Points(centre, contact)))
     }
 
-    /// What the velocity of a rolling wheel's centre is called, seen from where its route begins.
-    fn rolling_velocity(&self, roll: usize, wheel: LinkId, centre: PointId) -> (Quantity, VectorKind) {
+    /// What the unknown part of a rolling wheel's centre is called, seen from where its route begins.
+    pub(super) fn rolling_unknown(
+        &self,
+        order: Order,
+        (roll, wheel, centre): (usize, LinkId, PointId),
+        foot: Label,
+    ) -> (Quantity, VectorKind) {
+        if order == Order::Acceleration {
+            let kind = if foot == Label::Pole { VectorKind::Absolute } else { VectorKind::Tangential };
+            return (self.rolling_tangential(roll, wheel, centre), kind);
+        }
         match self.other_centre(roll, wheel) {
             Some(other) => (self.relative_velocity(centre, other), self.kind_of(other)),
             None if self.rolled_on(roll, wheel) == LinkId::FRAME => {
@@ -458,109 +399,35 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// Two lines of unknown length meet in the sought image.
-    fn velocity_of_group(&mut self, step: &GroupStep, group: &Group) {
-        let kind = group.kind;
-        let Some((target, unknowns)) = routes_of(kind) else { return };
-        self.board.purpose("velocity image");
-        let pin = target.pin();
-        let links: Vec<LinkId> =
-            group.links.iter().copied().filter(|&l| !self.mechanism.link(l).block).collect();
-        self.step(Order::Velocity, &links, Vec::new());
-        let routes = unknowns.map(|unknown| match unknown {
-            Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
-            Unknown::Slide { slide, back } => self.velocity_slide(slide, back, pin),
-            Unknown::Roll { roll, wheel, centre } => self.velocity_roll(roll, wheel, centre),
-        });
-        let equation = self.velocity_equation(target, unknowns);
-        self.equation(equation);
-        for route in &routes {
-            self.act(Act::DrawRay { from: route.from.0, claim: route.claim });
-        }
-        let reason = self.reason(&links);
-        let meet = self.board.meet_lines(routes[0].ray, routes[1].ray, reason);
-        let label = match target {
-            Target::Pin(pin) => {
-                self.note_image(Order::Velocity, pin, meet.at);
-                self.label(pin)
-            }
-            Target::Under(pin, link) => {
-                self.note_under(Order::Velocity, pin, link, meet.at);
-                self.label_under(pin, link)
-            }
-        };
-        self.act(Act::MarkMeet { label, crossing: meet.crossing });
-        for (route, along) in routes.iter().zip(meet.along) {
-            self.note_ray(Order::Velocity, route.from.1, meet.at, route.claim);
-            match route.unknown {
-                Unknown::Turn { link, base, .. } => {
-                    self.read_omega(route, target, (link, base), (label, meet.at), along);
-                }
-                Unknown::Slide { slide, back } => {
-                    self.read_slip(route, target, (slide, back), (label, meet.at), along);
-                }
-                Unknown::Roll { roll, wheel, centre } => {
-                    let scale = self.polygon_scale(Order::Velocity);
-                    self.rolling_speeds[roll] = Some(self.board.read(along, scale));
-                    let (quantity, kind) = self.rolling_velocity(roll, wheel, centre);
-                    let vector = self.note_vector(
-                        Order::Velocity,
-                        (kind, quantity, Some(route.claim)),
-                        route.from,
-                        (label, meet.at),
-                    );
-                    self.act_read(Order::Velocity, vector);
-                }
-            }
-        }
-        self.rates_by_riding(Order::Velocity, kind);
-        let reached_from_pole = routes.iter().any(|route| route.from.0 == Label::Pole);
-        if let (Target::Pin(pin), false) = (target, reached_from_pole) {
-            self.absolute_vector(Order::Velocity, Quantity::Velocity(pin), label, meet.at);
-        }
-        if let (Target::Under(pin, link), false) = (target, reached_from_pole) {
-            let quantity = Quantity::CoincidentVelocity(pin, link);
-            self.absolute_vector(Order::Velocity, quantity, label, meet.at);
-        }
-        self.further_velocities(step, kind);
-    }
-
-    /// The line of an open constraint from its known end.
-    pub(super) fn closing_line(&mut self, unknown: Unknown, end: PointId) -> Line<B> {
-        self.closing_route(unknown, end).ray
-    }
-
-    fn closing_route(&mut self, unknown: Unknown, end: PointId) -> Route<B> {
-        match unknown {
-            Unknown::Turn { link, base, to } => self.velocity_arm(link, base, to),
-            Unknown::Slide { slide, back } => self.velocity_slide(slide, back, end),
-            Unknown::Roll { roll, wheel, centre } => self.velocity_roll(roll, wheel, centre),
-        }
-    }
-
-    /// Reads what an open constraint has become when its end's image is known.
-    pub(super) fn read_closing_velocity(
-        &mut self,
-        unknown: Unknown,
+    /// What the unknown part along a guide is called, and whether it is drawn backwards along its route. On
+    /// the frame it is the rider's own.
+    pub(super) fn sliding_unknown(
+        &self,
+        order: Order,
         target: Target,
-        (label, image): (Label, Point<B>),
-    ) {
-        let route = self.closing_route(unknown, target.pin());
-        let [along, _] = self.board.square_off(route.ray, image);
-        self.note_ray(Order::Velocity, route.from.1, image, route.claim);
-        match unknown {
-            Unknown::Turn { link, base, .. } => {
-                self.read_omega(&route, target, (link, base), (label, image), along);
+        (slide, back): (usize, bool),
+    ) -> (Quantity, bool) {
+        let guide = self.mechanism.slides[slide].guide;
+        let straight = matches!(guide.path, Path::Straight { .. });
+        let second = order == Order::Acceleration;
+        let rider = self.riding_point(slide, target.pin());
+        let grounded = self.solved_side(slide, back) == Some(LinkId::FRAME);
+        let quantity = match (target, second) {
+            (Target::Pin(pin), false) if grounded => Quantity::Velocity(pin),
+            (Target::Under(pin, link), false) if grounded => Quantity::CoincidentVelocity(pin, link),
+            (Target::Pin(pin), true) if grounded && straight => Quantity::Acceleration(pin),
+            (Target::Under(pin, link), true) if grounded && straight => {
+                Quantity::CoincidentAcceleration(pin, link)
             }
-            Unknown::Slide { slide, back } => {
-                self.read_slip(&route, target, (slide, back), (label, image), along);
-            }
-            Unknown::Roll { .. } => {}
-        }
+            (_, false) => return (Quantity::Slip(rider, guide.link), back),
+            (_, true) if straight => return (Quantity::SlipAcceleration(rider, guide.link), back),
+            (_, true) => return (Quantity::SlipTangential(rider, guide.link), back),
+        };
+        (quantity, false)
     }
 
     /// Reads V along a route and divides by the link's length.
-    fn read_omega(
+    pub(super) fn read_omega(
         &mut self,
         route: &Route<B>,
         target: Target,
@@ -578,7 +445,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let vector = self.note_vector(
             Order::Velocity,
             (kind, quantity, Some(route.claim)),
-            route.from,
+            route.foot,
             (label, image),
         );
         self.act_read(Order::Velocity, vector);
@@ -598,7 +465,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Reads the sliding velocity along a route.
-    fn read_slip(
+    pub(super) fn read_slip(
         &mut self,
         route: &Route<B>,
         target: Target,
@@ -613,20 +480,15 @@ impl<B: Bench> Draughtsman<'_, B> {
         // Read from the guide's point to the rider: against the ray where it was drawn backwards.
         let speed = if back { self.board.opposite(read) } else { read };
         self.slips[slide] = Some(speed);
-        let (tail, head) = if back { ((label, image), route.from) } else { (route.from, (label, image)) };
-        let quantity = match (target, back) {
-            // A yoke on a fixed guide: its own velocity is the sliding velocity.
-            (Target::Under(pin, link), false) if guide == LinkId::FRAME => {
-                Quantity::CoincidentVelocity(pin, link)
-            }
-            _ if guide == LinkId::FRAME => Quantity::Velocity(pin),
-            (Target::Under(..), false) => Quantity::Slip(self.riding_point(slide, pin), guide),
-            _ => Quantity::Slip(pin, guide),
-        };
-        let kind = if guide == LinkId::FRAME { VectorKind::Absolute } else { VectorKind::Sliding };
+        let (quantity, reversed) = self.sliding_unknown(Order::Velocity, target, (slide, back));
+        let ends = [route.foot, (label, image)];
+        let [tail, head] = if reversed { [ends[1], ends[0]] } else { ends };
+        let grounded = self.solved_side(slide, back) == Some(LinkId::FRAME);
+        let kind = if grounded { VectorKind::Absolute } else { VectorKind::Sliding };
         let vector = self.note_vector(Order::Velocity, (kind, quantity, Some(route.claim)), tail, head);
         self.act_read(Order::Velocity, vector);
-        self.note_part(Quantity::Slip(self.riding_point(slide, pin), guide), tail.1, head.1);
+        let [from, to] = if back { [ends[1].1, ends[0].1] } else { [ends[0].1, ends[1].1] };
+        self.note_part(Quantity::Slip(self.riding_point(slide, pin), guide), from, to);
     }
 
     /// The point of a sliding pair's rider by which its sliding is named.
@@ -637,10 +499,11 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// The distance of a point from a link's pin: the link's own length, or measured where the point is not
+    /// The distance of a point from a link's pin: the link's own length, or measured where one of them is not
     /// the link's.
     pub(super) fn length_to(&mut self, link: LinkId, base: PointId, point: PointId) -> Amount<B> {
-        if self.mechanism.link(link).points.contains(&point) {
+        let own = &self.mechanism.link(link).points;
+        if own.contains(&base) && own.contains(&point) {
             return self.length(link, base, point);
         }
         if let Some(radius) = self.contact_radius(link, base, point) {
@@ -698,20 +561,29 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// ω or ε of links that slide without turning: that of the link they slide on.
+    /// ω or ε of links that slide without turning against a solved link: that of the solved one.
     pub(super) fn rates_by_riding(&mut self, order: Order, kind: GroupKind) {
-        match kind {
-            GroupKind::Rpr { lever, rod: Some(rod), .. } => {
-                let rate = self.rate(order, lever);
-                self.set_rate(order, rod, rate);
+        let rides = match kind {
+            GroupKind::Yoke { link, ride, .. } | GroupKind::Rack { link, ride, .. } => {
+                [Some((ride, link, link)), None]
             }
-            GroupKind::Yoke { link, ride, .. } => {
-                let carrier = self.mechanism.slides[ride].guide.link;
-                let rate = self.rate(order, carrier);
-                self.translates[link.0] = self.translates[carrier.0];
-                self.set_rate(order, link, rate);
+            GroupKind::Rrp { slide, rider, .. } => [rider.map(|link| (slide, link, link)), None],
+            GroupKind::Prp { slides, riders, .. } => {
+                [0, 1].map(|i| riders[i].map(|link| (slides[i], link, link)))
             }
-            _ => {}
+            GroupKind::Rpp { link, lever, ride, .. } => [Some((ride, link, link)), Some((ride, link, lever))],
+            _ => [None, None],
+        };
+        for (slide, found, link) in rides.into_iter().flatten() {
+            let slide = self.mechanism.slides[slide];
+            // Of the pair's two links the other one than that which is found.
+            let carrier = match slide.rider {
+                Rider::Link { link: rider, .. } if found == slide.guide.link => rider,
+                _ => slide.guide.link,
+            };
+            let rate = self.rate(order, carrier);
+            self.translates[link.0] = self.translates[carrier.0];
+            self.set_rate(order, link, rate);
         }
     }
 
@@ -740,102 +612,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act_read(order, vector);
     }
 
-    fn found_velocity(&mut self, point: PointId) -> Term {
-        let image = self.image(Order::Velocity, point).value();
-        let magnitude = libm::hypot(image[0], image[1]) * self.scales.velocity;
-        Term {
-            quantity: Quantity::Velocity(point),
-            magnitude: Some(magnitude),
-            direction: Some(TermDirection::Found),
-        }
-    }
-
-    /// V_B = V_A + V_BA, by both routes; for a lever V_A = V_A4 + V_AA4, with the pin's known velocity on
-    /// the left.
-    fn velocity_equation(&mut self, target: Target, unknowns: [Unknown; 2]) -> Equation {
-        let route = |d: &mut Self, unknown: Unknown| -> Vec<Term> {
-            let unknown_term = |quantity: Quantity, claim: Claim| Term {
-                quantity,
-                magnitude: None,
-                direction: Some(TermDirection::Claim(claim)),
-            };
-            match unknown {
-                Unknown::Turn { base, to, .. } => {
-                    let claim = Claim::Perpendicular(Reference::Points(base, to));
-                    let quantity = match target {
-                        Target::Pin(pin) => d.relative_velocity(pin, base),
-                        Target::Under(pin, link) => Quantity::CoincidentVelocity(pin, link),
-                    };
-                    let mut terms = Vec::new();
-                    if !d.mechanism.is_fixed(base) {
-                        terms.push(d.found_velocity(base));
-                    }
-                    terms.push(unknown_term(quantity, claim));
-                    terms
-                }
-                Unknown::Roll { roll, wheel, centre } => {
-                    let body = d.rolled_on(roll, wheel);
-                    let (quantity, _) = d.rolling_velocity(roll, wheel, centre);
-                    let mut terms = Vec::new();
-                    let claim = match d.other_centre(roll, wheel) {
-                        Some(other) => {
-                            if !d.mechanism.is_fixed(other) {
-                                terms.push(d.found_velocity(other));
-                            }
-                            Claim::Perpendicular(Reference::Points(other, centre))
-                        }
-                        None => {
-                            if body != LinkId::FRAME {
-                                terms.push(d.found_under(centre, body));
-                            }
-                            d.rolling_direction(roll, wheel, centre).1
-                        }
-                    };
-                    terms.push(unknown_term(quantity, claim));
-                    terms
-                }
-                Unknown::Slide { slide, back } => {
-                    let guide = d.mechanism.slides[slide].guide.link;
-                    let claim = Claim::Parallel(Reference::Guide(slide));
-                    let pin = target.pin();
-                    match (guide == LinkId::FRAME, target, back) {
-                        (true, Target::Under(pin, link), false) => {
-                            vec![unknown_term(Quantity::CoincidentVelocity(pin, link), claim)]
-                        }
-                        (true, ..) => vec![unknown_term(Quantity::Velocity(pin), claim)],
-                        (false, _, true) => vec![unknown_term(Quantity::Slip(pin, guide), claim)],
-                        (false, _, false) => {
-                            let under = d.found_under(pin, guide);
-                            vec![under, unknown_term(Quantity::Slip(pin, guide), claim)]
-                        }
-                    }
-                }
-            }
-        };
-        if let Target::Under(pin, _) = target {
-            let mut right = route(self, unknowns[0]);
-            right.extend(route(self, unknowns[1]));
-            return Equation { left: vec![self.found_velocity(pin)], right };
-        }
-        // The route from the frame, if there is one, stands on the left.
-        let from_frame = |d: &Self, unknown: Unknown| match unknown {
-            Unknown::Turn { base, .. } => d.mechanism.is_fixed(base),
-            Unknown::Slide { slide, .. } => d.mechanism.slides[slide].guide.link == LinkId::FRAME,
-            Unknown::Roll { roll, wheel, .. } => d.rolled_on(roll, wheel) == LinkId::FRAME,
-        };
-        let [a, b] = if from_frame(self, unknowns[1]) { [unknowns[1], unknowns[0]] } else { unknowns };
-        Equation { left: route(self, a), right: route(self, b) }
-    }
-
-    fn found_under(&mut self, pin: PointId, link: LinkId) -> Term {
-        let image = self.image_under(Order::Velocity, pin, link).value();
-        Term {
-            quantity: Quantity::CoincidentVelocity(pin, link),
-            magnitude: Some(libm::hypot(image[0], image[1]) * self.scales.velocity),
-            direction: Some(TermDirection::Found),
-        }
-    }
-
     /// The image of the point of a solved link under a pin: V = ω l from a known image of the link.
     pub(super) fn image_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Point<B> {
         if link == LinkId::FRAME {
@@ -857,7 +633,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 self.board.purpose("velocity of a point under a pin");
                 self.velocity_about(link, base, pin)
             }
-            None => self.translated_image(order, link),
+            None => self.translated_image(order, link, pin),
         };
         self.note_under(order, pin, link, image);
         let label = self.label_under(pin, link);
@@ -885,11 +661,12 @@ impl<B: Bench> Draughtsman<'_, B> {
         fixed.or_else(|| points.into_iter().find(|&p| self.images(order)[p.0].is_some()))
     }
 
-    /// The image of a link of which no point has one: that under the pin by which it was solved. Only a link
-    /// that translates is solved without an image of its own.
-    fn translated_image(&mut self, order: Order, link: LinkId) -> Point<B> {
-        match self.coincident.iter().find(|c| c.order == order && c.link == link) {
-            Some(known) => known.image,
+    /// The image of a point of a link of which no joint has one: from the point under the pin by which the
+    /// link was solved.
+    fn translated_image(&mut self, order: Order, link: LinkId, point: PointId) -> Point<B> {
+        let solved_by = self.coincident.iter().find(|c| c.order == order && c.link == link).map(|c| c.pin);
+        match solved_by {
+            Some(pin) => self.riding_image(order, link, pin, point),
             None => self.board.origin(),
         }
     }
@@ -905,41 +682,30 @@ impl<B: Bench> Draughtsman<'_, B> {
         } else {
             Quantity::CoincidentVelocity(point, link)
         };
-        let value = speed.value().abs();
-        self.act(Act::Calculate(Calculation::Speed {
-            quantity,
-            link,
-            ends: [base, point],
-            omega: omega.value(),
-            length: length.value(),
-            value,
-        }));
+        let ends = [base, point];
+        self.act_turning(Order::Velocity, quantity, link, ends, [omega, length, speed]);
         let square = self.square_to(link, base, point);
         let mm = self.board.to_paper(speed, scale);
         let from = self.image(Order::Velocity, base);
         self.board.lay_off(from, square, mm)
     }
 
-    /// Images of the further points of the group's links.
-    fn further_velocities(&mut self, step: &GroupStep, kind: GroupKind) {
-        for &(link, point) in &step.points {
-            self.board.purpose("velocity image of a further point");
-            let image = match (kind, main_base(kind, link)) {
-                (GroupKind::Rpr { lever, base, .. }, _) if link == lever => {
-                    self.velocity_about(link, base, point)
-                }
-                (GroupKind::Rpr { pin, .. }, _) => self.velocity_about(link, pin, point),
-                (GroupKind::Yoke { pin, .. }, _) => self.riding_image(Order::Velocity, link, pin, point),
-                (_, Some((base, pin))) => match self.straight_ratio(link, base, pin, point) {
-                    Some(ratio) => self.divide_image(Order::Velocity, (base, pin), point, ratio),
-                    None => self.velocity_corner(link, (base, pin), point),
-                },
-                (_, None) => continue,
-            };
-            self.note_image(Order::Velocity, point, image);
-            let label = self.label(point);
-            self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);
-        }
+    /// Calculates V = ω l or Aᵗ = ε l.
+    pub(super) fn act_turning(
+        &mut self,
+        order: Order,
+        quantity: Quantity,
+        link: LinkId,
+        ends: [PointId; 2],
+        [rate, length, part]: [Amount<B>; 3],
+    ) {
+        let (rate, length, value) = (rate.value(), length.value(), part.value().abs());
+        self.act(Act::Calculate(match order {
+            Order::Acceleration => {
+                Calculation::Tangential { quantity, link, ends, alpha: rate, length, value }
+            }
+            _ => Calculation::Speed { quantity, link, ends, omega: rate, length, value },
+        }));
     }
 
     /// A point of a link that slides without turning: the image under its pin, where the link it slides on
@@ -955,26 +721,18 @@ impl<B: Bench> Draughtsman<'_, B> {
         let omega = self.rate(Order::Velocity, link);
         let alpha = self.rate(Order::Acceleration, link);
         if omega.value() == 0.0 && (order == Order::Velocity || alpha.value() == 0.0) {
-            self.act(Act::SameImage { label: self.label(point), with: self.label_under(pin, link) });
+            self.act(Act::SameImage {
+                label: self.label_under(point, link),
+                with: self.label_under(pin, link),
+            });
             return from;
         }
-        let square = self.square_to(link, pin, point);
-        let length = self.measured(pin, point);
-        let scale = self.polygon_scale(order);
-        if order == Order::Velocity {
-            let speed = self.board.product(omega, length);
-            let mm = self.board.to_paper(speed, scale);
-            return self.board.lay_off(from, square, mm);
+        if self.mechanism.link(link).points.contains(&pin) {
+            return self.image_about(order, link, pin, point);
         }
-        let outward = self.outward(link, pin, point);
-        let inward = self.board.reverse(outward);
-        let speed = self.board.product(omega, length);
-        let normal = self.board.product(omega, speed);
-        let tangential = self.board.product(alpha, length);
-        let mm = self.board.to_paper(normal, scale);
-        let foot = self.board.lay_off(from, inward, mm);
-        let mm = self.board.to_paper(tangential, scale);
-        self.board.lay_off(foot, square, mm)
+        let start = (self.label_under(pin, link), from);
+        let head = self.label_under(point, link);
+        self.lay_off_turn(order, link, [pin, point], start, (1, Some(head))).1
     }
 
     /// base→point : base→pin on a straight link, signed; `None` for other links.
@@ -1013,24 +771,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         let [u, v] = [[e[0] - p[0], e[1] - p[1]], [e[0] - q[0], e[1] - q[1]]];
         let cross = u[0] * v[1] - u[1] * v[0];
         cross.abs() > FLATTEST_CROSSING * libm::hypot(u[0], u[1]) * libm::hypot(v[0], v[1])
-    }
-
-    /// A corner of the image triangle, by perpendiculars to two sides.
-    fn velocity_corner(&mut self, link: LinkId, (base, pin): (PointId, PointId), point: PointId) -> Point<B> {
-        if !self.crosses_well(base, pin, point) {
-            return self.similar_image(Order::Velocity, link, (base, pin), point);
-        }
-        let arms = [self.velocity_arm(link, base, point), self.velocity_arm(link, pin, point)];
-        for arm in &arms {
-            self.act(Act::DrawRay { from: arm.from.0, claim: arm.claim });
-        }
-        let reason = self.reason(&[link]);
-        let meet = self.board.meet_lines(arms[0].ray, arms[1].ray, reason);
-        self.act(Act::MarkMeet { label: self.label(point), crossing: meet.crossing });
-        for arm in &arms {
-            self.note_ray(Order::Velocity, arm.from.1, meet.at, arm.claim);
-        }
-        meet.at
     }
 
     /// A corner of an image, by the figure similar to the link.

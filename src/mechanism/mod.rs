@@ -6,8 +6,10 @@
 //!
 //! **Architecture Invariant:** nothing here knows a file format, paper or a solver.
 
+pub mod engine;
 pub mod quantity;
 pub mod report;
+pub mod slider_crank;
 pub mod structure;
 
 pub use crate::given::Given;
@@ -251,6 +253,17 @@ pub enum Roll {
         /// The wheel's radius in metres.
         radius: Given,
     },
+}
+
+impl Roll {
+    /// The two bodies that roll on each other.
+    #[must_use]
+    pub fn bodies(&self) -> [LinkId; 2] {
+        match self {
+            Self::Circles { links, .. } => *links,
+            Self::Line { guide, wheel, .. } => [guide.link, *wheel],
+        }
+    }
 }
 
 /// What drives the mechanism.

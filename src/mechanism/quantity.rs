@@ -27,6 +27,11 @@ pub enum Quantity {
     Omega(LinkId),
     /// `omega(3/2)`: ω₃ − ω₂. Signed scalar.
     RelativeOmega(LinkId, LinkId),
+    /// `ratio(4/2)`: ω₄ : ω₂. Signed number, positive where both turn the same way.
+    Ratio(LinkId, LinkId),
+    /// `advantage(4/2)`: mechanical advantage, the torque at link 4 for a unit of torque at link 2 without losses,
+    /// ω₂ : ω₄. Signed number.
+    Advantage(LinkId, LinkId),
     /// `alpha(3)`: angular acceleration. Signed scalar, ccw positive.
     Alpha(LinkId),
     /// `alpha(3/2)`: α₃ − α₂. Signed scalar.
@@ -56,6 +61,8 @@ pub enum Quantity {
     Centre(LinkId, LinkId),
     /// `rub(B)`, `rub(B,3/4)`: rubbing speed at a pin, journal radius × |relative ω|. Scalar, not negative.
     Rub(PointId, LinkId, LinkId),
+    /// `rho(B)`: radius of curvature of the path of a point. Scalar, not negative.
+    PathRadius(PointId),
     /// `x(B)`: place of a point. Vector.
     Position(PointId),
     /// `angle(3)`: angle of a link's own x-axis from +x, in (−π, π]. Scalar.
@@ -85,6 +92,8 @@ impl Quantity {
             | Self::RelativeVelocity(..)
             | Self::Omega(_)
             | Self::RelativeOmega(..)
+            | Self::Ratio(..)
+            | Self::Advantage(..)
             | Self::Slip(..)
             | Self::Centre(..)
             | Self::Rub(..)
@@ -97,6 +106,7 @@ impl Quantity {
             | Self::RelativeAlpha(..)
             | Self::SlipAcceleration(..)
             | Self::SlipTangential(..)
+            | Self::PathRadius(_)
             // These need velocities only, but they are vectors of the acceleration polygon.
             | Self::RelativeNormal(..)
             | Self::Normal(_)
@@ -119,6 +129,65 @@ pub struct Unit {
     pub si: f64,
 }
 
+/// By which construction a velocity or an acceleration is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Method {
+    /// The velocity and the acceleration polygon.
+    #[default]
+    Polygon,
+    /// Instant centres, by the transfer centre of input and sought link; an acceleration polygon is fed with
+    /// the velocities so found.
+    Centres,
+    /// Instant centres: a velocity is turned about a pole onto the line of centres, and carried over by similar
+    /// triangles.
+    LineOfCentres,
+    /// Instant centres: from pin to pin of a chain of links, by parallels to the links.
+    LinkToLink,
+    /// Instant centres: from pin to pin of a chain of links, each on the gauge line of its link.
+    GaugeLine,
+    /// Klein's construction on the crank of a slider-crank.
+    Klein,
+}
+
+impl Method {
+    /// All methods.
+    pub const ALL: [Self; 6] =
+        [Self::Polygon, Self::Centres, Self::LineOfCentres, Self::LinkToLink, Self::GaugeLine, Self::Klein];
+
+    /// Its name in a scene.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Polygon => "polygon",
+            Self::Centres => "centres",
+            Self::LineOfCentres => "line-of-centres",
+            Self::LinkToLink => "link-to-link",
+            Self::GaugeLine => "gauge-line",
+            Self::Klein => "klein",
+        }
+    }
+
+    /// Whether the method leads to such a quantity at all.
+    #[must_use]
+    pub fn answers(self, quantity: &Quantity) -> bool {
+        match self {
+            Self::Polygon | Self::Centres => true,
+            Self::LineOfCentres | Self::LinkToLink | Self::GaugeLine => {
+                matches!(quantity, Quantity::Velocity(_) | Quantity::Omega(_))
+            }
+            Self::Klein => matches!(
+                quantity,
+                Quantity::Velocity(_)
+                    | Quantity::RelativeVelocity(..)
+                    | Quantity::Acceleration(_)
+                    | Quantity::RelativeAcceleration(..)
+                    | Quantity::Omega(_)
+                    | Quantity::Alpha(_)
+            ),
+        }
+    }
+}
+
 /// One asked quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Asked {
@@ -128,6 +197,26 @@ pub struct Asked {
     pub quantity: Quantity,
     /// In which unit it is answered.
     pub unit: Unit,
+    /// By which construction.
+    pub method: Method,
+}
+
+impl Asked {
+    /// Whether it is a velocity that is asked for by a method of instant centres.
+    #[must_use]
+    pub fn by_centres(&self) -> bool {
+        let centres = matches!(
+            self.method,
+            Method::Centres | Method::LineOfCentres | Method::LinkToLink | Method::GaugeLine
+        );
+        centres && self.quantity.order() == Order::Velocity && !matches!(self.quantity, Quantity::Centre(..))
+    }
+
+    /// Whether it is an acceleration whose polygon is fed with velocities from instant centres.
+    #[must_use]
+    pub fn fed_by_centres(&self) -> bool {
+        self.method == Method::Centres && self.quantity.order() == Order::Acceleration
+    }
 }
 
 /// Why a quantity is not determined here.

@@ -1,12 +1,13 @@
 //! The structure of a mechanism as a textbook tells it: kinds of links, pairs, mobility as a formula,
-//! groups with class and order, and for each four-bar loop its Grashof class, its transmission angle and
-//! its dead positions in closed form.
+//! groups with class and order, for each four-bar loop its Grashof class, and for four-bar and slider-crank
+//! loops the transmission angle and the dead positions in closed form.
 //!
 //! **Architecture Invariant:** the pose comes in as a function; nothing here knows who found it.
 
 use std::f64::consts::PI;
 use std::fmt;
 
+use super::slider_crank::{SliderCrank, slider_cranks};
 use super::structure::{Group, GroupKind, Joint, Mobility, Structure, StructureError};
 use super::{Form, Link, LinkId, Mechanism, PointId, Rider, Roll};
 
@@ -128,6 +129,8 @@ pub enum InLine {
     CouplerAndOutput,
     /// Driver and coupler: the output is at a limit of its swing, and cannot drive back.
     DriverAndCoupler,
+    /// The rod stands square to the guide: the crank can go no further.
+    CouplerSquareToGuide,
 }
 
 /// A position of the driver at which two links are in line.
@@ -192,6 +195,8 @@ pub struct Report {
     pub refused: Option<String>,
     /// Its four-bar loops.
     pub four_bars: Vec<FourBar>,
+    /// Its slider-crank loops.
+    pub slider_cranks: Vec<SliderCrank>,
 }
 
 /// Reports on a mechanism; `places` is its pose as far as it is known.
@@ -209,6 +214,7 @@ pub fn report(mechanism: &Mechanism, places: &Places<'_>) -> Report {
     let groups = structure.iter().flat_map(|s| &s.groups).map(|g| group(mechanism, g)).collect();
     let four_bars =
         structure.iter().flat_map(|s| &s.groups).flat_map(|g| four_bars(mechanism, g, places)).collect();
+    let slider_cranks = structure.iter().flat_map(|s| slider_cranks(mechanism, s, places)).collect();
     let links: Vec<LinkReport> = (0..mechanism.links.len()).map(|l| link(mechanism, LinkId(l))).collect();
     Report {
         idle: idle(mechanism, &links),
@@ -219,6 +225,7 @@ pub fn report(mechanism: &Mechanism, places: &Places<'_>) -> Report {
         groups,
         refused,
         four_bars,
+        slider_cranks,
     }
 }
 
@@ -323,14 +330,20 @@ fn redundant_in_space(mobility: &Mobility) -> i64 {
 fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
     let links = group.links.iter().map(|l| mechanism.link(*l).number).collect();
     let (class, order) = match group.kind {
-        GroupKind::Driver { .. } | GroupKind::DrivenSlide { .. } | GroupKind::TrialDriver { .. } => (1, 1),
+        GroupKind::Driver { .. }
+        | GroupKind::DrivenSlide { .. }
+        | GroupKind::DrivenWheel { .. }
+        | GroupKind::TrialDriver { .. } => (1, 1),
+        GroupKind::DrivenBar { .. } => (1, 2),
         GroupKind::Higher { .. } | GroupKind::Other => contour(mechanism, group),
         GroupKind::Rrr { .. }
         | GroupKind::Rrp { .. }
         | GroupKind::Rpr { .. }
         | GroupKind::Prp { .. }
+        | GroupKind::Rpp { .. }
         | GroupKind::Yoke { .. }
         | GroupKind::Wheel { .. }
+        | GroupKind::Rack { .. }
         | GroupKind::Rolling { .. } => (2, 2),
     };
     GroupReport { kind: group.kind.to_string(), links, class, order, after: group.after.clone() }
@@ -410,7 +423,13 @@ fn shortest_cycles(pairs: &[[LinkId; 2]]) -> Vec<usize> {
 }
 
 /// Distance of two points of a link: as it was given, else off the pose.
-fn span(mechanism: &Mechanism, link: LinkId, a: PointId, b: PointId, places: &Places<'_>) -> Option<f64> {
+pub(super) fn span(
+    mechanism: &Mechanism,
+    link: LinkId,
+    a: PointId,
+    b: PointId,
+    places: &Places<'_>,
+) -> Option<f64> {
     let Link { form, points, .. } = mechanism.link(link);
     let index = |p: PointId| points.iter().position(|q| *q == p);
     match (form, index(a), index(b)) {
@@ -434,7 +453,7 @@ fn span(mechanism: &Mechanism, link: LinkId, a: PointId, b: PointId, places: &Pl
 }
 
 /// The fixed pivot of a link.
-fn pivot(mechanism: &Mechanism, link: LinkId) -> Option<PointId> {
+pub(super) fn pivot(mechanism: &Mechanism, link: LinkId) -> Option<PointId> {
     mechanism.link(link).points.iter().copied().find(|p| mechanism.is_fixed(*p))
 }
 
@@ -545,6 +564,12 @@ fn transmission_range([frame, driver, coupler, output]: [f64; 4]) -> Option<[f64
     Some([least, greatest])
 }
 
+/// How far a link has to turn from its present angle to another, in (−π, π].
+pub(super) fn turn_from(now: Option<f64>, angle: f64) -> f64 {
+    let turn = (angle - now.unwrap_or(angle)).rem_euclid(2.0 * PI);
+    if turn > PI { turn - 2.0 * PI } else { turn }
+}
+
 /// Driver angles at which two links are in line, by the triangles that they make.
 fn dead_positions(
     [frame, driver, coupler, output]: [f64; 4],
@@ -553,14 +578,10 @@ fn dead_positions(
 ) -> Vec<DeadPosition> {
     let mut dead: Vec<DeadPosition> = Vec::new();
     let mut add = |links: InLine, extended: bool, from_frame: f64, away: f64| {
-        let turn_of = |angle: f64| {
-            let turn = (angle - now.unwrap_or(angle)).rem_euclid(2.0 * PI);
-            if turn > PI { turn - 2.0 * PI } else { turn }
-        };
         // Both assemblies: the triangle and its mirror image.
         for side in [from_frame, -from_frame] {
             let angle = (frame_angle + side + away).rem_euclid(2.0 * PI);
-            let one = DeadPosition { links, extended, angle, turn: turn_of(angle), side };
+            let one = DeadPosition { links, extended, angle, turn: turn_from(now, angle), side };
             if !dead.iter().any(|d| d.links == links && d.extended == extended && d.angle == angle) {
                 dead.push(one);
             }

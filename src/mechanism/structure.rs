@@ -9,7 +9,7 @@
 
 use std::fmt;
 
-use super::{Guide, Input, LinkId, Mechanism, Path, PointId, Rider, Roll, Slide};
+use super::{Guide, GuidePoint, Input, LinkId, Mechanism, Path, PointId, Rider, Roll, Slide};
 
 /// A pair or an input, as a constraint between two links.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,6 +91,9 @@ pub enum GroupKind {
         pin: PointId,
         /// Index into [`Mechanism::slides`].
         slide: usize,
+        /// The link that has the pin and slides without turning against the solved one, where it is not
+        /// the pin itself or its block that slides.
+        rider: Option<LinkId>,
     },
     /// A lever that carries a guide for a pin of a solved link (slotted lever, Whitworth); or that
     /// carries, or is carried by, a rod which slides against it without turning (oscillating cylinder).
@@ -106,19 +109,38 @@ pub enum GroupKind {
         /// The rod between the pin and the guide, where there is one.
         rod: Option<LinkId>,
     },
-    /// A pin that rides on guides of two solved links.
+    /// A pin that rides on guides of two solved links, itself or with a link that slides without turning.
     Prp {
         /// The pin.
         pin: PointId,
         /// Indices into [`Mechanism::slides`].
         slides: [usize; 2],
+        /// For each pair the link that has the pin and slides without turning against the solved one, where
+        /// it is not the pin itself or its block that slides.
+        riders: [Option<LinkId>; 2],
+    },
+    /// A link that slides without turning against a solved link, and another that slides without turning
+    /// against the first and is pinned to a solved link (Oldham's coupling).
+    Rpp {
+        /// The link between the two sliding pairs.
+        link: LinkId,
+        /// Its first joint, by which it is found.
+        point: PointId,
+        /// The pinned link.
+        lever: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
+        ride: usize,
+        /// Index into [`Mechanism::slides`]: the link and the pinned link.
+        slot: usize,
     },
     /// A link that slides without turning against a solved link and carries a guide for a pin of a
     /// solved link (Scotch yoke).
     Yoke {
         /// The link.
         link: LinkId,
-        /// Index into [`Mechanism::slides`]: the link on the solved link.
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
         ride: usize,
         /// The pin on the solved link.
         pin: PointId,
@@ -140,6 +162,39 @@ pub enum GroupKind {
         centre: PointId,
         /// Index into [`Mechanism::rolls`].
         roll: usize,
+    },
+    /// A link that slides without turning against a solved link and is driven by a solved wheel.
+    Rack {
+        /// The link.
+        link: LinkId,
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
+        ride: usize,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
+    /// A driven link of which two pins ride on guides of solved links (trammel driven by its bar).
+    DrivenBar {
+        /// The link.
+        link: LinkId,
+        /// Its pins.
+        pins: [PointId; 2],
+        /// For each pin the index into [`Mechanism::slides`].
+        slides: [usize; 2],
+        /// Index into [`Mechanism::inputs`].
+        input: usize,
+    },
+    /// A driven wheel that rolls on a solved body; its centre is held by the contact, or rides on a guide.
+    DrivenWheel {
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// Index into [`Mechanism::slides`]: the centre on a guide of a solved link.
+        guide: Option<usize>,
+        /// Index into [`Mechanism::inputs`].
+        input: usize,
     },
     /// A rod and a wheel pinned to its end, which rolls on a solved body and is held against it.
     Rolling {
@@ -218,9 +273,13 @@ impl fmt::Display for GroupKind {
             Self::Rrp { .. } => "RRP",
             Self::Rpr { .. } => "RPR",
             Self::Prp { .. } => "PRP",
+            Self::Rpp { .. } => "RPP",
             Self::Yoke { .. } => "PPR",
             Self::DrivenSlide { .. } => "driven slide",
             Self::Wheel { .. } => "wheel",
+            Self::Rack { .. } => "rack",
+            Self::DrivenBar { .. } => "driven bar",
+            Self::DrivenWheel { .. } => "driven wheel",
             Self::Rolling { .. } => "rod with a rolling wheel",
             Self::TrialDriver { .. } => "trial driver",
             Self::Higher { .. } => "group of higher class",
@@ -482,9 +541,15 @@ impl Structure {
         }
         game.free_frame();
         let mut structure = Self::assemble(mechanism, mobility, &nodes, &game);
+        let held: Vec<usize> = structure
+            .groups
+            .iter()
+            .flat_map(|group| &group.joints)
+            .filter_map(|joint| if let Joint::Contact(roll) = *joint { Some(roll) } else { None })
+            .collect();
         for group in &mut structure.groups {
             if group.kind == GroupKind::Other
-                && let Some(trial) = Trial::of(mechanism, group)
+                && let Some(trial) = Trial::of(mechanism, &held, group)
             {
                 group.kind = GroupKind::Higher { trial: structure.trials.len() };
                 structure.trials.push(trial);
@@ -596,18 +661,30 @@ fn roll_ends(roll: &Roll) -> [usize; 2] {
     }
 }
 
-/// Whether one link holds both centres of a rolling pair, or the wheel's centre rides on a guide of the
-/// body on whose line it rolls.
+/// Whether other pairs hold two rolling bodies together: one link has both centres, or one centre rides on an
+/// arc about the other; the wheel's centre rides on the body of the line, or that body slides without turning
+/// against a link that has the centre.
 fn holds_distance(mechanism: &Mechanism, roll: &Roll) -> bool {
+    let has = |link: LinkId, point: PointId| mechanism.point(point).links.contains(&link);
     match roll {
         Roll::Circles { centres, .. } => {
             let second = &mechanism.point(centres[1]).links;
             mechanism.point(centres[0]).links.iter().any(|l| second.contains(l))
+                || mechanism.slides.iter().any(|slide| match (slide.rider, slide.guide.path) {
+                    (Rider::Pin { point, .. }, Path::Arc { centre: GuidePoint::Point(about), .. }) => {
+                        [point, about] == *centres || [about, point] == *centres
+                    }
+                    _ => false,
+                })
         }
         Roll::Line { guide, centre, .. } => mechanism.slides.iter().any(|slide| {
-            slide.guide.link == guide.link
-                && matches!(slide.guide.path, Path::Straight { .. })
-                && matches!(slide.rider, Rider::Pin { point, .. } if point == *centre)
+            let held = match slide.rider {
+                Rider::Pin { point, .. } => slide.guide.link == guide.link && point == *centre,
+                Rider::Link { link, .. } => [[link, slide.guide.link], [slide.guide.link, link]]
+                    .into_iter()
+                    .any(|[body, other]| body == guide.link && has(other, *centre)),
+            };
+            held && is_straight(slide.guide)
         }),
     }
 }
@@ -761,16 +838,25 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             GroupKind::Other
         };
     }
-    if !held.is_empty() {
-        return GroupKind::Other;
-    }
-    if let &[roll] = rolls.as_slice() {
-        return match (rods.as_slice(), outer.as_slice(), slides.is_empty() && inputs.is_empty()) {
-            (&[wheel], &[(_, centre)], true) if turns_about(&mechanism.rolls[roll], wheel, centre) => {
-                GroupKind::Wheel { wheel, centre, roll }
+    if let (&[roll], &[link]) = (rolls.as_slice(), rods.as_slice()) {
+        return match (outer.as_slice(), inputs.as_slice(), slides.as_slice(), held.as_slice()) {
+            (&[(_, centre)], [], [], []) if turns_about(&mechanism.rolls[roll], link, centre) => {
+                GroupKind::Wheel { wheel: link, centre, roll }
+            }
+            ([], [], &[ride], []) if glider(mechanism, &rods, ride) == Some(link) && points.is_empty() => {
+                match mechanism.rolls[roll] {
+                    Roll::Line { guide, .. } if guide.link == link => GroupKind::Rack { link, ride, roll },
+                    _ => GroupKind::Other,
+                }
+            }
+            ([], &[input], guides, contacts) if guides.len() + contacts.len() == 1 => {
+                driven_wheel(mechanism, link, points, (roll, guides.first().copied(), input))
             }
             _ => GroupKind::Other,
         };
+    }
+    if !rolls.is_empty() {
+        return GroupKind::Other;
     }
     match (rods.as_slice(), points, inputs.as_slice(), slides.as_slice()) {
         ([_], [], &[input], []) => match (outer.as_slice(), mechanism.inputs[input]) {
@@ -783,6 +869,19 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
         {
             GroupKind::DrivenSlide { slide, input }
         }
+        (&[link], &[_, _], &[input], &[first, second]) if outer.is_empty() => {
+            let slides = [first, second];
+            let pin_of = |slide: usize| match mechanism.slides[slide] {
+                Slide { rider: Rider::Pin { point, .. }, guide } if guide.link != link => Some(point),
+                _ => None,
+            };
+            match (slides.map(pin_of), mechanism.inputs[input]) {
+                ([Some(a), Some(b)], Input::Angle { .. } | Input::Speed { .. }) if a != b => {
+                    GroupKind::DrivenBar { link, pins: [a, b], slides, input }
+                }
+                _ => GroupKind::Other,
+            }
+        }
         (&[first, second], &[pin], [], []) => match outer.as_slice() {
             &[(a, base_a), (b, base_b)] if a != b => {
                 let bases = if a == first { [base_a, base_b] } else { [base_b, base_a] };
@@ -792,11 +891,30 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
         },
         (&[rod], &[pin], [], &[slide]) => match (outer.as_slice(), mechanism.slides[slide].rider) {
             (&[(_, base)], Rider::Pin { point, .. }) if point == pin => {
-                GroupKind::Rrp { rod, base, pin, slide }
+                GroupKind::Rrp { rod, base, pin, slide, rider: None }
             }
             _ => GroupKind::Other,
         },
-        ([], &[pin], [], &[first, second]) => GroupKind::Prp { pin, slides: [first, second] },
+        (&[_, _], &[pin], [], &[slide]) => match (outer.as_slice(), glider(mechanism, &rods, slide)) {
+            (&[(rod, base)], Some(rider)) if rider != rod => {
+                GroupKind::Rrp { rod, base, pin, slide, rider: Some(rider) }
+            }
+            _ => GroupKind::Other,
+        },
+        (_, &[pin], [], &[first, second]) if outer.is_empty() => {
+            let slides = [first, second];
+            let riders = slides.map(|slide| glider(mechanism, &rods, slide));
+            let rides = |slide: usize| match mechanism.slides[slide].rider {
+                Rider::Pin { point, .. } => point == pin,
+                Rider::Link { .. } => glider(mechanism, &rods, slide).is_some(),
+            };
+            let all_ride = slides.into_iter().all(rides) && riders[0] != riders[1] || rods.is_empty();
+            if all_ride && riders.iter().flatten().count() == rods.len() {
+                GroupKind::Prp { pin, slides, riders }
+            } else {
+                GroupKind::Other
+            }
+        }
         (&[lever], [], [], &[slide]) => {
             let Slide { rider, guide } = mechanism.slides[slide];
             match (outer.as_slice(), rider) {
@@ -821,13 +939,28 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                 _ => GroupKind::Other,
             }
         }
+        (&[a, b], [], [], &[first, second]) => {
+            let Some(&(lever, base)) = outer.first().filter(|_| outer.len() == 1) else {
+                return GroupKind::Other;
+            };
+            let link = if lever == a { b } else { a };
+            let (ride, slot) =
+                if glider(mechanism, &rods, first) == Some(link) { (first, second) } else { (second, first) };
+            let between = matches!(mechanism.slides[slot],
+                Slide { rider: Rider::Link { link: rider, .. }, guide }
+                    if rods.contains(&rider) && rods.contains(&guide.link));
+            match mechanism.link(link).points.first() {
+                Some(&point) if between && glider(mechanism, &rods, ride) == Some(link) => {
+                    GroupKind::Rpp { link, point, lever, base, ride, slot }
+                }
+                _ => GroupKind::Other,
+            }
+        }
         (&[link], [], [], &[first, second]) if outer.is_empty() => {
             let pair = |ride: usize, slot: usize| {
-                let (ride_on, slot_on) = (mechanism.slides[ride], mechanism.slides[slot]);
-                match (ride_on.rider, slot_on.rider) {
-                    (Rider::Link { link: rider, .. }, Rider::Pin { point, .. })
-                        if rider == link && slot_on.guide.link == link && is_straight(slot_on.guide) =>
-                    {
+                let on = mechanism.slides[slot];
+                match (glider(mechanism, &rods, ride), on.rider) {
+                    (Some(_), Rider::Pin { point, .. }) if on.guide.link == link => {
                         Some(GroupKind::Yoke { link, ride, pin: point, slot })
                     }
                     _ => None,
@@ -836,6 +969,43 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             pair(first, second).or_else(|| pair(second, first)).unwrap_or(GroupKind::Other)
         }
         _ => GroupKind::Other,
+    }
+}
+
+/// The link of a group that slides without turning against a solved link: it rides on a guide of that link,
+/// or carries the guide on which that link rides.
+fn glider(mechanism: &Mechanism, rods: &[LinkId], slide: usize) -> Option<LinkId> {
+    let Slide { rider: Rider::Link { link, .. }, guide } = mechanism.slides[slide] else { return None };
+    match (rods.contains(&link), rods.contains(&guide.link)) {
+        (true, false) => Some(link),
+        (false, true) => Some(guide.link),
+        _ => None,
+    }
+}
+
+/// A driven wheel whose centre is free but for its rolling, or rides on a guide of a solved link.
+fn driven_wheel(
+    mechanism: &Mechanism,
+    wheel: LinkId,
+    points: &[PointId],
+    (roll, guide, input): (usize, Option<usize>, usize),
+) -> GroupKind {
+    let centre = match mechanism.rolls[roll] {
+        Roll::Circles { links, centres, .. } => (0..2).find(|&i| links[i] == wheel).map(|i| centres[i]),
+        Roll::Line { wheel: own, centre, .. } => (own == wheel).then_some(centre),
+    };
+    let turned = matches!(mechanism.inputs[input], Input::Angle { .. } | Input::Speed { .. });
+    let Some(centre) = centre.filter(|c| turned && points.iter().all(|p| p == c)) else {
+        return GroupKind::Other;
+    };
+    let rides = |slide: usize| {
+        let Slide { rider, guide } = mechanism.slides[slide];
+        matches!(rider, Rider::Pin { point, .. } if point == centre) && guide.link != wheel
+    };
+    if guide.is_none_or(rides) {
+        GroupKind::DrivenWheel { wheel, centre, roll, guide, input }
+    } else {
+        GroupKind::Other
     }
 }
 
@@ -855,7 +1025,7 @@ fn turns_about(roll: &Roll, wheel: LinkId, centre: PointId) -> bool {
 
 impl Trial {
     /// Finds a link to drive and a constraint to leave open, so that the rest can be constructed.
-    fn of(mechanism: &Mechanism, group: &Group) -> Option<Self> {
+    fn of(mechanism: &Mechanism, held: &[usize], group: &Group) -> Option<Self> {
         let outer: Vec<(LinkId, PointId)> = group
             .joints
             .iter()
@@ -876,7 +1046,7 @@ impl Trial {
                 if matches!(closing, Closing::Rod { link, .. } if link == driver) {
                     continue;
                 }
-                if let Some(groups) = subgroups(mechanism, group, driver, closing) {
+                if let Some(groups) = subgroups(mechanism, held, group, driver, closing) {
                     return Some(Self { driver, base, closing, groups });
                 }
             }
@@ -898,8 +1068,15 @@ fn closings(mechanism: &Mechanism, group: &Group, outer: &[(LinkId, PointId)]) -
     for &(link, far) in outer {
         let inner: Vec<PointId> =
             mechanism.link(link).points.iter().copied().filter(|p| group.points.contains(p)).collect();
-        let carries_guide = mechanism.slides.iter().any(|s| s.guide.link == link);
-        if let (&[near], false) = (inner.as_slice(), carries_guide) {
+        // A rod on which the group itself slides cannot be left open; what is solved later may slide on it.
+        let slides = group.joints.iter().any(|joint| match *joint {
+            Joint::Slide(slide) => {
+                let Slide { rider, guide } = mechanism.slides[slide];
+                guide.link == link || matches!(rider, Rider::Link { link: rider, .. } if rider == link)
+            }
+            _ => false,
+        });
+        if let (&[near], false) = (inner.as_slice(), slides) {
             list.push(Closing::Rod { link, near, far });
         }
     }
@@ -917,7 +1094,13 @@ fn closings(mechanism: &Mechanism, group: &Group, outer: &[(LinkId, PointId)]) -
 
 /// The groups into which a group falls with one link driven and one constraint open, if all of them can be
 /// constructed.
-fn subgroups(mechanism: &Mechanism, group: &Group, driver: LinkId, closing: Closing) -> Option<Vec<Group>> {
+fn subgroups(
+    mechanism: &Mechanism,
+    contacts: &[usize],
+    group: &Group,
+    driver: LinkId,
+    closing: Closing,
+) -> Option<Vec<Group>> {
     let nodes = Nodes::of(mechanism);
     let mut game = Game::new(&nodes);
     let open = |joint: Joint| match (closing, joint) {
@@ -931,6 +1114,11 @@ fn subgroups(mechanism: &Mechanism, group: &Group, driver: LinkId, closing: Clos
             if !open(joint) && !game.insert(ends, joint) {
                 return None;
             }
+        }
+    }
+    for &roll in contacts {
+        if !game.insert(roll_ends(&mechanism.rolls[roll]), Joint::Contact(roll)) {
+            return None;
         }
     }
     for (index, input) in mechanism.inputs.iter().enumerate() {

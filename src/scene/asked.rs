@@ -5,17 +5,19 @@ use super::draft::{Draft, is_straight};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::{Measure, Scale, Scales};
-use crate::mechanism::quantity::{Asked, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId, Rider};
 
 /// Every name, with its form for messages.
-const NAMES: [(&str, &str); 16] = [
+const NAMES: [(&str, &str); 19] = [
     ("v", "v(B) or v(B/A)"),
     ("a", "a(B) or a(B/A)"),
     ("an", "an(B/A), or an(B) for a link pivoted to the frame"),
     ("at", "at(B/A), or at(B) for a link pivoted to the frame"),
     ("omega", "omega(3) or omega(3/2)"),
     ("alpha", "alpha(3) or alpha(3/2)"),
+    ("ratio", "ratio(4/2)"),
+    ("advantage", "advantage(4/2)"),
     ("slip", "slip(A/4)"),
     ("aslip", "aslip(A/4)"),
     ("aslipn", "aslipn(A/4)"),
@@ -23,6 +25,7 @@ const NAMES: [(&str, &str); 16] = [
     ("coriolis", "coriolis(A/4)"),
     ("I", "I(1,3)"),
     ("rub", "rub(B) or rub(B,3/4)"),
+    ("rho", "rho(B)"),
     ("x", "x(B)"),
     ("angle", "angle(3)"),
     ("transmission", "transmission(3/4)"),
@@ -40,16 +43,47 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
             Kind::Object(_) => {
                 let fields = Fields::of(item, keys::FIND, "a name")?;
                 let name = fields.need("name", "the quantity, such as \"v(B)\"")?;
-                // Scenes may say by which method they want it; both are always computed.
-                fields.get("method").map(|method| method.text("the name of a method")).transpose()?;
-                asked(name.text("the name of a quantity")?, name.at, fields.get("unit"), draft)?
+                let mut asked =
+                    asked(name.text("the name of a quantity")?, name.at, fields.get("unit"), draft)?;
+                if let Some(value) = fields.get("method") {
+                    asked.method = method(value, &asked)?;
+                }
+                asked
             }
             _ => return Err(item.unexpected("the name of a quantity, such as \"v(B)\"")),
         };
         draft.mechanism.asked.push(asked);
         draft.anchors.asked.push(item.at);
     }
-    Ok(())
+    one_acceleration_polygon(draft)
+}
+
+/// There is one acceleration polygon, fed from one velocity diagram.
+fn one_acceleration_polygon(draft: &Draft<'_>) -> Res<()> {
+    let asked = &draft.mechanism.asked;
+    let other = |a: &Asked| a.quantity.order() == Order::Acceleration && a.method == Method::Polygon;
+    let (Some(fed), Some(other)) = (asked.iter().find(|a| a.fed_by_centres()), asked.iter().position(other))
+    else {
+        return Ok(());
+    };
+    let what = format!("`{}` is asked for by centres, and this acceleration by the polygon", fed.name);
+    Err(Fault::new(draft.anchors.asked[other], what)
+        .mend("there is one acceleration polygon: ask for all accelerations by one method, or in two scenes"))
+}
+
+/// The method by which a quantity is asked.
+fn method(value: &Value<'_>, asked: &Asked) -> Res<Method> {
+    let name = value.text("the name of a method")?;
+    let methods = || Method::ALL.into_iter();
+    let method = methods().find(|m| m.name() == name).ok_or_else(|| {
+        Fault::new(value.at, format!("`{name}` is not a method")).known(name, methods().map(Method::name))
+    })?;
+    if method.answers(&asked.quantity) {
+        return Ok(method);
+    }
+    let fault = Fault::new(value.at, format!("the method `{name}` does not lead to `{}`", asked.name));
+    let fitting: Vec<&str> = methods().filter(|m| m.answers(&asked.quantity)).map(Method::name).collect();
+    Err(fault.mend(format!("choose {}", list(&fitting))))
 }
 
 /// One asked quantity in its unit.
@@ -62,7 +96,7 @@ pub(super) fn asked(name: &str, at: usize, unit: Option<&Value<'_>>, draft: &Dra
             Scale::parse(symbol, unit.at)?.must_be(measure(&quantity), unit.at)?.unit()
         }
     };
-    Ok(Asked { name: name.to_owned(), quantity, unit })
+    Ok(Asked { name: name.to_owned(), quantity, unit, method: Method::default() })
 }
 
 /// What a quantity measures.
@@ -89,7 +123,8 @@ pub(super) fn measure(quantity: &Quantity) -> Measure {
         | Quantity::Coriolis(..) => Measure::Acceleration,
         Quantity::Omega(_) | Quantity::RelativeOmega(..) => Measure::AngularVelocity,
         Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => Measure::AngularAcceleration,
-        Quantity::Centre(..) | Quantity::Position(_) => Measure::Length,
+        Quantity::Ratio(..) | Quantity::Advantage(..) => Measure::Number,
+        Quantity::Centre(..) | Quantity::Position(_) | Quantity::PathRadius(_) => Measure::Length,
         Quantity::Angle(_) | Quantity::Transmission(..) => Measure::Angle,
     }
 }
@@ -111,7 +146,7 @@ fn everything(draft: &Draft<'_>) -> Vec<Asked> {
         (0..mechanism.points.len()).map(PointId).filter(|p| !mechanism.is_fixed(*p)).collect();
     let mut asked = Vec::new();
     let mut ask = |name: String, quantity: Quantity| {
-        asked.push(Asked { name, quantity, unit: unit(measure(&quantity)) });
+        asked.push(Asked { name, quantity, unit: unit(measure(&quantity)), method: Method::default() });
     };
     for &point in &points {
         ask(format!("v({})", draft.say_point(point)), Quantity::Velocity(point));
@@ -186,6 +221,8 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
         ("angle", None) => Ok(Quantity::Angle(name.link(first)?)),
         ("omega", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeOmega(b, a)),
         ("alpha", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::RelativeAlpha(b, a)),
+        ("ratio", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Ratio(b, a)),
+        ("advantage", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Advantage(b, a)),
         ("I", Some(second)) => name.links(first, second).map(|(b, a)| Quantity::Centre(b, a)),
         ("transmission", Some(second)) => {
             let (coupler, output) = name.links(first, second)?;
@@ -202,6 +239,7 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
             name.sliding(first, link, true).map(|(p, l)| Quantity::SlipTangential(p, l))
         }
         ("rub", links) => name.rubbing(first, links),
+        ("rho", None) => Ok(Quantity::PathRadius(name.point(first)?)),
         ("x", None) => Ok(Quantity::Position(name.point(first)?)),
         _ => Err(unknown(head)),
     }

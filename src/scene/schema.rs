@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::sheet::{LANGUAGES, NOTATIONS, PAPERS};
 use super::units::names;
+use crate::mechanism::quantity::Method;
 
 /// The JSON Schema (draft 2020-12) of a scene: what an editor needs to complete and to check it.
 ///
@@ -303,12 +304,12 @@ fn results() -> Value {
     json!({
         "quantity": {
             "type": "string",
-            "pattern": "^\\s*(v|a|an|at|omega|alpha|slip|aslip|aslipn|aslipt|coriolis|I|rub|x|angle|transmission)\\s*\\(.+\\)\\s*$",
+            "pattern": "^\\s*(v|a|an|at|omega|alpha|slip|aslip|aslipn|aslipt|coriolis|I|rub|rho|x|angle|transmission)\\s*\\(.+\\)\\s*$",
             "description": "Name of a quantity; `/` reads \"relative to\".",
             "examples": [
                 "v(B)", "v(B/A)", "a(B)", "a(B/A)", "an(B/A)", "at(B/A)", "an(B)", "at(B)", "omega(3)", "omega(3/2)",
                 "alpha(3)", "alpha(3/2)", "slip(A/4)", "aslip(A/4)", "aslipn(A/4)", "aslipt(A/4)", "coriolis(A/4)",
-                "I(1,3)", "rub(B)", "rub(B,3/4)", "x(B)", "angle(3)", "transmission(3/4)",
+                "ratio(4/2)", "advantage(4/2)", "I(1,3)", "rub(B)", "rub(B,3/4)", "rho(B)", "x(B)", "angle(3)", "transmission(3/4)",
             ],
         },
         "find": {
@@ -318,7 +319,10 @@ fn results() -> Value {
         "asked": object("An asked quantity with its output unit.", &["name"], json!({
             "name": described("quantity", "The quantity."),
             "unit": { "type": "string", "description": "Output unit.", "examples": ["mm/s", "rpm"] },
-            "method": { "type": "string", "description": "Has no effect: both methods are always used." },
+            "method": {
+                "enum": Method::ALL.map(Method::name),
+                "description": "By which construction it is found: the polygons (default), instant centres (direct), one of their three graphical transfers for a v(B) or omega(3), or Klein's construction of a slider-crank."
+            },
         })),
         "pin": pin,
         "published": {
@@ -355,7 +359,7 @@ fn sheet() -> Value {
             "length": length, "velocity": velocity, "acceleration": acceleration,
             "figures": {
                 "type": "array", "items": { "type": "string" }, "description": "Figures wanted; all where it is left out.",
-                "examples": [["skeleton", "velocity"]],
+                "examples": [["skeleton", "velocity"], ["klein", "centrodes(1,3)"]],
             },
         })),
     })

@@ -52,16 +52,19 @@ pub(super) enum Measure {
     Acceleration,
     AngularVelocity,
     AngularAcceleration,
+    /// A pure number.
+    Number,
 }
 
 impl Measure {
-    const ALL: [Self; 6] = [
+    const ALL: [Self; 7] = [
         Self::Length,
         Self::Angle,
         Self::Velocity,
         Self::Acceleration,
         Self::AngularVelocity,
         Self::AngularAcceleration,
+        Self::Number,
     ];
 
     pub(super) const fn dimension(self) -> Dimension {
@@ -72,6 +75,7 @@ impl Measure {
             Self::Acceleration => Dimension::new(1, -2, 0),
             Self::AngularVelocity => Dimension::new(0, -1, 1),
             Self::AngularAcceleration => Dimension::new(0, -2, 1),
+            Self::Number => Dimension::new(0, 0, 0),
         }
     }
 
@@ -83,6 +87,7 @@ impl Measure {
             Self::Acceleration => "an acceleration",
             Self::AngularVelocity => "an angular velocity",
             Self::AngularAcceleration => "an angular acceleration",
+            Self::Number => "a number without unit",
         }
     }
 
@@ -95,6 +100,7 @@ impl Measure {
             Self::Acceleration => "cm/s^2",
             Self::AngularVelocity => "rad/s",
             Self::AngularAcceleration => "rad/s^2",
+            Self::Number => "",
         }
     }
 
@@ -323,6 +329,7 @@ pub(super) struct Scales {
     acceleration: Scale,
     angular_velocity: Scale,
     angular_acceleration: Scale,
+    number: Scale,
     time: Scale,
 }
 
@@ -370,6 +377,7 @@ impl Scales {
             acceleration: rate(&length, 2),
             angular_velocity: rate(&rad, 1),
             angular_acceleration: rate(&rad, 2),
+            number: Scale::one(),
             length,
             angle,
             time,
@@ -385,6 +393,7 @@ impl Scales {
             Measure::Acceleration => &self.acceleration,
             Measure::AngularVelocity => &self.angular_velocity,
             Measure::AngularAcceleration => &self.angular_acceleration,
+            Measure::Number => &self.number,
         }
     }
 

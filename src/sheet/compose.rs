@@ -10,7 +10,8 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{given, growth, human, polygon, results, skeleton};
+use super::{auxiliary, centres, circle, given, growth, human, polygon, results, skeleton, transfer, wanted};
+use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
@@ -37,7 +38,21 @@ const GUTTER: f64 = 8.0;
 /// The names of the figures.
 #[must_use]
 pub const fn figure_names() -> &'static [&'static str] {
-    &["skeleton", "velocity", "acceleration", "results", "steps"]
+    &[
+        "skeleton",
+        "velocity",
+        "acceleration",
+        "centres",
+        "circle",
+        "transfer",
+        "klein",
+        "inflection",
+        "centrodes",
+        "kennedy",
+        "rotation-centre",
+        "results",
+        "steps",
+    ]
 }
 
 /// The solution sheet: panels, results and steps, paged.
@@ -47,13 +62,13 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let notation = Notation::new(scene, words);
     let construction = &told_apart(construction, &notation);
     let drawn = |name| panel(name, construction, &notation);
-    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration].map(drawn);
+    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration, Name::Centres, Name::Circle].map(drawn);
     // Scales stated in the scene may outgrow the paper: then the paper grows, and nothing is clipped.
     let largest = |side: fn(&Block) -> f64| panels.iter().flatten().map(side).fold(0.0, f64::max);
     let (width, height) = paper(scene);
     let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
-    let [skeleton, velocity, acceleration] = panels;
+    let [skeleton, velocity, acceleration, centres, circle] = panels;
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&given::paragraph(&notation));
 
@@ -71,8 +86,12 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    let blocks = [skeleton, first, velocity, acceleration];
-    pager.rows(&blocks.into_iter().flatten().collect::<Vec<_>>());
+    let drawn = construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none());
+    let further = drawn.map(|drawing| auxiliary_panel(drawing, construction, &notation));
+    let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
+    let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
+    let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
+    pager.rows(&blocks.flatten().chain(further).collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
     }
@@ -249,6 +268,13 @@ fn drawing(name: Name, construction: &Construction, notation: &Notation<'_>) -> 
         Name::Acceleration => {
             construction.acceleration.as_ref().map(|p| polygon::draw(p, &construction.steps, notation))
         }
+        Name::Centres => Some(centres::draw(construction.circle.as_ref()?, construction, notation)),
+        Name::Circle => Some(circle::draw(construction.circle.as_ref()?, notation)),
+        Name::Transfer(index) => {
+            let circle = construction.circle.as_ref()?;
+            let same = transfer::by_method(circle).into_iter().nth(index)?;
+            Some(transfer::draw(&same, circle, construction, notation))
+        }
     }
 }
 
@@ -262,20 +288,38 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
         "velocity" => (panel(Name::Velocity, construction, &notation)?, words.velocity_diagram),
         "acceleration" => (panel(Name::Acceleration, construction, &notation)?, words.acceleration_diagram),
+        "centres" => (panel(Name::Centres, construction, &notation)?, words.centres_figure),
+        "circle" => (panel(Name::Circle, construction, &notation)?, words.circle_diagram),
+        "transfer" => {
+            let figures: Vec<Figure> = (0..transfer::by_method(construction.circle.as_ref()?).len())
+                .filter_map(|i| panel(Name::Transfer(i), construction, &notation))
+                .map(|block| tight(scene, block, words.transfer_figure, words))
+                .collect();
+            return (!figures.is_empty()).then(|| stack(&figures));
+        }
         "results" => {
             let table = results::table(construction, &notation, &ORDERS, TEXT);
             (table.draw("results", 0, table.rows.len()), words.results)
         }
         "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
-        _ => return None,
+        _ => {
+            let kind = wanted::auxiliary(name, scene).ok()??;
+            let drawing = construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;
+            (with_steps(drawing, construction, &notation), words.auxiliary_figure)
+        }
     };
+    Some(tight(scene, block, heading, words))
+}
+
+/// A drawing cut to its ink.
+fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
     let mut description = String::new();
     block.group.walk(&mut |node| match node {
         Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
         _ => {}
     });
     let title = format!("{}: {heading}", title(scene, words));
-    Some(localised(cut(block.group, title, description, words), scene))
+    localised(cut(block.group, title, description, words), scene)
 }
 
 /// A drawing as a figure of its own, tight to its ink.
@@ -290,6 +334,19 @@ fn cut(mut root: Group, title: String, description: String, words: &Words) -> Fi
         language: words.tag,
         root,
     }
+}
+
+/// A construction on the skeleton with its steps below.
+fn with_steps(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Block {
+    let mut block = auxiliary_panel(drawing, construction, notation);
+    let items = auxiliary::items(drawing, construction, notation);
+    // The caption says already what the head of the steps would say.
+    let mut steps = column(&items[1.min(items.len())..], block.width.max(120.0), notation.words);
+    let width = block.width.max(steps.width);
+    block.group.translate(Vec2::new((width - block.width) / 2.0, 0.0));
+    steps.group.translate(Vec2::new(0.0, block.height + 2.0));
+    block.group.group(steps.group);
+    Block { width, height: block.height + 2.0 + steps.height, ..block }
 }
 
 /// The decimal sign that the scene wishes, in everything that is set but what the scene's own title says.
@@ -384,28 +441,83 @@ enum Name {
     Skeleton,
     Velocity,
     Acceleration,
+    Centres,
+    Circle,
+    /// Velocities from centres, by index of the method.
+    Transfer(usize),
 }
 
 /// A drawing of the solution with its caption and scale.
 fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
     let words = notation.words;
-    let (letter, caption, scale) = match name {
+    let plain = |caption: &str| Rich::upright(caption);
+    let (caption, scale) = match name {
         Name::Skeleton => {
-            (words.panels[0], words.skeleton, notation.length_scale(construction.space.metres_per_mm))
+            let scale = notation.length_scale(construction.space.metres_per_mm);
+            (plain(words.skeleton), scale)
+        }
+        Name::Centres => {
+            let scale = notation.length_scale(construction.space.metres_per_mm);
+            (plain(words.centres_figure), scale)
+        }
+        Name::Circle => (plain(words.circle_diagram), Rich::default()),
+        Name::Transfer(index) => {
+            let circle = construction.circle.as_ref()?;
+            let same = transfer::by_method(circle).into_iter().nth(index)?;
+            let scale = notation.scale(same.first()?.si_per_mm, Order::Velocity);
+            (transfer::title(&same, notation), scale)
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
-            (words.panels[1], words.velocity_diagram, notation.scale(p.si_per_mm, p.order))
+            (plain(words.velocity_diagram), notation.scale(p.si_per_mm, p.order))
         }
         Name::Acceleration => {
             let p = construction.acceleration.as_ref()?;
-            (words.panels[2], words.acceleration_diagram, notation.scale(p.si_per_mm, p.order))
+            (plain(words.acceleration_diagram), notation.scale(p.si_per_mm, p.order))
         }
     };
-    let scale = Rich::fill(words.scale, &[("scale", scale)]);
-    let comma = words.comma.trim_end();
-    let caption = Rich::bold(format!("({letter})")).up(" ").up(caption).up(comma).up("\u{2002}").then(&scale);
+    let letter = words.panels[letter(name, construction).min(words.panels.len() - 1)];
+    let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
+    if !scale.is_empty() {
+        let scale = Rich::fill(words.scale, &[("scale", scale)]);
+        caption = caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale);
+    }
     Some(captioned(drawing(name, construction, notation)?, &caption))
+}
+
+/// A construction on the skeleton with its caption.
+fn auxiliary_panel(
+    drawing: &AuxiliaryDrawing,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Block {
+    let words = notation.words;
+    let index = construction.auxiliary.iter().position(|other| other.kind == drawing.kind).unwrap_or(0);
+    // After those of the panels that every sheet may have.
+    let before = match &construction.circle {
+        Some(circle) => letter(Name::Transfer(transfer::by_method(circle).len()), construction),
+        None => letter(Name::Centres, construction),
+    };
+    let letter = words.panels[(before + index).min(words.panels.len() - 1)];
+    let scale = notation.length_scale(construction.space.metres_per_mm);
+    let scale = Rich::fill(words.scale, &[("scale", scale)]);
+    let ink = auxiliary::draw(drawing, construction, notation);
+    let caption = Rich::bold(format!("({letter})")).up(" ").then(&auxiliary::title(&drawing.kind, notation));
+    captioned(ink, &caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale))
+}
+
+/// Which panel of the solution it is, counted from zero.
+fn letter(name: Name, construction: &Construction) -> usize {
+    let velocity = usize::from(construction.velocity.is_some());
+    let acceleration = usize::from(construction.acceleration.is_some());
+    match name {
+        Name::Skeleton => 0,
+        Name::Velocity => 1,
+        Name::Acceleration => 1 + velocity,
+        Name::Centres => 1 + velocity + acceleration,
+        Name::Circle => 2 + velocity + acceleration,
+        Name::Transfer(index) => 3 + velocity + acceleration + index,
+    }
 }
 
 /// A drawing with its caption below, upper left corner at the origin.
@@ -579,7 +691,7 @@ impl Pager {
     }
 
     /// Where a piece of this width begins that is so far from the edge at which the reader begins.
-    fn from_edge(&self, indent: f64, width: f64) -> f64 {
+    fn indented(&self, indent: f64, width: f64) -> f64 {
         if self.words.right_to_left { self.paper.0 - indent - width } else { indent }
     }
 
@@ -594,7 +706,7 @@ impl Pager {
     fn heading(&mut self, given: &Rich) {
         let mut group = Group::new("heading");
         let mut y = 0.0;
-        let from_edge = |width: f64| self.from_edge(MARGIN, width) - MARGIN;
+        let from_edge = |width: f64| self.indented(MARGIN, width) - MARGIN;
         for line in Rich::written(&self.title, Face::Bold).wrap(5.6, self.width()) {
             y += 6.2;
             let line = line.set(5.6);
@@ -625,7 +737,7 @@ impl Pager {
         if self.y + block.height > self.bottom() && self.y > MARGIN + 30.0 {
             self.page();
         }
-        let (x, y) = (self.from_edge(MARGIN, block.width), self.y);
+        let (x, y) = (self.indented(MARGIN, block.width), self.y);
         self.y += block.height + 6.0;
         self.add(block.group, x, y);
     }
@@ -640,10 +752,10 @@ impl Pager {
         if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
             self.page();
         }
-        let x = self.from_edge(MARGIN, text.width);
+        let x = self.indented(MARGIN, text.width);
         if together {
             let free = (beside - drawing.width) / 2.0;
-            let far = self.from_edge(MARGIN + text.width + GUTTER + free, drawing.width);
+            let far = self.indented(MARGIN + text.width + GUTTER + free, drawing.width);
             let y = self.y;
             self.add(drawing.group, far, y);
             self.add(text.group, x, y);
@@ -681,7 +793,7 @@ impl Pager {
                 // Captions of a row stand on one line; a table stands in the middle.
                 let free = height - block.height;
                 let down = if block.group.class == "panel" { free } else { free / 2.0 };
-                self.add(block.group.clone(), self.from_edge(x, block.width), y + down);
+                self.add(block.group.clone(), self.indented(x, block.width), y + down);
                 x += block.width + between;
             }
             self.y += height + 6.0;
@@ -716,7 +828,7 @@ impl Pager {
                     let x = MARGIN + column as f64 * pitch + ((pitch - block.width) / 2.0).max(0.0);
                     let y = self.y;
                     deepest = deepest.max(y + block.height);
-                    self.add(block.group, self.from_edge(x, block.width), y);
+                    self.add(block.group, self.indented(x, block.width), y);
                 }
             }
             self.y = deepest + 8.0;
@@ -767,7 +879,7 @@ impl Pager {
                 let mut y = top;
                 for strip in chunks.iter().flatten() {
                     let lift = if y == top { strip.blank } else { 0.0 };
-                    self.add(strip.group.clone(), self.from_edge(x, width), y - lift);
+                    self.add(strip.group.clone(), self.indented(x, width), y - lift);
                     y += strip.height - lift;
                 }
                 self.y = self.y.max(y);
@@ -792,13 +904,13 @@ impl Pager {
             );
             let line = number.set(3.0);
             let far = self.paper.0 - MARGIN - line.width;
-            let at = Point::new(self.from_edge(far, line.width), self.paper.1 - 10.0);
+            let at = Point::new(self.indented(far, line.width), self.paper.1 - 10.0);
             line.put(&mut page, at, "page-number");
             if i > 0 {
                 let title = Rich::written(&self.title, Face::Italic);
                 if let Some(line) = title.wrap(3.2, self.width()).first() {
                     let line = line.set(3.2);
-                    let at = Point::new(self.from_edge(MARGIN, line.width), MARGIN - 3.0);
+                    let at = Point::new(self.indented(MARGIN, line.width), MARGIN - 3.0);
                     line.put(&mut page, at, "running-title");
                 }
                 let rule = Shape::Line(

@@ -41,7 +41,7 @@ impl Grid {
     fn touched(&self, own: Rect) -> impl Iterator<Item = usize> + use<> {
         let columns = self.columns;
         let (left, right) = if columns == 0 { (1, 0) } else { (self.column(own.x0), self.column(own.x1)) };
-        let rows = if columns == 0 { 1..=0 } else { self.row(own.y0)..=self.row(own.y1) };
+        let rows = if columns == 0 { 0..0 } else { self.row(own.y0)..self.row(own.y1) + 1 };
         rows.flat_map(move |row| (left..=right).map(move |column| row * columns + column))
     }
 

@@ -5,7 +5,10 @@
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
+mod auxiliary;
 mod bidi;
+mod centres;
+mod circle;
 mod compose;
 mod coriolis;
 mod dimensions;
@@ -30,10 +33,13 @@ mod skeleton;
 mod slots;
 mod steps;
 mod table;
+mod transfer;
+mod wanted;
 mod words;
 
 pub use compose::{figure_names, film, question, single, single_of_question, solution, stack, step_by_step};
 pub use figure::Figure;
+pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
 
 #[cfg(test)]

@@ -53,6 +53,20 @@ impl<'a> Notation<'a> {
         Rich::italic(letters).sub(index)
     }
 
+    /// A point with a further index: A with w, O with 2w.
+    #[must_use]
+    pub fn point_with(&self, point: PointId, more: &str) -> Rich {
+        let (letters, index) = split(self.point_name(point));
+        Rich::italic(letters).sub(&format!("{index}{more}"))
+    }
+
+    /// A point in another position: A′.
+    #[must_use]
+    pub fn point_primed(&self, point: PointId) -> Rich {
+        let (letters, index) = split(self.point_name(point));
+        Rich::italic(letters).scripts("′", Face::Italic, index)
+    }
+
     /// A length by its ends: O₂A.
     #[must_use]
     pub fn length(&self, from: PointId, to: PointId) -> Rich {
@@ -159,6 +173,14 @@ impl<'a> Notation<'a> {
             Quantity::Tangential(p) => n(book.tangential, of(p)),
             Quantity::Omega(l) => Rich::italic("ω").sub(&self.number(l)),
             Quantity::RelativeOmega(a, b) => Rich::italic("ω").sub(&numbers(a, b)),
+            Quantity::Ratio(a, b) => {
+                let rate = |l| Rich::italic("ω").sub(&self.number(l));
+                rate(a).up("/").then(&rate(b))
+            }
+            Quantity::Advantage(a, b) => {
+                let torque = |l| Rich::italic("T").sub(&self.number(l));
+                torque(a).up("/").then(&torque(b))
+            }
             Quantity::Alpha(l) => Rich::italic(self.alpha()).sub(&self.number(l)),
             Quantity::RelativeAlpha(a, b) => Rich::italic(self.alpha()).sub(&numbers(a, b)),
             Quantity::Slip(p, l) => letter(book.velocity).sub(&self.coincident(p, l)),
@@ -177,6 +199,7 @@ impl<'a> Notation<'a> {
             Quantity::Rub(p, ..) => {
                 Rich::italic(book.velocity).sub(&format!("{},{}", self.words.rubbing_mark, self.index(p)))
             }
+            Quantity::PathRadius(p) => Rich::italic("ρ").sub(self.point_name(p)),
             Quantity::Position(p) => self.point(p),
             Quantity::Angle(l) => Rich::italic("θ").sub(&self.number(l)),
             Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
@@ -278,6 +301,8 @@ impl<'a> Notation<'a> {
             Quantity::Tangential(a) => format!("at({})", p(a)),
             Quantity::Omega(a) => format!("omega({})", l(a)),
             Quantity::RelativeOmega(a, b) => format!("omega({}/{})", l(a), l(b)),
+            Quantity::Ratio(a, b) => format!("ratio({}/{})", l(a), l(b)),
+            Quantity::Advantage(a, b) => format!("advantage({}/{})", l(a), l(b)),
             Quantity::Alpha(a) => format!("alpha({})", l(a)),
             Quantity::RelativeAlpha(a, b) => format!("alpha({}/{})", l(a), l(b)),
             Quantity::Slip(a, b) => format!("slip({}/{})", p(a), l(b)),
@@ -292,6 +317,7 @@ impl<'a> Notation<'a> {
             Quantity::ContactNormal(a, b, c) => format!("an({}@{}/{})", p(a), l(b), l(c)),
             Quantity::Centre(a, b) => format!("I({},{})", l(a), l(b)),
             Quantity::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
+            Quantity::PathRadius(a) => format!("rho({})", p(a)),
             Quantity::Position(a) => format!("x({})", p(a)),
             Quantity::Angle(a) => format!("angle({})", l(a)),
             Quantity::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),

@@ -5,7 +5,7 @@ use super::notation::Notation;
 use super::rich::Rich;
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{Construction, Reading};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
 
 /// The asked quantities of these orders with their values, senses and directions.
 #[must_use]
@@ -60,7 +60,10 @@ fn polygon_of(quantity: Quantity) -> Order {
 
 fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
     let words = notation.words;
-    let symbol = notation.symbol(asked.quantity, false);
+    let mut symbol = notation.symbol(asked.quantity, false);
+    if let Some(method) = method(asked.method, notation) {
+        symbol = symbol.up(",\u{a0}").up(method);
+    }
     match &reading.answer {
         Answer::Scalar { value, .. } => match asked.quantity {
             Quantity::Omega(_)
@@ -72,9 +75,10 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
             }
             _ => vec![symbol, human::quantity(*value, &asked.unit), Rich::default()],
         },
-        Answer::Vector { value: [x, y], .. } => {
+        Answer::Vector { value: [x, y], bound } => {
             if let Quantity::Position(_) | Quantity::Centre(..) = asked.quantity {
-                let part = |v: &f64| human::number(v / asked.unit.si);
+                // A coordinate that is zero within its bound reads as zero.
+                let part = |v: &f64| human::number(if v.abs() <= *bound { 0.0 } else { v / asked.unit.si });
                 let pair = Rich::upright("(").then(&part(x)).up(";\u{a0}").then(&part(y)).up(")");
                 return vec![symbol, human::with_unit(&pair, &asked.unit.symbol), Rich::default()];
             }
@@ -93,6 +97,19 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
             vec![symbol, Rich::upright("∞").word(words.at_infinity), text]
         }
         Answer::Indeterminate(why) => vec![symbol, Rich::upright("—"), Rich::italic(reason(why, notation))],
+    }
+}
+
+/// The method by which a quantity was asked, where it is not the usual one.
+fn method(method: Method, notation: &Notation<'_>) -> Option<&'static str> {
+    let words = notation.words;
+    match method {
+        Method::Polygon => None,
+        Method::Centres => Some(words.method_centres),
+        Method::LineOfCentres => Some(words.method_line_of_centres),
+        Method::LinkToLink => Some(words.method_link_to_link),
+        Method::GaugeLine => Some(words.method_gauge_line),
+        Method::Klein => Some(words.method_klein),
     }
 }
 

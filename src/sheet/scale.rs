@@ -1,5 +1,7 @@
 //! Round scales: 1, 2, 2.5, 5 × 10ⁿ.
 
+use crate::graphical::auxiliary::AuxiliaryDrawing;
+use crate::graphical::construction::Construction;
 use crate::graphical::{Extents, Scales};
 use crate::mechanism::{Mechanism, PointId, Roll};
 use crate::scene::Scene;
@@ -11,6 +13,8 @@ const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 pub const SKELETON: (f64, f64) = (92.0, 70.0);
 /// Room for a long and low skeleton that has the row to itself.
 pub const LONG_SKELETON: (f64, f64) = (150.0, 48.0);
+/// Room for a construction on the skeleton with its named points, inside the names.
+pub const AUXILIARY: (f64, f64) = (140.0, 130.0);
 /// Room for a polygon that has the row to itself.
 pub const POLYGON: (f64, f64) = (150.0, 78.0);
 /// Room for a polygon that shares its row with another.
@@ -89,6 +93,30 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
         velocity: stated.velocity_scale.or(velocity).unwrap_or(units[0]),
         acceleration: stated.acceleration_scale.or(acceleration).unwrap_or(units[1]),
     }
+}
+
+/// A smaller length scale, metres per millimetre, at which a construction on the skeleton finds room with all its
+/// named points; `None` where it has room, or where the skeleton would become too small to read.
+#[must_use]
+pub fn for_auxiliary(construction: &Construction, drawing: &AuxiliaryDrawing) -> Option<f64> {
+    /// The skeleton is not shrunk by more than this.
+    const MOST: f64 = 4.0;
+    let named = drawing.points.iter().map(|p| p.at);
+    let all: Vec<[f64; 2]> = named.chain(construction.space.places.iter().flatten().copied()).collect();
+    let extent = |axis: usize| {
+        let least = all.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
+        let most = all.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
+        most - least
+    };
+    let needed = f64::max(extent(0) / AUXILIARY.0, extent(1) / AUXILIARY.1);
+    if !(needed > 1.0 && needed <= MOST) {
+        return None;
+    }
+    choose_length(
+        extent(0) * construction.space.metres_per_mm,
+        extent(1) * construction.space.metres_per_mm,
+        AUXILIARY,
+    )
 }
 
 /// Width and height of the skeleton, not less than those of the pitch circles about exactly placed centres.

@@ -29,6 +29,32 @@ pub(super) const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
 /// How far a guide reaches beyond its rider.
 pub(super) const GUIDE: f64 = 13.0;
 
+/// Which links show their rotation by a curved arrow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Arrows {
+    /// Every link whose ω or angular acceleration is known.
+    All,
+    /// The driven links only: for figures that have lines enough.
+    Inputs,
+}
+
+/// The link that an input turns.
+fn driven(input: &Input) -> Option<LinkId> {
+    match input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => Some(*link),
+        Input::Slide { .. } => None,
+    }
+}
+
+/// Ink and labels that are laid over a skeleton.
+#[derive(Debug, Default)]
+pub struct Overlay {
+    /// The ink.
+    pub ink: Group,
+    /// Its labels, placed together with those of the skeleton.
+    pub labels: Vec<Request>,
+}
+
 /// The skeleton of a question with the first fixed point at the origin of the group: what the scene states,
 /// dimensioned, and nothing that the solution finds but the position in which it is drawn.
 #[must_use]
@@ -64,6 +90,18 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> Group {
 /// The skeleton with the first fixed point at the origin of the group.
 #[must_use]
 pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
+    draw_under(construction, notation, Arrows::All, |_, _| Overlay::default())
+}
+
+/// The skeleton with what is laid over it: asked for when the skeleton's own ink stands, with the places of the
+/// points on the page.
+#[must_use]
+pub fn draw_under(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    arrows: Arrows,
+    overlay: impl FnOnce(Rect, &[Option<Point>]) -> Overlay,
+) -> Group {
     let space = &construction.space;
     let unit = &notation.scene.units.length;
     let mut group = Group::new("skeleton")
@@ -72,8 +110,16 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
     group.title = Some(notation.words.skeleton.to_owned());
     let mut artist = Artist::new(construction, notation);
     artist.links_and_joints(&mut group, true);
-    let known = artist.known_rotations();
+    let mut known = artist.known_rotations();
+    if arrows == Arrows::Inputs {
+        let inputs: Vec<LinkId> = notation.mechanism().inputs.iter().filter_map(driven).collect();
+        known.retain(|(link, second), _| !second && inputs.contains(link));
+    }
     let names = artist.labels.clone();
+    let places: Vec<Option<Point>> =
+        (0..notation.mechanism().points.len()).map(|i| artist.pose.place(PointId(i))).collect();
+    let mut overlay = Some(overlay);
+    let mut over = Overlay::default();
     // In a crowd the curved arrows give way to the names: those of α first, then those of ω.
     let keep: [fn(bool) -> bool; 3] = [|_| true, |second| !second, |_| false];
     let mut tries = keep.into_iter().peekable();
@@ -83,6 +129,13 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
         let kept = known.clone().into_iter().filter(|((_, second), _)| keep(*second)).collect();
         artist.rotations(&mut whole, kept, true);
         artist.number_links();
+        if let Some(overlay) = overlay.take() {
+            over = overlay(whole.bounds().unwrap_or(Rect::ZERO), &places);
+        }
+        if !over.ink.children.is_empty() {
+            whole.group(over.ink.clone());
+        }
+        artist.labels.extend(over.labels.iter().cloned());
         let labels = artist.placed_labels(&whole);
         whole.group(labels);
         if tries.peek().is_none() || overlaps_in(&whole, None).is_empty() {

@@ -78,7 +78,43 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
         }
         all.push(Told { step: i, drawn: (!rubs).then_some(step.order), items });
     }
+    // Constructions of their own follow the steps.
+    let step = construction.steps.len().saturating_sub(1);
+    let mut more = |items: Vec<Item>| all.push(Told { step, drawn: None, items });
+    if let Some(circle) = &construction.circle {
+        more(super::circle::items(circle, notation));
+        more(super::transfer::items(circle, construction, notation));
+    }
+    for drawing in construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none()) {
+        more(super::auxiliary::items(drawing, construction, notation));
+    }
+    all.retain(|told| !told.items.is_empty());
     all
+}
+
+/// The sentence of a calculation.
+#[must_use]
+pub fn calculation(
+    calculation: &Calculation,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Option<Rich> {
+    let order = match calculation {
+        Calculation::Alpha { .. } => Order::Acceleration,
+        _ => Order::Velocity,
+    };
+    let step = Step { order, links: Vec::new(), equations: Vec::new(), acts: Vec::new() };
+    Teller { construction, notation, step: &step }.calculation(calculation)
+}
+
+/// A sentence with a warning after it where lines cross too flat to be read by hand.
+#[must_use]
+pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
+    if crossing.to_degrees() >= FLAT {
+        return sentence;
+    }
+    let angle = ("angle", human::degrees(crossing));
+    sentence.up(" ").then(&Rich::fill(notation.words.flat_crossing, &[angle]))
 }
 
 fn only_rubs(step: &Step) -> bool {
@@ -263,7 +299,7 @@ impl Teller<'_> {
             Act::DrawGuide { slide } => Rich::fill(words.draw_guide, &[("guide", n.guide(*slide))]),
             Act::MarkIntersection { point, crossing } => {
                 let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
-                self.warned(met, *crossing)
+                warned(met, *crossing, n)
             }
             Act::TransferPoint { link, point } => Rich::fill(
                 words.transfer_point,
@@ -297,7 +333,7 @@ impl Teller<'_> {
             }
             Act::MarkMeet { label, crossing } => {
                 let met = Rich::fill(words.mark_meet, &[("label", image(*label))]);
-                self.warned(met, *crossing)
+                warned(met, *crossing, n)
             }
             Act::DivideImage { label, from, to, ratio } => Rich::fill(
                 words.divide_image,
@@ -318,6 +354,19 @@ impl Teller<'_> {
             ),
             Act::SameImage { label, with } => {
                 Rich::fill(words.same_image, &[("label", image(*label)), ("with", image(*with))])
+            }
+            Act::LayOffFromCentre { vector, link, value, mm } => {
+                let vector = self.vector(*vector)?;
+                Rich::fill(
+                    words.lay_off_from_centre,
+                    &[
+                        ("centre", super::circle::name([LinkId::FRAME, *link], n)),
+                        ("vector", self.name(vector)),
+                        ("value", human::quantity(*value, &n.unit(order))),
+                        ("image", n.image_line(vector.tail, vector.head, order)),
+                        ("mm", human::millimetres(*mm)),
+                    ],
+                )
             }
             Act::ReadVector { vector, mm, value } => {
                 let vector = self.vector(*vector)?;
@@ -389,14 +438,6 @@ impl Teller<'_> {
                 ("sense", Rich::upright(n.sense(omega))),
             ],
         )
-    }
-
-    fn warned(&self, sentence: Rich, crossing: f64) -> Rich {
-        if crossing.to_degrees() >= FLAT {
-            return sentence;
-        }
-        let angle = ("angle", human::degrees(crossing));
-        sentence.up(" ").then(&Rich::fill(self.notation.words.flat_crossing, &[angle]))
     }
 
     fn calculation(&self, calculation: &Calculation) -> Option<Rich> {

@@ -400,8 +400,15 @@ fn placed(json: &str) -> (Scene, Construction) {
     };
     let places = scene.mechanism.points.iter().map(mm).collect();
     let space = crate::graphical::construction::Space { metres_per_mm: per_mm, places, lines: vec![] };
-    let construction =
-        Construction { space, velocity: None, acceleration: None, steps: vec![], answers: vec![] };
+    let construction = Construction {
+        space,
+        velocity: None,
+        acceleration: None,
+        circle: None,
+        auxiliary: Vec::new(),
+        steps: vec![],
+        answers: vec![],
+    };
     (scene, construction)
 }
 

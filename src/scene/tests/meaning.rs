@@ -190,7 +190,7 @@ const SLOTTED: &str = r#"{
   "find": [
     "slip(A/4)", "aslip(A/4)", "coriolis(A/4)", "aslipn(B/1)", "aslipt( B / 1 )", "I(1,3)", "x(B)", "angle(3)",
     "transmission(3/2)", "an(A/O2)", "at(A)", "omega(3/2)", "alpha(4/1)", "slip(R/4)", "rub(O4, 4/7)",
-    { "name": "omega(4)", "unit": "rpm", "method": "graphical" }, "a(B/A)", "v(R)"
+    { "name": "omega(4)", "unit": "rpm", "method": "polygon" }, "a(B/A)", "v(R)"
   ],
   "pins": { "O4": { "diameter": "1 cm" } }
 }"#;

@@ -1,0 +1,105 @@
+//! The velocity diagram laid off from instant centres, so that the acceleration polygon is fed with their ω
+//! (`s000-ch3b` A 20): centres give no accelerations, but all that the normal parts and Coriolis need.
+
+use crate::board::{Bench, Line};
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::structure::GroupKind;
+use crate::mechanism::{LinkId, PointId, Rider};
+use crate::plan::Plan;
+
+use super::super::construction::{Act, Claim, Label, Reference, VectorKind};
+use super::super::draughtsman::Draughtsman;
+use super::velocities::Why;
+
+const ROLLING: Why = "a wheel that rolls on a moving body: its acceleration is not found from centres";
+
+/// Lays off the velocities of the planned links from a pole, each found from its link's centre.
+///
+/// # Errors
+/// Why the centres do not lead to one of them.
+pub(in super::super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<(), Why> {
+    d.open_polygon(Order::Velocity);
+    d.omegas[LinkId::FRAME.0] = Some(d.rest());
+    d.step(Order::Velocity, &[], Vec::new());
+    d.act(Act::MarkPole);
+    for step in &plan.velocity {
+        let group = &d.structure.groups[step.group];
+        if matches!(group.kind, GroupKind::Rolling { .. }) {
+            return Err(ROLLING);
+        }
+        d.board.purpose("velocities from centres");
+        d.step(Order::Velocity, &group.links, Vec::new());
+        for &link in &group.links {
+            d.lay_off_velocities(link)?;
+        }
+        for slide in 0..d.mechanism.slides.len() {
+            d.sliding_from_centres(slide);
+        }
+        for &link in &group.links {
+            d.note_link_image(Order::Velocity, link);
+        }
+    }
+    Ok(())
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    /// ω of a link and the velocities of its points, from its centre.
+    fn lay_off_velocities(&mut self, link: LinkId) -> Result<(), Why> {
+        let omega = self.omega_of(link, false)?;
+        self.omegas[link.0] = Some(omega);
+        self.translates[link.0] = self.mechanism.slides.iter().any(|s| {
+            matches!(s.rider, Rider::Link { link: rider, .. } if rider == link)
+                && self.translates[s.guide.link.0]
+        });
+        for point in self.mechanism.link(link).points.clone() {
+            let standing = self.places[point.0].is_some() && !self.mechanism.is_fixed(point);
+            if !standing || self.velocities[point.0].is_some() {
+                continue;
+            }
+            let velocity = self.velocity_of_point(point, link, false)?;
+            let scale = self.polygon_scale(Order::Velocity);
+            let by = velocity.map(|v| self.board.to_paper(v, scale));
+            let pole = self.board.origin();
+            let image = self.board.moved(pole, by);
+            self.note_image(Order::Velocity, point, image);
+            let label = self.label(point);
+            let vector = self.note_vector(
+                Order::Velocity,
+                (VectorKind::Absolute, Quantity::Velocity(point), None),
+                (Label::Pole, pole),
+                (label, image),
+            );
+            let value = libm::hypot(velocity[0].value(), velocity[1].value());
+            let mm = libm::hypot(by[0].value(), by[1].value());
+            self.act(Act::LayOffFromCentre { vector, link, value, mm });
+        }
+        Ok(())
+    }
+
+    /// The sliding velocity in a pair both of whose links are known: from the guide's point under the rider to the
+    /// rider.
+    fn sliding_from_centres(&mut self, slide: usize) {
+        let pair = self.mechanism.slides[slide];
+        let guide = pair.guide.link;
+        let rider = self.riding_point(slide, PointId(0));
+        let rides_on = self.velocities[rider.0].is_some() || self.mechanism.is_fixed(rider);
+        if self.slips[slide].is_some() || self.omegas[guide.0].is_none() || !rides_on {
+            return;
+        }
+        let under = self.image_under(Order::Velocity, rider, guide);
+        let image = self.image(Order::Velocity, rider);
+        let (along, _) = self.tangent(slide, rider);
+        let [mm, _] = self.board.square_off(Line { through: under, along }, image);
+        let scale = self.polygon_scale(Order::Velocity);
+        self.slips[slide] = Some(self.board.read(mm, scale));
+        self.note_part(Quantity::Slip(rider, guide), under, image);
+        if guide != LinkId::FRAME {
+            let claim = Claim::Parallel(Reference::Guide(slide));
+            let (tail, head) = ((self.label_under(rider, guide), under), (self.label(rider), image));
+            let quantity = Quantity::Slip(rider, guide);
+            let vector =
+                self.note_vector(Order::Velocity, (VectorKind::Sliding, quantity, Some(claim)), tail, head);
+            self.act_read(Order::Velocity, vector);
+        }
+    }
+}

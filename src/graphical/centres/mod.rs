@@ -1,0 +1,261 @@
+//! Instant centres by the circle diagram (`s000-ch3b` A and B).
+//!
+//! 1. Mark the primary centres: a pin; at infinity square to a straight guide; the centre of an arc guide; the
+//!    contact of a rolling pair. Of a sliding contact the common normal is known.
+//! 2. Kennedy: the centres of three links lie on one line. Look for two triangles of the circle diagram that share
+//!    one dashed chord and whose other sides are solid; draw both lines of centres; they meet in the sought centre.
+//! 3. Go on until the wanted centres are found, and no further.
+//!
+//! Lines are joined and met in homogeneous coordinates, so that a centre at infinity is as good as any. Where the
+//! diagram stalls (complex mechanisms, several inputs), the centre is taken from the velocity polygon: it lies on
+//! the normal to V at the distance V / ω.
+
+mod feed;
+mod search;
+mod velocities;
+
+use std::collections::BTreeMap;
+
+use crate::board::{Amount, Bench, HomogeneousLine, HomogeneousPoint, Location};
+use crate::mechanism::quantity::Order;
+use crate::mechanism::{LinkId, PointId, Rider};
+use crate::plan::{CentrePlan, Plan, chord};
+
+use super::construction::{Centre, CentrePlace, CircleDiagram, Found};
+use super::draughtsman::Draughtsman;
+use super::pose::Track;
+pub(super) use feed::draw as feed;
+pub use search::CentreLine;
+use search::{Atlas, Chord, Derivation};
+pub(super) use velocities::{FromCentres, NO_INPUT, Why};
+
+/// The centres that stand on the skeleton.
+pub(super) struct Centres<B: Bench> {
+    /// By their links.
+    pub(super) known: BTreeMap<Chord, HomogeneousPoint<B>>,
+    normals: BTreeMap<Chord, (usize, HomogeneousLine<B>)>,
+}
+
+impl<B: Bench> Default for Centres<B> {
+    fn default() -> Self {
+        Self { known: BTreeMap::new(), normals: BTreeMap::new() }
+    }
+}
+
+/// Draws the circle diagram as far as the wanted centres need it.
+pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
+    let plan = &plan.centres;
+    d.note_circle(CircleDiagram {
+        links: (0..d.mechanism.links.len()).map(LinkId).collect(),
+        wanted: plan.wanted.iter().copied().collect(),
+        centres: Vec::new(),
+        stalled: Vec::new(),
+        transfers: Vec::new(),
+    });
+    d.board.purpose("instant centres");
+    d.primary_centres(plan);
+    let mut stalled = d.kennedy(plan);
+    if plan.with_velocities && !stalled.is_empty() {
+        // The poles of the stalled centres' links; with them the diagram may go on.
+        for &[i, j] in &stalled {
+            for link in [i, j].into_iter().filter(|&l| l != LinkId::FRAME) {
+                d.pole_by_velocity(link);
+            }
+        }
+        stalled = d.kennedy(plan);
+        stalled.retain(|&stuck| !d.centre_by_rates(stuck));
+        stalled = if stalled.is_empty() { stalled } else { d.kennedy(plan) };
+    }
+    d.note_stalled(stalled);
+    for (index, asked) in d.mechanism.asked.iter().enumerate().filter(|(_, asked)| asked.by_centres()) {
+        d.open_transfer(index, asked.method);
+        let found = d.velocity_from_centres(asked.quantity, asked.method);
+        d.transferred.push((index, found));
+    }
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    /// Marks the centres that are seen from the pairs.
+    fn primary_centres(&mut self, plan: &CentrePlan) {
+        let takes_part = |c: &Chord| c.iter().all(|l| plan.links.contains(l)) && !plan.barred.contains(c);
+        for index in 0..self.mechanism.points.len() {
+            let (point, links) = (PointId(index), &self.mechanism.points[index].links);
+            let Some(at) = self.places[index] else { continue };
+            for (n, &i) in links.iter().enumerate() {
+                for &j in links[n + 1..].iter().filter(|&&j| takes_part(&chord(i, j))) {
+                    let centre = self.board.proper(at);
+                    self.centre_found(chord(i, j), centre, Found::Pin(point));
+                }
+            }
+        }
+        for slide in 0..self.mechanism.slides.len() {
+            let guide = self.mechanism.slides[slide].guide.link;
+            match self.mechanism.slides[slide].rider {
+                Rider::Pin { block: Some(link), point } => {
+                    if takes_part(&chord(link, guide)) {
+                        self.centre_of_guide(slide, chord(link, guide), point);
+                    }
+                }
+                Rider::Link { link, .. } => {
+                    if let (true, Some(&first)) =
+                        (takes_part(&chord(link, guide)), self.mechanism.link(link).points.first())
+                    {
+                        self.centre_of_guide(slide, chord(link, guide), first);
+                    }
+                }
+                Rider::Pin { block: None, point } => {
+                    for link in self.mechanism.point(point).links.clone() {
+                        if link != guide && takes_part(&chord(link, guide)) {
+                            self.normal_of_contact(slide, chord(link, guide), point);
+                        }
+                    }
+                }
+            }
+        }
+        for roll in 0..self.mechanism.rolls.len() {
+            let links = self.mechanism.rolls[roll].bodies();
+            let links = chord(links[0], links[1]);
+            if let (true, Some(at)) = (takes_part(&links), self.places[self.mechanism.contacts[roll].0]) {
+                let centre = self.board.proper(at);
+                self.centre_found(links, centre, Found::Rolling { roll });
+            }
+        }
+    }
+
+    /// A block on a straight guide: at infinity on any perpendicular; on an arc: the centre of curvature.
+    fn centre_of_guide(&mut self, slide: usize, links: Chord, rider: PointId) {
+        match self.track(slide, Some(rider)) {
+            Track::Straight(line) => {
+                let across = self.board.quarter_turn(line.along);
+                let centre = self.board.at_infinity(across);
+                self.centre_found(links, centre, Found::Guide { slide });
+            }
+            Track::Arc(circle) => {
+                let centre = self.board.proper(circle.centre);
+                self.centre_found(links, centre, Found::ArcGuide { slide });
+            }
+        }
+    }
+
+    /// A pin in a bare slot: the centre lies on the common normal.
+    fn normal_of_contact(&mut self, slide: usize, links: Chord, pin: PointId) {
+        let (along, _) = self.tangent(slide, pin);
+        let normal = self.board.quarter_turn(along);
+        let through = self.at(pin);
+        let line = self.board.extended(crate::board::Line { through, along: normal });
+        self.centres.normals.entry(links).or_insert((slide, line));
+    }
+
+    /// Notes a centre, unless an earlier pair has shown it.
+    fn centre_found(&mut self, links: Chord, centre: HomogeneousPoint<B>, found: Found) {
+        if self.centres.known.contains_key(&links) {
+            return;
+        }
+        self.centres.known.insert(links, centre);
+        let reason = self.reason(&links);
+        let place = match self.board.locate(centre, reason) {
+            Location::At(point) => CentrePlace::At(point.value()),
+            Location::Toward(direction, _) => CentrePlace::Toward(direction.value()),
+        };
+        self.note_centre(Centre { links, place, found });
+    }
+
+    /// Kennedy's theorem until all wanted centres are found; returns those at which the diagram stalls.
+    fn kennedy(&mut self, plan: &CentrePlan) -> Vec<Chord> {
+        let mut atlas = Atlas { links: plan.links.iter().copied().collect(), ..Atlas::default() };
+        atlas.normals =
+            self.centres.normals.iter().map(|(c, (slide, line))| (*c, (*slide, line.look()))).collect();
+        let mut wanted: Vec<Chord> = plan.wanted.iter().copied().collect();
+        let mut stalled = Vec::new();
+        loop {
+            wanted.retain(|c| !self.centres.known.contains_key(c));
+            if wanted.is_empty() {
+                return stalled;
+            }
+            atlas.points = self.centres.known.iter().map(|(c, p)| (*c, p.look())).collect();
+            match atlas.order(&wanted) {
+                Some(order) => {
+                    // A derivation whose lines coincide is no failure of the method: others are taken.
+                    let blocked =
+                        order.into_iter().find(|&derivation| !self.meet_lines_of_centres(derivation));
+                    if let Some(blocked) = blocked {
+                        atlas.refused.insert(blocked);
+                    }
+                }
+                None => {
+                    // One after the other, to see which of them it is.
+                    let reach = |c: &Chord| atlas.order(&[*c]).is_some();
+                    let (open, stuck): (Vec<Chord>, Vec<Chord>) = wanted.iter().partition(|c| reach(c));
+                    stalled.extend(stuck);
+                    wanted = open;
+                }
+            }
+        }
+    }
+
+    /// Draws two lines of centres and marks where they meet; false where they coincide.
+    fn meet_lines_of_centres(&mut self, derivation: Derivation) -> bool {
+        let Derivation { chord: links, lines } = derivation;
+        let [first, second] = lines.map(|line| self.line_of_centres(links, line));
+        let (Some(first), Some(second)) = (first, second) else { return false };
+        let Some(centre) = self.board.cross_lines(first, second) else { return false };
+        self.centre_found(links, centre, Found::Kennedy { lines });
+        true
+    }
+
+    /// The line of the centres (i k) and (k j), or the common normal of i and j.
+    fn line_of_centres(&mut self, links: Chord, line: CentreLine) -> Option<HomogeneousLine<B>> {
+        match line {
+            CentreLine::Normal(_) => self.centres.normals.get(&links).map(|(_, line)| *line),
+            CentreLine::Via(k) => {
+                let ends = links.map(|l| self.centres.known.get(&chord(l, k)).copied());
+                let [Some(p), Some(q)] = ends else { return None };
+                self.board.join(p, q)
+            }
+        }
+    }
+
+    /// The pole of a link from the velocity polygon: on the normal to V at the distance V / ω.
+    fn pole_by_velocity(&mut self, link: LinkId) {
+        let links = chord(LinkId::FRAME, link);
+        let Some((point, velocity)) = self.velocity_on(link) else { return };
+        let omega = self.rate(Order::Velocity, link);
+        let (at, scale) = (self.at(point), self.length_scale());
+        if let Some(centre) = self.board.on_normal(at, velocity, omega, scale) {
+            self.centre_found(links, centre, Found::Normal { point });
+        }
+    }
+
+    /// A point of a link that moves on the skeleton, with its velocity.
+    fn velocity_on(&mut self, link: LinkId) -> Option<(PointId, [Amount<B>; 2])> {
+        let points = self.mechanism.link(link).points.clone();
+        let known = |d: &Self, p: &PointId| {
+            d.places[p.0].is_some() && (d.mechanism.is_fixed(*p) || d.velocities[p.0].is_some())
+        };
+        let point = points.into_iter().find(|p| known(self, p))?;
+        let (pole, image) = (self.board.origin(), self.image(Order::Velocity, point));
+        let scale = self.polygon_scale(Order::Velocity);
+        let velocity = self.board.between(pole, image).map(|mm| self.board.read(mm, scale));
+        Some((point, velocity))
+    }
+
+    /// The centre of two moving links divides the line of their poles inversely as their angular velocities.
+    fn centre_by_rates(&mut self, links: Chord) -> bool {
+        if self.centres.known.contains_key(&links) {
+            return true;
+        }
+        let poles = links.map(|l| self.centres.known.get(&chord(LinkId::FRAME, l)).copied());
+        let [Some(p), Some(q)] = poles else { return false };
+        let [Some(rate_p), Some(rate_q)] = [(links[0], p), (links[1], q)].map(|(link, pole)| {
+            let (point, velocity) = self.velocity_on(link)?;
+            let (at, scale) = (self.at(point), self.length_scale());
+            let reason = self.reason(&[link]);
+            Some(self.board.rate_about(pole, at, velocity, scale, reason))
+        }) else {
+            return false;
+        };
+        let Some(centre) = self.board.divide_by_rates([p, q], [rate_p, rate_q]) else { return false };
+        self.centre_found(links, centre, Found::Rates);
+        true
+    }
+}

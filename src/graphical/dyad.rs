@@ -1,0 +1,811 @@
+//! Groups of two unknowns, at the order of velocity and at that of acceleration alike: from two known images
+//! run two lines of unknown length; they meet in the sought image, and what is read along them are the
+//! unknowns (`s000-ch3a` 2.3 and 2.4). What is laid off before a line begins, and what its length is called,
+//! is in `velocity.rs` and `acceleration.rs`.
+
+use crate::board::{Bench, Line, Mm, Point};
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::structure::{Group, GroupKind};
+use crate::mechanism::{Guide, LinkId, Path, PointId, Rider, Roll};
+use crate::plan::GroupStep;
+
+use super::construction::{
+    Act, Calculation, Claim, Equation, Label, Reference, Term, TermDirection, Vector, VectorKind,
+};
+use super::draughtsman::Draughtsman;
+
+/// A way to the sought image: where its known parts end, and from there a line of unknown length.
+pub(super) struct Route<B: Bench> {
+    pub(super) foot: (Label, Point<B>),
+    pub(super) ray: Line<B>,
+    pub(super) claim: Claim,
+    pub(super) unknown: Unknown,
+}
+
+/// What the length along a route tells.
+#[derive(Clone, Copy)]
+pub(super) enum Unknown {
+    /// A link turns about its base.
+    Turn {
+        link: LinkId,
+        base: PointId,
+        /// The point whose image the route leads to.
+        to: PointId,
+    },
+    /// A rider slides along its guide.
+    Slide {
+        slide: usize,
+        /// The rider is solved and the guide is sought.
+        back: bool,
+    },
+    /// Another pin of a driven link slides along its guide; the link's rotation leads from it to the pin
+    /// that is sought.
+    Carried { slide: usize, link: LinkId, pin: PointId },
+    /// A wheel's centre runs along the body on which it rolls.
+    Roll {
+        /// Index of the rolling pair.
+        roll: usize,
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+    },
+    /// The contact points of a rolling pair have one tangential part; they differ along the common normal.
+    Contact {
+        /// Index of the rolling pair.
+        roll: usize,
+        /// The body that is sought.
+        body: LinkId,
+    },
+    /// The same, from the contact point to the centre of a wheel that is driven.
+    Spin {
+        /// Index of the rolling pair.
+        roll: usize,
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+    },
+}
+
+/// The image that a group's two routes lead to.
+#[derive(Clone, Copy)]
+pub(super) enum Target {
+    /// That of the group's pin.
+    Pin(PointId),
+    /// That of the point of a link under a pin of a solved link.
+    Under(PointId, LinkId),
+}
+
+impl Target {
+    pub(super) fn pin(self) -> PointId {
+        match self {
+            Self::Pin(pin) | Self::Under(pin, _) => pin,
+        }
+    }
+}
+
+/// One route as a sum of vectors.
+struct Side {
+    known: Vec<Term>,
+    /// What is drawn along the route, or backwards along it.
+    unknown: Vec<Term>,
+    back: bool,
+}
+
+/// Base and pin between which the images of a link's further points are found.
+pub(super) fn main_base(kind: GroupKind, link: LinkId) -> Option<(PointId, PointId)> {
+    match kind {
+        GroupKind::Rrr { links, bases, pin } => {
+            links.iter().position(|&l| l == link).map(|index| (bases[index], pin))
+        }
+        GroupKind::Rrp { rod, base, pin, .. } if rod == link => Some((base, pin)),
+        GroupKind::Rolling { rod, base, centre, .. } if rod == link => Some((base, centre)),
+        _ => None,
+    }
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    /// The image that a group is solved for, and the two unknowns that lead to it; those of the frame first.
+    pub(super) fn routes_of(&self, kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
+        let slide = |slide: usize, link: Option<LinkId>| {
+            let back = link == Some(self.mechanism.slides[slide].guide.link);
+            Unknown::Slide { slide, back }
+        };
+        Some(match kind {
+            GroupKind::Rrr { links, bases, pin } => {
+                (Target::Pin(pin), [0, 1].map(|i| Unknown::Turn { link: links[i], base: bases[i], to: pin }))
+            }
+            GroupKind::Rrp { rod, base, pin, slide: guide, rider } => {
+                (Target::Pin(pin), [Unknown::Turn { link: rod, base, to: pin }, slide(guide, rider)])
+            }
+            GroupKind::Rolling { rod, base, wheel, centre, roll } => (
+                Target::Pin(centre),
+                [Unknown::Turn { link: rod, base, to: centre }, Unknown::Roll { roll, wheel, centre }],
+            ),
+            GroupKind::Prp { pin, slides, riders } => {
+                (Target::Pin(pin), [0, 1].map(|i| slide(slides[i], riders[i])))
+            }
+            GroupKind::Rpp { link, point, ride, slot, .. } => {
+                (Target::Pin(point), [slide(ride, Some(link)), slide(slot, Some(link))])
+            }
+            GroupKind::Rpr { lever, base, pin, slide: guide, .. } => (
+                Target::Under(pin, lever),
+                [Unknown::Turn { link: lever, base, to: pin }, slide(guide, Some(lever))],
+            ),
+            GroupKind::Yoke { link, ride, pin, slot } => {
+                (Target::Under(pin, link), [slide(ride, Some(link)), slide(slot, Some(link))])
+            }
+            GroupKind::Rack { link, ride, roll } => (
+                Target::Under(*self.mechanism.contacts.get(roll)?, link),
+                [slide(ride, Some(link)), Unknown::Contact { roll, body: link }],
+            ),
+            GroupKind::DrivenBar { link, pins: [first, second], slides, .. } => (
+                Target::Pin(first),
+                [slide(slides[0], None), Unknown::Carried { slide: slides[1], link, pin: second }],
+            ),
+            GroupKind::DrivenWheel { wheel, centre, roll, guide, .. } => {
+                let held = match guide {
+                    Some(guide) => slide(guide, None),
+                    None => Unknown::Roll { roll, wheel, centre },
+                };
+                (Target::Pin(centre), [held, Unknown::Spin { roll, wheel, centre }])
+            }
+            GroupKind::Driver { .. }
+            | GroupKind::TrialDriver { .. }
+            | GroupKind::DrivenSlide { .. }
+            | GroupKind::Wheel { .. }
+            | GroupKind::Higher { .. }
+            | GroupKind::Other => return None,
+        })
+    }
+
+    /// The solved link of a sliding pair; none where a pin of one is the rider.
+    pub(super) fn solved_side(&self, slide: usize, back: bool) -> Option<LinkId> {
+        let slide = self.mechanism.slides[slide];
+        match slide.rider {
+            _ if !back => Some(slide.guide.link),
+            Rider::Link { link, .. } => Some(link),
+            Rider::Pin { .. } => None,
+        }
+    }
+
+    /// From where the route along a sliding pair starts: the image of the solved side's point.
+    pub(super) fn slide_start(
+        &mut self,
+        order: Order,
+        (slide, back): (usize, bool),
+        pin: PointId,
+    ) -> (Label, Point<B>) {
+        match self.solved_side(slide, back) {
+            Some(link) => (self.label_under(pin, link), self.image_under(order, pin, link)),
+            None => (self.label(pin), self.image(order, pin)),
+        }
+    }
+
+    /// The known parts of a route, laid off, and its line; `index` counts the feet of both routes.
+    fn route(&mut self, order: Order, unknown: Unknown, target: Target, index: &mut u8) -> Route<B> {
+        let pin = target.pin();
+        let first = *index;
+        *index += match unknown {
+            _ if order == Order::Velocity => 0,
+            Unknown::Turn { .. } | Unknown::Roll { .. } | Unknown::Spin { .. } => 1,
+            Unknown::Carried { .. } => 2,
+            Unknown::Contact { .. } => 0,
+            Unknown::Slide { slide, .. } => match self.mechanism.slides[slide].guide {
+                Guide { path: Path::Arc { .. }, .. } => 2,
+                Guide { link, .. } => u8::from(!self.translates[link.0]),
+            },
+        };
+        match (order, unknown) {
+            (_, Unknown::Carried { slide, link, pin: other }) => {
+                self.carried_route(order, slide, link, [other, pin], first)
+            }
+            (_, Unknown::Contact { roll, body }) => self.contact_route(order, roll, body),
+            (_, Unknown::Spin { roll, wheel, centre }) => {
+                self.spin_route(order, (roll, wheel, centre), first)
+            }
+            (Order::Acceleration, Unknown::Turn { link, base, to }) => {
+                self.acceleration_arm(link, base, to, first)
+            }
+            (Order::Acceleration, Unknown::Roll { roll, wheel, centre }) => {
+                self.acceleration_roll(roll, wheel, centre, first)
+            }
+            (Order::Acceleration, Unknown::Slide { slide, back }) => {
+                // Feet behind a pin's image bear no link's number, so they are counted by themselves.
+                let behind = back && self.solved_side(slide, back).is_none();
+                self.acceleration_slide(slide, back, pin, if behind { 1 } else { first })
+            }
+            (_, Unknown::Turn { link, base, to }) => self.velocity_arm(link, base, to),
+            (_, Unknown::Roll { roll, wheel, centre }) => self.velocity_roll(roll, wheel, centre),
+            (_, Unknown::Slide { slide, back }) => self.velocity_slide(slide, back, pin),
+        }
+    }
+
+    /// The line of an open constraint from its known end, for a trial.
+    pub(super) fn closing_line(&mut self, order: Order, unknown: Unknown, end: PointId) -> Line<B> {
+        self.route(order, unknown, Target::Pin(end), &mut 1).ray
+    }
+
+    /// Reads what an open constraint has become when its end's image is known.
+    pub(super) fn read_closing(
+        &mut self,
+        order: Order,
+        unknown: Unknown,
+        target: Target,
+        (label, image): (Label, Point<B>),
+    ) {
+        let route = self.route(order, unknown, target, &mut 1);
+        let [along, _] = self.board.square_off(route.ray, image);
+        self.note_ray(order, route.foot.1, image, route.claim);
+        self.read_route(order, &route, target, (label, image), along);
+    }
+
+    /// Reads the unknown along a route.
+    fn read_route(
+        &mut self,
+        order: Order,
+        route: &Route<B>,
+        target: Target,
+        head: (Label, Point<B>),
+        along: Mm<B>,
+    ) {
+        match (order, route.unknown) {
+            (Order::Acceleration, Unknown::Turn { link, base, .. }) => {
+                self.read_alpha(route, target, (link, base), head, along);
+            }
+            (_, Unknown::Turn { link, base, .. }) => {
+                self.read_omega(route, target, (link, base), head, along);
+            }
+            (Order::Acceleration, Unknown::Slide { slide, back }) => {
+                self.read_sliding(route, target, (slide, back), head, along);
+            }
+            (_, Unknown::Slide { slide, back }) => {
+                self.read_slip(route, target, (slide, back), head, along);
+            }
+            (_, Unknown::Roll { roll, wheel, centre }) => {
+                if order == Order::Velocity {
+                    let scale = self.polygon_scale(order);
+                    self.rolling_speeds[roll] = Some(self.board.read(along, scale));
+                }
+                let (quantity, kind) = self.rolling_unknown(order, (roll, wheel, centre), route.foot.0);
+                let vector = self.note_vector(order, (kind, quantity, Some(route.claim)), route.foot, head);
+                self.act_read(order, vector);
+            }
+            (Order::Acceleration, Unknown::Contact { roll, body }) => {
+                self.read_contact_normal((roll, body), route.claim, head, route.foot);
+            }
+            // Rolling without slip: the velocities are one, and of a driven wheel nothing is unknown. The
+            // sliding of another pin is read when its own image stands.
+            (_, Unknown::Contact { .. } | Unknown::Spin { .. } | Unknown::Carried { .. }) => {}
+        }
+    }
+
+    /// From the image of the solved body's contact point a line along the common normal.
+    fn contact_route(&mut self, order: Order, roll: usize, body: LinkId) -> Route<B> {
+        let unknown = Unknown::Contact { roll, body };
+        let other = self.rolled_on(roll, body);
+        let foot = (self.contact_label(roll, other), self.contact_image(order, roll, other));
+        let (along, claim) = self.common_normal(roll);
+        self.act(Act::DrawRay { from: foot.0, claim });
+        Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
+    }
+
+    /// From the image of the guide's point under another pin of a driven link, after the known parts of its
+    /// sliding, the parts that the link's rotation gives; from their end a line along that guide.
+    fn carried_route(
+        &mut self,
+        order: Order,
+        slide: usize,
+        link: LinkId,
+        [other, pin]: [PointId; 2],
+        index: u8,
+    ) -> Route<B> {
+        let (start, along) = match order {
+            Order::Acceleration => self.sliding_foot(slide, false, other, 1),
+            _ => {
+                let (along, _) = self.tangent(slide, other);
+                (self.slide_start(order, (slide, false), other), along)
+            }
+        };
+        let foot = self.lay_off_turn(order, link, [other, pin], start, (index, None));
+        let claim = Claim::Parallel(Reference::Guide(slide));
+        self.act(Act::DrawRay { from: foot.0, claim });
+        let unknown = Unknown::Carried { slide, link, pin: other };
+        Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
+    }
+
+    /// Lays off what the rotation of a link of known rates gives between two of its points: V = ω l, or
+    /// Aⁿ = ω² l and Aᵗ = ε l. Feet count from `index`; the last may be an image.
+    pub(super) fn lay_off_turn(
+        &mut self,
+        order: Order,
+        link: LinkId,
+        [base, point]: [PointId; 2],
+        start: (Label, Point<B>),
+        (index, last): (u8, Option<Label>),
+    ) -> (Label, Point<B>) {
+        let second = order == Order::Acceleration;
+        let scale = self.polygon_scale(order);
+        let line = Reference::Points(base, point);
+        let length = self.length_to(link, base, point);
+        let outward = self.outward(link, base, point);
+        let square = self.board.quarter_turn(outward);
+        let mut parts = Vec::new();
+        if second {
+            let omega = self.rate(Order::Velocity, link);
+            let speed = self.board.product(omega, length);
+            let normal = self.board.product(omega, speed);
+            let quantity = Quantity::RelativeNormal(point, base);
+            self.act(Act::Calculate(Calculation::Normal {
+                quantity,
+                velocity: Quantity::RelativeVelocity(point, base),
+                ends: [base, point],
+                speed: speed.value().abs(),
+                length: length.value(),
+                value: normal.value(),
+            }));
+            let inward = self.board.reverse(outward);
+            parts.push((VectorKind::Normal, quantity, Claim::Parallel(line), inward, normal));
+        }
+        let rate = self.rate(order, link);
+        let part = self.board.product(rate, length);
+        let (kind, quantity) = if second {
+            (VectorKind::Tangential, Quantity::RelativeTangential(point, base))
+        } else {
+            (VectorKind::Relative, Quantity::RelativeVelocity(point, base))
+        };
+        self.act_turning(order, quantity, link, [base, point], [rate, length, part]);
+        parts.push((kind, quantity, Claim::Perpendicular(line), square, part));
+        let count = parts.len();
+        let mut foot = start;
+        for (place, (kind, quantity, claim, direction, amount)) in parts.into_iter().enumerate() {
+            let mm = self.board.to_paper(amount, scale);
+            let at = self.board.lay_off(foot.1, direction, mm);
+            let next = index + u8::from(place > 0);
+            let here = last.filter(|_| place + 1 == count);
+            let label = here.unwrap_or(Label::Foot { point, link: None, index: next });
+            let vector = self.note_vector(order, (kind, quantity, Some(claim)), foot, (label, at));
+            self.act(Act::LayOffVector { vector, value: amount.value().abs(), mm: mm.value().abs() });
+            if here.is_none() {
+                self.note_foot(order, label, at);
+            }
+            foot = (label, at);
+        }
+        foot
+    }
+
+    /// The second pin of a driven link: its image about the first, and what its sliding is.
+    fn second_pin(&mut self, order: Order, kind: GroupKind) {
+        let GroupKind::DrivenBar { link, pins: [first, second], slides, .. } = kind else { return };
+        let image = self.image_about(order, link, first, second);
+        self.note_image(order, second, image);
+        self.absolute_of(order, second, image);
+        let loud = !std::mem::replace(&mut self.silent, true);
+        let slide = Unknown::Slide { slide: slides[1], back: false };
+        self.read_closing(order, slide, Target::Pin(second), (self.label(second), image));
+        self.silent = !loud;
+    }
+
+    fn contact_label(&self, roll: usize, body: LinkId) -> Label {
+        self.mechanism.contacts.get(roll).map_or(Label::Pole, |&contact| self.label_under(contact, body))
+    }
+
+    /// The line from a wheel's centre to its contact point.
+    fn common_normal(&mut self, roll: usize) -> (crate::board::Direction<B>, Claim) {
+        let (wheel, centre) = match self.mechanism.rolls[roll] {
+            Roll::Circles { links, centres, .. } => (links[1], centres[1]),
+            Roll::Line { wheel, centre, .. } => (wheel, centre),
+        };
+        let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+        let along = self.outward(wheel, centre, contact);
+        (along, Claim::Parallel(Reference::Points(centre, contact)))
+    }
+
+    /// From the image of the solved body's contact point the part ω r or ε r of the driven wheel's centre
+    /// against it.
+    pub(super) fn spin_part(
+        &mut self,
+        order: Order,
+        roll: usize,
+        (wheel, centre): (LinkId, PointId),
+        head: Label,
+    ) -> Point<B> {
+        let other = self.rolled_on(roll, wheel);
+        let start = (self.contact_label(roll, other), self.contact_image(order, roll, other));
+        let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+        let rate = self.rate(order, wheel);
+        let radius = self.length_to(wheel, centre, contact);
+        let part = self.board.product(rate, radius);
+        let (quantity, kind) = match order {
+            Order::Acceleration => (Quantity::RelativeTangential(centre, contact), VectorKind::Tangential),
+            _ if other == LinkId::FRAME => (Quantity::Velocity(centre), VectorKind::Absolute),
+            _ => (Quantity::RelativeVelocity(centre, contact), VectorKind::Relative),
+        };
+        self.act_turning(order, quantity, wheel, [contact, centre], [rate, radius, part]);
+        // Seen from the contact point the centre lies opposite to where the contact lies from the centre.
+        let back = self.square_to(wheel, centre, contact);
+        let square = self.board.reverse(back);
+        let scale = self.polygon_scale(order);
+        let mm = self.board.to_paper(part, scale);
+        let at = self.board.lay_off(start.1, square, mm);
+        let across = Claim::Perpendicular(Reference::Points(centre, contact));
+        let vector = self.note_vector(order, (kind, quantity, Some(across)), start, (head, at));
+        self.act(Act::LayOffVector { vector, value: part.value().abs(), mm: mm.value().abs() });
+        at
+    }
+
+    /// From the end of the part that a driven wheel's rotation gives, a line along the common normal.
+    fn spin_route(
+        &mut self,
+        order: Order,
+        (roll, wheel, centre): (usize, LinkId, PointId),
+        index: u8,
+    ) -> Route<B> {
+        let label = Label::Foot { point: centre, link: None, index };
+        let at = self.spin_part(order, roll, (wheel, centre), label);
+        self.note_foot(order, label, at);
+        let (along, claim) = self.common_normal(roll);
+        self.act(Act::DrawRay { from: label, claim });
+        let unknown = Unknown::Spin { roll, wheel, centre };
+        Route { foot: (label, at), ray: Line { through: at, along }, claim, unknown }
+    }
+
+    /// Two lines of unknown length meet in the sought image.
+    pub(super) fn dyad(&mut self, order: Order, step: &GroupStep, group: &Group) {
+        let kind = group.kind;
+        let Some((target, unknowns)) = self.routes_of(kind) else { return };
+        self.board.purpose(match order {
+            Order::Acceleration => "acceleration image",
+            _ => "velocity image",
+        });
+        let links: Vec<LinkId> =
+            group.links.iter().copied().filter(|&l| !self.mechanism.link(l).block).collect();
+        self.step(order, &links, Vec::new());
+        self.rates_by_riding(order, kind);
+        // Of accelerations what turns about the frame is laid off first.
+        let about_frame =
+            |unknown: Unknown| matches!(unknown, Unknown::Turn { base, .. } if self.mechanism.is_fixed(base));
+        let swapped = order == Order::Acceleration && !about_frame(unknowns[0]) && about_frame(unknowns[1]);
+        let unknowns = if swapped { [unknowns[1], unknowns[0]] } else { unknowns };
+        let mut index = 1;
+        let routes = unknowns.map(|unknown| self.route(order, unknown, target, &mut index));
+        let equation = self.equation_of(order, target, unknowns);
+        self.equation(equation);
+        let reason = self.reason(&links);
+        let meet = self.board.meet_lines(routes[0].ray, routes[1].ray, reason);
+        let label = match target {
+            Target::Pin(pin) => {
+                self.note_image(order, pin, meet.at);
+                self.label(pin)
+            }
+            Target::Under(pin, link) => {
+                self.note_under(order, pin, link, meet.at);
+                self.label_under(pin, link)
+            }
+        };
+        self.act(Act::MarkMeet { label, crossing: meet.crossing });
+        for (route, along) in routes.iter().zip(meet.along) {
+            self.note_ray(order, route.foot.1, meet.at, route.claim);
+            self.read_route(order, route, target, (label, meet.at), along);
+        }
+        if let GroupKind::Rpr { lever, rod: Some(rod), .. } = kind {
+            let rate = self.rate(order, lever);
+            self.set_rate(order, rod, rate);
+        }
+        self.whole_vectors(order, target, unknowns, (label, meet.at));
+        self.second_pin(order, kind);
+        self.further_images(order, step, kind);
+    }
+
+    /// The thick vectors to the found image: from the pole, and of accelerations from each moving base.
+    fn whole_vectors(
+        &mut self,
+        order: Order,
+        target: Target,
+        unknowns: [Unknown; 2],
+        (label, image): (Label, Point<B>),
+    ) {
+        let quantity = match (order, target) {
+            (Order::Acceleration, Target::Pin(pin)) => Quantity::Acceleration(pin),
+            (Order::Acceleration, Target::Under(pin, link)) => Quantity::CoincidentAcceleration(pin, link),
+            (_, Target::Pin(pin)) => Quantity::Velocity(pin),
+            (_, Target::Under(pin, link)) => Quantity::CoincidentVelocity(pin, link),
+        };
+        let drawn = |v: &Vector| v.quantity == quantity && v.tail == Label::Pole;
+        if !self.polygon(order).is_some_and(|p| p.vectors.iter().any(drawn)) {
+            self.absolute_vector(order, quantity, label, image);
+        }
+        for unknown in unknowns {
+            if let (Order::Acceleration, Unknown::Turn { base, .. }, Target::Pin(pin)) =
+                (order, unknown, target)
+                && !self.mechanism.is_fixed(base)
+            {
+                self.whole_acceleration(pin, base, image);
+            }
+        }
+    }
+
+    /// V_B = V_A + V_BA, by both routes; what is drawn backwards along its route stands with the other one,
+    /// as in V_A = V_A4 + V_AA4, with the pin's known velocity on the left.
+    fn equation_of(&mut self, order: Order, target: Target, unknowns: [Unknown; 2]) -> Equation {
+        let from_frame = |d: &Self, unknown: Unknown| match (order, unknown) {
+            (_, Unknown::Slide { slide, back }) => d.solved_side(slide, back) == Some(LinkId::FRAME),
+            (Order::Acceleration, _) => false,
+            (_, Unknown::Turn { base, .. }) => d.mechanism.is_fixed(base),
+            (_, Unknown::Roll { roll, wheel, .. }) => d.rolled_on(roll, wheel) == LinkId::FRAME,
+            (_, Unknown::Contact { .. } | Unknown::Spin { .. } | Unknown::Carried { .. }) => false,
+        };
+        let second_first = match target {
+            Target::Under(..) => true,
+            Target::Pin(_) => from_frame(self, unknowns[1]),
+        };
+        let [first, second] = unknowns.map(|unknown| self.side_of(order, target, unknown));
+        let [mut left, mut right] = if second_first { [second, first] } else { [first, second] };
+        let mut sides = [std::mem::take(&mut left.known), std::mem::take(&mut right.known)];
+        for (side, own) in [(right, 1), (left, 0)] {
+            sides[if side.back { 1 - own } else { own }].extend(side.unknown);
+        }
+        let [left, right] = sides;
+        Equation { left, right }
+    }
+
+    /// A vector of the diagram that is known by now.
+    pub(super) fn found(&mut self, quantity: Quantity, image: Point<B>, order: Order) -> Term {
+        let at = image.value();
+        let si_per_mm = self.polygon_scale(order).si_per_mm;
+        Term {
+            quantity,
+            magnitude: Some(libm::hypot(at[0], at[1]) * si_per_mm),
+            direction: Some(TermDirection::Found),
+        }
+    }
+
+    fn found_image(&mut self, order: Order, point: PointId) -> Term {
+        let image = self.image(order, point);
+        let quantity = match order {
+            Order::Acceleration => Quantity::Acceleration(point),
+            _ => Quantity::Velocity(point),
+        };
+        self.found(quantity, image, order)
+    }
+
+    fn found_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Term {
+        if self.mechanism.link(link).points.contains(&pin) {
+            return self.found_image(order, pin);
+        }
+        let image = self.image_under(order, pin, link);
+        let quantity = match order {
+            Order::Acceleration => Quantity::CoincidentAcceleration(pin, link),
+            _ => Quantity::CoincidentVelocity(pin, link),
+        };
+        self.found(quantity, image, order)
+    }
+
+    /// One route as a sum: what is known of it, and what is drawn along it.
+    fn side_of(&mut self, order: Order, target: Target, unknown: Unknown) -> Side {
+        let second = order == Order::Acceleration;
+        let pin = target.pin();
+        let mut known = Vec::new();
+        let mut drawn = Vec::new();
+        let sought = |quantity: Quantity, claim: Claim| Term {
+            quantity,
+            magnitude: None,
+            direction: Some(TermDirection::Claim(claim)),
+        };
+        let base_of =
+            |d: &mut Self, base: PointId| (!d.mechanism.is_fixed(base)).then(|| d.found_image(order, base));
+        match unknown {
+            Unknown::Turn { link, base, to } => {
+                known.extend(base_of(self, base));
+                let line = Reference::Points(base, to);
+                if second {
+                    let normal = self.normal_of(link, to, base);
+                    let claim = TermDirection::Claim(Claim::Parallel(line));
+                    drawn.extend(self.laid_off(order, normal, claim));
+                }
+                let quantity = match (second, target) {
+                    (false, Target::Pin(pin)) => self.relative_velocity(pin, base),
+                    (false, Target::Under(pin, link)) => Quantity::CoincidentVelocity(pin, link),
+                    (true, Target::Pin(pin)) => self.tangential_of(pin, base),
+                    (true, Target::Under(pin, link)) => Quantity::CoincidentTangential(pin, link),
+                };
+                drawn.push(sought(quantity, Claim::Perpendicular(line)));
+            }
+            Unknown::Roll { roll, wheel, centre } => {
+                let body = self.rolled_on(roll, wheel);
+                let claim = match self.other_centre(roll, wheel) {
+                    Some(other) => {
+                        known.extend(base_of(self, other));
+                        let line = Reference::Points(other, centre);
+                        if second {
+                            let claim = TermDirection::Claim(Claim::Parallel(line));
+                            for normal in [Quantity::Normal(centre), Quantity::RelativeNormal(centre, other)]
+                            {
+                                drawn.extend(self.laid_off(order, normal, claim));
+                            }
+                        }
+                        Claim::Perpendicular(line)
+                    }
+                    None => {
+                        if body != LinkId::FRAME {
+                            known.push(self.found_under(order, centre, body));
+                        }
+                        if second {
+                            let coriolis = Quantity::Coriolis(centre, body);
+                            drawn.extend(self.laid_off(order, coriolis, TermDirection::Found));
+                        }
+                        self.rolling_direction(roll, wheel, centre).1
+                    }
+                };
+                let (quantity, _) = self.rolling_unknown(order, (roll, wheel, centre), Label::Pole);
+                drawn.push(sought(quantity, claim));
+            }
+            Unknown::Slide { slide, back } => {
+                match self.solved_side(slide, back) {
+                    None => known.push(self.found_image(order, pin)),
+                    Some(LinkId::FRAME) => {}
+                    Some(link) => known.push(self.found_under(order, pin, link)),
+                }
+                let guide = self.mechanism.slides[slide].guide.link;
+                let rider = self.riding_point(slide, pin);
+                let line = Reference::Guide(slide);
+                if second {
+                    let across = TermDirection::Claim(Claim::Perpendicular(line));
+                    for part in [Quantity::Coriolis(rider, guide), Quantity::SlipNormal(rider, guide)] {
+                        drawn.extend(self.laid_off(order, part, across));
+                    }
+                }
+                let (quantity, reversed) = self.sliding_unknown(order, target, (slide, back));
+                drawn.push(sought(quantity, Claim::Parallel(line)));
+                return Side { known, unknown: drawn, back: reversed };
+            }
+            Unknown::Carried { slide, pin: other, .. } => {
+                let sliding = Unknown::Slide { slide, back: false };
+                let side = self.side_of(order, Target::Pin(other), sliding);
+                known.extend(side.known);
+                drawn.extend(side.unknown);
+                let line = Reference::Points(other, pin);
+                let (parallel, square) = (Claim::Parallel(line), Claim::Perpendicular(line));
+                let parts = if second {
+                    vec![
+                        (Quantity::RelativeNormal(pin, other), parallel),
+                        (Quantity::RelativeTangential(pin, other), square),
+                    ]
+                } else {
+                    vec![(Quantity::RelativeVelocity(pin, other), square)]
+                };
+                for (part, claim) in parts {
+                    drawn.extend(self.laid_off(order, part, TermDirection::Claim(claim)));
+                }
+            }
+            Unknown::Contact { roll, body } => {
+                let other = self.rolled_on(roll, body);
+                if other != LinkId::FRAME {
+                    known.push(self.found_under(order, pin, other));
+                }
+                if second {
+                    let claim = self.common_normal(roll).1;
+                    drawn.push(sought(Quantity::ContactNormal(pin, other, body), claim));
+                }
+                return Side { known, unknown: drawn, back: true };
+            }
+            Unknown::Spin { roll, wheel, centre } => {
+                let other = self.rolled_on(roll, wheel);
+                let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+                if other != LinkId::FRAME {
+                    known.push(self.found_under(order, contact, other));
+                }
+                let across = Claim::Perpendicular(Reference::Points(centre, contact));
+                let part = if second {
+                    Quantity::RelativeTangential(centre, contact)
+                } else {
+                    Quantity::RelativeVelocity(centre, contact)
+                };
+                drawn.extend(self.laid_off(order, part, TermDirection::Claim(across)));
+                if second {
+                    let claim = self.common_normal(roll).1;
+                    drawn.push(sought(Quantity::RelativeNormal(centre, contact), claim));
+                }
+            }
+        }
+        Side { known, unknown: drawn, back: false }
+    }
+
+    /// A part whose magnitude was calculated and laid off.
+    fn laid_off(&self, order: Order, quantity: Quantity, direction: TermDirection) -> Option<Term> {
+        let vectors = &self.polygon(order)?.vectors;
+        let v = vectors.iter().rev().find(|v| v.quantity == quantity)?;
+        let si_per_mm = self.polygon_scale(order).si_per_mm;
+        let magnitude = Some(libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]) * si_per_mm);
+        Some(Term { quantity, magnitude, direction: Some(direction) })
+    }
+
+    /// Images of the further points of the group's links.
+    fn further_images(&mut self, order: Order, step: &GroupStep, kind: GroupKind) {
+        for &(link, point) in &step.points {
+            self.board.purpose(match order {
+                Order::Acceleration => "acceleration image of a further point",
+                _ => "velocity image of a further point",
+            });
+            let about = match kind {
+                GroupKind::Rpr { lever, base, .. } if link == lever => Some(base),
+                GroupKind::Rpp { lever, base, .. } if link == lever => Some(base),
+                GroupKind::Rpr { pin, .. } | GroupKind::DrivenBar { pins: [pin, _], .. } => Some(pin),
+                _ => None,
+            };
+            let carried = match kind {
+                GroupKind::Yoke { pin, .. } => Some(pin),
+                GroupKind::Rack { roll, .. } => self.mechanism.contacts.get(roll).copied(),
+                GroupKind::Rpp { point: pin, .. } | GroupKind::Prp { pin, .. } => Some(pin),
+                GroupKind::Rrp { rider: Some(rider), pin, .. } if rider == link => Some(pin),
+                _ => None,
+            };
+            let image = match (about, carried, main_base(kind, link)) {
+                (Some(base), ..) => self.image_about(order, link, base, point),
+                (_, Some(pin), _) => self.riding_image(order, link, pin, point),
+                (.., Some((base, pin))) => match self.straight_ratio(link, base, pin, point) {
+                    Some(ratio) => self.divide_image(order, (base, pin), point, ratio),
+                    None => self.corner_of_image(order, link, (base, pin), point),
+                },
+                _ => continue,
+            };
+            self.note_image(order, point, image);
+            self.absolute_of(order, point, image);
+        }
+    }
+
+    /// The vector from the pole to a point's image.
+    pub(super) fn absolute_of(&mut self, order: Order, point: PointId, image: Point<B>) {
+        let label = self.label(point);
+        let quantity = match order {
+            Order::Acceleration => Quantity::Acceleration(point),
+            _ => Quantity::Velocity(point),
+        };
+        self.absolute_vector(order, quantity, label, image);
+    }
+
+    /// The image of a point of a turning link about one whose image is known.
+    pub(super) fn image_about(
+        &mut self,
+        order: Order,
+        link: LinkId,
+        base: PointId,
+        point: PointId,
+    ) -> Point<B> {
+        match order {
+            Order::Acceleration => self.acceleration_about(link, base, point),
+            _ => self.velocity_about(link, base, point),
+        }
+    }
+
+    /// A corner of an image, by the lines from two known images, or where they cross too flat by the
+    /// similar figure.
+    fn corner_of_image(
+        &mut self,
+        order: Order,
+        link: LinkId,
+        (base, pin): (PointId, PointId),
+        point: PointId,
+    ) -> Point<B> {
+        if !self.crosses_well(base, pin, point) {
+            return self.similar_image(order, link, (base, pin), point);
+        }
+        let mut index = 1;
+        let arms = [base, pin].map(|base| {
+            let turn = Unknown::Turn { link, base, to: point };
+            self.route(order, turn, Target::Pin(point), &mut index)
+        });
+        let reason = self.reason(&[link]);
+        let meet = self.board.meet_lines(arms[0].ray, arms[1].ray, reason);
+        self.act(Act::MarkMeet { label: self.label(point), crossing: meet.crossing });
+        for (arm, base) in arms.iter().zip([base, pin]) {
+            self.note_ray(order, arm.foot.1, meet.at, arm.claim);
+            if order == Order::Acceleration {
+                let part = (VectorKind::Tangential, self.tangential_of(point, base), Some(arm.claim));
+                self.note_vector(order, part, arm.foot, (self.label(point), meet.at));
+            }
+        }
+        meet.at
+    }
+}

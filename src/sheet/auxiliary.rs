@@ -1,0 +1,604 @@
+//! Constructions on the skeleton as ink and in words: Klein's, the inflection circle.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::figure::{Group, Mark, Pen, Shape, Tone};
+use super::human;
+use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, head, page, right_angle};
+use super::labels::{Request, Site};
+use super::notation::Notation;
+use super::overlap::clip;
+use super::rich::Rich;
+use super::skeleton::{self, Arrows, Overlay, PIN};
+use super::steps::{self, Item};
+use crate::graphical::auxiliary::{
+    AuxiliaryAct, AuxiliaryDrawing, InflectionBy, PointName, Proportion, Stroke, StrokeRole, StrokeShape,
+};
+use crate::graphical::construction::{Construction, Label};
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::{Input, LinkId, PointId};
+use crate::plan::Auxiliary;
+
+/// The figure grows to this size at most to take a named point in; what lies further out is off the sheet.
+const LARGEST: (f64, f64) = (160.0, 150.0);
+/// Blank kept between a named point and the border.
+const BORDER: f64 = 9.0;
+/// Places closer than this on paper have one label.
+const COINCIDENT: f64 = 0.3;
+/// How far a line runs past the point that ends its use.
+const PAST: f64 = 4.0;
+/// Side of a right-angle mark.
+const SQUARE: f64 = 2.2;
+/// A pen for what was sought: between links and components.
+const RESULT: f64 = 0.35;
+/// Pieces of a clipped circle.
+const PIECES: usize = 360;
+
+/// The title of the figure.
+#[must_use]
+pub fn title(kind: &Auxiliary, notation: &Notation<'_>) -> Rich {
+    let words = notation.words;
+    let link = |link: LinkId| [("link", Rich::upright(notation.number(link)))];
+    match *kind {
+        Auxiliary::Klein { crank, .. } => Rich::fill(words.klein_figure, &link(crank.rod)),
+        Auxiliary::Inflection { link: own } => Rich::fill(words.inflection_figure, &link(own)),
+        Auxiliary::Kennedy { links } => {
+            Rich::fill(words.kennedy_figure, &[("links", notation.links(&links))])
+        }
+        Auxiliary::Rotation { link: own, .. } => Rich::fill(words.rotation_figure, &link(own)),
+        Auxiliary::Centrodes { links } => {
+            let centre = super::circle::name(crate::plan::chord(links[0], links[1]), notation);
+            Rich::fill(words.centrodes_figure, &[("centre", centre)])
+        }
+    }
+}
+
+/// The skeleton with the construction over it.
+#[must_use]
+pub fn draw(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Group {
+    // The arcs by which the skeleton was drawn belong to its own figure.
+    let mut bare = construction.clone();
+    bare.space.lines.clear();
+    skeleton::draw_under(&bare, notation, Arrows::Inputs, |ink, places| {
+        let plate = Plate { drawing, notation: *notation, places, window: window(drawing, ink) };
+        Overlay { ink: plate.strokes(), labels: plate.labels() }
+    })
+}
+
+/// The skeleton's ink with as many named points as find room, the nearest first.
+fn window(drawing: &AuxiliaryDrawing, skeleton: Rect) -> Rect {
+    let mut window = skeleton.inflate(BORDER, BORDER);
+    let mut grow = |with: Rect| {
+        let grown = window.union(with);
+        let fits = grown.width() <= LARGEST.0.max(window.width())
+            && grown.height() <= LARGEST.1.max(window.height());
+        if fits {
+            window = grown;
+        }
+    };
+    let middle = skeleton.center();
+    let mut places: Vec<Point> = drawing.points.iter().map(|p| page(p.at)).collect();
+    places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
+    for at in places {
+        grow(Rect::from_center_size(at, (2.0 * BORDER, 2.0 * BORDER)));
+    }
+    // Whole circles where there is room for them.
+    for stroke in &drawing.strokes {
+        if let StrokeShape::Circle { centre, radius } = stroke.shape {
+            let size = 2.0 * (radius + 2.0);
+            grow(Rect::from_center_size(page(centre), (size, size)));
+        }
+        if let StrokeShape::Curve { points, ends: [None, None] } = &stroke.shape
+            && let Some(first) = points.first()
+        {
+            let start = Rect::from_center_size(page(*first), (0.0, 0.0));
+            grow(points.iter().fold(start, |box_, p| box_.union_pt(page(*p))).inflate(2.0, 2.0));
+        }
+    }
+    window
+}
+
+struct Plate<'a> {
+    drawing: &'a AuxiliaryDrawing,
+    notation: Notation<'a>,
+    /// Places of the mechanism's points on the page.
+    places: &'a [Option<Point>],
+    window: Rect,
+}
+
+impl Plate<'_> {
+    fn strokes(&self) -> Group {
+        let mut all = Group::new("auxiliary");
+        for stroke in &self.drawing.strokes {
+            let mut own = Group::new(match stroke.role {
+                StrokeRole::Construction | StrokeRole::Produced => "construction",
+                StrokeRole::Image => "image",
+                StrokeRole::Axis => "axis",
+                StrokeRole::Result => "result",
+                StrokeRole::Other => "other-position",
+                StrokeRole::Counterpart => "counterpart",
+                StrokeRole::Vector => "vector",
+            });
+            if let Some(claim) = stroke.claim {
+                let (name, value) = self.notation.claim_data(claim);
+                own = own.data(name, value);
+            }
+            self.stroke(&mut own, stroke);
+            if !own.children.is_empty() {
+                all.group(own);
+            }
+        }
+        // What was sought over what led to it, and dots over lines.
+        for point in &self.drawing.points {
+            let at = page(point.at);
+            // A pin has its own symbol, and a curve or a velocity is named, not marked.
+            let marked = matches!(point.name, PointName::CentrodeIn(_) | PointName::TrialVelocity(_));
+            let on_pin = self.places.iter().flatten().any(|p| p.distance(at) < COINCIDENT);
+            if self.window.contains(at) && !on_pin && !marked {
+                let circle = Shape::Circle { centre: at, radius: 0.7 };
+                all.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Ink).class("point").precise());
+            }
+        }
+        all
+    }
+
+    fn stroke(&self, own: &mut Group, stroke: &Stroke) {
+        let pen = match stroke.role {
+            StrokeRole::Construction | StrokeRole::Produced => Pen::solid(FINE),
+            StrokeRole::Image => Pen::solid(RESULT),
+            StrokeRole::Axis => Pen::chain(FINE),
+            StrokeRole::Result => Pen::solid(RESULT),
+            StrokeRole::Other => Pen::dashed(THIN),
+            StrokeRole::Counterpart => Pen::dashed(RESULT),
+            StrokeRole::Vector => Pen::solid(THICK),
+        };
+        match &stroke.shape {
+            StrokeShape::Line(from, to) if stroke.role == StrokeRole::Vector => {
+                arrow(own, page(*from), page(*to), THICK);
+            }
+            StrokeShape::Curve { points, ends } => self.curve(own, points, *ends, pen),
+            StrokeShape::Line(from, to) => {
+                let (from, to) = (page(*from), page(*to));
+                let d = to - from;
+                if d.hypot() < COINCIDENT {
+                    return;
+                }
+                let past = match stroke.role {
+                    StrokeRole::Produced | StrokeRole::Axis => d.normalize() * PAST,
+                    _ => d * 0.0,
+                };
+                let back = if stroke.role == StrokeRole::Axis { past } else { past * 0.0 };
+                self.line(own, from - back, to + past, to, pen);
+            }
+            StrokeShape::Circle { centre, radius } => self.circle(own, page(*centre), *radius, pen),
+            StrokeShape::RightAngle { corner, one, other } => {
+                let corner = page(*corner);
+                let (one, other) = (page(*one) - corner, page(*other) - corner);
+                let room = one.hypot().min(other.hypot());
+                if room > SQUARE && self.window.contains(corner) {
+                    right_angle(own, corner, one, other, SQUARE.min(room * 0.4));
+                }
+            }
+        }
+    }
+
+    /// A line as far as the border; where its end lies beyond, an arrowhead points there.
+    fn line(&self, own: &mut Group, from: Point, to: Point, end: Point, pen: Pen) {
+        let Some((t0, t1)) = clip(from, to, self.window) else { return };
+        let (a, b) = (from.lerp(to, t0), from.lerp(to, t1));
+        own.mark(Mark::stroke(Shape::Line(a, b), pen).precise());
+        if !self.window.contains(end) && a.distance(b) > 2.0 * HEAD {
+            own.mark(head(b, (b - a).normalize(), HEAD));
+        }
+    }
+
+    /// A curve, cut at the border; where it goes on to infinity, an arrowhead along its asymptote.
+    fn curve(&self, own: &mut Group, points: &[[f64; 2]], ends: [Option<[f64; 2]>; 2], pen: Pen) {
+        let points: Vec<Point> = points.iter().map(|p| page(*p)).collect();
+        let mut pieces: Vec<Vec<Point>> = Vec::new();
+        for pair in points.windows(2) {
+            let Some((t0, t1)) = clip(pair[0], pair[1], self.window) else { continue };
+            // What is not cut is kept to its last bit, so that the pieces join.
+            let a = if t0 > 0.0 { pair[0].lerp(pair[1], t0) } else { pair[0] };
+            let b = if t1 < 1.0 { pair[0].lerp(pair[1], t1) } else { pair[1] };
+            match pieces.last_mut() {
+                Some(piece) if piece.last() == Some(&a) => piece.push(b),
+                _ => pieces.push(vec![a, b]),
+            }
+        }
+        let runs_out = |end: Option<&Point>| end.is_some_and(|p| !self.window.contains(*p));
+        let outside = [runs_out(points.first()), runs_out(points.last())];
+        let tips =
+            [pieces.first().and_then(|p| p.first().copied()), pieces.last().and_then(|p| p.last().copied())];
+        for piece in pieces {
+            own.mark(Mark::stroke(Shape::Polyline(piece), pen));
+        }
+        for ((end, outside), tip) in ends.into_iter().zip(outside).zip(tips) {
+            if let (Some([x, y]), true, Some(tip)) = (end, outside, tip) {
+                own.mark(head(tip, Vec2::new(x, -y), HEAD));
+            }
+        }
+    }
+
+    /// A circle, cut at the border.
+    fn circle(&self, own: &mut Group, centre: Point, radius: f64, pen: Pen) {
+        if radius < COINCIDENT {
+            return;
+        }
+        let whole = Rect::from_center_size(centre, (2.0 * radius, 2.0 * radius));
+        if self.window.contains_rect(whole) {
+            own.mark(Mark::stroke(Shape::Circle { centre, radius }, pen).precise());
+            return;
+        }
+        let at = |i: usize| {
+            super::figure::on_circle(
+                centre,
+                radius,
+                std::f64::consts::TAU * (i % PIECES) as f64 / PIECES as f64,
+            )
+        };
+        let inside: Vec<bool> = (0..PIECES).map(|i| self.window.contains(at(i))).collect();
+        // Start outside, so that no run is cut at its beginning.
+        let Some(start) = inside.iter().position(|own| !own) else { return };
+        let mut run: Option<usize> = None;
+        for i in start..=start + PIECES {
+            match (run, inside[i % PIECES]) {
+                (None, true) => run = Some(i),
+                (Some(first), false) => {
+                    let step = std::f64::consts::TAU / PIECES as f64;
+                    let (from, sweep) = (step * first as f64, step * (i - 1 - first) as f64);
+                    if sweep > 0.0 {
+                        own.mark(
+                            Mark::stroke(Shape::Arc { centre, radius, start: from, sweep }, pen).precise(),
+                        );
+                    }
+                    run = None;
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn labels(&self) -> Vec<Request> {
+        let mut groups: Vec<(Point, f64, Vec<Rich>)> = Vec::new();
+        for point in &self.drawing.points {
+            let at = page(point.at);
+            if !self.window.contains(at) {
+                continue;
+            }
+            let size = if matches!(point.name, PointName::CentrodeIn(_)) { SMALL } else { LABEL };
+            let name = name(point.name, &self.notation);
+            match groups.iter_mut().find(|(p, ..)| p.distance(at) < COINCIDENT) {
+                Some((.., names)) if names.contains(&name) => {}
+                Some((.., names)) => names.push(name),
+                None => groups.push((at, size, vec![name])),
+            }
+        }
+        groups
+            .into_iter()
+            .map(|(at, size, names)| {
+                let text = Rich::join(&names, &Rich::upright(", "));
+                let on_pin = self.places.iter().flatten().any(|p| p.distance(at) < COINCIDENT);
+                let radius = if on_pin { PIN + 0.3 } else { 0.9 };
+                let site = Site::Around { at, radius, toward: None };
+                let mut request = Request::new(text, size, site, "label auxiliary-name");
+                request.leader = true;
+                request
+            })
+            .collect()
+    }
+}
+
+/// b′, (13), A with the index w, W, G.
+#[must_use]
+pub fn name(name: PointName, notation: &Notation<'_>) -> Rich {
+    match name {
+        PointName::Image(label, order) => notation.image(label, order),
+        PointName::Centre(links) => super::circle::name(links, notation),
+        PointName::Inflection(point) => notation.point_with(point, "w"),
+        PointName::InflectionPole => letter("W", notation),
+        PointName::AccelerationCentre => letter("G", notation),
+        PointName::Moved(point) => notation.point_primed(point),
+        PointName::RotationCentre => letter("R", notation),
+        PointName::Trial => letter("Q", notation),
+        PointName::TrialVelocity(link) => Rich::italic("V").sub(&format!("Q{}", notation.number(link))),
+        PointName::CentrodeIn(link) => {
+            Rich::fill(notation.words.centrode_in, &[("link", Rich::upright(notation.number(link)))])
+        }
+    }
+}
+
+/// A letter of the construction; with a star where the scene has a point of that name.
+fn letter(own: &str, notation: &Notation<'_>) -> Rich {
+    let taken = notation.mechanism().point_named(own).is_some();
+    let letter = Rich::italic(own);
+    if taken { letter.sup("*") } else { letter }
+}
+
+/// The steps in words.
+#[must_use]
+pub fn items(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
+    let teller = Teller { construction, notation };
+    let mut all = vec![Item::Head(title(&drawing.kind, notation).bolder())];
+    all.extend(drawing.acts.iter().filter_map(|act| teller.act(act)).map(Item::Sentence));
+    all
+}
+
+struct Teller<'a> {
+    construction: &'a Construction,
+    notation: &'a Notation<'a>,
+}
+
+impl Teller<'_> {
+    fn act(&self, act: &AuxiliaryAct) -> Option<Rich> {
+        let n = self.notation;
+        let words = n.words;
+        let image = |label, order| n.image(label, order);
+        let label = |point: PointId| Label::Image { point, link: None };
+        let pole = Label::Pole;
+        let omega = |link: LinkId| n.symbol(Quantity::Omega(link), false);
+        let named = |own: PointName| name(own, n);
+        let text = match *act {
+            AuxiliaryAct::CrankAsImage { crank, omega: rate, velocity, acceleration } => {
+                let parts = [
+                    ("crank", n.length(crank.pivot, crank.crank_pin)),
+                    ("pivot", n.point(crank.pivot)),
+                    ("pin", n.point(crank.crank_pin)),
+                    ("pole", image(pole, Order::Velocity)),
+                    ("image", image(label(crank.crank_pin), Order::Velocity)),
+                    ("velocity", n.symbol(Quantity::Velocity(crank.crank_pin), false)),
+                    ("omega", omega(crank.crank)),
+                    ("rate", n.rotation(rate, &n.angular_unit(Order::Velocity))),
+                    ("scale", self.scale(velocity, Order::Velocity)),
+                ];
+                let mut text = Rich::fill(words.klein_crank, &parts);
+                if let Some(scale) = acceleration {
+                    let parts = [
+                        ("pole", image(pole, Order::Acceleration)),
+                        ("image", image(label(crank.crank_pin), Order::Acceleration)),
+                        ("omega", omega(crank.crank)),
+                        ("scale", self.scale(scale, Order::Acceleration)),
+                    ];
+                    text = text.up(" ").then(&Rich::fill(words.klein_crank_accelerations, &parts));
+                }
+                text
+            }
+            AuxiliaryAct::AcrossGuide { crank, crossing } => {
+                let parts = [
+                    ("pole", image(pole, Order::Velocity)),
+                    ("guide", n.guide(crank.slide)),
+                    ("rod", n.length(crank.crank_pin, crank.slider_pin)),
+                    ("image", image(label(crank.slider_pin), Order::Velocity)),
+                ];
+                steps::warned(Rich::fill(words.klein_across, &parts), crossing, n)
+            }
+            AuxiliaryAct::NormalOnRod { crank, proportion } => {
+                let own = |p| label(p);
+                let parts = [
+                    ("rod", n.length(crank.crank_pin, crank.slider_pin)),
+                    ("pin", n.point(crank.crank_pin)),
+                    ("end", n.point(crank.slider_pin)),
+                    ("opening", n.image_line(own(crank.crank_pin), own(crank.slider_pin), Order::Velocity)),
+                    ("foot", image(foot(crank.slider_pin), Order::Acceleration)),
+                ];
+                let template = match proportion {
+                    Proportion::Chord => words.klein_chord,
+                    Proportion::Tangent => words.klein_tangent,
+                };
+                Rich::fill(template, &parts)
+            }
+            AuxiliaryAct::TangentialOnCrank { crank, mm } => {
+                let parts = [
+                    ("crank", n.length(crank.pivot, crank.crank_pin)),
+                    ("pin", n.point(crank.crank_pin)),
+                    ("alpha", n.symbol(Quantity::Alpha(crank.crank), false)),
+                    ("omega", omega(crank.crank)),
+                    ("mm", human::millimetres(mm)),
+                    ("image", image(label(crank.crank_pin), Order::Acceleration)),
+                    ("foot", image(foot(crank.slider_pin), Order::Acceleration)),
+                ];
+                Rich::fill(words.klein_gathering, &parts)
+            }
+            AuxiliaryAct::AlongGuide { crank, crossing } => {
+                let parts = [
+                    ("pole", image(pole, Order::Acceleration)),
+                    ("guide", n.guide(crank.slide)),
+                    ("foot", image(foot(crank.slider_pin), Order::Acceleration)),
+                    ("rod", n.length(crank.crank_pin, crank.slider_pin)),
+                    ("image", image(label(crank.slider_pin), Order::Acceleration)),
+                ];
+                steps::warned(Rich::fill(words.klein_along, &parts), crossing, n)
+            }
+            AuxiliaryAct::ReadTurned { crank, accelerations } => {
+                let parts = [("omega", omega(crank.crank))];
+                let text = Rich::fill(words.klein_turned, &parts);
+                if !accelerations {
+                    return Some(text);
+                }
+                let parts = [
+                    ("pole", image(pole, Order::Acceleration)),
+                    ("image", image(label(crank.slider_pin), Order::Acceleration)),
+                    ("acceleration", n.symbol(Quantity::Acceleration(crank.slider_pin), false)),
+                ];
+                text.up(" ").then(&Rich::fill(words.klein_reversed, &parts))
+            }
+            AuxiliaryAct::ReadImage { quantity, tail, head, mm, si_per_mm } => {
+                let order = quantity.order();
+                let unit = n.unit(order);
+                let reading = human::millimetres(mm)
+                    .up("\u{a0}×\u{a0}")
+                    .then(&human::number(si_per_mm / unit.si))
+                    .up("\u{a0}=\u{a0}")
+                    .then(&human::quantity(mm * si_per_mm, &unit));
+                let parts = [
+                    ("vector", n.symbol(quantity, false)),
+                    ("image", n.image_line(tail, head, order)),
+                    ("reading", reading),
+                ];
+                Rich::fill(words.read_vector, &parts)
+            }
+            AuxiliaryAct::Calculate(calculation) => {
+                return steps::calculation(&calculation, self.construction, n);
+            }
+            AuxiliaryAct::PoleByNormals { link, points, crossing } => {
+                let parts = [
+                    ("first", n.point(points[0])),
+                    ("second", n.point(points[1])),
+                    ("link", Rich::upright(n.number(link))),
+                    ("pole", named(PointName::Centre(crate::plan::chord(LinkId::FRAME, link)))),
+                ];
+                steps::warned(Rich::fill(words.inflection_normals, &parts), crossing, n)
+            }
+            AuxiliaryAct::InflectionPoint { link, point, by } => self.inflection_point(link, point, by),
+            AuxiliaryAct::InflectionCircle { link, points, mm, diameter } => {
+                let parts = [
+                    ("first", named(PointName::Inflection(points[0]))),
+                    ("second", named(PointName::Inflection(points[1]))),
+                    ("pole", named(PointName::Centre(crate::plan::chord(LinkId::FRAME, link)))),
+                    ("summit", named(PointName::InflectionPole)),
+                    ("link", Rich::upright(n.number(link))),
+                    ("mm", human::millimetres(mm)),
+                    ("value", human::quantity(diameter, &n.scene.units.length)),
+                ];
+                Rich::fill(words.inflection_circle, &parts)
+            }
+            AuxiliaryAct::AccelerationCentre { link, omega: rate, alpha, angle } => {
+                let parts = [
+                    ("pole", named(PointName::Centre(crate::plan::chord(LinkId::FRAME, link)))),
+                    ("summit", named(PointName::InflectionPole)),
+                    ("centre", named(PointName::AccelerationCentre)),
+                    ("alpha", n.symbol(Quantity::Alpha(link), false)),
+                    ("omega", omega(link)),
+                    ("ratio", human::number(alpha.abs() / (rate * rate))),
+                    ("angle", human::degrees(angle.abs())),
+                    ("sense", Rich::upright(n.sense(alpha))),
+                    ("link", Rich::upright(n.number(link))),
+                ];
+                let template =
+                    if alpha == 0.0 { words.acceleration_centre_steady } else { words.acceleration_centre };
+                Rich::fill(template, &parts)
+            }
+            AuxiliaryAct::TrialCentre { links: [i, j, k] } => {
+                let centre = |a, b| named(PointName::Centre(crate::plan::chord(a, b)));
+                let parts = [
+                    ("first", centre(i, j)),
+                    ("second", centre(i, k)),
+                    ("third", centre(j, k)),
+                    ("trial", named(PointName::Trial)),
+                ];
+                Rich::fill(words.kennedy_trial, &parts)
+            }
+            AuxiliaryAct::TrialVelocities { links: [i, j, k] } => {
+                let centre = |a, b| named(PointName::Centre(crate::plan::chord(a, b)));
+                let trial = || named(PointName::Trial);
+                let number = |l| Rich::upright(n.number(l));
+                let parts = [
+                    ("trial", trial()),
+                    ("base", number(i)),
+                    ("one", number(j)),
+                    ("other", number(k)),
+                    ("first", trial().then(&centre(i, j))),
+                    ("second", trial().then(&centre(i, k))),
+                ];
+                Rich::fill(words.kennedy_velocities, &parts)
+            }
+            AuxiliaryAct::OneLine { links: [i, j, k] } => {
+                let centre = |a, b| named(PointName::Centre(crate::plan::chord(a, b)));
+                let parts = [("line", centre(i, j).then(&centre(i, k))), ("third", centre(j, k))];
+                Rich::fill(words.kennedy_line, &parts)
+            }
+            AuxiliaryAct::OtherPosition { link, to } => {
+                let input = n.mechanism().inputs.first()?;
+                let value = match input {
+                    Input::Slide { .. } => human::quantity(to, &n.scene.units.length),
+                    Input::Angle { .. } | Input::Speed { .. } => human::degrees(to),
+                };
+                let parts = [("value", value), ("link", Rich::upright(n.number(link)))];
+                Rich::fill(words.rotation_other, &parts)
+            }
+            AuxiliaryAct::Bisectors { points: [a, b], crossing, .. } => {
+                let way = |p| n.point(p).then(&named(PointName::Moved(p)));
+                let parts =
+                    [("first", way(a)), ("second", way(b)), ("centre", named(PointName::RotationCentre))];
+                steps::warned(Rich::fill(words.rotation_bisectors, &parts), crossing, n)
+            }
+            AuxiliaryAct::Rotation { link, point, angle } => {
+                let parts = [
+                    ("link", Rich::upright(n.number(link))),
+                    ("angle", human::degrees(angle.abs())),
+                    ("sense", Rich::upright(n.sense(angle))),
+                    ("centre", named(PointName::RotationCentre)),
+                    ("before", n.point(point)),
+                    ("after", named(PointName::Moved(point))),
+                ];
+                Rich::fill(words.rotation_angle, &parts)
+            }
+            AuxiliaryAct::Loci { links, within } => {
+                let number = |l| Rich::upright(n.number(l));
+                let parts = [
+                    ("centre", named(PointName::Centre(crate::plan::chord(links[0], links[1])))),
+                    ("fixed", number(links[0])),
+                    ("moving", number(links[1])),
+                    ("within", human::stated(within).up("\u{a0}mm")),
+                ];
+                Rich::fill(words.centrodes_loci, &parts)
+            }
+        };
+        Some(text)
+    }
+
+    fn inflection_point(&self, link: LinkId, point: PointId, by: InflectionBy) -> Rich {
+        let n = self.notation;
+        let words = n.words;
+        let own = || n.point(point);
+        let found = name(PointName::Inflection(point), n);
+        let pole = name(PointName::Centre(crate::plan::chord(LinkId::FRAME, link)), n);
+        let proportional = |centre: Rich, proportion| {
+            let parts = [
+                ("point", own()),
+                ("pole", pole.clone()),
+                ("radius", own().then(&centre)),
+                ("centre", centre),
+                ("found", found.clone()),
+            ];
+            let template = match proportion {
+                Proportion::Chord => words.inflection_chord,
+                Proportion::Tangent => words.inflection_tangent,
+            };
+            Rich::fill(template, &parts)
+        };
+        match by {
+            InflectionBy::Pivot { pivot, proportion } => proportional(n.point(pivot), proportion),
+            InflectionBy::Arc { slide, proportion } => {
+                let centre = Rich::fill(words.centre_of_guide, &[("guide", n.guide(slide))]);
+                proportional(centre, proportion)
+            }
+            InflectionBy::Straight { .. } => {
+                Rich::fill(words.inflection_straight, &[("point", own()), ("found", found)])
+            }
+            InflectionBy::Acceleration { normal, mm } => {
+                let unit = n.unit(Order::Acceleration);
+                let parts = [
+                    ("point", own()),
+                    ("pole", pole),
+                    ("normal", n.symbol(Quantity::Normal(point), false)),
+                    ("value", human::quantity(normal.abs(), &unit)),
+                    ("omega", n.symbol(Quantity::Omega(link), false)),
+                    ("mm", human::millimetres(mm.abs())),
+                    ("found", found),
+                ];
+                let template = if mm < 0.0 { words.inflection_away } else { words.inflection_toward };
+                Rich::fill(template, &parts)
+            }
+        }
+    }
+
+    /// A scale that follows from another: 15.7 cm/s ≡ 1 cm.
+    fn scale(&self, si_per_mm: f64, order: Order) -> Rich {
+        human::quantity(si_per_mm * 10.0, &self.notation.unit(order)).up("\u{a0}≡\u{a0}1\u{a0}cm")
+    }
+}
+
+fn foot(point: PointId) -> Label {
+    Label::Foot { point, link: None, index: 2 }
+}

@@ -1,0 +1,346 @@
+//! The skeleton with its instant centres: lines of centres, names in parentheses, arrows to what lies at infinity or
+//! off the sheet.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::circle::{centre_name, name};
+use super::figure::{Group, Mark, Pen, Shape, Tone};
+use super::human;
+use super::ink::{FINE, HEAD, SMALL, THIN, dot, head, page};
+use super::labels::{Request, Site};
+use super::notation::Notation;
+use super::overlap::{clip, overlaps_in};
+use super::rich::Rich;
+use super::skeleton::{self, Arrows, Overlay, PIN};
+use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found};
+use crate::mechanism::{LinkId, Rider};
+use crate::plan::chord;
+
+/// The figure grows to this size at most to take a centre in; what lies further out is off the sheet.
+const LARGEST: (f64, f64) = (150.0, 138.0);
+/// Blank kept between a centre and the border.
+const BORDER: f64 = 9.0;
+/// Centres closer than this on paper have one label.
+const COINCIDENT: f64 = 0.3;
+
+/// The skeleton with the lines of centres and the centres' names. In a crowd that leaves no room for all names, pins
+/// have none: their centres are seen.
+#[must_use]
+pub fn draw(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>) -> Group {
+    let full = drawn(circle, construction, notation, Pins::Named);
+    if overlaps_in(&full, None).is_empty() { full } else { drawn(circle, construction, notation, Pins::Bare) }
+}
+
+/// Whether the centres of pins are named.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pins {
+    Named,
+    Bare,
+}
+
+fn drawn(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>, pins: Pins) -> Group {
+    skeleton::draw_under(construction, notation, Arrows::Inputs, |ink, places| {
+        let mut chart = Chart {
+            circle,
+            notation: *notation,
+            places,
+            pins,
+            window: window(circle, ink),
+            metres_per_mm: construction.space.metres_per_mm,
+            overlay: Overlay { ink: Group::new("centres"), ..Overlay::default() },
+        };
+        chart.lines();
+        chart.points();
+        chart.overlay
+    })
+}
+
+/// The skeleton's ink with as many centres as find room, the nearest first.
+fn window(circle: &CircleDiagram, skeleton: Rect) -> Rect {
+    let mut window = skeleton.inflate(BORDER, BORDER);
+    let mut places: Vec<Point> = circle.centres.iter().filter_map(on_paper).collect();
+    let middle = skeleton.center();
+    places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
+    for at in places {
+        let grown = window.union(Rect::from_center_size(at, (2.0 * BORDER, 2.0 * BORDER)));
+        if grown.width() <= LARGEST.0.max(window.width()) && grown.height() <= LARGEST.1.max(window.height())
+        {
+            window = grown;
+        }
+    }
+    window
+}
+
+fn on_paper(centre: &Centre) -> Option<Point> {
+    match centre.place {
+        CentrePlace::At(at) => Some(page(at)),
+        CentrePlace::Toward(_) => None,
+    }
+}
+
+/// Along a direction of the diagram, on the page.
+fn along([x, y]: [f64; 2]) -> Vec2 {
+    Vec2::new(x, -y)
+}
+
+struct Chart<'a> {
+    circle: &'a CircleDiagram,
+    notation: Notation<'a>,
+    /// Places of the mechanism's points on the page.
+    places: &'a [Option<Point>],
+    pins: Pins,
+    window: Rect,
+    metres_per_mm: f64,
+    overlay: Overlay,
+}
+
+/// A straight line on the page with the centres that lie on it.
+struct Ruled {
+    through: Point,
+    along: Vec2,
+    members: Vec<[LinkId; 2]>,
+}
+
+impl Chart<'_> {
+    fn centre(&self, links: [LinkId; 2]) -> Option<&Centre> {
+        self.circle.centre(links)
+    }
+
+    /// The lines that were drawn, each once with all centres on it.
+    fn ruled(&self) -> Vec<Ruled> {
+        let mut all: Vec<Ruled> = Vec::new();
+        for centre in &self.circle.centres {
+            let Found::Kennedy { lines } = centre.found else { continue };
+            let [i, j] = centre.links;
+            for line in lines {
+                let members = match line {
+                    CentreLine::Via(k) => vec![chord(i, k), chord(k, j), centre.links],
+                    CentreLine::Normal(_) => vec![centre.links],
+                };
+                let places: Vec<&Centre> = members.iter().filter_map(|m| self.centre(*m)).collect();
+                let normal = match line {
+                    CentreLine::Normal(slide) => self.normal(slide),
+                    CentreLine::Via(_) => None,
+                };
+                let Some((through, along)) = normal.or_else(|| straight(&places)) else { continue };
+                // The line at infinity is not on any paper.
+                let same = |r: &&mut Ruled| {
+                    (through - r.through).cross(r.along).abs() < COINCIDENT
+                        && r.along.cross(along).abs() < 1e-3
+                };
+                match all.iter_mut().find(same) {
+                    Some(ruled) => ruled.members.extend(members),
+                    None => all.push(Ruled { through, along, members }),
+                }
+            }
+        }
+        all
+    }
+
+    /// The common normal of a sliding contact: through the pin, square to the guide.
+    fn normal(&self, slide: usize) -> Option<(Point, Vec2)> {
+        self.normals().into_iter().find(|(s, ..)| *s == slide).map(|(_, at, along)| (at, along))
+    }
+
+    fn normals(&self) -> Vec<(usize, Point, Vec2)> {
+        let own = |centre: &Centre| match (centre.found, centre.place) {
+            (Found::Kennedy { lines }, CentrePlace::At(at)) => {
+                lines.into_iter().find_map(|line| match line {
+                    CentreLine::Normal(slide) => {
+                        let rider = self.notation.mechanism().slides.get(slide)?.rider;
+                        let Rider::Pin { point, .. } = rider else { return None };
+                        let pin = self.places.get(point.0).copied().flatten()?;
+                        let d = page(at) - pin;
+                        (d.hypot() > COINCIDENT).then(|| (slide, pin, d.normalize()))
+                    }
+                    CentreLine::Via(_) => None,
+                })
+            }
+            _ => None,
+        };
+        self.circle.centres.iter().filter_map(own).collect()
+    }
+
+    fn lines(&mut self) {
+        let mut group = Group::new("lines-of-centres");
+        for ruled in self.ruled() {
+            let Some((low, high)) = clip_line(ruled.through, ruled.along, self.window) else { continue };
+            let t = |at: Point| (at - ruled.through).dot(ruled.along);
+            let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
+            let mut beyond: Vec<(bool, [LinkId; 2])> = Vec::new();
+            let mut members = ruled.members.clone();
+            members.sort();
+            members.dedup();
+            for &links in &members {
+                let Some(centre) = self.centre(links) else { continue };
+                match on_paper(centre) {
+                    Some(at) if self.window.contains(at) => {
+                        from = from.min(t(at));
+                        to = to.max(t(at));
+                    }
+                    Some(at) => beyond.push((t(at) > 0.0, links)),
+                    None => beyond.push((self.freer_end(&ruled, low, high), links)),
+                }
+            }
+            for (forward, _) in &beyond {
+                if *forward { to = high } else { from = low }
+            }
+            if from > to {
+                // Nothing of it is on the sheet but the line itself.
+                (from, to) = (low, high);
+            }
+            let reaches = |forward: bool| beyond.iter().any(|(f, _)| *f == forward);
+            let from = if reaches(false) { from } else { (from - 4.0).max(low) };
+            let to = if reaches(true) { to } else { (to + 4.0).min(high) };
+            let at = |t: f64| ruled.through + ruled.along * t;
+            let names: Vec<String> = members.iter().map(|m| centre_name(*m, &self.notation)).collect();
+            let mut own = Group::new("line-of-centres").data("centres", names.join(" "));
+            own.mark(Mark::stroke(Shape::Line(at(from), at(to)), Pen::solid(FINE)).class("ray").precise());
+            for forward in [false, true] {
+                if !reaches(forward) {
+                    continue;
+                }
+                let tip = at(if forward { to } else { from });
+                let way = if forward { ruled.along } else { -ruled.along };
+                own.mark(head(tip, way, HEAD));
+                let there: Vec<Rich> = beyond
+                    .iter()
+                    .filter(|(f, _)| *f == forward)
+                    .map(|(_, links)| self.far_name(*links, tip))
+                    .collect();
+                let text = Rich::join(&there, &Rich::upright(", "));
+                let site = Site::Around { at: tip, radius: 0.6, toward: Some(libm::atan2(-way.y, way.x)) };
+                let mut request = Request::new(text, SMALL, site, "label centre-name");
+                request.leader = true;
+                self.overlay.labels.push(request);
+            }
+            group.group(own);
+        }
+        self.overlay.ink.group(group);
+    }
+
+    /// The border of the window that lies nearer to the skeleton's middle has the arrow to infinity.
+    fn freer_end(&self, ruled: &Ruled, low: f64, high: f64) -> bool {
+        let middle = (self.window.center() - ruled.through).dot(ruled.along);
+        high - middle >= middle - low
+    }
+
+    /// (16)∞, or (15) with how far it still is.
+    fn far_name(&self, links: [LinkId; 2], from: Point) -> Rich {
+        let own = name(links, &self.notation);
+        match self.centre(links).and_then(on_paper) {
+            None => own.up("∞"),
+            Some(at) => {
+                let metres = at.distance(from) * self.metres_per_mm;
+                let unit = &self.notation.scene.units.length;
+                own.up("\u{a0}").then(&human::quantity(metres, unit))
+            }
+        }
+    }
+
+    /// Dots and names; coincident centres have one label. A centre at infinity that no line leads to has an
+    /// arrow of its own at its guide.
+    fn points(&mut self) {
+        let mut group = Group::new("centre-points");
+        let mut crowds: Vec<(Point, Vec<&Centre>)> = Vec::new();
+        for centre in &self.circle.centres {
+            let Some(at) = on_paper(centre).filter(|at| self.window.contains(*at)) else { continue };
+            match crowds.iter_mut().find(|(p, _)| p.distance(at) < COINCIDENT) {
+                Some((_, crowd)) => crowd.push(centre),
+                None => crowds.push((at, vec![centre])),
+            }
+        }
+        for (at, crowd) in crowds {
+            let at_pin = crowd.iter().any(|c| matches!(c.found, Found::Pin(_)));
+            let is_pole = crowd.iter().any(|c| c.links[0] == LinkId::FRAME);
+            let names: Vec<String> = crowd.iter().map(|c| centre_name(c.links, &self.notation)).collect();
+            let mut own = Group::new("centre").data("centre", names.join(" "));
+            if !at_pin {
+                if is_pole {
+                    let ring = Shape::Circle { centre: at, radius: 1.2 };
+                    own.mark(Mark::outlined(ring, Pen::solid(THIN), Tone::Paper).class("pole"));
+                }
+                own.mark(dot(at, 0.55).class("centre").precise());
+                group.group(own);
+            }
+            if at_pin && self.pins == Pins::Bare {
+                continue;
+            }
+            let texts: Vec<Rich> = crowd.iter().map(|c| name(c.links, &self.notation)).collect();
+            let text = Rich::join(&texts, &Rich::upright(","));
+            let radius = if at_pin { PIN + 0.2 } else { 1.3 };
+            let site = Site::Around { at, radius, toward: None };
+            let mut request = Request::new(text, SMALL, site, "label centre-name");
+            request.leader = true;
+            self.overlay.labels.push(request);
+        }
+        self.overlay.ink.group(group);
+        self.guides_alone();
+    }
+
+    /// A primary centre at infinity whose direction no drawn line shows.
+    fn guides_alone(&mut self) {
+        let drawn: Vec<[LinkId; 2]> = self.ruled().into_iter().flat_map(|r| r.members).collect();
+        let mut group = Group::new("centres-at-infinity");
+        for centre in &self.circle.centres {
+            let (Found::Guide { slide }, CentrePlace::Toward(direction)) = (centre.found, centre.place)
+            else {
+                continue;
+            };
+            if drawn.contains(&centre.links) {
+                continue;
+            }
+            let Some(at) = self.rider(slide) else { continue };
+            let mut way = along(direction);
+            // Upward, else to the right: on either side it is the same centre.
+            if way.y > 1e-9 || (way.y.abs() <= 1e-9 && way.x < 0.0) {
+                way = -way;
+            }
+            let (from, to) = (at + way * 3.4, at + way * 12.0);
+            group.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("ray"));
+            group.mark(head(to, way, HEAD));
+            let text = name(centre.links, &self.notation).up("∞");
+            let site = Site::Around { at: to, radius: 0.5, toward: Some(libm::atan2(-way.y, way.x)) };
+            let mut request = Request::new(text, SMALL, site, "label centre-name");
+            request.leader = true;
+            self.overlay.labels.push(request);
+        }
+        self.overlay.ink.group(group);
+    }
+
+    fn rider(&self, slide: usize) -> Option<Point> {
+        let rider = self.notation.mechanism().slides.get(slide)?.rider;
+        let point = match rider {
+            Rider::Pin { point, .. } => point,
+            Rider::Link { link, .. } => *self.notation.mechanism().links.get(link.0)?.points.first()?,
+        };
+        self.places.get(point.0).copied().flatten()
+    }
+}
+
+/// The line through the centres of one triangle: through a finite one, along the widest base or toward one at
+/// infinity.
+fn straight(members: &[&Centre]) -> Option<(Point, Vec2)> {
+    let finite: Vec<Point> = members.iter().filter_map(|c| on_paper(c)).collect();
+    let first = *finite.iter().min_by(|a, b| a.to_vec2().hypot().total_cmp(&b.to_vec2().hypot()))?;
+    let far = members.iter().find_map(|c| match c.place {
+        CentrePlace::Toward(direction) => Some(along(direction)),
+        CentrePlace::At(_) => None,
+    });
+    if let Some(far) = far {
+        return Some((first, far));
+    }
+    let widest = finite.iter().max_by(|a, b| a.distance(first).total_cmp(&b.distance(first)))?;
+    let d = *widest - first;
+    (d.hypot() > COINCIDENT).then(|| (first, d.normalize()))
+}
+
+/// Where a line enters and leaves a rectangle, as lengths from its point.
+fn clip_line(through: Point, along: Vec2, window: Rect) -> Option<(f64, f64)> {
+    let middle = (window.center() - through).dot(along);
+    let reach = window.width() + window.height();
+    let at = |t: f64| through + along * t;
+    let (low, high) = (middle - reach, middle + reach);
+    let (t0, t1) = clip(at(low), at(high), window)?;
+    Some((low + (high - low) * t0, low + (high - low) * t1))
+}

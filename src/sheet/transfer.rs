@@ -1,0 +1,442 @@
+//! A velocity carried over by instant centres: the strokes on the skeleton, and the steps in words.
+
+use kurbo::{Point, Rect};
+
+use super::circle::{centre_name, name};
+use super::figure::{Dash, Group, Mark, Pen, Shape, Tone, on_circle};
+use super::human;
+use super::ink::{FINE, HEAD, SMALL, THICK, THIN, arrow, dot, head, page};
+use super::labels::{Request, Site};
+use super::notation::Notation;
+use super::overlap::clip;
+use super::rich::Rich;
+use super::skeleton::{self, Arrows, Overlay};
+use super::steps::Item;
+use crate::graphical::construction::{
+    CentrePlace, CircleDiagram, Construction, Spot, Transfer, TransferAct, TransferInk,
+};
+use crate::mechanism::LinkId;
+use crate::mechanism::quantity::{Method, Order, Quantity};
+use crate::plan::chord;
+
+/// Blank around the skeleton in which strokes may end.
+const BORDER: f64 = 14.0;
+/// The figure grows to this size at most for the strokes.
+const LARGEST: (f64, f64) = (160.0, 140.0);
+/// Shorter arrows than this are drawn as points.
+const SHORTEST: f64 = 1.0;
+
+/// The transfers of each method, in the order in which the methods are first asked.
+#[must_use]
+pub fn by_method(circle: &CircleDiagram) -> Vec<Vec<&Transfer>> {
+    let mut all: Vec<Vec<&Transfer>> = Vec::new();
+    for transfer in &circle.transfers {
+        match all.iter_mut().find(|same| same.iter().any(|t| t.method == transfer.method)) {
+            Some(same) => same.push(transfer),
+            None => all.push(vec![transfer]),
+        }
+    }
+    all
+}
+
+/// The skeleton with the strokes of the transfers of one method.
+#[must_use]
+pub fn draw(
+    transfers: &[&Transfer],
+    circle: &CircleDiagram,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Group {
+    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, |ink, _| {
+        let strokes = strokes(transfers);
+        let window = window(&strokes, ink);
+        let mut overlay = Overlay { ink: Group::new("strokes"), ..Overlay::default() };
+        for stroke in &strokes {
+            draw_stroke(stroke, window, notation, &mut overlay);
+        }
+        centres(transfers, circle, window, notation, &mut overlay);
+        overlay
+    });
+    let unit = notation.unit(Order::Velocity);
+    group.class = "skeleton transfer".to_owned();
+    match transfers.first() {
+        Some(first) => group.data("velocity-scale", format!("{}", first.si_per_mm / unit.si)),
+        None => group,
+    }
+}
+
+/// All strokes, each once: transfers along one chain begin alike.
+fn strokes(transfers: &[&Transfer]) -> Vec<TransferInk> {
+    let mut all: Vec<TransferInk> = Vec::new();
+    for stroke in transfers.iter().flat_map(|t| &t.ink) {
+        if !all.contains(stroke) {
+            all.push(*stroke);
+        }
+    }
+    all
+}
+
+/// The ends of a stroke on the page.
+fn ends(stroke: &TransferInk) -> (Point, Point) {
+    let (from, to) = match stroke {
+        TransferInk::LineOfCentres { from, to }
+        | TransferInk::Radius { from, to }
+        | TransferInk::Gauge { from, to }
+        | TransferInk::Upright { from, to }
+        | TransferInk::Parallel { from, to }
+        | TransferInk::ToPole { from, to }
+        | TransferInk::Arc { from, to, .. }
+        | TransferInk::Velocity { at: from, tip: to, .. }
+        | TransferInk::Turned { at: from, tip: to, .. } => (from, to),
+    };
+    (page(*from), page(*to))
+}
+
+/// The skeleton's ink with as many ends of strokes as find room.
+fn window(strokes: &[TransferInk], skeleton: Rect) -> Rect {
+    let mut window = skeleton.inflate(BORDER, BORDER);
+    let mut places: Vec<Point> = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
+    let middle = skeleton.center();
+    places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
+    for at in places {
+        let grown = window.union(Rect::from_center_size(at, (6.0, 6.0)));
+        if grown.width() <= LARGEST.0.max(window.width()) && grown.height() <= LARGEST.1.max(window.height())
+        {
+            window = grown;
+        }
+    }
+    window
+}
+
+fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, overlay: &mut Overlay) {
+    let (from, to) = ends(stroke);
+    let (class, pen) = match stroke {
+        TransferInk::LineOfCentres { .. } => ("line-of-centres", Pen::solid(FINE)),
+        TransferInk::Radius { .. } => ("radius", Pen::solid(FINE)),
+        TransferInk::Gauge { .. } => ("gauge-line", Pen::solid(FINE)),
+        TransferInk::Upright { .. } => ("upright", Pen::solid(THIN)),
+        TransferInk::Parallel { .. } => ("parallel", Pen::solid(FINE)),
+        TransferInk::ToPole { .. } => ("to-pole", Pen::solid(FINE)),
+        TransferInk::Arc { centre, .. } => {
+            arc(page(*centre), from, to, window, overlay);
+            return;
+        }
+        TransferInk::Velocity { of, .. } => {
+            velocity(from, to, *of, notation, overlay);
+            return;
+        }
+        TransferInk::Turned { of, .. } => {
+            let mut own = Group::new("turned").data("point", notation.point_name(*of));
+            if from.distance(to) > SHORTEST {
+                let d = (to - from).normalize();
+                let shaft = Shape::Line(from, to - d * (HEAD * 0.8));
+                own.mark(Mark::stroke(shaft, Pen { width: THIN, dash: Dash::Dashed }).precise());
+                own.mark(head(to, d, HEAD));
+            }
+            overlay.ink.group(own);
+            let primed = notation.point(*of).up("′");
+            let request = leader(primed, to, 0.6, "label");
+            // A pin between two links is turned once.
+            if !overlay.labels.contains(&request) {
+                overlay.labels.push(request);
+            }
+            return;
+        }
+    };
+    let mut own = Group::new(class);
+    if let Some((t0, t1)) = clip(from, to, window) {
+        let (a, b) = (from.lerp(to, t0), from.lerp(to, t1));
+        own.mark(Mark::stroke(Shape::Line(a, b), pen).class("ray").precise());
+        // What runs off the sheet ends with an arrow at the border.
+        if t1 < 1.0 && b.distance(a) > HEAD {
+            own.mark(head(b, (to - from).normalize(), HEAD));
+        }
+        if t0 > 0.0 && b.distance(a) > HEAD {
+            own.mark(head(a, (from - to).normalize(), HEAD));
+        }
+    }
+    overlay.ink.group(own);
+}
+
+fn velocity(from: Point, to: Point, of: Spot, notation: &Notation<'_>, overlay: &mut Overlay) {
+    let symbol = spot_velocity(of, notation);
+    let mut own = Group::new("velocity vector").data("of", spot_name(of, notation));
+    if from.distance(to) < SHORTEST {
+        own.mark(dot(from, 0.6));
+        overlay.labels.push(leader(symbol.up("\u{a0}≈\u{a0}0"), from, 1.3, "label vector-name"));
+    } else {
+        arrow(&mut own, from, to, THICK);
+        let mut request = Request::new(symbol, SMALL, Site::Along { from, to }, "label vector-name");
+        let tip = Site::Around { at: to, radius: 0.6, toward: None };
+        request = request.or(tip);
+        request.leader = true;
+        overlay.labels.push(request);
+    }
+    overlay.ink.group(own);
+}
+
+/// The arc from a point to where it comes to lie, the shorter way round.
+fn arc(centre: Point, from: Point, to: Point, window: Rect, overlay: &mut Overlay) {
+    let angle = |p: Point| libm::atan2(centre.y - p.y, p.x - centre.x);
+    let radius = from.distance(centre);
+    let sweep = libm::remainder(angle(to) - angle(from), std::f64::consts::TAU);
+    let middle = on_circle(centre, radius, angle(from) + sweep / 2.0);
+    let mut own = Group::new("arc");
+    if [from, to, middle].iter().all(|p| window.contains(*p)) {
+        let shape = Shape::Arc { centre, radius, start: angle(from), sweep };
+        own.mark(Mark::stroke(shape, Pen { width: FINE, dash: Dash::Dashed }).class("arc"));
+    }
+    overlay.ink.group(own);
+}
+
+fn leader(text: Rich, at: Point, radius: f64, class: &'static str) -> Request {
+    let mut request = Request::new(text, SMALL, Site::Around { at, radius, toward: None }, class);
+    request.leader = true;
+    request
+}
+
+/// The centres that the transfer uses, by name; those of pins are marked by the pins.
+fn centres(
+    transfers: &[&Transfer],
+    circle: &CircleDiagram,
+    window: Rect,
+    notation: &Notation<'_>,
+    overlay: &mut Overlay,
+) {
+    let mut used: Vec<[LinkId; 2]> = Vec::new();
+    let mut take = |links: &[LinkId]| {
+        for &link in links {
+            used.push(chord(LinkId::FRAME, link));
+        }
+        if let [i, j] = *links {
+            used.push(chord(i, j));
+        }
+    };
+    for act in transfers.iter().flat_map(|t| &t.acts) {
+        match act {
+            TransferAct::Ratio { input, link, .. } => take(&[*input, *link]),
+            TransferAct::CommonSpeed { links, .. } => take(links),
+            TransferAct::AboutPole { link, .. }
+            | TransferAct::Translation { link, .. }
+            | TransferAct::Parallel { link, .. }
+            | TransferAct::Omega { link, .. }
+            | TransferAct::OmegaByParallel { link, .. } => take(&[*link]),
+            TransferAct::Gauge { from: Spot::Centre(links), .. } => take(links),
+            TransferAct::Gauge { .. } => {}
+        }
+    }
+    used.sort();
+    used.dedup();
+    let mut group = Group::new("centre-points");
+    let mut crowds: Vec<(Point, Vec<[LinkId; 2]>)> = Vec::new();
+    for links in used {
+        let Some(CentrePlace::At(at)) = circle.centre(links).map(|c| c.place) else { continue };
+        let at = page(at);
+        if !window.contains(at) {
+            continue;
+        }
+        match crowds.iter_mut().find(|(p, _)| p.distance(at) < 0.3) {
+            Some((_, crowd)) => crowd.push(links),
+            None => crowds.push((at, vec![links])),
+        }
+    }
+    for (at, crowd) in crowds {
+        let names: Vec<String> = crowd.iter().map(|c| centre_name(*c, notation)).collect();
+        let mut own = Group::new("centre").data("centre", names.join(" "));
+        own.mark(Mark::area(Shape::Circle { centre: at, radius: 0.6 }, Tone::Ink));
+        group.group(own);
+        let texts: Vec<Rich> = crowd.iter().map(|c| name(*c, notation)).collect();
+        let text = Rich::join(&texts, &Rich::upright(","));
+        overlay.labels.push(leader(text, at, 1.5, "label centre-name"));
+    }
+    overlay.ink.group(group);
+}
+
+fn spot_name(spot: Spot, notation: &Notation<'_>) -> String {
+    match spot {
+        Spot::Point(p) => notation.point_name(p).to_owned(),
+        Spot::Centre(links) => centre_name(links, notation),
+    }
+}
+
+/// V_B, V₂₄.
+fn spot_velocity(spot: Spot, notation: &Notation<'_>) -> Rich {
+    match spot {
+        Spot::Point(p) => notation.symbol(Quantity::Velocity(p), false),
+        Spot::Centre(links) => Rich::italic("V").sub(&spot_name(Spot::Centre(links), notation)),
+    }
+}
+
+/// (14–24): the distance of a point from a pole.
+fn distance(pole: [LinkId; 2], to: &str, notation: &Notation<'_>) -> Rich {
+    let pole = centre_name(pole, notation);
+    let strip = |s: &str| s.trim_matches(|c| c == '(' || c == ')').to_owned();
+    Rich::upright(format!("({}–{})", strip(&pole), strip(to)))
+}
+
+/// The title of transfers by one method: ω₄, V_D by the direct method.
+#[must_use]
+pub fn title(transfers: &[&Transfer], notation: &Notation<'_>) -> Rich {
+    let asked = |t: &&Transfer| notation.mechanism().asked.get(t.asked);
+    let symbols: Vec<Rich> =
+        transfers.iter().filter_map(asked).map(|asked| notation.symbol(asked.quantity, false)).collect();
+    let Some(first) = transfers.first() else { return Rich::default() };
+    let symbols = Rich::join(&symbols, &Rich::upright(", "));
+    Rich::fill(method(first.method, notation), &[("quantity", symbols)])
+}
+
+fn method(method: Method, notation: &Notation<'_>) -> &'static str {
+    match method {
+        Method::LineOfCentres => notation.words.by_line_of_centres,
+        Method::LinkToLink => notation.words.by_link_to_link,
+        Method::GaugeLine => notation.words.by_gauge_line,
+        Method::Centres | Method::Polygon | Method::Klein => notation.words.by_direct_method,
+    }
+}
+
+/// The steps of all transfers in words; what an earlier transfer of the same method has told is not told again.
+#[must_use]
+pub fn items(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
+    let mut all = Vec::new();
+    for same in by_method(circle) {
+        all.push(Item::Head(title(&same, notation).bolder()));
+        let teller = Teller { notation, metres_per_mm: construction.space.metres_per_mm };
+        let mut told: Vec<&TransferAct> = Vec::new();
+        for act in same.iter().flat_map(|t| &t.acts) {
+            if !told.contains(&act) {
+                told.push(act);
+                all.push(Item::Sentence(teller.sentence(act)));
+            }
+        }
+    }
+    all
+}
+
+struct Teller<'a> {
+    notation: &'a Notation<'a>,
+    metres_per_mm: f64,
+}
+
+impl Teller<'_> {
+    fn omega(&self, link: LinkId) -> Rich {
+        self.notation.symbol(Quantity::Omega(link), false)
+    }
+
+    fn turning(&self, value: f64) -> Rich {
+        self.notation.rotation(value, &self.notation.angular_unit(Order::Velocity))
+    }
+
+    fn speed(&self, si: f64) -> Rich {
+        human::quantity(si, &self.notation.unit(Order::Velocity))
+    }
+
+    /// 34.1 mm on paper as the length that it stands for.
+    fn length(&self, mm: f64) -> Rich {
+        human::quantity(mm.abs() * self.metres_per_mm, &self.notation.scene.units.length)
+    }
+
+    fn sentence(&self, act: &TransferAct) -> Rich {
+        let words = self.notation.words;
+        let pole = |link: LinkId| chord(LinkId::FRAME, link);
+        let named = |links: [LinkId; 2]| centre_name(links, self.notation);
+        let own = |p| self.notation.point(p);
+        let velocity = |p| self.notation.symbol(Quantity::Velocity(p), false);
+        match *act {
+            TransferAct::Ratio { input, link, mm, omegas } => {
+                let common = named(chord(input, link));
+                let segments = [input, link].map(|l| distance(pole(l), &common, self.notation));
+                let [first, second] = segments;
+                let parts = [
+                    ("omega", self.omega(link)),
+                    ("known", self.omega(input)),
+                    ("first", first),
+                    ("second", second),
+                    ("known_value", self.turning(omegas[0])),
+                    ("a", self.length(mm[0])),
+                    ("b", self.length(mm[1])),
+                    ("value", self.turning(omegas[1])),
+                    ("common", name(chord(input, link), self.notation)),
+                ];
+                Rich::fill(words.transfer_ratio, &parts)
+            }
+            TransferAct::CommonSpeed { links: [i, k], of, mm, omega, speed } => {
+                let common = chord(i, k);
+                let parts = [
+                    ("centre", name(common, self.notation)),
+                    ("one", Rich::upright(self.notation.number(i))),
+                    ("other", Rich::upright(self.notation.number(k))),
+                    ("velocity", spot_velocity(Spot::Centre(common), self.notation)),
+                    ("omega", self.omega(of)),
+                    ("distance", distance(pole(of), &named(common), self.notation)),
+                    ("omega_value", self.turning(omega.abs())),
+                    ("length", self.length(mm)),
+                    ("value", self.speed(speed)),
+                ];
+                Rich::fill(words.transfer_common, &parts)
+            }
+            TransferAct::AboutPole { link, point, mm, omega, speed } => {
+                let parts = [
+                    ("velocity", velocity(point)),
+                    ("omega", self.omega(link)),
+                    ("distance", distance(pole(link), self.notation.point_name(point), self.notation)),
+                    ("omega_value", self.turning(omega.abs())),
+                    ("length", self.length(mm)),
+                    ("value", self.speed(speed)),
+                ];
+                Rich::fill(words.transfer_about_pole, &parts)
+            }
+            TransferAct::Translation { link, speed } => {
+                let parts =
+                    [("link", Rich::upright(self.notation.number(link))), ("value", self.speed(speed))];
+                Rich::fill(words.transfer_translation, &parts)
+            }
+            TransferAct::Gauge { from, point, mm, speed } => {
+                let parts = [
+                    ("known", spot_velocity(from, self.notation)),
+                    ("point", own(point)),
+                    ("velocity", velocity(point)),
+                    ("mm", human::millimetres(mm)),
+                    ("value", self.speed(speed)),
+                ];
+                Rich::fill(words.transfer_gauge, &parts)
+            }
+            TransferAct::Parallel { link, from, to, flat, mm, speed } => {
+                let template = if flat { words.transfer_parallel_flat } else { words.transfer_parallel };
+                let parts = [
+                    ("from", own(from)),
+                    ("to", own(to)),
+                    ("pole", name(pole(link), self.notation)),
+                    ("line", self.notation.length(from, to)),
+                    ("velocity", velocity(to)),
+                    ("known", velocity(from)),
+                    ("mm", human::millimetres(mm)),
+                    ("value", self.speed(speed)),
+                ];
+                Rich::fill(template, &parts)
+            }
+            TransferAct::Omega { link, spot, mm, speed, omega } => {
+                let parts = [
+                    ("omega", self.omega(link)),
+                    ("velocity", spot_velocity(spot, self.notation)),
+                    ("distance", distance(pole(link), &spot_name(spot, self.notation), self.notation)),
+                    ("speed", self.speed(speed)),
+                    ("length", self.length(mm)),
+                    ("value", self.turning(omega)),
+                ];
+                Rich::fill(words.transfer_omega, &parts)
+            }
+            TransferAct::OmegaByParallel { link, from, to, mm, omega } => {
+                let parts = [
+                    ("omega", self.omega(link)),
+                    ("from", own(from)),
+                    ("to", own(to)),
+                    ("line", self.notation.length(from, to)),
+                    ("a", human::millimetres(mm[0])),
+                    ("b", human::millimetres(mm[1])),
+                    ("value", self.turning(omega)),
+                ];
+                Rich::fill(words.transfer_omega_by_parallel, &parts)
+            }
+        }
+    }
+}

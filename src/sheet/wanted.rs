@@ -1,0 +1,187 @@
+//! Figures that take arguments: `klein(3)`, `inflection(3)`.
+
+use crate::mechanism::engine::Engine;
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::structure::Structure;
+use crate::mechanism::{Input, LinkId, Mechanism, Rider};
+use crate::plan::Auxiliary;
+use crate::scene::Scene;
+
+/// The figures of constructions on the skeleton, with the form of their arguments.
+const FORMS: [(&str, &str); 5] = [
+    ("klein", "klein or klein(3), with the number of the rod"),
+    ("inflection", "inflection or inflection(3), with the number of a link"),
+    ("centrodes", "centrodes or centrodes(1,3), with two links"),
+    ("kennedy", "kennedy or kennedy(1,2,3), with three links"),
+    ("rotation-centre", "rotation-centre(90) or rotation-centre(3,90), with a link and where the input goes"),
+];
+
+/// The name of a figure without its arguments.
+#[must_use]
+pub fn figure_head(name: &str) -> &str {
+    name.split('(').next().unwrap_or(name).trim()
+}
+
+/// The construction on the skeleton that a figure shows: none for the figures that show something else.
+///
+/// # Errors
+/// One sentence where the arguments name nothing in the scene, or the scene has no such construction.
+pub fn auxiliary(name: &str, scene: &Scene) -> Result<Option<Auxiliary>, String> {
+    let head = figure_head(name);
+    let Some((_, form)) = FORMS.iter().find(|(known, _)| *known == head) else {
+        return match name.contains('(') {
+            true => Err(format!("figure {name}: {head} takes no arguments")),
+            false => Ok(None),
+        };
+    };
+    let wrong = || format!("figure {name}: write {form}");
+    let arguments: Vec<&str> = match name.trim().split_once('(') {
+        None => Vec::new(),
+        Some((_, inside)) => inside.strip_suffix(')').ok_or_else(wrong)?.split(',').map(str::trim).collect(),
+    };
+    // A mechanism that has no structure is refused with the reason when it is solved.
+    let Ok(structure) = Structure::of(&scene.mechanism) else { return Ok(None) };
+    let asking = Asking { name, mechanism: &scene.mechanism, structure: &structure };
+    let found = match (head, arguments.as_slice()) {
+        ("klein", []) => asking.klein(None),
+        ("klein", [rod]) => asking.klein(Some(asking.link(rod)?)),
+        ("inflection", []) => asking.inflection(None),
+        ("inflection", [link]) => asking.inflection(Some(asking.link(link)?)),
+        ("centrodes", []) => asking.centrodes(),
+        ("centrodes", [i, j]) => {
+            Ok(Auxiliary::Centrodes { links: asking.different([asking.link(i)?, asking.link(j)?])? })
+        }
+        ("kennedy", []) => asking.kennedy(),
+        ("kennedy", [i, j, k]) => {
+            let links = [asking.link(i)?, asking.link(j)?, asking.link(k)?];
+            Ok(Auxiliary::Kennedy { links: asking.different(links)? })
+        }
+        ("rotation-centre", [to]) => asking.rotation(None, to, scene),
+        ("rotation-centre", [link, to]) => asking.rotation(Some(asking.link(link)?), to, scene),
+        _ => return Err(wrong()),
+    };
+    found.map(Some)
+}
+
+struct Asking<'a> {
+    name: &'a str,
+    mechanism: &'a Mechanism,
+    structure: &'a Structure,
+}
+
+impl Asking<'_> {
+    fn refuse<T>(&self, why: &str) -> Result<T, String> {
+        Err(format!("figure {}: {why}", self.name))
+    }
+
+    fn link(&self, number: &str) -> Result<LinkId, String> {
+        let link = number.parse().ok().and_then(|n| self.mechanism.link_numbered(n));
+        link.map_or_else(|| self.refuse(&format!("there is no link {number}")), Ok)
+    }
+
+    /// The slider-crank with this rod, else the first one.
+    fn klein(&self, rod: Option<LinkId>) -> Result<Auxiliary, String> {
+        let all = Engine::all(self.mechanism, self.structure);
+        let crank = all.into_iter().find(|c| rod.is_none_or(|rod| rod == c.rod));
+        match (crank, rod) {
+            (Some(crank), _) => Ok(Auxiliary::Klein { crank, order: Order::Acceleration }),
+            (None, Some(_)) => self.refuse("the link is not the rod of a slider-crank whose crank is driven"),
+            (None, None) => self.refuse("the mechanism has no slider-crank whose crank is driven"),
+        }
+    }
+
+    fn inflection(&self, link: Option<LinkId>) -> Result<Auxiliary, String> {
+        let link = match link {
+            Some(link) => link,
+            None => match self.coupler() {
+                Some(link) => link,
+                None => return self.refuse("no link moves in general; name one, as in inflection(3)"),
+            },
+        };
+        if link == LinkId::FRAME {
+            return self.refuse("the frame does not move");
+        }
+        if self.mechanism.link(link).points.iter().any(|&p| self.mechanism.is_fixed(p)) {
+            return self.refuse("the link turns about a fixed pivot: every path is a circle about it");
+        }
+        Ok(Auxiliary::Inflection { link })
+    }
+
+    fn different<const N: usize>(&self, links: [LinkId; N]) -> Result<[LinkId; N], String> {
+        let twice = links.iter().enumerate().any(|(n, link)| links[n + 1..].contains(link));
+        if twice { self.refuse("a link is named twice") } else { Ok(links) }
+    }
+
+    /// Those of the first centre that is asked, else of the coupler in the frame.
+    fn centrodes(&self) -> Result<Auxiliary, String> {
+        let asked = self.mechanism.asked.iter().find_map(|a| match a.quantity {
+            Quantity::Centre(i, j) if i != j => Some([i, j]),
+            _ => None,
+        });
+        match asked.or_else(|| self.coupler().map(|link| [LinkId::FRAME, link])) {
+            Some(links) => Ok(Auxiliary::Centrodes { links }),
+            None => self.refuse("no link moves in general; name two, as in centrodes(1,3)"),
+        }
+    }
+
+    /// The frame and two links that have no pin in common, each pivoted to it or sliding on it: two centres are seen,
+    /// the third is the one on trial.
+    fn kennedy(&self) -> Result<Auxiliary, String> {
+        let points = |link: LinkId| self.mechanism.link(link).points.iter();
+        let seen = |link: &LinkId| {
+            let pivoted = points(*link).any(|&p| self.mechanism.is_fixed(p));
+            let slides = self.mechanism.slides.iter().any(|s| {
+                let rider = match s.rider {
+                    Rider::Pin { block, .. } => block,
+                    Rider::Link { link, .. } => Some(link),
+                };
+                s.guide.link == LinkId::FRAME && rider == Some(*link)
+            });
+            pivoted || slides
+        };
+        let all: Vec<LinkId> = self.mechanism.moving().filter(seen).collect();
+        let apart = |i: LinkId, j: LinkId| !points(i).any(|p| points(j).any(|q| p == q));
+        let pairs = all.iter().enumerate().flat_map(|(n, &i)| all[n + 1..].iter().map(move |&j| (i, j)));
+        match pairs.into_iter().find(|&(i, j)| apart(i, j)) {
+            Some((i, j)) => Ok(Auxiliary::Kennedy { links: [LinkId::FRAME, i, j] }),
+            None => self.refuse("name three links, as in kennedy(1,2,3)"),
+        }
+    }
+
+    fn rotation(&self, link: Option<LinkId>, to: &str, scene: &Scene) -> Result<Auxiliary, String> {
+        let Some(link) = link.or_else(|| self.coupler()) else {
+            return self.refuse("no link moves in general; name one, as in rotation-centre(3,90)");
+        };
+        if link == LinkId::FRAME {
+            return self.refuse("the frame does not move");
+        }
+        let Some(number) = to.parse::<f64>().ok().filter(|n| n.is_finite()) else {
+            return self.refuse(&format!("{to} is not a number"));
+        };
+        let unit = match self.mechanism.inputs.first() {
+            Some(Input::Slide { .. }) => scene.units.length.si,
+            _ => scene.units.angle.si,
+        };
+        Ok(Auxiliary::Rotation { link, to: number * unit })
+    }
+
+    /// The link that the scene asks most about among those without a fixed pivot and with two points, else the first
+    /// of them in order of transmission.
+    fn coupler(&self) -> Option<LinkId> {
+        let asked = |link: LinkId| {
+            let about = |q: &Quantity| match *q {
+                Quantity::Omega(l) | Quantity::Alpha(l) | Quantity::Centre(_, l) => l == link,
+                _ => false,
+            };
+            self.mechanism.asked.iter().filter(|a| about(&a.quantity)).count()
+        };
+        let order = self.structure.groups.iter().flat_map(|group| group.links.iter().copied());
+        let general = order.filter(|&l| {
+            let link = self.mechanism.link(l);
+            link.points.len() > 1 && !link.points.iter().any(|&p| self.mechanism.is_fixed(p))
+        });
+        let all: Vec<LinkId> = general.collect();
+        let most = all.iter().map(|&l| asked(l)).max()?;
+        all.into_iter().find(|&l| asked(l) == most)
+    }
+}
