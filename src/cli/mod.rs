@@ -49,6 +49,9 @@ enum Command {
         /// What to draw: the question without its answers, the solution, or its steps one by one
         #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = draw::Kind::Solution)]
         kind: draw::Kind,
+        /// With --as steps: one SVG that plays them, without a script
+        #[arg(long)]
+        play: bool,
         /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted
         #[arg(long, value_name = "SIZE")]
         paper: Option<String>,
@@ -217,13 +220,14 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let ending = match arguments.command {
-        Command::Draw { scene, output, figure, kind, paper, lang, dpi, theme, text, format, arith } => {
+        Command::Draw { scene, output, figure, kind, play, paper, lang, dpi, theme, text, format, arith } => {
             let settings = Settings { arithmetic: arith };
             draw::run(&draw::Job {
                 scene,
                 output,
                 figure,
                 kind,
+                play,
                 paper,
                 lang,
                 dpi,

@@ -127,6 +127,43 @@ fn fnv(bytes: &[u8]) -> u64 {
         .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
 }
 
+/// Seconds for which a step of a film is shown.
+const SECONDS: usize = 3;
+
+/// A film: the figures, all of one size, one after the other, played by the viewer itself without a script.
+/// Where nothing is played (on paper, in programs that know no animations, for readers who want none) the
+/// last figure is shown. An empty film is an empty document.
+#[must_use]
+pub fn write_film(frames: &[Figure]) -> String {
+    let Some((last, before)) = frames.split_last() else { return Document::new().to_string() };
+    let count = frames.len();
+    let mut style = String::new();
+    let mut root = Group::new("film");
+    for (i, frame) in before.iter().chain([last]).enumerate() {
+        let mut group = frame.root.clone();
+        group.class = format!("frame f{i}");
+        root.group(group);
+        let percent = |k: usize| decimal(100.0 * k as f64 / count as f64, LAYOUT);
+        let from = if i == 0 { String::new() } else { "0%{visibility:hidden}".to_owned() };
+        let (begin, end) = (percent(i), percent(i + 1));
+        let to = if i + 1 == count { String::new() } else { format!("{end}%,100%{{visibility:hidden}}") };
+        style.push_str(&format!("@keyframes k{i}{{{from}{begin}%{{visibility:visible}}{to}}}"));
+        let whole = SECONDS * count;
+        style.push_str(&format!(".f{i}{{animation:k{i} {whole}s step-end 1 both}}"));
+    }
+    style.push_str(
+        "@media print{.frame{animation:none}}@media (prefers-reduced-motion){.frame{animation:none}}",
+    );
+    let svg = write(&Figure { root, ..last.clone() });
+    // What is hidden until it is played is hidden by an attribute, over which the animation wins.
+    let mut hidden = svg;
+    for i in 0..before.len() {
+        let class = format!("class=\"frame f{i}\"");
+        hidden = hidden.replacen(&class, &format!("{class} visibility=\"hidden\""), 1);
+    }
+    hidden.replacen("<g class=\"film\">", &format!("<style>{style}</style>\n<g class=\"film\">"), 1)
+}
+
 fn fold(hash: u64) -> u32 {
     (hash ^ (hash >> 32)) as u32
 }
