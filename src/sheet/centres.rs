@@ -39,7 +39,7 @@ enum Pins {
 }
 
 fn drawn(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>, pins: Pins) -> Group {
-    skeleton::draw_under(construction, notation, Arrows::Inputs, |ink, places| {
+    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, |ink, places| {
         let mut chart = Chart {
             circle,
             notation: *notation,
@@ -52,7 +52,9 @@ fn drawn(circle: &CircleDiagram, construction: &Construction, notation: &Notatio
         chart.lines();
         chart.points();
         chart.overlay
-    })
+    });
+    group.class = "instant-centres".to_owned();
+    group
 }
 
 /// The skeleton's ink with as many centres as find room, the nearest first.
@@ -258,7 +260,7 @@ impl Chart<'_> {
             if !at_pin {
                 if is_pole {
                     let ring = Shape::Circle { centre: at, radius: 1.2 };
-                    own.mark(Mark::outlined(ring, Pen::solid(THIN), Tone::Paper).class("pole"));
+                    own.mark(Mark::outlined(ring, Pen::solid(THIN), Tone::Paper).class("pole").precise());
                 }
                 own.mark(dot(at, 0.55).class("centre").precise());
                 group.group(own);

@@ -58,7 +58,7 @@ pub fn draw(
         overlay
     });
     let unit = notation.unit(Order::Velocity);
-    group.class = "skeleton transfer".to_owned();
+    group.class = "transfer".to_owned();
     match transfers.first() {
         Some(first) => group.data("velocity-scale", format!("{}", first.si_per_mm / unit.si)),
         None => group,

@@ -92,6 +92,7 @@ impl Reading<'_> {
             Quantity::RelativeAlpha(i, j) => difference(self.rate(second, i), self.rate(second, j)),
             Quantity::Rub(pin, i, j) => self.rub(pin, i, j),
             Quantity::Position(p) => self.position(p),
+            Quantity::Centre(i, j) => self.centre(i, j),
             Quantity::Angle(link) => self.angle(link),
             Quantity::Transmission(i, j) => self.transmission(i, j),
             Quantity::Slip(p, l) => self.vector(first, &self.pair("slip", p, '/', l)),
@@ -191,14 +192,27 @@ impl Reading<'_> {
         matches!(ride.guide.path, Path::Straight { .. }).then_some(ride.guide.link)
     }
 
+    /// An instant centre, where its dot is on the sheet: neither at a pin, nor beyond the border, nor at infinity.
+    fn centre(&self, i: LinkId, j: LinkId) -> Read {
+        let [i, j] = [i.min(j), i.max(j)].map(|l| self.mechanism.link(l).number);
+        match self.sheet.centres.get(&format!("({i}{j})")) {
+            Some(at) => self.in_world(*at),
+            None => Read::Exempt(format!("I({i},{j}) has no dot on the sheet")),
+        }
+    }
+
     fn position(&self, p: PointId) -> Read {
+        self.in_world(self.joint(p))
+    }
+
+    fn in_world(&self, place: Mm2) -> Read {
         let exact = |p: PointId| self.mechanism.point(p).place.exact().map(|at| at.map(|g| g.value));
         let all = (0..self.mechanism.points.len()).map(PointId);
         let (base, at) = all
             .filter(|&p| self.sheet.joints.contains_key(self.name(p)))
             .find_map(|p| Some((p, exact(p)?)))
             .expect("one point of the skeleton has coordinates");
-        let [x, y] = minus(self.joint(p), self.joint(base)).map(|mm| mm * self.sheet.length);
+        let [x, y] = minus(place, self.joint(base)).map(|mm| mm * self.sheet.length);
         Read::Vector([at[0] + x, at[1] + y], LAST * self.sheet.length)
     }
 

@@ -15,6 +15,8 @@ pub struct Sheet {
     pub joints: BTreeMap<String, Mm2>,
     /// Directions of guides under their riders, by rider and carrying link: `D/1`.
     pub guides: BTreeMap<String, Mm2>,
+    /// Instant centres that are marked, by name, from the same origin as the joints.
+    pub centres: BTreeMap<String, Mm2>,
     /// Velocity and acceleration polygon.
     pub velocity: Option<Polygon>,
     pub acceleration: Option<Polygon>,
@@ -106,11 +108,24 @@ impl Sheet {
             };
             guides.insert(name.to_owned(), direction);
         }
+        let mut centres = BTreeMap::new();
+        if let Some((drawing, _)) = of("instant-centres") {
+            // Both panels show the same skeleton: what lies between them is the way from one to the other.
+            let joint = having(drawing, "joint").next().expect("a joint");
+            let by = minus(joints[data(joint, "point")], circle(joint));
+            for centre in having(drawing, "centre").filter(|n| n.has_attribute("data-centre")) {
+                let at = circle(centre);
+                for name in data(centre, "centre").split(' ') {
+                    centres.insert(name.to_owned(), [at[0] + by[0], at[1] + by[1]]);
+                }
+            }
+        }
         let polygon = |class: &str| of(class).map(|(drawing, caption)| Polygon::read(drawing, &caption));
         Self {
             length: printed_ratio(&caption) / 1000.0,
             joints,
             guides,
+            centres,
             velocity: polygon("velocity"),
             acceleration: polygon("acceleration"),
         }

@@ -16,9 +16,9 @@ mod velocities;
 
 use std::collections::BTreeMap;
 
-use crate::board::{Amount, Bench, HomogeneousLine, HomogeneousPoint, Location};
+use crate::board::{Amount, Bench, HomogeneousLine, HomogeneousPoint, Location, Point};
 use crate::mechanism::quantity::Order;
-use crate::mechanism::{LinkId, PointId, Rider};
+use crate::mechanism::{LinkId, PointId, Rider, Roll};
 use crate::plan::{CentrePlan, Plan, chord};
 
 use super::construction::{Centre, CentrePlace, CircleDiagram, Found};
@@ -115,11 +115,30 @@ impl<B: Bench> Draughtsman<'_, B> {
         for roll in 0..self.mechanism.rolls.len() {
             let links = self.mechanism.rolls[roll].bodies();
             let links = chord(links[0], links[1]);
-            if let (true, Some(at)) = (takes_part(&links), self.places[self.mechanism.contacts[roll].0]) {
+            if let (true, Some(at)) = (takes_part(&links), self.pitch_point(roll)) {
                 let centre = self.board.proper(at);
                 self.centre_found(links, centre, Found::Rolling { roll });
             }
         }
+    }
+
+    /// Where two bodies roll: of wheels the point that divides the line of their centres as their radii, from which
+    /// a contact drawn by one radius alone may be off by as much as the stated distance of the centres is.
+    fn pitch_point(&mut self, roll: usize) -> Option<Point<B>> {
+        let contact = self.places[self.mechanism.contacts[roll].0]?;
+        let Roll::Circles { links, centres, radii, internal } = self.mechanism.rolls[roll] else {
+            return Some(contact);
+        };
+        let [Some(first), Some(second)] = centres.map(|centre| self.places[centre.0]) else {
+            return Some(contact);
+        };
+        let [own, other] = radii.map(|radius| self.board.amount(radius));
+        let whole = if internal { self.board.difference(own, other) } else { self.board.sum(own, other) };
+        let scale = self.length_scale();
+        let (part, whole) = (self.board.to_paper(own, scale), self.board.to_paper(whole, scale));
+        let reason = self.reason(&links);
+        let ratio = self.board.ratio(part, whole, reason);
+        Some(self.board.divide(first, second, ratio))
     }
 
     /// A block on a straight guide: at infinity on any perpendicular; on an arc: the centre of curvature.
