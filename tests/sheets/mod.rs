@@ -22,7 +22,7 @@ pub fn root() -> &'static Path {
 
 /// Every scene that is to be solved, sorted by name: the examples and the errata, not the refusals.
 pub fn examples() -> Vec<Example> {
-    let mut all: Vec<Example> = ["examples", "examples/errata"]
+    let mut all: Vec<Example> = ["examples", "examples/centres", "examples/errata", "examples/pairs"]
         .iter()
         .flat_map(|folder| std::fs::read_dir(root().join(folder)).unwrap())
         .map(|entry| entry.unwrap().path())
