@@ -470,6 +470,64 @@ fn nothing_is_written_when_one_output_fails() {
 }
 
 #[test]
+fn the_ending_or_the_option_chooses_the_format() {
+    let folder = Folder::new("formats");
+    let scene = common::root().join(SIX);
+    let scene = scene.to_str().unwrap();
+    let written = run_in(&folder.0, &["draw", scene, "-o", "a.tex", "-o", "a.json", "-o", "a.svg"], None);
+    assert_eq!((written.code, written.err.as_str()), (0, ""));
+    let contents = folder.contents();
+    assert_eq!(contents.len(), 3);
+    for (ending, starts) in [("tex", "% Problem 3-1"), ("json", "{"), ("svg", "<svg")] {
+        let bytes = &contents[&folder.0.join(format!("a.{ending}"))];
+        assert!(bytes.starts_with(starts.as_bytes()), "{ending}");
+        let shown = run_in(&folder.0, &["draw", scene, "--format", ending], None);
+        assert_eq!((shown.code, shown.out.as_bytes()), (0, &bytes[..]), "{ending}");
+    }
+    for (arguments, says) in [
+        (&["--format", "jsn"][..], "json"),
+        (&["--format", "svg", "-o", "b.svg"], "ending"),
+        (&["--theme", "color"], "colour"),
+        (&["--text", "outlined", "-o", "b.svg"], "outline"),
+        (&["--text", "outline", "-o", "b.json"], "SVG"),
+        (&["-o", "b.bmp"], ".svg, .png, .pdf, .tex or .json"),
+    ] {
+        let ran = run_in(&folder.0, &[&["draw", scene], arguments].concat(), None);
+        assert_eq!(ran.code, 2, "{arguments:?}");
+        assert!(ran.err.contains(says), "{arguments:?}: {}", ran.err);
+    }
+    assert_eq!(folder.contents(), contents, "nothing else was written");
+}
+
+#[test]
+fn what_latex_cannot_set_is_refused_and_nothing_is_written() {
+    let folder = Folder::new("latex");
+    let text = common::example_text("s000-ch3a-1").replacen("Problem", "\u{633}\u{631}\u{639}\u{629}", 1);
+    folder.write("scene.json", &text);
+    let ran = run_in(&folder.0, &["draw", "scene.json", "-o", "a.svg", "-o", "a.tex"], None);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("U+0633") && ran.err.contains(".svg, .png or .pdf"), "{}", ran.err);
+    assert_eq!(folder.contents().len(), 1);
+}
+
+#[test]
+fn the_scene_states_a_theme_and_the_command_overrides_it() {
+    let text =
+        common::example_text("s000-ch3a-1").replacen("\"sheet\": {", "\"sheet\": { \"theme\": \"dark\",", 1);
+    let draw = |arguments: &[&str]| {
+        let all = [&["draw", "-", "--figure", "velocity"], arguments].concat();
+        let ran = run_in(common::root(), &all, Some(text.as_bytes()));
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        ran.out
+    };
+    assert!(draw(&[]).contains("class=\"paper\""));
+    assert!(!draw(&["--theme", "mono"]).contains("class=\"paper\""));
+    let bad = text.replace("dark", "drak");
+    let ran = run_in(common::root(), &["draw", "-"], Some(bad.as_bytes()));
+    assert!(ran.code == 2 && ran.err.contains("did you mean `dark`"), "{}", ran.err);
+}
+
+#[test]
 fn a_figure_that_nobody_needs_is_refused() {
     let mut scene = six();
     scene["find"] = serde_json::json!(["v(B)"]);

@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::report::short;
-use super::{Ending, Failure, failure, files, print, read_scene};
+use super::{Ending, Failure, failure, files, print_bytes, read_scene};
 use crate::graphical::Scales;
 use crate::graphical::construction::Construction;
 use crate::plan::{Auxiliary, Extent};
+use crate::render::theme::Theme;
+use crate::render::{self, Format, Lettering};
 use crate::scene::{Scene, Subject};
 use crate::sheet::{self, Figure};
 use crate::solve::Settings;
@@ -21,10 +23,14 @@ pub(super) struct Job {
     pub(super) output: Vec<PathBuf>,
     pub(super) figure: Vec<String>,
     pub(super) kind: Kind,
+    pub(super) play: bool,
     pub(super) paper: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) dpi: f32,
     pub(super) settings: Settings,
+    pub(super) theme: Option<String>,
+    pub(super) text: Option<String>,
+    pub(super) format: Option<String>,
 }
 
 /// What is drawn of a scene.
@@ -39,7 +45,11 @@ pub(super) enum Kind {
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
-    let formats: Vec<Format> = job.output.iter().map(|path| Format::of(path)).collect::<Result<_, _>>()?;
+    let formats = formats(job)?;
+    let lettering = lettering(job, &formats)?;
+    if job.play && job.kind != Kind::Steps {
+        return Err(Failure("--play plays the steps: say --as steps as well".to_owned()));
+    }
     if let Some(unknown) = job.figure.iter().find_map(|name| unknown_figure(name)) {
         return Err(Failure(unknown));
     }
@@ -58,14 +68,17 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
     }
     let language = language(job, scene)?;
-    let names: Vec<&str> = if job.figure.is_empty() {
+    let theme = theme(job, scene)?;
+    // What the scene wishes to have drawn is a wish for the solution.
+    let names: Vec<&str> = if job.figure.is_empty() && job.kind == Kind::Solution {
         scene.sheet.figures.iter().map(String::as_str).collect()
     } else {
         job.figure.iter().map(String::as_str).collect()
     };
     let scales = match job.kind {
         Kind::Question => sheet::scale::for_question,
-        Kind::Solution | Kind::Steps => sheet::scale::for_scene,
+        Kind::Steps => sheet::scale::for_steps,
+        Kind::Solution => sheet::scale::for_scene,
     };
     let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
     let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
@@ -83,6 +96,14 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
                 "--as question: the only figure that gives no answer away is skeleton".to_owned(),
             ));
         }
+        (Kind::Steps, []) if job.play => {
+            let frames = sheet::film(scene, construction, language);
+            return write_film(job, &formats, &frames);
+        }
+        (Kind::Steps, []) => sheet::step_by_step(scene, construction, language),
+        (Kind::Steps, _) => {
+            return Err(Failure("--as steps draws all figures; leave out --figure".to_owned()));
+        }
         (_, []) => sheet::solution(scene, construction, language),
         (_, names) => sheet::stack(&shown.singles(construction, names)?),
     };
@@ -92,19 +113,92 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         let mend = "choose smaller scales; where none is stated the diagrams fill their panels".to_owned();
         return Err(scene.source.complain(Subject::Sheet, what, Some(mend)).into());
     }
-    let svg = crate::render::svg::write(&figure);
+    let options = render::Options { theme, lettering, dpi: job.dpi };
+    let bytes = |format: &Format| {
+        render::render(&figure, *format, &options).map_err(|error| Failure(error.to_string()))
+    };
     if job.output.is_empty() {
-        print(&svg)?;
+        for format in &formats {
+            print_bytes(&bytes(format)?)?;
+        }
         return Ok(Ending::Fine);
     }
     let mut written = Vec::new();
     for (path, format) in job.output.iter().zip(&formats) {
-        let bytes = match format {
-            Format::Svg => svg.clone().into_bytes(),
-            Format::Png => png(&figure, job.dpi)?,
-        };
-        written.push((path.clone(), bytes));
+        written.push((path.clone(), bytes(format)?));
     }
+    files::write_all(&written)?;
+    Ok(Ending::Fine)
+}
+
+/// The format of each output; of standard output where there is none.
+fn formats(job: &Job) -> Result<Vec<Format>, Failure> {
+    let chosen = |name: &String| {
+        let known = Format::ALL.map(Format::name);
+        Format::from_name(name).ok_or_else(|| Failure(unknown("format", name, name, &known)))
+    };
+    if job.output.is_empty() {
+        return Ok(vec![job.format.as_ref().map(chosen).transpose()?.unwrap_or_default()]);
+    }
+    if job.format.is_some() {
+        let what = "--format is for standard output; the ending of a file's name chooses its format";
+        return Err(Failure(what.to_owned()));
+    }
+    job.output.iter().map(|path| format_of(path)).collect()
+}
+
+fn format_of(path: &Path) -> Result<Format, Failure> {
+    let ending = path.extension().and_then(|e| e.to_str()).and_then(Format::from_name);
+    ending.ok_or_else(|| {
+        let known = Format::ALL.map(|format| format!(".{}", format.name()));
+        let path = path.display();
+        Failure(format!("{path}: unknown format; end the name in {}", one_of(&known)))
+    })
+}
+
+/// `a, b or c`.
+fn one_of(names: &[String]) -> String {
+    match names {
+        [all @ .., last] if !all.is_empty() => format!("{} or {last}", all.join(", ")),
+        _ => names.concat(),
+    }
+}
+
+fn lettering(job: &Job, formats: &[Format]) -> Result<Lettering, Failure> {
+    let Some(name) = &job.text else { return Ok(Lettering::default()) };
+    let known = Lettering::ALL.map(Lettering::name);
+    let kind =
+        Lettering::from_name(name).ok_or_else(|| Failure(unknown("kind of text", name, name, &known)))?;
+    if !formats.contains(&Format::Svg) {
+        return Err(Failure(format!("--text {name} is for SVG, and none is written")));
+    }
+    Ok(kind)
+}
+
+fn theme(job: &Job, scene: &Scene) -> Result<Theme, Failure> {
+    let Some(name) = job.theme.as_ref().or(scene.sheet.theme.as_ref()) else { return Ok(Theme::default()) };
+    Theme::from_name(name).ok_or_else(|| Failure(unknown("theme", name, name, &Theme::ALL.map(Theme::name))))
+}
+
+/// That `name` is unknown, and what comes nearest to its `head`, the part that is looked up.
+fn unknown(what: &str, name: &str, head: &str, known: &[&str]) -> String {
+    let nearest = crate::scene::nearest(head, known);
+    let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
+    format!("unknown {what} {name}{mend} (known: {})", known.join(", "))
+}
+
+/// Writes the steps as a film.
+fn write_film(job: &Job, formats: &[Format], frames: &[Figure]) -> Result<Ending, Failure> {
+    if let Some((path, _)) = job.output.iter().zip(formats).find(|(_, format)| !matches!(format, Format::Svg))
+    {
+        return Err(Failure(format!("{}: only SVG plays; end the name in .svg", path.display())));
+    }
+    let svg = crate::render::svg::write_film(frames);
+    if job.output.is_empty() {
+        print_bytes(svg.as_bytes())?;
+        return Ok(Ending::Fine);
+    }
+    let written: Vec<_> = job.output.iter().map(|path| (path.clone(), svg.clone().into_bytes())).collect();
     files::write_all(&written)?;
     Ok(Ending::Fine)
 }
@@ -116,9 +210,7 @@ fn unknown_figure(name: &str) -> Option<String> {
     if known.contains(&head) {
         return None;
     }
-    let nearest = crate::scene::nearest(head, known);
-    let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
-    Some(format!("unknown figure {name}{mend} (known: {})", known.join(", ")))
+    Some(unknown("figure", name, head, known))
 }
 
 fn language(job: &Job, scene: &Scene) -> Result<sheet::Language, Failure> {
@@ -161,31 +253,5 @@ impl Shown<'_> {
             let why = why.unwrap_or("nothing asked in this scene needs it, so it is not drawn");
             Failure(format!("figure {name}: {why}"))
         })
-    }
-}
-
-#[cfg(feature = "png")]
-fn png(figure: &Figure, dpi: f32) -> Result<Vec<u8>, Failure> {
-    crate::render::png::render(figure, dpi).map_err(|error| Failure(error.to_string()))
-}
-
-#[cfg(not(feature = "png"))]
-fn png(_: &Figure, _: f32) -> Result<Vec<u8>, Failure> {
-    Err(Failure("this build has no PNG: build with the feature `png`".to_owned()))
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Format {
-    Svg,
-    Png,
-}
-
-impl Format {
-    fn of(path: &Path) -> Result<Self, Failure> {
-        match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            _ => Err(Failure(format!("{}: unknown format; end the name in .svg or .png", path.display()))),
-        }
     }
 }

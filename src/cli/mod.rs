@@ -39,7 +39,8 @@ enum Command {
     Draw {
         /// The scene file; - for standard input
         scene: PathBuf,
-        /// Where to write; the extension chooses the format (.svg, .png). SVG on stdout without it
+        /// Where to write; the ending chooses the format (.svg, .png, .pdf, .tex, .json); may be given
+        /// several times: all files are written, or none. Without it the figure goes to standard output
         #[arg(short, long, value_name = "FILE")]
         output: Vec<PathBuf>,
         /// A single figure instead of the sheet: skeleton, velocity, acceleration, steps, results
@@ -48,6 +49,9 @@ enum Command {
         /// What to draw: the question without its answers, the solution, or its steps one by one
         #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = draw::Kind::Solution)]
         kind: draw::Kind,
+        /// With --as steps: one SVG that plays them, without a script
+        #[arg(long)]
+        play: bool,
         /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted
         #[arg(long, value_name = "SIZE")]
         paper: Option<String>,
@@ -60,6 +64,15 @@ enum Command {
         /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
         arith: Arithmetic,
+        /// Colours: mono, colour or dark; what the scene says, or mono
+        #[arg(long, value_name = "NAME")]
+        theme: Option<String>,
+        /// Text of an SVG: live, outline (paths) or embed (with its typefaces)
+        #[arg(long, value_name = "KIND")]
+        text: Option<String>,
+        /// Format on standard output: svg, png, pdf, tex or json
+        #[arg(long, value_name = "FORMAT")]
+        format: Option<String>,
     },
     /// Print the asked quantities, graphical beside analytic
     Solve {
@@ -207,9 +220,22 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let ending = match arguments.command {
-        Command::Draw { scene, output, figure, kind, paper, lang, dpi, arith } => {
+        Command::Draw { scene, output, figure, kind, play, paper, lang, dpi, theme, text, format, arith } => {
             let settings = Settings { arithmetic: arith };
-            draw::run(&draw::Job { scene, output, figure, kind, paper, lang, dpi, settings })
+            draw::run(&draw::Job {
+                scene,
+                output,
+                figure,
+                kind,
+                play,
+                paper,
+                lang,
+                dpi,
+                theme,
+                text,
+                format,
+                settings,
+            })
         }
         Command::Solve { scene, json, explain, hand, arith } => {
             let settings = Settings { arithmetic: arith };
@@ -244,8 +270,12 @@ fn schema() -> Result<Ending, Failure> {
 
 /// Writes to stdout; a reader who hung up is no error.
 fn print(text: &str) -> Result<(), Failure> {
+    print_bytes(text.as_bytes())
+}
+
+fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
             Err(Failure(format!("standard output: {error}")))
         }

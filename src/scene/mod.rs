@@ -214,8 +214,14 @@ pub struct SheetOptions {
     pub paper: Option<String>,
     /// Language tag: `en`, `ar`, `ar-x-ajala` or `fa`.
     pub language: Option<String>,
+    /// Colours: `mono`, `colour` or `dark`.
+    pub theme: Option<String>,
     /// Letter for angular acceleration.
     pub angular_acceleration: Option<AngularAcceleration>,
+    /// How vectors are written: `standard`, or as in a textbook: `norton`, `uicker`, `rattan`, `martin`.
+    pub notation: Option<String>,
+    /// Decimals stand after a comma, not after a point.
+    pub decimal_comma: bool,
     /// Real length per length of paper: 10 for `1:10`.
     pub length_scale: Option<f64>,
     /// m/s per mm of paper.

@@ -47,7 +47,7 @@ enum Panel {
 /// The diagrams of everything that was asked.
 #[must_use]
 pub fn of_sweep(scene: &Scene, sweep: &Sweep) -> Figure {
-    let notation = Notation { scene, words: Language::English.words() };
+    let notation = Notation::new(scene, Language::English.words());
     let mut panels = Vec::new();
     let asked: Vec<usize> = (0..sweep.columns.len()).filter(|&c| !sweep.columns[c].watched).collect();
     for &c in &asked {

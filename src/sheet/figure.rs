@@ -118,6 +118,18 @@ pub enum Dash {
     Chain,
 }
 
+impl Dash {
+    /// Lengths of strokes and gaps, mm; none for a continuous line.
+    #[must_use]
+    pub const fn lengths(self) -> Option<&'static [f64]> {
+        match self {
+            Self::Solid => None,
+            Self::Dashed => Some(&[2.0, 1.0]),
+            Self::Chain => Some(&[5.0, 0.9, 0.4, 0.9]),
+        }
+    }
+}
+
 /// What an area is filled with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
