@@ -45,9 +45,13 @@ impl Course<'_> {
     }
 }
 
+/// This near to a corner counts as one side of it: more than a corner is found to, less than anybody sees.
+const BESIDE: f64 = 1e-9;
+
 impl ParamCurveFit for Course<'_> {
     fn sample_pt_tangent(&self, t: f64, sign: f64) -> CurveFitSample {
-        let (p, tangent) = self.at(t);
+        // Where the curve has a corner its two sides have different tangents.
+        let (p, tangent) = self.at((t + sign.signum() * BESIDE).clamp(0.0, 1.0));
         if tangent.hypot2() > 0.0 {
             return CurveFitSample { p, tangent };
         }
@@ -69,7 +73,8 @@ impl ParamCurveFit for Course<'_> {
         if step < 1e-6 {
             return None;
         }
-        let mut last = self.at(range.start).1;
+        // The range may begin at a corner that was found before.
+        let mut last = self.at(range.start + BESIDE).1;
         for i in 1..=LOOKS {
             let t = range.start + step * f64::from(i);
             let now = self.at(t).1;

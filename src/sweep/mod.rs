@@ -23,6 +23,7 @@ use crate::mechanism::{Input, LinkId, Mechanism};
 use crate::plan::{Extent, Plan};
 
 pub use course::{Event, EventKind, Stretch};
+pub use curve::Track;
 
 /// What the input of a sweep measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
