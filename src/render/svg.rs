@@ -264,7 +264,7 @@ impl Writer<'_> {
         let number = self.texts.get();
         self.texts.set(number + 1);
         let class = if text.class.is_empty() { String::new() } else { format!(" class=\"{}\"", text.class) };
-        let name = match self.lettered {
+        let name: Option<String> = match self.lettered {
             Lettered::Live => None,
             #[cfg(feature = "png")]
             Lettered::Numbered => Some(format!("t{number}")),
