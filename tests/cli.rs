@@ -680,3 +680,88 @@ fn the_schema_is_json_and_names_every_key() {
         assert!(properties.contains_key(key), "{key}");
     }
 }
+
+// --- arithmetic, hand, sweeps --------------------------------------------------------------------------
+
+#[test]
+fn the_arithmetic_is_the_users_choice() {
+    let path = SIX;
+    let bound = |arith: &str| {
+        let ran = run(&["solve", path, "--json", "--arith", arith]);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let solved: Value = serde_json::from_str(&ran.out).unwrap();
+        assert_eq!(solved["agreement"]["ok"], true);
+        let q = solved["quantities"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|q| q["name"] == "omega(4)")
+            .cloned()
+            .unwrap();
+        (q["bound"].as_f64().unwrap(), q)
+    };
+    let (single, _) = bound("f32");
+    let (double, plain) = bound("f64");
+    let (fine, q) = bound("dd");
+    assert!(single > 1e6 * double && double > fine && plain.get("digits").is_none());
+    // More digits than a double has; the double is their beginning.
+    assert!(q["digits"].as_str().unwrap().len() > 25 && q["digits_bound"].as_f64().unwrap() < 1e-24);
+    assert!(q["digits"].as_str().unwrap().starts_with("5.84365081"));
+    let ran = run(&["solve", path, "--arith", "f16"]);
+    assert!(ran.code == 2 && ran.err.contains("f32, f64 or dd"), "{}", ran.err);
+}
+
+#[test]
+fn a_hand_of_pencil_and_ruler() {
+    let path = SIX;
+    let ran = run(&["solve", path, "--json", "--hand", "0.2mm,0.3deg"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let solved: Value = serde_json::from_str(&ran.out).unwrap();
+    for q in solved["quantities"].as_array().unwrap() {
+        let number = |key: &str| q["hand"][key].as_f64().unwrap();
+        assert!(number("median") <= number("most") && number("most") <= number("largest"), "{q}");
+        assert!(number("largest") <= 1.1 * number("worst"), "{q}");
+    }
+    assert!(run(&["solve", path, "--hand", "0.2mm,0.3deg"]).out.contains("by hand ±"));
+    for wrong in ["0.2", "0.2mm", "a,b", "-1,0.3", "0.2,400"] {
+        let ran = run(&["solve", path, &format!("--hand={wrong}")]);
+        assert!(ran.code == 2 && ran.out.is_empty(), "{wrong}: {}", ran.err);
+    }
+}
+
+#[test]
+fn a_sweep_tells_what_happens_and_writes_tables() {
+    let folder = Folder::new("sweep");
+    let scene = std::path::absolute(Path::new(env!("CARGO_MANIFEST_DIR")).join(SIX)).unwrap();
+    let path = scene.to_str().unwrap();
+    let ran = run(&["sweep", path]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(ran.out.contains("moves from") && ran.out.contains("operations for one position"), "{}", ran.out);
+    let ran = run_in(
+        &folder.0,
+        &["sweep", path, "--steps", "12", "-o", "a.csv", "-o", "a.json", "-o", "a.svg"],
+        None,
+    );
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let contents = folder.contents();
+    let text = |name: &str| String::from_utf8(contents[&folder.0.join(name)].clone()).unwrap();
+    let csv = text("a.csv");
+    let columns = csv.lines().next().unwrap().split(',').count();
+    assert!(csv.lines().all(|line| line.split(',').count() == columns), "{csv}");
+    assert!(!csv.contains("NaN") && !csv.contains("inf"));
+    let json: Value = serde_json::from_str(&text("a.json")).unwrap();
+    assert_eq!(json["positions"].as_array().unwrap().len() + 1, csv.lines().count());
+    assert_eq!(json["columns"].as_array().unwrap().len() + 1, columns);
+    assert!(text("a.svg").starts_with("<svg"));
+    for wrong in [
+        &["sweep", path, "-o", "a.txt"][..],
+        &["sweep", path, "--from", "10"],
+        &["sweep", path, "--steps", "0"],
+        &["sweep", path, "--steps", "10", "--tolerance", "1%"],
+        &["sweep", path, "--from", "100", "--to", "50"],
+    ] {
+        let ran = run_in(&folder.0, wrong, None);
+        assert!(ran.code == 2 && ran.out.is_empty() && !ran.err.is_empty(), "{wrong:?}: {}", ran.err);
+    }
+    assert_eq!(folder.contents(), contents, "a refused sweep writes nothing");
+}

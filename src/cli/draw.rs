@@ -11,6 +11,7 @@ use crate::render::theme::Theme;
 use crate::render::{self, Format, Lettering};
 use crate::scene::{Scene, Subject};
 use crate::sheet::{self, Figure};
+use crate::solve::Settings;
 
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
@@ -22,9 +23,11 @@ pub(super) struct Job {
     pub(super) output: Vec<PathBuf>,
     pub(super) figure: Vec<String>,
     pub(super) kind: Kind,
+    pub(super) play: bool,
     pub(super) paper: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) dpi: f32,
+    pub(super) settings: Settings,
     pub(super) theme: Option<String>,
     pub(super) text: Option<String>,
     pub(super) format: Option<String>,
@@ -44,6 +47,9 @@ pub(super) enum Kind {
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let formats = formats(job)?;
     let lettering = lettering(job, &formats)?;
+    if job.play && job.kind != Kind::Steps {
+        return Err(Failure("--play plays the steps: say --as steps as well".to_owned()));
+    }
     if let Some(unknown) = job.figure.iter().find_map(|name| unknown_figure(name)) {
         return Err(Failure(unknown));
     }
@@ -63,23 +69,25 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let language = language(job, scene)?;
     let theme = theme(job, scene)?;
-    let names: Vec<&str> = if job.figure.is_empty() {
+    // What the scene wishes to have drawn is a wish for the solution.
+    let names: Vec<&str> = if job.figure.is_empty() && job.kind == Kind::Solution {
         scene.sheet.figures.iter().map(String::as_str).collect()
     } else {
         job.figure.iter().map(String::as_str).collect()
     };
     let scales = match job.kind {
         Kind::Question => sheet::scale::for_question,
-        Kind::Solution | Kind::Steps => sheet::scale::for_scene,
+        Kind::Steps => sheet::scale::for_steps,
+        Kind::Solution => sheet::scale::for_scene,
     };
     let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
     let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
     let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
     let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(Failure)?;
-    let solved = crate::solve::solve_with(scene, extent, &auxiliary, scales)
+    let solved = crate::solve::solve_with(scene, extent, &auxiliary, job.settings, scales)
         .map_err(|error| failure(scene, &error))?;
     let construction = &solved.solution.construction;
-    let shown = Shown { scene, extent, language };
+    let shown = Shown { scene, extent, language, settings: job.settings };
     let figure = match (job.kind, &names[..]) {
         (Kind::Question, []) => sheet::question(scene, construction, language),
         (Kind::Question, ["skeleton"]) => sheet::single_of_question(scene, construction, language),
@@ -87,6 +95,14 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             return Err(Failure(
                 "--as question: the only figure that gives no answer away is skeleton".to_owned(),
             ));
+        }
+        (Kind::Steps, []) if job.play => {
+            let frames = sheet::film(scene, construction, language);
+            return write_film(job, &formats, &frames);
+        }
+        (Kind::Steps, []) => sheet::step_by_step(scene, construction, language),
+        (Kind::Steps, _) => {
+            return Err(Failure("--as steps draws all figures; leave out --figure".to_owned()));
         }
         (_, []) => sheet::solution(scene, construction, language),
         (_, names) => sheet::stack(&shown.singles(construction, names)?),
@@ -171,6 +187,22 @@ fn unknown(what: &str, name: &str, head: &str, known: &[&str]) -> String {
     format!("unknown {what} {name}{mend} (known: {})", known.join(", "))
 }
 
+/// Writes the steps as a film.
+fn write_film(job: &Job, formats: &[Format], frames: &[Figure]) -> Result<Ending, Failure> {
+    if let Some((path, _)) = job.output.iter().zip(formats).find(|(_, format)| !matches!(format, Format::Svg))
+    {
+        return Err(Failure(format!("{}: only SVG plays; end the name in .svg", path.display())));
+    }
+    let svg = crate::render::svg::write_film(frames);
+    if job.output.is_empty() {
+        print_bytes(svg.as_bytes())?;
+        return Ok(Ending::Fine);
+    }
+    let written: Vec<_> = job.output.iter().map(|path| (path.clone(), svg.clone().into_bytes())).collect();
+    files::write_all(&written)?;
+    Ok(Ending::Fine)
+}
+
 /// What is wrong with the name of a figure, if it is unknown.
 fn unknown_figure(name: &str) -> Option<String> {
     let known = sheet::figure_names();
@@ -193,6 +225,7 @@ struct Shown<'a> {
     scene: &'a Scene,
     extent: Extent,
     language: sheet::Language,
+    settings: Settings,
 }
 
 impl Shown<'_> {
@@ -210,7 +243,7 @@ impl Shown<'_> {
         let again = smaller.zip(kind).map(|(length, kind)| {
             let choose =
                 |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
-            crate::solve::solve_with(scene, self.extent, &[kind], choose)
+            crate::solve::solve_with(scene, self.extent, &[kind], self.settings, choose)
                 .map_err(|error| failure(scene, &error))
         });
         let again = again.transpose()?;

@@ -271,6 +271,12 @@ impl Panel {
             Shape::Line(a, b) => out.insert("line".to_owned(), all(&[*a, *b]).into()),
             Shape::Polyline(points) => out.insert("line".to_owned(), all(points).into()),
             Shape::Polygon(points) => out.insert("polygon".to_owned(), all(points).into()),
+            // As its straight pieces, within what the eye can tell.
+            Shape::Curve(_) => {
+                let pieces = mark.shape.outline();
+                let ends = pieces.first().map(|(a, _)| *a).into_iter().chain(pieces.iter().map(|(_, b)| *b));
+                out.insert("line".to_owned(), all(&ends.collect::<Vec<_>>()).into())
+            }
             Shape::Circle { centre, radius } => {
                 let circle = json!({ "centre": at(centre), "radius": rounded(*radius, decimals) });
                 out.insert("circle".to_owned(), circle)

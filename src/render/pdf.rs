@@ -240,6 +240,20 @@ fn outline(shape: &Shape, path: &mut PathBuilder) {
         Shape::Line(a, b) => through(&[*a, *b], false),
         Shape::Polyline(points) => through(points, false),
         Shape::Polygon(points) => through(points, true),
+        Shape::Curve(curve) => {
+            let n = |p: kurbo::Point| (p.x as f32, p.y as f32);
+            for element in curve.elements() {
+                match *element {
+                    kurbo::PathEl::MoveTo(p) => path.move_to(n(p).0, n(p).1),
+                    kurbo::PathEl::LineTo(p) => path.line_to(n(p).0, n(p).1),
+                    kurbo::PathEl::QuadTo(a, p) => path.quad_to(n(a).0, n(a).1, n(p).0, n(p).1),
+                    kurbo::PathEl::CurveTo(a, b, p) => {
+                        path.cubic_to(n(a).0, n(a).1, n(b).0, n(b).1, n(p).0, n(p).1);
+                    }
+                    kurbo::PathEl::ClosePath => path.close(),
+                }
+            }
+        }
         Shape::Circle { centre, radius } => {
             arc(*centre, *radius, 0.0, 4.0 * FRAC_PI_2, path);
             path.close();

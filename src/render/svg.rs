@@ -15,7 +15,7 @@
 
 use std::cell::Cell;
 
-use kurbo::Point;
+use kurbo::{BezPath, PathEl, Point};
 use svg::Document;
 use svg::node::Blob;
 use svg::node::element::{Circle, Element, Group as GroupElement, Path, Rectangle};
@@ -127,6 +127,43 @@ fn fnv(bytes: &[u8]) -> u64 {
         .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
 }
 
+/// Seconds for which a step of a film is shown.
+const SECONDS: usize = 3;
+
+/// A film: the figures, all of one size, one after the other, played by the viewer itself without a script.
+/// Where nothing is played (on paper, in programs that know no animations, for readers who want none) the
+/// last figure is shown. An empty film is an empty document.
+#[must_use]
+pub fn write_film(frames: &[Figure]) -> String {
+    let Some((last, before)) = frames.split_last() else { return Document::new().to_string() };
+    let count = frames.len();
+    let mut style = String::new();
+    let mut root = Group::new("film");
+    for (i, frame) in before.iter().chain([last]).enumerate() {
+        let mut group = frame.root.clone();
+        group.class = format!("frame f{i}");
+        root.group(group);
+        let percent = |k: usize| decimal(100.0 * k as f64 / count as f64, LAYOUT);
+        let from = if i == 0 { String::new() } else { "0%{visibility:hidden}".to_owned() };
+        let (begin, end) = (percent(i), percent(i + 1));
+        let to = if i + 1 == count { String::new() } else { format!("{end}%,100%{{visibility:hidden}}") };
+        style.push_str(&format!("@keyframes k{i}{{{from}{begin}%{{visibility:visible}}{to}}}"));
+        let whole = SECONDS * count;
+        style.push_str(&format!(".f{i}{{animation:k{i} {whole}s step-end 1 both}}"));
+    }
+    style.push_str(
+        "@media print{.frame{animation:none}}@media (prefers-reduced-motion){.frame{animation:none}}",
+    );
+    let svg = write(&Figure { root, ..last.clone() });
+    // What is hidden until it is played is hidden by an attribute, over which the animation wins.
+    let mut hidden = svg;
+    for i in 0..before.len() {
+        let class = format!("class=\"frame f{i}\"");
+        hidden = hidden.replacen(&class, &format!("{class} visibility=\"hidden\""), 1);
+    }
+    hidden.replacen("<g class=\"film\">", &format!("<style>{style}</style>\n<g class=\"film\">"), 1)
+}
+
 fn fold(hash: u64) -> u32 {
     (hash ^ (hash >> 32)) as u32
 }
@@ -161,6 +198,22 @@ fn font_faces(figure: &Figure) -> String {
     }
     rules.push_str("</style>");
     rules
+}
+
+/// The path data of a curve.
+fn curve(path: &BezPath, at: impl Fn(Point) -> String) -> String {
+    let parts: Vec<String> = path
+        .elements()
+        .iter()
+        .map(|element| match *element {
+            PathEl::MoveTo(p) => format!("M{}", at(p)),
+            PathEl::LineTo(p) => format!("L{}", at(p)),
+            PathEl::QuadTo(a, p) => format!("Q{} {}", at(a), at(p)),
+            PathEl::CurveTo(a, b, p) => format!("C{} {} {}", at(a), at(b), at(p)),
+            PathEl::ClosePath => "Z".to_owned(),
+        })
+        .collect();
+    parts.join(" ")
 }
 
 fn base64(bytes: &[u8]) -> String {
@@ -225,6 +278,7 @@ impl Writer<'_> {
             Shape::Line(a, b) => Path::new().set("d", format!("M{} L{}", at(*a), at(*b))).into(),
             Shape::Polyline(points) => Path::new().set("d", through(points, at)).into(),
             Shape::Polygon(points) => Path::new().set("d", format!("{} Z", through(points, at))).into(),
+            Shape::Curve(path) => Path::new().set("d", curve(path, at)).into(),
             Shape::Circle { centre, radius } => {
                 Circle::new().set("cx", n(centre.x)).set("cy", n(centre.y)).set("r", n(*radius)).into()
             }

@@ -297,6 +297,7 @@ impl Picture<'_> {
             Shape::Line(a, b) => through(&[*a, *b]),
             Shape::Polyline(points) => through(points),
             Shape::Polygon(points) => format!("{} -- cycle", through(points)),
+            Shape::Curve(_) => chords(&mark.shape),
             Shape::Circle { radius, .. } | Shape::Arc { radius, .. } if *radius > LARGEST_RADIUS => {
                 chords(&mark.shape)
             }

@@ -33,6 +33,17 @@ pub(super) const INPUT: &[&str] =
 pub(super) const FIND: &[&str] = &["name", "unit", "method"];
 pub(super) const PIN: &[&str] = &["radius", "diameter"];
 pub(super) const PUBLISHED: &[&str] = &["value", "within", "why"];
-pub(super) const SHEET: &[&str] =
-    &["paper", "language", "symbols", "scales", "length", "velocity", "acceleration", "figures", "theme"];
+pub(super) const SHEET: &[&str] = &[
+    "paper",
+    "language",
+    "symbols",
+    "scales",
+    "length",
+    "velocity",
+    "acceleration",
+    "figures",
+    "notation",
+    "decimal",
+    "theme",
+];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];

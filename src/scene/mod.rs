@@ -25,6 +25,7 @@ pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
 pub use sheet::paper_size;
 pub use source::{Source, Subject};
+pub use units::si_of;
 
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Unit;
@@ -217,6 +218,10 @@ pub struct SheetOptions {
     pub theme: Option<String>,
     /// Letter for angular acceleration.
     pub angular_acceleration: Option<AngularAcceleration>,
+    /// How vectors are written: `standard`, or as in a textbook: `norton`, `uicker`, `rattan`, `martin`.
+    pub notation: Option<String>,
+    /// Decimals stand after a comma, not after a point.
+    pub decimal_comma: bool,
     /// Real length per length of paper: 10 for `1:10`.
     pub length_scale: Option<f64>,
     /// m/s per mm of paper.

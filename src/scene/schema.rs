@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::sheet::{LANGUAGES, PAPERS, THEMES};
+use super::sheet::{LANGUAGES, NOTATIONS, PAPERS, THEMES};
 use super::units::names;
 use crate::mechanism::quantity::Method;
 
@@ -351,6 +351,11 @@ fn sheet() -> Value {
             "language": { "enum": LANGUAGES, "description": "Language of the sheet." },
             "theme": { "enum": THEMES, "default": "mono", "description": "Colours of the sheet." },
             "symbols": { "enum": ["alpha", "epsilon"], "description": "Letter for angular acceleration." },
+            "notation": {
+                "enum": NOTATIONS, "default": "standard",
+                "description": "How vectors are written: the usual way, or as in the textbook of this author.",
+            },
+            "decimal": { "enum": ["point", "comma"], "default": "point", "description": "Decimal sign." },
             "scales": described("scales", "Scales; chosen where they are left out."),
             "length": length, "velocity": velocity, "acceleration": acceleration,
             "figures": {

@@ -12,6 +12,8 @@ pub(super) const PAPERS: [&str; 9] = ["A0", "A1", "A2", "A3", "A4", "A5", "A6", 
 
 /// Colours of the sheet.
 pub(super) const THEMES: [&str; 3] = ["mono", "colour", "dark"];
+/// Notations of vectors.
+pub(super) const NOTATIONS: [&str; 5] = ["standard", "norton", "uicker", "rattan", "martin"];
 
 /// Reads `title`.
 pub(super) fn title(value: Option<&Value<'_>>) -> Res<Title> {
@@ -48,6 +50,10 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales) -> Res<SheetOptio
         let epsilon = name == "epsilon";
         sheet.angular_acceleration =
             Some(if epsilon { AngularAcceleration::Epsilon } else { AngularAcceleration::Alpha });
+    }
+    sheet.notation = fields.get("notation").map(|v| one_of(v, &NOTATIONS, "a notation")).transpose()?;
+    if let Some(decimal) = fields.get("decimal") {
+        sheet.decimal_comma = one_of(decimal, &["point", "comma"], "a decimal sign")? == "comma";
     }
     let nested =
         fields.get("scales").map(|v| Fields::of(v, keys::SCALES, "scales by diagram")).transpose()?;

@@ -10,7 +10,7 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{auxiliary, centres, circle, given, human, polygon, results, skeleton, transfer, wanted};
+use super::{auxiliary, centres, circle, given, growth, human, polygon, results, skeleton, transfer, wanted};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
@@ -59,7 +59,7 @@ pub const fn figure_names() -> &'static [&'static str] {
 #[must_use]
 pub fn solution(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
-    let notation = Notation { scene, words };
+    let notation = Notation::new(scene, words);
     let construction = &told_apart(construction, &notation);
     let drawn = |name| panel(name, construction, &notation);
     let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration, Name::Centres, Name::Circle].map(drawn);
@@ -97,14 +97,15 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     }
     pager.steps(&steps::items(construction, &notation));
     let (pages, count) = pager.finish();
-    Figure {
+    let figure = Figure {
         width,
         height: height * count as f64,
         title: title(scene, words),
         description: description(construction, words),
         language: words.tag,
         root: pages,
-    }
+    };
+    localised(figure, scene)
 }
 
 /// The question sheet: the given data, the dimensioned skeleton, what is asked; nothing that the solution
@@ -112,7 +113,7 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 #[must_use]
 pub fn question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
-    let notation = Notation { scene, words };
+    let notation = Notation::new(scene, words);
     let skeleton = asked_skeleton(construction, &notation);
     let (width, height) = paper(scene);
     let width = width.max(skeleton.width + 2.0 * MARGIN);
@@ -128,23 +129,25 @@ pub fn question(scene: &Scene, construction: &Construction, language: Language) 
     let list = column(&items, pager.width(), words);
     pager.block(list);
     let (pages, count) = pager.finish();
-    Figure {
+    let figure = Figure {
         width,
         height: height * count as f64,
         title: title(scene, words),
         description: words.question.to_owned(),
         language: words.tag,
         root: pages,
-    }
+    };
+    localised(figure, scene)
 }
 
 /// The dimensioned skeleton of the question, cut to its ink.
 #[must_use]
 pub fn single_of_question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
-    let notation = Notation { scene, words };
+    let notation = Notation::new(scene, words);
     let block = asked_skeleton(construction, &notation);
-    cut(block.group, format!("{}: {}", title(scene, words), words.skeleton), words.question.to_owned(), words)
+    let title = format!("{}: {}", title(scene, words), words.skeleton);
+    localised(cut(block.group, title, words.question.to_owned(), words), scene)
 }
 
 /// The dimensioned skeleton with its caption.
@@ -161,11 +164,125 @@ fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> Block
     captioned(skeleton::question(construction, notation), &caption)
 }
 
+/// The steps one by one: beside what is said of each, its drawing as it stands after it.
+#[must_use]
+pub fn step_by_step(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    let words = language.words();
+    let notation = Notation::new(scene, words);
+    let construction = &told_apart(construction, &notation);
+    let (width, height) = paper(scene);
+    let told = steps::by_step(construction, &notation);
+    let drawn: Vec<Option<Block>> =
+        told.iter().map(|told| after_step(construction, &notation, told.step, told.drawn?)).collect();
+    let largest = |side: fn(&Block) -> f64| drawn.iter().flatten().map(side).fold(0.0, f64::max);
+    let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
+    let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
+    let mut pager = Pager::new(width, height, title(scene, words), words);
+    pager.heading(&given::paragraph(&notation));
+    for (told, drawing) in told.iter().zip(drawn) {
+        pager.step(column(&told.items, pager.column(), words), drawing);
+    }
+    let (pages, count) = pager.finish();
+    let figure = Figure {
+        width,
+        height: height * count as f64,
+        title: format!("{}: {}", title(scene, words), words.steps),
+        description: description(construction, words),
+        language: words.tag,
+        root: pages,
+    };
+    localised(figure, scene)
+}
+
+/// The diagram that a step draws in, as it stands after it.
+fn after_step(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    step: usize,
+    order: Order,
+) -> Option<Block> {
+    let name = match order {
+        Order::Position => Name::Skeleton,
+        Order::Velocity => Name::Velocity,
+        Order::Acceleration => Name::Acceleration,
+    };
+    panel(name, &growth::after(construction, notation.mechanism(), step), notation)
+}
+
+/// The figures of a film, all of one size: the three diagrams as they stand after each step, each in its
+/// place, and the head of the step below them.
+#[must_use]
+pub fn film(scene: &Scene, construction: &Construction, language: Language) -> Vec<Figure> {
+    let words = language.words();
+    let notation = Notation::new(scene, words);
+    let construction = &told_apart(construction, &notation);
+    let names = [Name::Skeleton, Name::Velocity, Name::Acceleration];
+    // The places of the diagrams are those that the finished ones need.
+    let finished = names.map(|name| drawing(name, construction, &notation));
+    let boxes = finished.each_ref().map(|d| d.as_ref().and_then(Group::bounds));
+    let ink = boxes.map(|b| b.unwrap_or(Rect::ZERO).inflate(EDGE, EDGE));
+    let width = (ink[1].width() + ink[2].width()).max(ink[0].width());
+    let second = ink[0].height();
+    let head = second + ink[1].height().max(ink[2].height()) + 2.0 * TEXT;
+    let left = (width - ink[1].width() - ink[2].width()) / 2.0;
+    let corners = [
+        Point::new((width - ink[0].width()) / 2.0, 0.0),
+        Point::new(left, second),
+        Point::new(left + ink[1].width(), second),
+    ];
+    let told = steps::by_step(construction, &notation);
+    let last = told.len().saturating_sub(1);
+    let frames = told.iter().enumerate().map(|(i, told)| {
+        let now = growth::after(construction, notation.mechanism(), told.step);
+        let mut root = Group::new("frame").data("step", (told.step + 1).to_string());
+        for (k, name) in names.into_iter().enumerate() {
+            let own = if i == last { finished[k].clone() } else { drawing(name, &now, &notation) };
+            let Some(mut own) = own else { continue };
+            own.translate(corners[k] - ink[k].origin());
+            root.group(own);
+        }
+        if let Some(Item::Head(text)) = told.items.first() {
+            let line = text.set(TEXT);
+            line.put(&mut root, Point::new(((width - line.width) / 2.0).max(0.0), head - TEXT), "heading");
+        }
+        let figure = Figure {
+            width,
+            height: head + EDGE,
+            title: format!("{}: {}", title(scene, words), words.steps),
+            description: description(construction, words),
+            language: words.tag,
+            root,
+        };
+        localised(figure, scene)
+    });
+    frames.collect()
+}
+
+/// A diagram without its caption.
+fn drawing(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Group> {
+    match name {
+        Name::Skeleton => Some(skeleton::draw(construction, notation)),
+        Name::Velocity => {
+            construction.velocity.as_ref().map(|p| polygon::draw(p, &construction.steps, notation))
+        }
+        Name::Acceleration => {
+            construction.acceleration.as_ref().map(|p| polygon::draw(p, &construction.steps, notation))
+        }
+        Name::Centres => Some(centres::draw(construction.circle.as_ref()?, construction, notation)),
+        Name::Circle => Some(circle::draw(construction.circle.as_ref()?, notation)),
+        Name::Transfer(index) => {
+            let circle = construction.circle.as_ref()?;
+            let same = transfer::by_method(circle).into_iter().nth(index)?;
+            Some(transfer::draw(&same, circle, construction, notation))
+        }
+    }
+}
+
 /// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
 #[must_use]
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
     let words = language.words();
-    let notation = Notation { scene, words };
+    let notation = Notation::new(scene, words);
     let construction = &told_apart(construction, &notation);
     let (block, heading) = match name {
         "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
@@ -201,7 +318,8 @@ fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
         Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
         _ => {}
     });
-    cut(block.group, format!("{}: {heading}", title(scene, words)), description, words)
+    let title = format!("{}: {heading}", title(scene, words));
+    localised(cut(block.group, title, description, words), scene)
 }
 
 /// A drawing as a figure of its own, tight to its ink.
@@ -229,6 +347,36 @@ fn with_steps(drawing: &AuxiliaryDrawing, construction: &Construction, notation:
     steps.group.translate(Vec2::new(0.0, block.height + 2.0));
     block.group.group(steps.group);
     Block { width, height: block.height + 2.0 + steps.height, ..block }
+}
+
+/// The decimal sign that the scene wishes, in everything that is set but what the scene's own title says.
+fn localised(mut figure: Figure, scene: &Scene) -> Figure {
+    if scene.sheet.decimal_comma {
+        commas(&mut figure.root);
+    }
+    figure
+}
+
+fn commas(group: &mut Group) {
+    for child in &mut group.children {
+        match child {
+            Node::Group(group) => commas(group),
+            Node::Text(text) if !matches!(text.class, "title" | "running-title") => {
+                text.runs.iter_mut().for_each(|run| run.text = with_comma(&run.text));
+            }
+            Node::Text(_) | Node::Mark(_) => {}
+        }
+    }
+}
+
+/// A point between two digits becomes a comma, which is as wide.
+fn with_comma(text: &str) -> String {
+    let characters: Vec<char> = text.chars().collect();
+    let digit = |i: Option<usize>| i.and_then(|i| characters.get(i)).is_some_and(char::is_ascii_digit);
+    let sign = |(i, c): (usize, &char)| {
+        if *c == '.' && digit(i.checked_sub(1)) && digit(Some(i + 1)) { ',' } else { *c }
+    };
+    characters.iter().enumerate().map(sign).collect()
 }
 
 /// Several figures below each other as one.
@@ -303,42 +451,29 @@ enum Name {
 fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
     let words = notation.words;
     let plain = |caption: &str| Rich::upright(caption);
-    let (drawing, caption, scale) = match name {
+    let (caption, scale) = match name {
         Name::Skeleton => {
             let scale = notation.length_scale(construction.space.metres_per_mm);
-            (skeleton::draw(construction, notation), plain(words.skeleton), scale)
+            (plain(words.skeleton), scale)
         }
         Name::Centres => {
-            let circle = construction.circle.as_ref()?;
             let scale = notation.length_scale(construction.space.metres_per_mm);
-            (centres::draw(circle, construction, notation), plain(words.centres_figure), scale)
+            (plain(words.centres_figure), scale)
         }
-        Name::Circle => {
-            let circle = construction.circle.as_ref()?;
-            (circle::draw(circle, notation), plain(words.circle_diagram), Rich::default())
-        }
+        Name::Circle => (plain(words.circle_diagram), Rich::default()),
         Name::Transfer(index) => {
             let circle = construction.circle.as_ref()?;
             let same = transfer::by_method(circle).into_iter().nth(index)?;
             let scale = notation.scale(same.first()?.si_per_mm, Order::Velocity);
-            let drawing = transfer::draw(&same, circle, construction, notation);
-            (drawing, transfer::title(&same, notation), scale)
+            (transfer::title(&same, notation), scale)
         }
         Name::Velocity => {
             let p = construction.velocity.as_ref()?;
-            (
-                polygon::draw(p, &construction.steps, notation),
-                plain(words.velocity_diagram),
-                notation.scale(p.si_per_mm, p.order),
-            )
+            (plain(words.velocity_diagram), notation.scale(p.si_per_mm, p.order))
         }
         Name::Acceleration => {
             let p = construction.acceleration.as_ref()?;
-            (
-                polygon::draw(p, &construction.steps, notation),
-                plain(words.acceleration_diagram),
-                notation.scale(p.si_per_mm, p.order),
-            )
+            (plain(words.acceleration_diagram), notation.scale(p.si_per_mm, p.order))
         }
     };
     let letter = words.panels[letter(name, construction).min(words.panels.len() - 1)];
@@ -347,7 +482,7 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
         let scale = Rich::fill(words.scale, &[("scale", scale)]);
         caption = caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale);
     }
-    Some(captioned(drawing, &caption))
+    Some(captioned(drawing(name, construction, notation)?, &caption))
 }
 
 /// A construction on the skeleton with its caption.
@@ -605,6 +740,34 @@ impl Pager {
         let (x, y) = (self.indented(MARGIN, block.width), self.y);
         self.y += block.height + 6.0;
         self.add(block.group, x, y);
+    }
+
+    /// What is said of a step, and its drawing beside it, or above it where it is too wide.
+    fn step(&mut self, text: Block, drawing: Option<Block>) {
+        let Some(drawing) = drawing else { return self.block(text) };
+        let beside = self.width() - GUTTER - text.width;
+        let together = drawing.width <= beside;
+        let height =
+            if together { text.height.max(drawing.height) } else { text.height + drawing.height + GUTTER };
+        if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
+            self.page();
+        }
+        let x = self.indented(MARGIN, text.width);
+        if together {
+            let free = (beside - drawing.width) / 2.0;
+            let far = self.indented(MARGIN + text.width + GUTTER + free, drawing.width);
+            let y = self.y;
+            self.add(drawing.group, far, y);
+            self.add(text.group, x, y);
+            self.y += height + 8.0;
+        } else {
+            let middle = MARGIN + (self.width() - drawing.width) / 2.0;
+            let y = self.y;
+            self.add(drawing.group, middle, y);
+            self.y += drawing.height + GUTTER;
+            // A long text goes on over the page.
+            self.block(text);
+        }
     }
 
     /// Panels in their order, side by side where they fit.

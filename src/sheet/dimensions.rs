@@ -23,6 +23,19 @@ const SHORTEST: f64 = 1.5;
 /// Size of a dimension's text beside that of other labels.
 const TYPE: f64 = 0.95 * SMALL;
 
+/// Dimension lines that disturb more than this are left out; the given data name every dimension in words.
+const WORST: f64 = 75.0;
+
+/// A dimension as it is drawn.
+pub(super) struct Drawn {
+    /// How much it disturbs.
+    pub cost: f64,
+    /// Its lines.
+    pub ink: Group,
+    /// Its text.
+    pub text: Request,
+}
+
 /// A dimension line's place: both ends, and the points that they measure.
 #[derive(Debug, Clone, Copy)]
 struct Span {
@@ -33,9 +46,9 @@ struct Span {
 }
 
 impl Artist<'_> {
-    /// All dimensions, as ink; their texts join the labels.
-    pub(super) fn dimensions(&mut self, group: &Group) -> Group {
-        let mut all = Group::new("dimensions");
+    /// All dimensions that find room.
+    pub(super) fn dimensions(&self, group: &Group) -> Vec<Drawn> {
+        let mut all = Vec::new();
         let mut ink = Obstacles::of(group);
         let lengths = self.link_lengths();
         let places = self.frame_lengths();
@@ -114,8 +127,8 @@ impl Artist<'_> {
 
     /// One dimension line where it disturbs least.
     fn length(
-        &mut self,
-        all: &mut Group,
+        &self,
+        all: &mut Vec<Drawn>,
         ink: &mut Obstacles,
         (a, b): (Point, Point),
         along: Vec2,
@@ -138,14 +151,13 @@ impl Artist<'_> {
                 }
             }
         }
-        let Some((_, span)) = best else { return };
+        let Some((cost, span)) = best.filter(|(cost, _)| *cost < WORST) else { return };
         let own = drawn(span);
         ink.extend(&own);
-        all.group(own);
         let [from, to] = span.ends;
         let mut request = Request::new(text, TYPE, Site::Along { from, to }, "label dimension");
         request.leader = true;
-        self.labels.push(request);
+        all.push(Drawn { cost, ink: own, text: request });
     }
 
     fn disturbance(&self, ink: &Obstacles, span: Span, room: (f64, f64)) -> f64 {
@@ -165,7 +177,7 @@ impl Artist<'_> {
     }
 
     /// The radii of pitch circles: an arrow from the centre to the circle.
-    fn wheel_radii(&mut self, all: &mut Group, ink: &mut Obstacles) {
+    fn wheel_radii(&self, all: &mut Vec<Drawn>, ink: &mut Obstacles) {
         let mut wheels: Vec<(PointId, f64)> = Vec::new();
         for roll in &self.notation.mechanism().rolls {
             let own = match roll {
@@ -189,36 +201,36 @@ impl Artist<'_> {
                 walk(from, to, 2.0).map(|p| touched(ink, p)).sum::<f64>()
             };
             let best = ways.map(|way| (cost(way), way)).reduce(|a, b| if b.0 < a.0 { b } else { a });
-            let Some((_, way)) = best else { continue };
+            let Some((cost, way)) = best else { continue };
             let (from, tip) = (on_circle(at, PIN, way), on_circle(at, drawn, way));
             let mut own = Group::new("dimension radius");
             own.mark(Mark::stroke(Shape::Line(from, tip), Pen::solid(FINE)).class("dimension-line"));
             own.mark(head(tip, (tip - from).normalize(), HEAD * 0.8));
             ink.extend(&own);
-            all.group(own);
             let text = Rich::italic("R").up("\u{2009}").then(&self.stated(radius));
             let mut request = Request::new(text, TYPE, Site::Along { from, to: tip }, "label dimension");
             request.leader = true;
-            self.labels.push(request);
+            all.push(Drawn { cost, ink: own, text: request });
         }
     }
 
     /// The angles between the arms of bell cranks.
-    fn bell_cranks(&mut self, all: &mut Group) {
+    fn bell_cranks(&self, all: &mut Vec<Drawn>) {
         for link in self.notation.mechanism().moving() {
             let Form::Arms { angle, .. } = &self.notation.mechanism().link(link).form else { continue };
             let [(_, vertex), (_, one), (_, other)] = self.pose.places(link)[..] else { continue };
             let radius = (0.6 * one.distance(vertex).min(other.distance(vertex))).clamp(5.0, 9.0);
             let d = one - vertex;
             let start = libm::atan2(-d.y, d.x);
-            arc_arrow(all, vertex, radius, start, angle.value, FINE);
+            let mut own = Group::new("dimension angle");
+            arc_arrow(&mut own, vertex, radius, start, angle.value, FINE);
             let at = on_circle(vertex, radius, start + angle.value / 2.0);
             let toward = Some(start + angle.value / 2.0);
             let text = human::degrees(angle.value.abs());
             let mut request =
                 Request::new(text, TYPE, Site::Around { at, radius: 0.3, toward }, "label dimension");
             request.leader = true;
-            self.labels.push(request);
+            all.push(Drawn { cost: 0.0, ink: own, text: request });
         }
     }
 }

@@ -15,6 +15,8 @@ const WORD: f64 = 1.6;
 const TOUCH: f64 = 1000.0;
 /// Passes of repair; each label moves to its best place given all others.
 const PASSES: usize = 8;
+/// Rounds in which a crowd is untangled.
+const ROUNDS: usize = 60;
 
 /// Where a label may stand.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -254,29 +256,7 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
             break;
         }
     }
-    // In a crowd some still touch something: they look further away, and who stands in their way moves.
-    let touching: Vec<usize> = order
-        .iter()
-        .copied()
-        .filter(|i| !requests[*i].optional && standing.touches(*i, &candidates))
-        .collect();
-    if !touching.is_empty() {
-        for i in &touching {
-            candidates[*i] = priced(*i, Reach::Far);
-        }
-        standing = standing.again(&candidates, &touching);
-        for pass in 0..=PASSES {
-            let mut moved = false;
-            for &i in touching.iter().chain(&order) {
-                if pass == 0 && touching.contains(&i) || standing.touches(i, &candidates) {
-                    moved |= standing.settle(i, &candidates, requests[i].optional);
-                }
-            }
-            if pass > 0 && !moved {
-                break;
-            }
-        }
-    }
+    standing.untangle(&order, requests, &mut candidates, &|i| priced(i, Reach::Far));
     let chosen = standing.chosen;
 
     let mut out = Group::new("labels");
@@ -297,6 +277,8 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
 /// The labels as they stand.
 struct Standing {
     chosen: Vec<Option<usize>>,
+    /// How dearly the others pay for touching it.
+    weights: Vec<f64>,
     texts: Grid,
     leaders: Grid,
 }
@@ -305,16 +287,39 @@ impl Standing {
     fn new(all: &[Vec<Candidate>]) -> Self {
         let boxes = all.iter().flatten().flat_map(|c| &c.boxes).copied();
         let area = boxes.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
-        Self { chosen: vec![None; all.len()], texts: Grid::new(area), leaders: Grid::new(area) }
+        let (chosen, weights) = (vec![None; all.len()], vec![1.0; all.len()]);
+        Self { chosen, weights, texts: Grid::new(area), leaders: Grid::new(area) }
     }
 
-    /// The same with new candidates, among which those of `lifted` have not chosen yet.
-    fn again(self, all: &[Vec<Candidate>], lifted: &[usize]) -> Self {
-        let mut new = Self::new(all);
-        for (i, chosen) in self.chosen.into_iter().enumerate().filter(|(i, _)| !lifted.contains(i)) {
-            new.choose(i, chosen, all);
+    /// In a crowd some labels still touch something. They look further away, and whoever is touched again
+    /// and again becomes dearer to touch, until those in its way move.
+    fn untangle(
+        &mut self,
+        order: &[usize],
+        requests: &[Request],
+        all: &mut [Vec<Candidate>],
+        further: &dyn Fn(usize) -> Vec<Candidate>,
+    ) {
+        let mut looked: Vec<bool> = vec![false; all.len()];
+        for _ in 0..ROUNDS {
+            let touching: Vec<usize> = order.iter().copied().filter(|i| self.touches(*i, all)).collect();
+            if touching.iter().all(|i| requests[*i].optional) {
+                break;
+            }
+            for &i in &touching {
+                self.weights[i] += 1.0;
+                if !std::mem::replace(&mut looked[i], true) {
+                    self.choose(i, None, all);
+                    all[i] = further(i);
+                }
+                self.settle(i, all, requests[i].optional);
+            }
         }
-        new
+        for i in order.iter().copied().filter(|i| requests[*i].optional) {
+            if self.touches(i, all) {
+                self.choose(i, None, all);
+            }
+        }
     }
 
     fn choose(&mut self, i: usize, choice: Option<usize>, all: &[Vec<Candidate>]) {
@@ -381,7 +386,7 @@ impl Standing {
         for j in near {
             let Some(other) = self.chosen[j].filter(|_| j != i).map(|o| &all[j][o]) else { continue };
             let (c, t) = conflict(candidate, other);
-            cost += c;
+            cost += c * self.weights[j];
             touch |= t;
             if cost >= limit {
                 break;
@@ -572,7 +577,7 @@ fn candidates(request: &Request, site: Site, line: &Line, how_far: Reach) -> Vec
                     all.push(stand(beside(at, angle, radius + gap, half), cost, None));
                 }
             }
-            if request.leader {
+            if request.leader || how_far == Reach::Far {
                 for (ring, gap) in leaders([5.0, 7.0, 9.5, 12.0, 15.0], how_far) {
                     for k in 0..24 {
                         let angle = f64::from(k) * (std::f64::consts::TAU / 24.0);
@@ -597,7 +602,7 @@ fn candidates(request: &Request, site: Site, line: &Line, how_far: Reach) -> Vec
                         let centre = from + d * t + normal * (side * (reach + gap));
                         all.push(stand(centre, taste + 3.0 * ring as f64, None));
                     }
-                    if request.leader {
+                    if request.leader || how_far == Reach::Far {
                         for (ring, gap) in leaders([4.0, 6.0, 8.5, 11.0], how_far) {
                             let foot = from + d * t;
                             let centre = foot + normal * (side * (reach + gap));

@@ -1,6 +1,7 @@
 //! How the field writes points, images, vectors and directions.
 
 use super::human;
+use super::profile::{Profile, Relative};
 use super::rich::Rich;
 use super::words::Words;
 use crate::graphical::construction::{Claim, Label, Reference};
@@ -16,9 +17,17 @@ pub struct Notation<'a> {
     pub scene: &'a Scene,
     /// The words.
     pub words: &'static Words,
+    /// How vectors are written.
+    pub profile: &'static Profile,
 }
 
 impl<'a> Notation<'a> {
+    /// The notation that a scene chooses.
+    #[must_use]
+    pub fn new(scene: &'a Scene, words: &'static Words) -> Self {
+        Self { scene, words, profile: Profile::named(scene.sheet.notation.as_deref()) }
+    }
+
     /// The mechanism.
     #[must_use]
     pub fn mechanism(&self) -> &'a Mechanism {
@@ -81,8 +90,17 @@ impl<'a> Notation<'a> {
     /// An image point in a polygon of this order: o, b, a₄, b′₁.
     #[must_use]
     pub fn image(&self, label: Label, order: Order) -> Rich {
-        let prime = if order == Order::Acceleration { "′" } else { "" };
+        let prime = if order == Order::Acceleration { self.profile.prime } else { "" };
         let (letters, sub) = self.image_parts(label);
+        let letters = match label {
+            Label::Pole => {
+                let (letter, index) = self.profile.poles[usize::from(order == Order::Acceleration)];
+                let prime = if index.is_empty() { prime } else { "" };
+                return Rich::italic(letter).scripts(prime, Face::Italic, index);
+            }
+            _ if self.profile.capital_images => letters.to_uppercase(),
+            _ => letters,
+        };
         Rich::italic(letters).scripts(prime, Face::Italic, &sub)
     }
 
@@ -123,7 +141,8 @@ impl<'a> Notation<'a> {
     pub fn alpha(&self) -> &'static str {
         match self.scene.sheet.angular_acceleration {
             Some(AngularAcceleration::Epsilon) => "ε",
-            Some(AngularAcceleration::Alpha) | None => "α",
+            Some(AngularAcceleration::Alpha) => "α",
+            None => self.profile.alpha,
         }
     }
 
@@ -131,24 +150,27 @@ impl<'a> Notation<'a> {
     #[must_use]
     pub fn symbol(&self, quantity: Quantity, arrow: bool) -> Rich {
         let letter = |l: &str| if arrow { Rich::vector(l) } else { Rich::italic(l) };
-        let of =
-            |p: PointId| self.home(p).map_or_else(|| self.point_name(p).to_owned(), |l| self.under(p, l));
-        let two = |p, q| format!("{}{}", self.point_name(p), self.point_name(q));
+        let book = self.profile;
+        let of = |p: PointId| self.home(p).map_or_else(|| self.index(p), |l| self.under(p, l));
+        let two = |p, q| match book.relative {
+            Relative::Joined => format!("{}{}", self.index(p), self.index(q)),
+            Relative::Slash => format!("{}/{}", self.index(p), self.index(q)),
+        };
         let numbers = |a, b| {
             let (a, b) = (self.number(a), self.number(b));
             let comma = if a.len() > 1 || b.len() > 1 { "," } else { "" };
             format!("{a}{comma}{b}")
         };
-        let n = |sup: &'static str, sub: String| letter("A").scripts(sup, Face::Upright, &sub);
+        let n = |sup: &'static str, sub: String| letter(book.acceleration).scripts(sup, Face::Upright, &sub);
         match quantity {
-            Quantity::Velocity(p) => letter("V").sub(&of(p)),
-            Quantity::RelativeVelocity(p, q) => letter("V").sub(&two(p, q)),
-            Quantity::Acceleration(p) => letter("A").sub(&of(p)),
-            Quantity::RelativeAcceleration(p, q) => letter("A").sub(&two(p, q)),
-            Quantity::RelativeNormal(p, q) => n("n", two(p, q)),
-            Quantity::RelativeTangential(p, q) => n("t", two(p, q)),
-            Quantity::Normal(p) => n("n", of(p)),
-            Quantity::Tangential(p) => n("t", of(p)),
+            Quantity::Velocity(p) => letter(book.velocity).sub(&of(p)),
+            Quantity::RelativeVelocity(p, q) => letter(book.velocity).sub(&two(p, q)),
+            Quantity::Acceleration(p) => letter(book.acceleration).sub(&of(p)),
+            Quantity::RelativeAcceleration(p, q) => letter(book.acceleration).sub(&two(p, q)),
+            Quantity::RelativeNormal(p, q) => n(book.normal, two(p, q)),
+            Quantity::RelativeTangential(p, q) => n(book.tangential, two(p, q)),
+            Quantity::Normal(p) => n(book.normal, of(p)),
+            Quantity::Tangential(p) => n(book.tangential, of(p)),
             Quantity::Omega(l) => Rich::italic("ω").sub(&self.number(l)),
             Quantity::RelativeOmega(a, b) => Rich::italic("ω").sub(&numbers(a, b)),
             Quantity::Ratio(a, b) => {
@@ -161,19 +183,21 @@ impl<'a> Notation<'a> {
             }
             Quantity::Alpha(l) => Rich::italic(self.alpha()).sub(&self.number(l)),
             Quantity::RelativeAlpha(a, b) => Rich::italic(self.alpha()).sub(&numbers(a, b)),
-            Quantity::Slip(p, l) => letter("V").sub(&self.coincident(p, l)),
-            Quantity::SlipAcceleration(p, l) => letter("A").sub(&self.coincident(p, l)),
-            Quantity::SlipNormal(p, l) => n("n", self.coincident(p, l)),
-            Quantity::SlipTangential(p, l) => n("t", self.coincident(p, l)),
-            Quantity::Coriolis(p, l) => n("c", self.coincident(p, l)),
-            Quantity::CoincidentVelocity(p, l) => letter("V").sub(&self.under(p, l)),
-            Quantity::CoincidentAcceleration(p, l) => letter("A").sub(&self.under(p, l)),
-            Quantity::CoincidentNormal(p, l) => n("n", self.under(p, l)),
-            Quantity::CoincidentTangential(p, l) => n("t", self.under(p, l)),
-            Quantity::ContactNormal(p, a, b) => n("n", format!("{}{}", self.under(p, a), self.under(p, b))),
+            Quantity::Slip(p, l) => letter(book.velocity).sub(&self.coincident(p, l)),
+            Quantity::SlipAcceleration(p, l) => letter(book.acceleration).sub(&self.coincident(p, l)),
+            Quantity::SlipNormal(p, l) => n(book.normal, self.coincident(p, l)),
+            Quantity::SlipTangential(p, l) => n(book.tangential, self.coincident(p, l)),
+            Quantity::Coriolis(p, l) => n(book.coriolis, self.coincident(p, l)),
+            Quantity::CoincidentVelocity(p, l) => letter(book.velocity).sub(&self.under(p, l)),
+            Quantity::CoincidentAcceleration(p, l) => letter(book.acceleration).sub(&self.under(p, l)),
+            Quantity::CoincidentNormal(p, l) => n(book.normal, self.under(p, l)),
+            Quantity::CoincidentTangential(p, l) => n(book.tangential, self.under(p, l)),
+            Quantity::ContactNormal(p, a, b) => {
+                n(book.normal, format!("{}{}", self.under(p, a), self.under(p, b)))
+            }
             Quantity::Centre(a, b) => Rich::italic("I").sub(&numbers(a, b)),
             Quantity::Rub(p, ..) => {
-                Rich::italic("V").sub(&format!("{},{}", self.words.rubbing_mark, self.point_name(p)))
+                Rich::italic(book.velocity).sub(&format!("{},{}", self.words.rubbing_mark, self.index(p)))
             }
             Quantity::PathRadius(p) => Rich::italic("ρ").sub(self.point_name(p)),
             Quantity::Position(p) => self.point(p),
@@ -189,13 +213,16 @@ impl<'a> Notation<'a> {
         let reference = reference.filter(|r| !self.mechanism().is_fixed(*r));
         let Some(reference) = reference else { return self.symbol(quantity, false) };
         let (letter, sup, point, link) = match quantity {
-            Quantity::CoincidentVelocity(p, l) => ("V", "", p, l),
-            Quantity::CoincidentAcceleration(p, l) => ("A", "", p, l),
-            Quantity::CoincidentNormal(p, l) => ("A", "n", p, l),
-            Quantity::CoincidentTangential(p, l) => ("A", "t", p, l),
+            Quantity::CoincidentVelocity(p, l) => (self.profile.velocity, "", p, l),
+            Quantity::CoincidentAcceleration(p, l) => (self.profile.acceleration, "", p, l),
+            Quantity::CoincidentNormal(p, l) => (self.profile.acceleration, self.profile.normal, p, l),
+            Quantity::CoincidentTangential(p, l) => {
+                (self.profile.acceleration, self.profile.tangential, p, l)
+            }
             other => return self.symbol(other, false),
         };
-        let sub = format!("{}{}", self.under(point, link), self.point_name(reference));
+        let between = if self.profile.relative == Relative::Slash { "/" } else { "" };
+        let sub = format!("{}{between}{}", self.under(point, link), self.index(reference));
         Rich::italic(letter).scripts(sup, Face::Upright, &sub)
     }
 
@@ -236,16 +263,26 @@ impl<'a> Notation<'a> {
 
     /// A4: the point of link 4 under pin A.
     fn under(&self, point: PointId, link: LinkId) -> String {
-        format!("{}{}", self.point_name(point), self.number(link))
+        format!("{}{}", self.index(point), self.number(link))
+    }
+
+    /// A point's name in the index of a vector.
+    fn index(&self, point: PointId) -> String {
+        self.profile.index(self.point_name(point))
     }
 
     /// A2A4: the pin as a point of its own link, and the point of the guide's link under it.
     fn coincident(&self, point: PointId, guide: LinkId) -> String {
-        let name = self.point_name(point);
+        let name = self.index(point);
         let own = self.mechanism().points.get(point.0);
         let own = own.and_then(|p| p.links.iter().copied().find(|l| *l != guide && *l != LinkId::FRAME));
         let own = own.map_or_else(String::new, |l| self.number(l));
-        format!("{name}{own}{name}{}", self.number(guide))
+        let guide = self.number(guide);
+        if self.profile.apparent {
+            format!("{name}{own}/{guide}")
+        } else {
+            format!("{name}{own}{name}{guide}")
+        }
     }
 
     /// The name of a quantity as a scene writes it: `v(B/A)`.

@@ -40,6 +40,33 @@ pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
     Scales { length, ..for_scene(scene, extents) }
 }
 
+/// Room for a diagram beside the words of a step, width and height in mm.
+pub const STEP: (f64, f64) = (66.0, 62.0);
+
+/// The scales of a sheet that shows the steps one by one: each diagram fits beside its words.
+#[must_use]
+pub fn for_steps(scene: &Scene, extents: Extents) -> Scales {
+    let [w, h] = with_wheels(&scene.mechanism, extents.space);
+    let (wide, high) = stretch(scene);
+    let free = (STEP.0 * wide, STEP.1 * high);
+    let (length, time) = (scene.units.length.si, scene.units.time.si);
+    let fit = |[w, h]: [f64; 2], unit: f64| choose_for(w, h, free, unit);
+    let rate = length / time;
+    let stated = &scene.sheet;
+    Scales {
+        length: stated
+            .length_scale
+            .map(|ratio| ratio / 1000.0)
+            .or(choose_length(w, h, free))
+            .unwrap_or(0.001),
+        velocity: stated.velocity_scale.or(fit(extents.velocity, rate)).unwrap_or(rate),
+        acceleration: stated
+            .acceleration_scale
+            .or(fit(extents.acceleration, rate / time))
+            .unwrap_or(rate / time),
+    }
+}
+
 /// How much wider and higher than those of upright A4 the panels are.
 fn stretch(scene: &Scene) -> (f64, f64) {
     let (width, height) = super::compose::paper(scene);

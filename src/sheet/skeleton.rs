@@ -66,11 +66,25 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> Group {
     let known = artist.stated_rotations();
     artist.rotations(&mut group, known, false);
     artist.number_links();
-    let dimensions = artist.dimensions(&group);
-    group.group(dimensions);
-    let texts = place(&group, &artist.labels, None);
-    group.group(texts);
-    group
+    let mut dimensions = artist.dimensions(&group);
+    loop {
+        let mut whole = group.clone();
+        let mut requests = artist.labels.clone();
+        let mut lines = Group::new("dimensions");
+        for dimension in &dimensions {
+            lines.group(dimension.ink.clone());
+            requests.push(dimension.text.clone());
+        }
+        whole.group(lines);
+        let texts = place(&whole, &requests, None);
+        whole.group(texts);
+        // In a crowd the dimension that disturbs most is left to the given data, and so on.
+        let worst = (0..dimensions.len()).max_by(|a, b| dimensions[*a].cost.total_cmp(&dimensions[*b].cost));
+        match worst.filter(|_| !overlaps_in(&whole, None).is_empty()) {
+            Some(worst) => dimensions.remove(worst),
+            None => return whole,
+        };
+    }
 }
 
 /// The skeleton with the first fixed point at the origin of the group.
@@ -102,17 +116,33 @@ pub fn draw_under(
         let inputs: Vec<LinkId> = notation.mechanism().inputs.iter().filter_map(driven).collect();
         known.retain(|(link, second), _| !second && inputs.contains(link));
     }
-    artist.rotations(&mut group, known, true);
-    artist.number_links();
+    let names = artist.labels.clone();
     let places: Vec<Option<Point>> =
         (0..notation.mechanism().points.len()).map(|i| artist.pose.place(PointId(i))).collect();
-    let mut over = overlay(group.bounds().unwrap_or(Rect::ZERO), &places);
-    if !over.ink.children.is_empty() {
-        group.group(over.ink);
+    let mut overlay = Some(overlay);
+    let mut over = Overlay::default();
+    // In a crowd the curved arrows give way to the names: those of α first, then those of ω.
+    let keep: [fn(bool) -> bool; 3] = [|_| true, |second| !second, |_| false];
+    let mut tries = keep.into_iter().peekable();
+    while let Some(keep) = tries.next() {
+        artist.labels = names.clone();
+        let mut whole = group.clone();
+        let kept = known.clone().into_iter().filter(|((_, second), _)| keep(*second)).collect();
+        artist.rotations(&mut whole, kept, true);
+        artist.number_links();
+        if let Some(overlay) = overlay.take() {
+            over = overlay(whole.bounds().unwrap_or(Rect::ZERO), &places);
+        }
+        if !over.ink.children.is_empty() {
+            whole.group(over.ink.clone());
+        }
+        artist.labels.extend(over.labels.iter().cloned());
+        let labels = artist.placed_labels(&whole);
+        whole.group(labels);
+        if tries.peek().is_none() || overlaps_in(&whole, None).is_empty() {
+            return whole;
+        }
     }
-    artist.labels.append(&mut over.labels);
-    let labels = artist.placed_labels(&group);
-    group.group(labels);
     group
 }
 
@@ -788,6 +818,8 @@ impl Artist<'_> {
                     .slides
                     .iter()
                     .any(|s| s.guide.link == link && self.is_sleeve(s)) => {}
+                // While the drawing grows, a link of which one joint is there is not there yet.
+                None if self.pose.places(link).len() < self.notation.mechanism().link(link).points.len() => {}
                 None if !blocked => {
                     if let Some((_, at)) = self.pose.places(link).first() {
                         let slides = &self.notation.mechanism().slides;

@@ -30,7 +30,24 @@ pub enum Item {
 /// All steps in order.
 #[must_use]
 pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
-    let mut all = Vec::new();
+    by_step(construction, notation).into_iter().flat_map(|told| told.items).collect()
+}
+
+/// What is said of a step.
+#[derive(Debug, Clone)]
+pub struct Told {
+    /// Index of the step; of several steps under one head the last.
+    pub step: usize,
+    /// Velocity, acceleration, position; none where nothing is drawn.
+    pub drawn: Option<Order>,
+    /// Head, equations, sentences.
+    pub items: Vec<Item>,
+}
+
+/// The same step by step.
+#[must_use]
+pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told> {
+    let mut all: Vec<Told> = Vec::new();
     let mut rubbing = false;
     let mut measured: Vec<[PointId; 2]> = Vec::new();
     for (i, step) in construction.steps.iter().enumerate() {
@@ -39,13 +56,15 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
         let rubs = only_rubs(step);
         let same = rubs && rubbing;
         rubbing = rubs;
-        if same {
-            all.extend(step.acts.iter().filter_map(|act| teller.act(act)).map(Item::Sentence));
+        if let Some(told) = all.last_mut().filter(|_| same) {
+            told.items.extend(step.acts.iter().filter_map(|act| teller.act(act)).map(Item::Sentence));
+            told.step = i;
             continue;
         }
-        all.push(Item::Head(Rich::bold(format!("{}.", i + 1)).up("\u{a0}\u{a0}").then(&teller.head())));
+        let head = Rich::bold(format!("{}.", i + 1)).up("\u{a0}\u{a0}").then(&teller.head());
+        let mut items = vec![Item::Head(head)];
         for equation in &step.equations {
-            all.push(Item::Terms(teller.terms(equation)));
+            items.push(Item::Terms(teller.terms(equation)));
         }
         for act in &step.acts {
             // What was measured once is known.
@@ -55,16 +74,21 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
                 }
                 measured.push([*from, *to]);
             }
-            all.extend(teller.act(act).map(Item::Sentence));
+            items.extend(teller.act(act).map(Item::Sentence));
         }
+        all.push(Told { step: i, drawn: (!rubs).then_some(step.order), items });
     }
+    // Constructions of their own follow the steps.
+    let step = construction.steps.len().saturating_sub(1);
+    let mut more = |items: Vec<Item>| all.push(Told { step, drawn: None, items });
     if let Some(circle) = &construction.circle {
-        all.extend(super::circle::items(circle, notation));
-        all.extend(super::transfer::items(circle, construction, notation));
+        more(super::circle::items(circle, notation));
+        more(super::transfer::items(circle, construction, notation));
     }
     for drawing in construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none()) {
-        all.extend(super::auxiliary::items(drawing, construction, notation));
+        more(super::auxiliary::items(drawing, construction, notation));
     }
+    all.retain(|told| !told.items.is_empty());
     all
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::figure::{Figure, Group, Mark, Node, Shape};
 use super::overlap::overlaps;
-use super::{Language, figure_names, question, scale, single, solution};
+use super::{Language, figure_names, film, question, scale, single, solution, step_by_step};
 use crate::graphical::construction::Construction;
 use crate::graphical::{construct, extents};
 use crate::mechanism::quantity::Answer;
@@ -89,6 +89,9 @@ fn no_text_touches_ink_or_text_or_the_edge() {
             figures.push((format!("sheet {tag}"), solution(scene, construction, language)));
             figures.push((format!("question {tag}"), question(scene, construction, language)));
         }
+        figures.push(("step by step".to_owned(), step_by_step(scene, construction, Language::English)));
+        let film = film(scene, construction, Language::English).into_iter().enumerate();
+        figures.extend(film.map(|(i, frame)| (format!("frame {i}"), frame)));
         let all = figures.iter().flat_map(|(name, figure)| {
             overlaps(figure).into_iter().map(move |overlap| format!("{name}: {overlap:?}"))
         });
@@ -117,6 +120,39 @@ fn every_character_has_a_glyph() {
         bad
     });
     assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+#[test]
+fn every_notation_and_the_decimal_comma_are_drawn_clear_of_ink() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    for (name, notation, seen) in [
+        ("s000-ch3a-1", "norton", "OV"),
+        ("s000-ch3a-2", "uicker", "VA2/4"),
+        ("s000-ch3a-1", "rattan", "vba"),
+        ("s000-ch3a-1", "martin", "VB/A"),
+    ] {
+        let (mut scene, construction) = solved(&folder.join(format!("{name}.json"))).unwrap();
+        scene.sheet.notation = Some(notation.to_owned());
+        scene.sheet.decimal_comma = true;
+        let figure = solution(&scene, &construction, Language::English);
+        assert_eq!(overlaps(&figure), vec![], "{notation}");
+        let mut texts = Vec::new();
+        figure.root.walk(&mut |node| {
+            if let Node::Text(text) = node {
+                texts.push(text.content());
+            }
+        });
+        assert!(texts.iter().any(|text| text == seen), "{notation}: {seen}");
+        assert!(texts.iter().any(|text| text.contains("44,6")) || name != "s000-ch3a-1", "{notation}");
+        let digits = |c: char| c.is_ascii_digit();
+        let point = |text: &String| {
+            text.split('.')
+                .collect::<Vec<_>>()
+                .windows(2)
+                .any(|pair| pair[0].ends_with(digits) && pair[1].starts_with(digits))
+        };
+        assert!(!texts.iter().any(|text| point(text)), "{notation}");
+    }
 }
 
 /// A number as a person or a machine may have written it, without its sign.
