@@ -151,7 +151,7 @@ fn every_notation_and_the_decimal_comma_are_drawn_clear_of_ink() {
                 .windows(2)
                 .any(|pair| pair[0].ends_with(digits) && pair[1].starts_with(digits))
         };
-        assert!(!texts.iter().any(|text| point(text)), "{notation}");
+        assert!(!texts.iter().any(point), "{notation}");
     }
 }
 
