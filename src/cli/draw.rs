@@ -68,7 +68,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
     }
     let language = language(job, scene)?;
-    let theme = theme(job, scene)?;
+    let options = render::Options { theme: theme(job, scene)?, lettering, dpi: job.dpi };
     // What the scene wishes to have drawn is a wish for the solution.
     let names: Vec<&str> = if job.figure.is_empty() && job.kind == Kind::Solution {
         scene.sheet.figures.iter().map(String::as_str).collect()
@@ -98,7 +98,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
         (Kind::Steps, []) if job.play => {
             let frames = sheet::film(scene, construction, language);
-            return write_film(job, &formats, &frames);
+            return write_film(job, &formats, &frames, &options);
         }
         (Kind::Steps, []) => sheet::step_by_step(scene, construction, language),
         (Kind::Steps, _) => {
@@ -113,7 +113,6 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         let mend = "choose smaller scales; where none is stated the diagrams fill their panels".to_owned();
         return Err(scene.source.complain(Subject::Sheet, what, Some(mend)).into());
     }
-    let options = render::Options { theme, lettering, dpi: job.dpi };
     let bytes = |format: &Format| {
         render::render(&figure, *format, &options).map_err(|error| Failure(error.to_string()))
     };
@@ -188,12 +187,20 @@ fn unknown(what: &str, name: &str, head: &str, known: &[&str]) -> String {
 }
 
 /// Writes the steps as a film.
-fn write_film(job: &Job, formats: &[Format], frames: &[Figure]) -> Result<Ending, Failure> {
+fn write_film(
+    job: &Job,
+    formats: &[Format],
+    frames: &[Figure],
+    options: &render::Options,
+) -> Result<Ending, Failure> {
     if let Some((path, _)) = job.output.iter().zip(formats).find(|(_, format)| !matches!(format, Format::Svg))
     {
         return Err(Failure(format!("{}: only SVG plays; end the name in .svg", path.display())));
     }
-    let svg = crate::render::svg::write_film(frames);
+    if job.output.is_empty() && formats != [Format::Svg] {
+        return Err(Failure("--play: only SVG plays".to_owned()));
+    }
+    let svg = render::film(frames, options).map_err(|error| Failure(error.to_string()))?;
     if job.output.is_empty() {
         print_bytes(svg.as_bytes())?;
         return Ok(Ending::Fine);

@@ -140,15 +140,30 @@ impl Lettering {
 /// When this build lacks the format, the size is out of its range, or its text cannot be written in it.
 pub fn render(figure: &Figure, format: Format, options: &Options) -> Result<Vec<u8>, RenderError> {
     match format {
-        Format::Svg => match options.lettering {
-            Lettering::Live => Ok(svg::write_in(figure, options.theme).into_bytes()),
-            Lettering::Embed => Ok(svg::write_embedded(figure, options.theme).into_bytes()),
-            Lettering::Outline => outlined(figure, options.theme).map(String::into_bytes),
-        },
+        Format::Svg => document_svg(figure, options).map(String::into_bytes),
         Format::Png => picture(figure, options),
         Format::Pdf => document(figure, options.theme),
         Format::Tex => Ok(tex::write(figure, options.theme)?.into_bytes()),
         Format::Json => Ok(json::write(figure).into_bytes()),
+    }
+}
+
+/// A film as SVG: the figures, all of one size, one after the other, played by the viewer itself without a
+/// script. Where nothing is played (on paper, in programs that know no animations, for readers who want none)
+/// the last figure is shown. A film without frames is an empty text.
+///
+/// # Errors
+/// When this build has no outlines of text and they are asked for.
+pub fn film(frames: &[Figure], options: &Options) -> Result<String, RenderError> {
+    let Some(figure) = svg::film(frames) else { return Ok(String::new()) };
+    Ok(svg::play(&document_svg(&figure, options)?, frames.len()))
+}
+
+fn document_svg(figure: &Figure, options: &Options) -> Result<String, RenderError> {
+    match options.lettering {
+        Lettering::Live => Ok(svg::write_in(figure, options.theme)),
+        Lettering::Embed => Ok(svg::write_embedded(figure, options.theme)),
+        Lettering::Outline => outlined(figure, options.theme),
     }
 }
 

@@ -130,19 +130,21 @@ fn fnv(bytes: &[u8]) -> u64 {
 /// Seconds for which a step of a film is shown.
 const SECONDS: usize = 3;
 
-/// A film: the figures, all of one size, one after the other, played by the viewer itself without a script.
-/// Where nothing is played (on paper, in programs that know no animations, for readers who want none) the
-/// last figure is shown. An empty film is an empty document.
-#[must_use]
-pub fn write_film(frames: &[Figure]) -> String {
-    let Some((last, before)) = frames.split_last() else { return Document::new().to_string() };
-    let count = frames.len();
-    let mut style = String::new();
+/// The frames of a film as one figure, the last one on top; to be written, and then [`play`]ed.
+pub(super) fn film(frames: &[Figure]) -> Option<Figure> {
     let mut root = Group::new("film");
-    for (i, frame) in before.iter().chain([last]).enumerate() {
+    for (i, frame) in frames.iter().enumerate() {
         let mut group = frame.root.clone();
         group.class = format!("frame f{i}");
         root.group(group);
+    }
+    Some(Figure { root, ..frames.last()?.clone() })
+}
+
+/// The document of a [`film`] of so many frames, with what lets the viewer itself play it.
+pub(super) fn play(svg: &str, count: usize) -> String {
+    let mut style = String::new();
+    for i in 0..count {
         let percent = |k: usize| decimal(100.0 * k as f64 / count as f64, LAYOUT);
         let from = if i == 0 { String::new() } else { "0%{visibility:hidden}".to_owned() };
         let (begin, end) = (percent(i), percent(i + 1));
@@ -154,10 +156,9 @@ pub fn write_film(frames: &[Figure]) -> String {
     style.push_str(
         "@media print{.frame{animation:none}}@media (prefers-reduced-motion){.frame{animation:none}}",
     );
-    let svg = write(&Figure { root, ..last.clone() });
     // What is hidden until it is played is hidden by an attribute, over which the animation wins.
-    let mut hidden = svg;
-    for i in 0..before.len() {
+    let mut hidden = svg.to_owned();
+    for i in 0..count.saturating_sub(1) {
         let class = format!("class=\"frame f{i}\"");
         hidden = hidden.replacen(&class, &format!("{class} visibility=\"hidden\""), 1);
     }

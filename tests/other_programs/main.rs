@@ -249,6 +249,21 @@ fn poppler_draws_the_pdf_the_same_and_its_text_can_be_copied() {
     }
 }
 
+/// Joined letters are copied as the letters they are, in the order in which they are read.
+#[test]
+#[ignore = "needs poppler-utils"]
+fn arabic_and_persian_can_be_copied_from_the_pdf() {
+    for (language, caption) in [("ar", "مخطط السرعة"), ("fa", "دیاگرام سرعت")] {
+        let name = format!("{language}.pdf");
+        let pdf = draw("s000-ch3a-1", &["--lang", language], &[&name]).join(name);
+        let copied = String::from_utf8(run(Command::new("pdftotext").arg(&pdf).arg("-")).stdout).unwrap();
+        // Marks of direction stand between the words.
+        let letters = |c: &char| !matches!(c, '\u{202a}'..='\u{202e}');
+        let copied: String = copied.chars().filter(letters).collect();
+        assert!(copied.contains(caption), "{language}: {caption} is not in\n{copied}");
+    }
+}
+
 /// Compiles a file with LaTeX; its pages as Poppler draws them.
 fn latex(tex: &Path) -> Vec<Ink> {
     let folder = tex.parent().unwrap();
