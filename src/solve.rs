@@ -1,12 +1,20 @@
 //! From a scene to its checked solution: the whole way in one call.
 
 use crate::analytic::{self, AnalyticError, State};
+pub use crate::board::{Arithmetic, Hand};
 use crate::graphical::construction::Reading;
-use crate::graphical::{self, DrawError, Extents, Scales, Solution};
+use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
+
+/// How to solve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Settings {
+    /// The arithmetic of the board.
+    pub arithmetic: Arithmetic,
+}
 
 /// A scene taken apart, planned and drawn.
 #[derive(Debug, Clone)]
@@ -15,6 +23,8 @@ pub struct Solved {
     pub structure: Structure,
     /// The steps that were needed.
     pub plan: Plan,
+    /// The scales at which it was drawn.
+    pub scales: Scales,
     /// The graphical solution.
     pub solution: Solution,
 }
@@ -64,7 +74,7 @@ impl SolveError {
 }
 
 /// Draws the solution of a scene, at the scales that it states or that `choose` finds for the size of its
-/// diagrams.
+/// diagrams, in double precision.
 ///
 /// # Errors
 /// See [`SolveError`].
@@ -73,10 +83,11 @@ pub fn solve(
     extent: Extent,
     choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
-    solve_with(scene, extent, &[], choose)
+    solve_with(scene, extent, &[], Settings::default(), choose)
 }
 
-/// As [`solve`], with constructions on the skeleton besides those by which a quantity is asked.
+/// As [`solve`], with constructions on the skeleton besides those by which a quantity is asked, and with
+/// settings of choice.
 ///
 /// # Errors
 /// See [`SolveError`].
@@ -84,22 +95,38 @@ pub fn solve_with(
     scene: &Scene,
     extent: Extent,
     auxiliary: &[Auxiliary],
+    settings: Settings,
     choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
     let draw = |plan: &Plan| {
-        let extents = graphical::extents(&scene.mechanism, &structure, plan)?;
-        graphical::construct(&scene.mechanism, &structure, plan, choose(scene, extents))
+        let scales = choose(scene, graphical::extents(&scene.mechanism, &structure, plan)?);
+        let drawn = graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales);
+        drawn.map(|solution| (scales, solution))
     };
     let plan_from = |source| Plan::with_auxiliary(&scene.mechanism, &structure, extent, source, auxiliary);
     let mut plan = plan_from(CentreSource::Diagram);
-    let mut solution = draw(&plan)?;
+    let (mut scales, mut solution) = draw(&plan)?;
     if solution.construction.circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty()) {
         plan = plan_from(CentreSource::Velocities);
-        solution = draw(&plan)?;
+        (scales, solution) = draw(&plan)?;
     }
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
-    Ok(Solved { structure, plan, solution })
+    Ok(Solved { structure, plan, scales, solution })
+}
+
+/// The errors that careful draughtsmen make in each asked quantity, at the scales of the solution.
+///
+/// # Errors
+/// [`SolveError::Draw`], where not even a perfect hand can draw it.
+pub fn by_hand(
+    scene: &Scene,
+    solved: &Solved,
+    draughtsmen: Draughtsmen,
+) -> Result<Vec<HandError>, SolveError> {
+    let errors =
+        graphical::by_hand(&scene.mechanism, &solved.structure, &solved.plan, solved.scales, draughtsmen)?;
+    Ok(errors)
 }
 
 /// Refuses where none of the asked quantities is determined.

@@ -15,7 +15,7 @@ use linkgram::mechanism::{LinkId, PointId};
 use linkgram::plan::{Auxiliary, Extent};
 use linkgram::scene::Scene;
 use linkgram::sheet::{self, Language, overlap, scale};
-use linkgram::solve::{solve, solve_analytically, solve_with};
+use linkgram::solve::{Settings, solve, solve_analytically, solve_with};
 
 fn kind(name: &str) -> String {
     std::fs::read_to_string(root().join(format!("src/catalogue/{name}.json"))).unwrap()
@@ -31,7 +31,9 @@ fn turned(name: &str, from: &str, angle: f64) -> Scene {
 /// One construction on the skeleton, its coordinates in metres of the world (the first fixed point is the origin).
 fn drawing(scene: &Scene, name: &str) -> AuxiliaryDrawing {
     let auxiliary = sheet::auxiliary(name, scene).unwrap().unwrap();
-    let solved = solve_with(scene, Extent::WholeSkeleton, &[auxiliary], scale::for_scene).unwrap();
+    let solved =
+        solve_with(scene, Extent::WholeSkeleton, &[auxiliary], Settings::default(), scale::for_scene)
+            .unwrap();
     let construction = solved.solution.construction;
     let mut drawing = construction.auxiliary.into_iter().find(|a| a.kind == auxiliary).unwrap();
     for point in &mut drawing.points {
@@ -443,7 +445,9 @@ fn the_figures_are_legible() {
     ] {
         let scene = read(&kind(name));
         let auxiliary = sheet::auxiliary(figure, &scene).unwrap().unwrap();
-        let solved = solve_with(&scene, Extent::WholeSkeleton, &[auxiliary], scale::for_scene).unwrap();
+        let solved =
+            solve_with(&scene, Extent::WholeSkeleton, &[auxiliary], Settings::default(), scale::for_scene)
+                .unwrap();
         let drawn = sheet::single(&scene, &solved.solution.construction, figure, Language::English).unwrap();
         let overlaps = overlap::overlaps(&drawn);
         assert!(overlaps.is_empty(), "{name} {figure}: {overlaps:?}");

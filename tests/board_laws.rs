@@ -9,12 +9,14 @@ use std::f64::consts::PI;
 
 use common::exact::Exact;
 use linkgram::board::{
-    Blank, Board, Circle, Line, Mm, NoMeet, Operation, Point, Recorded, Scale, Side, Tape, Trial,
+    Blank, Board, Circle, Line, Mm, NoMeet, Operation, Point, Real, Recorded, Scale, Side, Tape, Trial,
 };
+use linkgram::double_double::DoubleDouble;
 use linkgram::given::Given;
 use proptest::prelude::*;
 
 type Taped = Board<Recorded>;
+type TapedIn<R> = linkgram::board::Taped<R>;
 
 const UNIT: Scale = Scale { si_per_mm: 1.0 };
 
@@ -278,7 +280,7 @@ fn an_uncertain_divisor_is_weak_when_its_error_passes_an_eighth() {
     for (error, weak) in [(0.1, false), (0.124, false), (0.126, true), (2.0, true)] {
         let b = &mut board();
         let one = b.amount(Given::exact(1.0));
-        let divisor = b.amount(Given { value: -1.0, error });
+        let divisor = b.amount(Given::within(-1.0, error));
         let quotient = b.quotient(one, divisor, 5);
         assert_eq!(b.recorder().weakness(quotient.mark()).is_some(), weak, "error {error}");
         if !weak {
@@ -338,42 +340,47 @@ fn every_drawn_point_is_a_stroke_with_its_purpose() {
 
 /// Two solutions of one figure: on the board from the given numbers, and exactly from the numbers that
 /// might have been meant.
-struct Twin {
-    board: Taped,
+struct Twin<R: Real> {
+    board: Board<TapedIn<R>>,
     /// Relative uncertainty of the given numbers; half a unit in the last place where it is zero.
     uncertainty: f64,
     /// How much of its uncertainty each number uses up, −1 to 1.
     shares: std::vec::IntoIter<f64>,
-    claims: Vec<(u32, f64, Exact, &'static str)>,
+    claims: Vec<(u32, DoubleDouble, Exact, &'static str)>,
 }
 
 type ExactPoint = [Exact; 2];
 
-impl Twin {
+impl<R: Real> Twin<R> {
     fn new(uncertainty: f64, shares: Vec<f64>) -> Self {
-        Self { board: board(), uncertainty, shares: shares.into_iter(), claims: Vec::new() }
+        Self {
+            board: Board::new(Tape::default()),
+            uncertainty,
+            shares: shares.into_iter(),
+            claims: Vec::new(),
+        }
     }
 
     fn given(&mut self, value: f64) -> (Given, Exact) {
-        let mut given = Given::read(value);
-        given.error = given.error.max(value.abs() * self.uncertainty);
+        let given = Given::within(value, value.abs() * self.uncertainty.max(R::UNIT_ROUNDOFF));
         let share = self.shares.next().unwrap();
         (given, Exact::of(value) + Exact::of(given.error) * Exact::of(share))
     }
 
-    fn length(&mut self, value: f64) -> (Mm<Recorded>, Exact) {
+    fn length(&mut self, value: f64) -> (Mm<TapedIn<R>>, Exact) {
         let (given, truth) = self.given(value);
-        (mm(&mut self.board, given), truth)
+        let amount = self.board.amount(given);
+        (self.board.to_paper(amount, UNIT), truth)
     }
 
-    fn point(&mut self, value: [f64; 2]) -> (Point<Recorded>, ExactPoint) {
+    fn point(&mut self, value: [f64; 2]) -> (Point<TapedIn<R>>, ExactPoint) {
         let (x, tx) = self.length(value[0]);
         let (y, ty) = self.length(value[1]);
         (self.board.prick(x, y), [tx, ty])
     }
 
     /// A line through two points, not normed on the exact side.
-    fn line(&mut self, from: [f64; 2], to: [f64; 2]) -> (Line<Recorded>, ExactPoint, ExactPoint) {
+    fn line(&mut self, from: [f64; 2], to: [f64; 2]) -> (Line<TapedIn<R>>, ExactPoint, ExactPoint) {
         let ((a, ta), (b, tb)) = (self.point(from), self.point(to));
         let along = self.board.toward(a, b, 0).0;
         let way = [&tb[0] - &ta[0], &tb[1] - &ta[1]];
@@ -381,11 +388,11 @@ impl Twin {
         (Line { through: a, along }, ta, way.map(|w| w / &length))
     }
 
-    fn claim_length(&mut self, length: Mm<Recorded>, truth: Exact, what: &'static str) {
-        self.claims.push((length.mark(), length.value(), truth, what));
+    fn claim_length(&mut self, length: Mm<TapedIn<R>>, truth: Exact, what: &'static str) {
+        self.claims.push((length.mark(), length.real().to_double_double(), truth, what));
     }
 
-    fn claim_point(&mut self, point: Point<Recorded>, truth: ExactPoint, what: &'static str) {
+    fn claim_point(&mut self, point: Point<TapedIn<R>>, truth: ExactPoint, what: &'static str) {
         let origin = self.board.origin();
         let coordinates = self.board.between(origin, point);
         for (coordinate, truth) in coordinates.into_iter().zip(truth) {
@@ -401,8 +408,8 @@ impl Twin {
             if tape.weakness(*mark).is_some() {
                 continue;
             }
-            let (error, bound) = (truth.error_of(*value), tape.bound(*mark));
-            assert!(error <= bound, "{what}: {value} is off by {error:e}, bound {bound:e}");
+            let (error, bound) = (truth.error_of_fine(*value), tape.bound(*mark));
+            assert!(error <= bound, "{what}: {value:?} is off by {error:e}, bound {bound:e}");
             judged += 1;
         }
         judged
@@ -430,12 +437,20 @@ fn shares() -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(prop_oneof![Just(-1.0), Just(1.0), Just(0.0), -1.0..1.0_f64], 24)
 }
 
+/// The laws in one arithmetic.
+macro_rules! laws {
+    ($name:ident, $real:ty) => {
+        mod $name {
+            use super::*;
+
+            type R = $real;
+
 proptest! {
     #![proptest_config(common::fixed(400))]
 
     #[test]
     fn bounds_cover_measuring(p in place(), q in place(), r in place(), u in uncertainty(), s in shares()) {
-        let mut t = Twin::new(u, s);
+        let mut t = Twin::<R>::new(u, s);
         let (line, from, along) = t.line(p, q);
         let (point, truth) = t.point(r);
         let way = [&truth[0] - &from[0], &truth[1] - &from[1]];
@@ -452,7 +467,7 @@ proptest! {
         p in place(), q in place(), l in coordinate(), a in -10.0..10.0_f64,
         u in uncertainty(), s in shares(),
     ) {
-        let mut t = Twin::new(u, s);
+        let mut t = Twin::<R>::new(u, s);
         let (line, from, along) = t.line(p, q);
         let (length, truth) = t.length(l);
         let end = t.board.lay_off(line.through, line.along, length);
@@ -477,12 +492,12 @@ proptest! {
 
     #[test]
     fn bounds_cover_angles(p in place(), q in place(), r in place(), u in uncertainty(), s in shares()) {
-        let mut t = Twin::new(u, s);
+        let mut t = Twin::<R>::new(u, s);
         let (first, _, along) = t.line(p, q);
         let (second, _, other) = t.line(q, r);
         // The error of an angle is the sine of what is left when it is turned back.
-        let left_over = |measured: f64, from: &ExactPoint, to: &ExactPoint| {
-            let [cos, sin] = Exact::of(measured).cos_sin();
+        let left_over = |measured: DoubleDouble, from: &ExactPoint, to: &ExactPoint| {
+            let [cos, sin] = Exact::fine(measured).cos_sin();
             let turned = [&from[0] * &cos - &from[1] * &sin, &from[0] * &sin + &from[1] * &cos];
             (&turned[0] * &to[1] - &turned[1] * &to[0]).abs().near()
         };
@@ -492,7 +507,7 @@ proptest! {
         let tape = t.board.recorder();
         for (angle, from, to) in [(whole, &right, &along), (between, &along, &other)] {
             if tape.weakness(angle.mark()).is_none() {
-                let error = left_over(angle.value(), from, to);
+                let error = left_over(angle.real().to_double_double(), from, to);
                 prop_assert!(error <= tape.bound(angle.mark()), "{} off by {error:e}", angle.value());
             }
         }
@@ -502,7 +517,7 @@ proptest! {
     fn bounds_cover_the_meet_of_lines(
         p in place(), q in place(), r in place(), v in place(), u in uncertainty(), s in shares(),
     ) {
-        let mut t = Twin::new(u, s);
+        let mut t = Twin::<R>::new(u, s);
         let (first, a, da) = t.line(p, q);
         let (second, b, db) = t.line(r, v);
         let meet = t.board.meet_lines(first, second, 0);
@@ -524,7 +539,7 @@ proptest! {
         let tilt = libm::pow(10.0, tilt);
         let way = [q[0] - p[0], q[1] - p[1]];
         let v = [r[0] + way[0] - tilt * way[1], r[1] + way[1] + tilt * way[0]];
-        let mut t = Twin::new(u, s);
+        let mut t = Twin::<R>::new(u, s);
         let (first, a, da) = t.line(p, q);
         let (second, b, db) = t.line(r, v);
         let meet = t.board.meet_lines(first, second, 0);
@@ -548,7 +563,7 @@ proptest! {
         let sum = distance * (1.0 + libm::pow(10.0, excess));
         let (r1, r2) = (sum * reach, sum * (1.0 - reach));
         prop_assume!((r1 - r2).abs() < distance);
-        let mut t = Twin::new(u, s);
+        let mut t = Twin::<R>::new(u, s);
         let ((c1, a), (c2, b)) = (t.point(p), t.point(q));
         let ((r1, e1), (r2, e2)) = (t.length(r1), t.length(r2));
         let way = [&b[0] - &a[0], &b[1] - &a[1]];
@@ -581,7 +596,7 @@ proptest! {
         prop_assume!(common::norm(way) > 1.0);
         let off = (common::cross(way, common::minus(c, p)) / common::norm(way)).abs();
         prop_assume!(off > 1e-3);
-        let mut t = Twin::new(u, s);
+        let mut t = Twin::<R>::new(u, s);
         let (line, from, along) = t.line(p, q);
         let (centre, truth) = t.point(c);
         let (radius, r) = t.length(off * (1.0 + libm::pow(10.0, excess)));
@@ -605,7 +620,7 @@ proptest! {
         p in place(), q in place(), part in coordinate(), across in coordinate(), whole in 1.0..150.0_f64,
         u in uncertainty(), s in shares(),
     ) {
-        let mut t = Twin::new(u, s);
+        let mut t = Twin::<R>::new(u, s);
         let ((a, ta), (b, tb)) = (t.point(p), t.point(q));
         let ((part, tp), (across, tq), (whole, tw)) = (t.length(part), t.length(across), t.length(whole));
         let (forward, left) = (t.board.ratio(part, whole, 0), t.board.ratio(across, whole, 0));
@@ -619,3 +634,10 @@ proptest! {
         prop_assert_eq!(t.judge(), 4);
     }
 }
+        }
+    };
+}
+
+laws!(single, f32);
+laws!(double, f64);
+laws!(double_double, DoubleDouble);

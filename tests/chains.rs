@@ -275,7 +275,7 @@ fn agree(chain: &Chain) -> Result<(f64, usize, usize), TestCaseError> {
     let scene = common::read(&chain.text);
     // A chain that is flat to rounding may be called tangent or not closing; then there is no drawing.
     let Ok(d) = common::try_draw(&scene, Extent::Asked) else { return Ok((0.0, 0, 0)) };
-    let solved = Solved { structure: d.structure, plan: d.plan, solution: d.solution };
+    let solved = Solved { structure: d.structure, plan: d.plan, scales: d.scales, solution: d.solution };
     let state = analytic::solve(&scene.mechanism, Order::Acceleration);
     let agreement = agreement(&scene, &solved, &state);
     prop_assert!(agreement.refused.is_none(), "refused: {:?}", agreement.refused);

@@ -470,6 +470,64 @@ fn nothing_is_written_when_one_output_fails() {
 }
 
 #[test]
+fn the_ending_or_the_option_chooses_the_format() {
+    let folder = Folder::new("formats");
+    let scene = common::root().join(SIX);
+    let scene = scene.to_str().unwrap();
+    let written = run_in(&folder.0, &["draw", scene, "-o", "a.tex", "-o", "a.json", "-o", "a.svg"], None);
+    assert_eq!((written.code, written.err.as_str()), (0, ""));
+    let contents = folder.contents();
+    assert_eq!(contents.len(), 3);
+    for (ending, starts) in [("tex", "% Problem 3-1"), ("json", "{"), ("svg", "<svg")] {
+        let bytes = &contents[&folder.0.join(format!("a.{ending}"))];
+        assert!(bytes.starts_with(starts.as_bytes()), "{ending}");
+        let shown = run_in(&folder.0, &["draw", scene, "--format", ending], None);
+        assert_eq!((shown.code, shown.out.as_bytes()), (0, &bytes[..]), "{ending}");
+    }
+    for (arguments, says) in [
+        (&["--format", "jsn"][..], "json"),
+        (&["--format", "svg", "-o", "b.svg"], "ending"),
+        (&["--theme", "color"], "colour"),
+        (&["--text", "outlined", "-o", "b.svg"], "outline"),
+        (&["--text", "outline", "-o", "b.json"], "SVG"),
+        (&["-o", "b.bmp"], ".svg, .png, .pdf, .tex or .json"),
+    ] {
+        let ran = run_in(&folder.0, &[&["draw", scene], arguments].concat(), None);
+        assert_eq!(ran.code, 2, "{arguments:?}");
+        assert!(ran.err.contains(says), "{arguments:?}: {}", ran.err);
+    }
+    assert_eq!(folder.contents(), contents, "nothing else was written");
+}
+
+#[test]
+fn what_latex_cannot_set_is_refused_and_nothing_is_written() {
+    let folder = Folder::new("latex");
+    let text = common::example_text("s000-ch3a-1").replacen("Problem", "\u{633}\u{631}\u{639}\u{629}", 1);
+    folder.write("scene.json", &text);
+    let ran = run_in(&folder.0, &["draw", "scene.json", "-o", "a.svg", "-o", "a.tex"], None);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("U+0633") && ran.err.contains(".svg, .png or .pdf"), "{}", ran.err);
+    assert_eq!(folder.contents().len(), 1);
+}
+
+#[test]
+fn the_scene_states_a_theme_and_the_command_overrides_it() {
+    let text =
+        common::example_text("s000-ch3a-1").replacen("\"sheet\": {", "\"sheet\": { \"theme\": \"dark\",", 1);
+    let draw = |arguments: &[&str]| {
+        let all = [&["draw", "-", "--figure", "velocity"], arguments].concat();
+        let ran = run_in(common::root(), &all, Some(text.as_bytes()));
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        ran.out
+    };
+    assert!(draw(&[]).contains("class=\"paper\""));
+    assert!(!draw(&["--theme", "mono"]).contains("class=\"paper\""));
+    let bad = text.replace("dark", "drak");
+    let ran = run_in(common::root(), &["draw", "-"], Some(bad.as_bytes()));
+    assert!(ran.code == 2 && ran.err.contains("did you mean `dark`"), "{}", ran.err);
+}
+
+#[test]
 fn a_figure_that_nobody_needs_is_refused() {
     let mut scene = six();
     scene["find"] = serde_json::json!(["v(B)"]);
@@ -621,4 +679,89 @@ fn the_schema_is_json_and_names_every_key() {
     ] {
         assert!(properties.contains_key(key), "{key}");
     }
+}
+
+// --- arithmetic, hand, sweeps --------------------------------------------------------------------------
+
+#[test]
+fn the_arithmetic_is_the_users_choice() {
+    let path = SIX;
+    let bound = |arith: &str| {
+        let ran = run(&["solve", path, "--json", "--arith", arith]);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let solved: Value = serde_json::from_str(&ran.out).unwrap();
+        assert_eq!(solved["agreement"]["ok"], true);
+        let q = solved["quantities"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|q| q["name"] == "omega(4)")
+            .cloned()
+            .unwrap();
+        (q["bound"].as_f64().unwrap(), q)
+    };
+    let (single, _) = bound("f32");
+    let (double, plain) = bound("f64");
+    let (fine, q) = bound("dd");
+    assert!(single > 1e6 * double && double > fine && plain.get("digits").is_none());
+    // More digits than a double has; the double is their beginning.
+    assert!(q["digits"].as_str().unwrap().len() > 25 && q["digits_bound"].as_f64().unwrap() < 1e-24);
+    assert!(q["digits"].as_str().unwrap().starts_with("5.84365081"));
+    let ran = run(&["solve", path, "--arith", "f16"]);
+    assert!(ran.code == 2 && ran.err.contains("f32, f64 or dd"), "{}", ran.err);
+}
+
+#[test]
+fn a_hand_of_pencil_and_ruler() {
+    let path = SIX;
+    let ran = run(&["solve", path, "--json", "--hand", "0.2mm,0.3deg"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let solved: Value = serde_json::from_str(&ran.out).unwrap();
+    for q in solved["quantities"].as_array().unwrap() {
+        let number = |key: &str| q["hand"][key].as_f64().unwrap();
+        assert!(number("median") <= number("most") && number("most") <= number("largest"), "{q}");
+        assert!(number("largest") <= 1.1 * number("worst"), "{q}");
+    }
+    assert!(run(&["solve", path, "--hand", "0.2mm,0.3deg"]).out.contains("by hand ±"));
+    for wrong in ["0.2", "0.2mm", "a,b", "-1,0.3", "0.2,400"] {
+        let ran = run(&["solve", path, &format!("--hand={wrong}")]);
+        assert!(ran.code == 2 && ran.out.is_empty(), "{wrong}: {}", ran.err);
+    }
+}
+
+#[test]
+fn a_sweep_tells_what_happens_and_writes_tables() {
+    let folder = Folder::new("sweep");
+    let scene = std::path::absolute(Path::new(env!("CARGO_MANIFEST_DIR")).join(SIX)).unwrap();
+    let path = scene.to_str().unwrap();
+    let ran = run(&["sweep", path]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(ran.out.contains("moves from") && ran.out.contains("operations for one position"), "{}", ran.out);
+    let ran = run_in(
+        &folder.0,
+        &["sweep", path, "--steps", "12", "-o", "a.csv", "-o", "a.json", "-o", "a.svg"],
+        None,
+    );
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let contents = folder.contents();
+    let text = |name: &str| String::from_utf8(contents[&folder.0.join(name)].clone()).unwrap();
+    let csv = text("a.csv");
+    let columns = csv.lines().next().unwrap().split(',').count();
+    assert!(csv.lines().all(|line| line.split(',').count() == columns), "{csv}");
+    assert!(!csv.contains("NaN") && !csv.contains("inf"));
+    let json: Value = serde_json::from_str(&text("a.json")).unwrap();
+    assert_eq!(json["positions"].as_array().unwrap().len() + 1, csv.lines().count());
+    assert_eq!(json["columns"].as_array().unwrap().len() + 1, columns);
+    assert!(text("a.svg").starts_with("<svg"));
+    for wrong in [
+        &["sweep", path, "-o", "a.txt"][..],
+        &["sweep", path, "--from", "10"],
+        &["sweep", path, "--steps", "0"],
+        &["sweep", path, "--steps", "10", "--tolerance", "1%"],
+        &["sweep", path, "--from", "100", "--to", "50"],
+    ] {
+        let ran = run_in(&folder.0, wrong, None);
+        assert!(ran.code == 2 && ran.out.is_empty() && !ran.err.is_empty(), "{wrong:?}: {}", ran.err);
+    }
+    assert_eq!(folder.contents(), contents, "a refused sweep writes nothing");
 }

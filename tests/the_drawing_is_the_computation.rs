@@ -87,7 +87,7 @@ fn the_mechanism_knows_neither_files_nor_solvers() {
 #[test]
 fn solve_reaches_its_numbers_without_the_analytic_solver() {
     let code = code_of(&common::root().join("src/solve.rs"));
-    let body = code.split("pub fn solve(").nth(1).unwrap().split("\npub fn ").next().unwrap();
+    let body = code.split("pub fn solve(").nth(1).unwrap().split("\npub fn determined(").next().unwrap();
     assert!(body.contains("graphical::construct("));
     for stranger in ["analytic", "State", "render"] {
         assert!(!body.contains(stranger), "solve() names {stranger}");
@@ -118,6 +118,10 @@ fn the_board_alone_gives_every_number() {
                 (Answer::Vector { value: a, bound: b }, Answer::Vector { value: c, bound: d }) => {
                     (common::norm(common::minus(*a, *c)), b + d)
                 }
+                (
+                    Answer::AtInfinity { direction: a, bound: b },
+                    Answer::AtInfinity { direction: c, bound: d },
+                ) => (common::cross(*a, *c).abs(), b + d),
                 (Answer::Indeterminate(_), Answer::Indeterminate(_)) => continue,
                 other => panic!("{}: {}: {other:?}", path.display(), asked.name),
             };

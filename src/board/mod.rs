@@ -10,7 +10,9 @@
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
 mod circles;
+mod hand;
 mod homogeneous;
+mod program;
 mod reckon;
 mod scalar;
 mod tape;
@@ -18,9 +20,12 @@ mod tape;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
+pub use hand::{Hand, PencilTape, Tremor};
 pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
-pub use scalar::Real;
-pub use tape::{Blank, Nudge, Operation, Reason, Recorder, Stroke, Tape};
+pub use program::{Block, LANES, Lane, Moving, Place, Program, Transcript};
+pub use reckon::TOO_LARGE;
+pub use scalar::{Arithmetic, Real};
+pub use tape::{Blank, Nudge, Operation, Pencil, Reason, Reckoning, Recorder, Stroke, Tape};
 
 /// The arithmetic and the recorder of a board.
 pub trait Bench {
@@ -33,23 +38,23 @@ pub trait Bench {
 /// Shorthand for the handle of a recorded scalar.
 pub type MarkOf<B> = <<B as Bench>::Recorder as Recorder>::Mark;
 
-/// Double precision with the whole tape: for drawing and for answers with bounds.
+/// An arithmetic with a recorder.
 #[derive(Debug, Clone, Copy)]
-pub struct Recorded;
+pub struct Equipped<R, T>(PhantomData<(R, T)>);
 
-impl Bench for Recorded {
-    type Real = f64;
-    type Recorder = Tape;
+impl<R: Real, T: Recorder> Bench for Equipped<R, T> {
+    type Real = R;
+    type Recorder = T;
 }
+
+/// The whole tape, in any arithmetic: for drawing and for answers with bounds.
+pub type Taped<R> = Equipped<R, Tape>;
+
+/// Double precision with the whole tape.
+pub type Recorded = Taped<f64>;
 
 /// Double precision without a memory: for trials.
-#[derive(Debug, Clone, Copy)]
-pub struct Trial;
-
-impl Bench for Trial {
-    type Real = f64;
-    type Recorder = Blank;
-}
+pub type Trial = Equipped<f64, Blank>;
 
 /// A recorded scalar.
 pub struct Num<B: Bench> {
@@ -81,6 +86,12 @@ macro_rules! scalar_type {
             #[must_use]
             pub fn value(&self) -> f64 {
                 self.0.value.to_f64()
+            }
+
+            /// The value in the board's own arithmetic.
+            #[must_use]
+            pub fn real(&self) -> B::Real {
+                self.0.value
             }
 
             /// Its handle on the tape.
@@ -262,13 +273,9 @@ impl<B: Bench> Board<B> {
 
     /// A length read off the paper, multiplied by the scale factor.
     pub fn read(&mut self, length: Mm<B>, scale: Scale) -> Amount<B> {
-        let inverse = 1.0 / scale.si_per_mm;
         // The same factor as in `to_paper`, so that what is laid off is read back as it was.
-        let value = length.0.value / B::Real::from_f64(inverse);
-        let partial = 1.0 / inverse;
-        let rounding = value.to_f64().abs() * B::Real::UNIT_ROUNDOFF;
-        let mark = self.recorder.result(&[(length.0.mark, partial)], rounding);
-        Amount(Num { value, mark })
+        let read = self.pencilled(length.0, Pencil::Reading);
+        Amount(self.over(read, 1.0 / scale.si_per_mm))
     }
 
     /// A number of the scene as a real quantity.
@@ -279,6 +286,16 @@ impl<B: Bench> Board<B> {
     /// A number of the scene as an angle in radians.
     pub fn angle(&mut self, given: crate::given::Given) -> Angle<B> {
         Angle(self.given(given))
+    }
+
+    /// The angle of an input, by the input's index: a sweep turns it.
+    pub fn input_angle(&mut self, index: usize, given: crate::given::Given) -> Angle<B> {
+        Angle(self.input(index, given))
+    }
+
+    /// The place of a driven slide, by the input's index: a sweep moves it.
+    pub fn input_amount(&mut self, index: usize, given: crate::given::Given) -> Amount<B> {
+        Amount(self.input(index, given))
     }
 
     // --- what the textbook calculates ----------------------------------------------------------
@@ -384,7 +401,8 @@ impl<B: Bench> Board<B> {
 
     /// Prick a point at given coordinates.
     pub fn prick(&mut self, x: Mm<B>, y: Mm<B>) -> Point<B> {
-        self.stroke(Operation::Prick, Point { x: x.0, y: y.0 })
+        let point = Point { x: self.pencilled(x.0, Pencil::Length), y: self.pencilled(y.0, Pencil::Length) };
+        self.stroke(Operation::Prick, point)
     }
 
     /// The direction of an angle from +x, by protractor.
@@ -438,18 +456,44 @@ impl<B: Bench> Board<B> {
 
     /// Angle of a direction from +x, by protractor, in (−π, π].
     pub fn measure_angle(&mut self, d: Direction<B>) -> Angle<B> {
-        Angle(self.atan2(d.y, d.x))
+        let angle = self.atan2(d.y, d.x);
+        Angle(self.pencilled(angle, Pencil::AngleReading))
     }
 
     /// Angle from one direction to another, ccw, in (−π, π].
     pub fn angle_between(&mut self, from: Direction<B>, to: Direction<B>) -> Angle<B> {
         let sin = self.cross(from.x, to.y, from.y, to.x);
         let cos = self.dot(from.x, to.x, from.y, to.y);
-        Angle(self.atan2(sin, cos))
+        let angle = self.atan2(sin, cos);
+        Angle(self.pencilled(angle, Pencil::AngleReading))
     }
 
-    /// Lay off a signed length from a point along a direction.
+    /// Angle between two directions, 0 to π.
+    pub fn unsigned_angle(&mut self, from: Direction<B>, to: Direction<B>) -> Angle<B> {
+        let sin = self.cross(from.x, to.y, from.y, to.x);
+        let sin = if sin.value.to_f64() < 0.0 { self.neg(sin) } else { sin };
+        let cos = self.dot(from.x, to.x, from.y, to.y);
+        let angle = self.atan2(sin, cos);
+        Angle(self.pencilled(angle, Pencil::AngleReading))
+    }
+
+    /// A line drawn in a direction, as the hand draws it.
+    fn drawn(&mut self, d: Direction<B>) -> Direction<B> {
+        match self.slip_of_pencil(Pencil::Direction) {
+            Some(slip) => self.turned(d, Angle(slip)),
+            None => d,
+        }
+    }
+
+    /// Lay off a signed length from a point along a direction: draw the line, step the length off.
     pub fn lay_off(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
+        let along = self.drawn(along);
+        self.step_off(from, along, length)
+    }
+
+    /// Step a signed length off along a line that stands on the paper already.
+    pub fn step_off(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
+        let length = Mm(self.pencilled(length.0, Pencil::Length));
         let point = self.shifted(from, along, length);
         self.stroke(Operation::LayOff, point)
     }
@@ -496,6 +540,7 @@ impl<B: Bench> Board<B> {
     /// Where two lines meet, in difference form from the nearer of their two points. Parallel lines
     /// leave a weak divisor with `reason` on the tape.
     pub fn meet_lines(&mut self, first: Line<B>, second: Line<B>, reason: Reason) -> Meet<B> {
+        let [first, second] = [first, second].map(|l| Line { along: self.drawn(l.along), ..l });
         let sin = self.cross(first.along.x, second.along.y, first.along.y, second.along.x);
         let [dx, dy] = self.between(first.through, second.through);
         let to_first = self.cross(dx.0, second.along.y, dy.0, second.along.x);
@@ -521,6 +566,8 @@ impl<B: Bench> Board<B> {
         circle: Circle<B>,
         reason: Reason,
     ) -> Result<Pair<B>, NoMeet> {
+        let line = Line { along: self.drawn(line.along), ..line };
+        let circle = Circle { radius: Mm(self.pencilled(circle.radius.0, Pencil::Length)), ..circle };
         let [along, across] = self.square_off(line, circle.centre);
         // The centre lies `across` to the left of the line: h² = (r − e)(r + e).
         let less = self.sub(circle.radius.0, across.0);
@@ -544,6 +591,8 @@ impl<B: Bench> Board<B> {
         second: Circle<B>,
         reason: Reason,
     ) -> Result<Pair<B>, NoMeet> {
+        let [first, second] =
+            [first, second].map(|c| Circle { radius: Mm(self.pencilled(c.radius.0, Pencil::Length)), ..c });
         let (toward, distance) = self.toward(first.centre, second.centre, reason);
         let (d, r1, r2) = (distance.0, first.radius.0, second.radius.0);
         let sum = self.add(r1, r2);
@@ -588,7 +637,7 @@ impl<B: Bench> Board<B> {
                 _ => return Err(NoMeet),
             }
         }
-        Ok((Mm(self.sqrt(square)), tangent))
+        Ok((Mm(self.half_root(square)), tangent))
     }
 
     /// One of the two points of a pair.
@@ -618,6 +667,7 @@ impl<B: Bench> Board<B> {
         let x = self.mul(dx.0, ratio.0);
         let y = self.mul(dy.0, ratio.0);
         let point = Point { x: self.add(from.x, x), y: self.add(from.y, y) };
+        let point = self.marked(point);
         self.stroke(Operation::Divide, point)
     }
 
@@ -628,6 +678,12 @@ impl<B: Bench> Board<B> {
         let x = self.cross(dx.0, along.0, dy.0, across.0);
         let y = self.dot(dy.0, along.0, dx.0, across.0);
         let point = Point { x: self.add(base[0].x, x), y: self.add(base[0].y, y) };
+        let point = self.marked(point);
         self.stroke(Operation::Similar, point)
+    }
+
+    /// A point as the hand marks it.
+    fn marked(&mut self, point: Point<B>) -> Point<B> {
+        Point { x: self.pencilled(point.x, Pencil::Length), y: self.pencilled(point.y, Pencil::Length) }
     }
 }

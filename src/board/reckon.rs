@@ -1,15 +1,30 @@
 //! Scalar reckoning on the tape: each operation writes its partial derivatives and its own rounding.
 
 use super::scalar::Real;
-use super::tape::{Reason, Recorder};
+use super::tape::{Pencil, Reason, Reckoning, Recorder};
 use super::{Bench, Board, Num};
 use crate::given::Given;
+
+/// The reason of a number too large for the arithmetic.
+pub const TOO_LARGE: Reason = Reason::MAX;
 
 impl<B: Bench> Board<B> {
     /// A number of the scene, with its uncertainty.
     pub fn given(&mut self, given: Given) -> Num<B> {
-        let value = B::Real::from_f64(given.value);
-        Num { value, mark: self.recorder.given(given.error) }
+        let (value, error) = B::Real::from_given(given);
+        let (value, finite) = finite(value);
+        let mark = self.recorder.given(value.to_f64(), error);
+        self.in_range(mark, finite);
+        Num { value, mark }
+    }
+
+    /// The place of an input, which a sweep varies.
+    pub(super) fn input(&mut self, index: usize, given: Given) -> Num<B> {
+        let (value, error) = B::Real::from_given(given);
+        let (value, finite) = finite(value);
+        let mark = self.recorder.input(index, value.to_f64(), error);
+        self.in_range(mark, finite);
+        Num { value, mark }
     }
 
     /// An exact number.
@@ -17,35 +32,73 @@ impl<B: Bench> Board<B> {
         self.given(Given::exact(value))
     }
 
-    fn push(&mut self, value: B::Real, parts: &[(Num<B>, f64)], inner: f64) -> Num<B> {
+    /// A number that the hand has pencilled: what should stand there, and how far the pencil missed it.
+    pub(super) fn pencilled(&mut self, num: Num<B>, kind: Pencil) -> Num<B> {
+        match self.slip_of_pencil(kind) {
+            Some(slip) => self.add(num, slip),
+            None => num,
+        }
+    }
+
+    /// How far the pencil misses this time; `None` where the hand is perfect.
+    pub(super) fn slip_of_pencil(&mut self, kind: Pencil) -> Option<Num<B>> {
+        let (value, mark) = self.recorder.pencil(kind)?;
+        Some(Num { value: B::Real::from_f64(value), mark })
+    }
+
+    fn in_range(&mut self, mark: super::MarkOf<B>, finite: bool) {
+        if !finite {
+            self.recorder.divisor(mark, 0.0, TOO_LARGE);
+        }
+    }
+
+    fn push(&mut self, step: Reckoning, value: B::Real, parts: &[(Num<B>, f64)], inner: f64) -> Num<B> {
+        let (value, finite) = finite(value);
         let rounding = inner + value.to_f64().abs() * B::Real::UNIT_ROUNDOFF;
         let mut marks = [(Default::default(), 0.0); 4];
         for (to, (num, partial)) in marks.iter_mut().zip(parts) {
             *to = (num.mark, *partial);
         }
-        Num { value, mark: self.recorder.result(&marks[..parts.len().min(4)], rounding) }
+        let mark = self.recorder.result(step, &marks[..parts.len().min(4)], rounding);
+        self.in_range(mark, finite);
+        Num { value, mark }
     }
 
     pub(super) fn add(&mut self, a: Num<B>, b: Num<B>) -> Num<B> {
-        self.push(a.value + b.value, &[(a, 1.0), (b, 1.0)], 0.0)
+        self.push(Reckoning::Sum, a.value + b.value, &[(a, 1.0), (b, 1.0)], 0.0)
     }
 
     pub(super) fn sub(&mut self, a: Num<B>, b: Num<B>) -> Num<B> {
-        self.push(a.value - b.value, &[(a, 1.0), (b, -1.0)], 0.0)
+        self.push(Reckoning::Difference, a.value - b.value, &[(a, 1.0), (b, -1.0)], 0.0)
     }
 
     /// −a, exact.
     pub(super) fn neg(&mut self, a: Num<B>) -> Num<B> {
-        Num { value: -a.value, mark: self.recorder.result(&[(a.mark, -1.0)], 0.0) }
+        Num { value: -a.value, mark: self.recorder.result(Reckoning::Opposite, &[(a.mark, -1.0)], 0.0) }
     }
 
     pub(super) fn mul(&mut self, a: Num<B>, b: Num<B>) -> Num<B> {
-        self.push(a.value * b.value, &[(a, b.value.to_f64()), (b, a.value.to_f64())], 0.0)
+        let value = a.value * b.value;
+        let (fa, fb) = (a.value.to_f64(), b.value.to_f64());
+        let inner = underflow::<B::Real>(value.to_f64(), fa != 0.0 && fb != 0.0);
+        self.push(Reckoning::Product, value, &[(a, fb), (b, fa)], inner)
     }
 
     /// a · factor for an exact factor.
     pub(super) fn times(&mut self, a: Num<B>, factor: f64) -> Num<B> {
-        self.push(a.value * B::Real::from_f64(factor), &[(a, factor)], 0.0)
+        let rounded = B::Real::from_f64(factor);
+        let value = a.value * rounded;
+        let inner = value.to_f64().abs() * factor_error::<B::Real>(factor)
+            + underflow::<B::Real>(value.to_f64(), a.value.to_f64() != 0.0);
+        self.push(Reckoning::Times(factor), value, &[(a, factor)], inner)
+    }
+
+    /// a / divisor for an exact divisor that is not zero.
+    pub(super) fn over(&mut self, a: Num<B>, divisor: f64) -> Num<B> {
+        let value = a.value / B::Real::from_f64(divisor);
+        let inner = value.to_f64().abs() * factor_error::<B::Real>(divisor)
+            + underflow::<B::Real>(value.to_f64(), a.value.to_f64() != 0.0);
+        self.push(Reckoning::Over(divisor), value, &[(a, 1.0 / divisor)], inner)
     }
 
     /// a / b. A divisor that does not stand clear of its error is on the tape with its reason; the
@@ -61,33 +114,43 @@ impl<B: Bench> Board<B> {
             } else {
                 (B::Real::from_f64(0.0), 0.0, 0.0)
             };
-        self.push(value, &[(a, by_a), (b, by_b)], 0.0)
+        let inner = underflow::<B::Real>(value.to_f64(), a.value.to_f64() != 0.0);
+        self.push(Reckoning::Quotient, value, &[(a, by_a), (b, by_b)], inner)
     }
 
     /// √a of a number that is not negative.
     pub(super) fn sqrt(&mut self, a: Num<B>) -> Num<B> {
+        self.root(Reckoning::Root, a)
+    }
+
+    /// √a of the square of a half chord.
+    pub(super) fn half_root(&mut self, a: Num<B>) -> Num<B> {
+        self.root(Reckoning::HalfChord, a)
+    }
+
+    fn root(&mut self, step: Reckoning, a: Num<B>) -> Num<B> {
         let value = a.value.sqrt();
         let root = value.to_f64();
         let partial = if root > 0.0 { 0.5 / root } else { 0.0 };
-        self.push(value, &[(a, partial)], 0.0)
+        self.push(step, value, &[(a, partial)], 0.0)
     }
 
     /// a·b + c·d.
     pub(super) fn dot(&mut self, a: Num<B>, b: Num<B>, c: Num<B>, d: Num<B>) -> Num<B> {
         let (ab, cd) = (a.value * b.value, c.value * d.value);
-        let inner = B::Real::UNIT_ROUNDOFF * (ab.to_f64().abs() + cd.to_f64().abs());
         let parts =
             [(a, b.value.to_f64()), (b, a.value.to_f64()), (c, d.value.to_f64()), (d, c.value.to_f64())];
-        self.push(ab + cd, &parts, inner)
+        let inner = of_products::<B::Real, _>(ab.to_f64(), cd.to_f64(), &parts);
+        self.push(Reckoning::Dot, ab + cd, &parts, inner)
     }
 
     /// a·b − c·d.
     pub(super) fn cross(&mut self, a: Num<B>, b: Num<B>, c: Num<B>, d: Num<B>) -> Num<B> {
         let (ab, cd) = (a.value * b.value, c.value * d.value);
-        let inner = B::Real::UNIT_ROUNDOFF * (ab.to_f64().abs() + cd.to_f64().abs());
         let parts =
             [(a, b.value.to_f64()), (b, a.value.to_f64()), (c, -d.value.to_f64()), (d, -c.value.to_f64())];
-        self.push(ab - cd, &parts, inner)
+        let inner = of_products::<B::Real, _>(ab.to_f64(), cd.to_f64(), &parts);
+        self.push(Reckoning::Cross, ab - cd, &parts, inner)
     }
 
     /// Cosine and sine of an angle in radians.
@@ -98,12 +161,13 @@ impl<B: Bench> Board<B> {
         let inner = B::Real::UNIT_ROUNDOFF * B::Real::TRANSCENDENTAL_ULPS;
         let (s, c) = (sin.to_f64(), cos.to_f64());
         if exact {
-            let along =
-                |d: &mut Self, value, by| Num { value, mark: d.recorder.result(&[(angle.mark, by)], 0.0) };
-            return [along(self, cos, -s), along(self, sin, c)];
+            let mut along =
+                |value, step, by| Num { value, mark: self.recorder.result(step, &[(angle.mark, by)], 0.0) };
+            return [along(cos, Reckoning::Cosine, -s), along(sin, Reckoning::Sine, c)];
         }
-        let cos = self.push(cos, &[(angle, -s)], inner * c.abs());
-        let sin = self.push(sin, &[(angle, c)], inner * s.abs());
+        let size = |x: f64| inner * x.abs().max(B::Real::SINE_FLOOR);
+        let cos = self.push(Reckoning::Cosine, cos, &[(angle, -s)], size(c));
+        let sin = self.push(Reckoning::Sine, sin, &[(angle, c)], size(s));
         [cos, sin]
     }
 
@@ -114,8 +178,31 @@ impl<B: Bench> Board<B> {
         let square = fx * fx + fy * fy;
         let (by_y, by_x) = if square > 0.0 { (fx / square, -fy / square) } else { (0.0, 0.0) };
         let inner = B::Real::UNIT_ROUNDOFF * B::Real::TRANSCENDENTAL_ULPS * value.to_f64().abs();
-        self.push(value, &[(y, by_y), (x, by_x)], inner)
+        self.push(Reckoning::Angle, value, &[(y, by_y), (x, by_x)], inner)
     }
+}
+
+/// The number, or zero and `false` where the arithmetic has run over.
+fn finite<R: Real>(value: R) -> (R, bool) {
+    if value.to_f64().is_finite() { (value, true) } else { (R::from_f64(0.0), false) }
+}
+
+/// The relative error of a factor that the arithmetic may have to round.
+fn factor_error<R: Real>(factor: f64) -> f64 {
+    if R::from_f64(factor).to_f64() == factor { 0.0 } else { R::UNIT_ROUNDOFF }
+}
+
+/// What a product or quotient may lose below the smallest number with all digits; nothing where a factor
+/// is zero.
+fn underflow<R: Real>(value: f64, not_zero: bool) -> f64 {
+    if not_zero && value.abs() < R::SMALLEST { R::UNDERFLOW } else { 0.0 }
+}
+
+/// The roundings of the two products in a sum of them; `parts` holds each factor beside the other.
+fn of_products<R: Real, N>(ab: f64, cd: f64, parts: &[(N, f64); 4]) -> f64 {
+    R::UNIT_ROUNDOFF * (ab.abs() + cd.abs())
+        + underflow::<R>(ab, parts[0].1 != 0.0 && parts[1].1 != 0.0)
+        + underflow::<R>(cd, parts[2].1 != 0.0 && parts[3].1 != 0.0)
 }
 
 /// The power of two that brings a size to between a half and one; one where there is no size.

@@ -3,6 +3,21 @@
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::double_double::DoubleDouble;
+use crate::given::Given;
+
+/// The arithmetics that a board can reckon in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Arithmetic {
+    /// Single precision, about 7 digits.
+    Single,
+    /// Double precision, about 16 digits.
+    #[default]
+    Double,
+    /// Double-double, about 31 digits.
+    DoubleDouble,
+}
+
 /// A real number of some precision. Every operation is correctly rounded, or its error is stated.
 pub trait Real:
     Copy
@@ -16,12 +31,22 @@ pub trait Real:
 {
     /// Unit roundoff: a correctly rounded operation errs by at most this times its result.
     const UNIT_ROUNDOFF: f64;
-    /// Relative error of [`Real::sin_cos`] and [`Real::atan2`], in unit roundoffs.
+    /// Error of [`Real::sin_cos`] and [`Real::atan2`] in unit roundoffs of the result.
     const TRANSCENDENTAL_ULPS: f64;
+    /// A sine or cosine smaller than this errs as if it were this large.
+    const SINE_FLOOR: f64;
+    /// Products and quotients below this may lose digits to underflow.
+    const SMALLEST: f64;
+    /// How much a product or quotient below [`Real::SMALLEST`] may err absolutely.
+    const UNDERFLOW: f64;
     /// Nearest number.
     fn from_f64(value: f64) -> Self;
+    /// Nearest number to one that was stated, and the radius within which that is true.
+    fn from_given(given: Given) -> (Self, f64);
     /// Nearest double.
     fn to_f64(self) -> f64;
+    /// The number as a double-double: exactly.
+    fn to_double_double(self) -> DoubleDouble;
     /// Square root; of a negative number, zero.
     fn sqrt(self) -> Self;
     /// Sine and cosine of an angle in radians.
@@ -34,13 +59,24 @@ impl Real for f64 {
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
     // libm's sin, cos and atan2 state less than one unit in the last place, which is two roundoffs.
     const TRANSCENDENTAL_ULPS: f64 = 2.0;
+    const SINE_FLOOR: f64 = 0.0;
+    const SMALLEST: f64 = f64::MIN_POSITIVE;
+    const UNDERFLOW: f64 = f64::MIN_POSITIVE * f64::EPSILON;
 
     fn from_f64(value: f64) -> Self {
         value
     }
 
+    fn from_given(given: Given) -> (Self, f64) {
+        (given.value, given.error)
+    }
+
     fn to_f64(self) -> f64 {
         self
+    }
+
+    fn to_double_double(self) -> DoubleDouble {
+        DoubleDouble::of(self)
     }
 
     fn sqrt(self) -> Self {
@@ -53,5 +89,81 @@ impl Real for f64 {
 
     fn atan2(self, x: Self) -> Self {
         libm::atan2(self, x)
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "rounding to single precision is what is asked for")]
+impl Real for f32 {
+    const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
+    // As for doubles.
+    const TRANSCENDENTAL_ULPS: f64 = 2.0;
+    const SINE_FLOOR: f64 = 0.0;
+    const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
+    const UNDERFLOW: f64 = f32::MIN_POSITIVE as f64 * f32::EPSILON as f64;
+
+    fn from_f64(value: f64) -> Self {
+        value as f32
+    }
+
+    fn from_given(given: Given) -> (Self, f64) {
+        let value = given.value as f32;
+        (value, given.error + (f64::from(value) - given.value).abs())
+    }
+
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+
+    fn to_double_double(self) -> DoubleDouble {
+        DoubleDouble::of(f64::from(self))
+    }
+
+    fn sqrt(self) -> Self {
+        if self > 0.0 { f32::sqrt(self) } else { 0.0 }
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        libm::sincosf(self)
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        libm::atan2f(self, x)
+    }
+}
+
+impl Real for DoubleDouble {
+    const UNIT_ROUNDOFF: f64 = DoubleDouble::ROUNDOFF;
+    const TRANSCENDENTAL_ULPS: f64 = 8.0;
+    const SINE_FLOOR: f64 = 1.0;
+    // The error of a product is lost when it falls below the smallest double.
+    const SMALLEST: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
+    const UNDERFLOW: f64 = 8.0 * f64::MIN_POSITIVE;
+
+    fn from_f64(value: f64) -> Self {
+        Self::of(value)
+    }
+
+    fn from_given(given: Given) -> (Self, f64) {
+        (given.double_double(), given.low_error)
+    }
+
+    fn to_f64(self) -> f64 {
+        self.hi()
+    }
+
+    fn to_double_double(self) -> DoubleDouble {
+        self
+    }
+
+    fn sqrt(self) -> Self {
+        DoubleDouble::sqrt(self)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        DoubleDouble::sin_cos(self)
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        DoubleDouble::atan2(self, x)
     }
 }

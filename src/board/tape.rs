@@ -62,14 +62,68 @@ pub struct Stroke {
 /// Why a division may fail: an index into the list that the caller of the board keeps.
 pub type Reason = u32;
 
+/// How a scalar was reckoned from earlier ones, in the order of the parts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reckoning {
+    /// a + b.
+    Sum,
+    /// a − b.
+    Difference,
+    /// −a.
+    Opposite,
+    /// a · b.
+    Product,
+    /// a · factor.
+    Times(f64),
+    /// a / divisor.
+    Over(f64),
+    /// a / b.
+    Quotient,
+    /// √a; zero for a negative a.
+    Root,
+    /// √a of the square of a half chord: one of two meeting points hangs on its sign.
+    HalfChord,
+    /// a·b + c·d.
+    Dot,
+    /// a·b − c·d.
+    Cross,
+    /// cos a.
+    Cosine,
+    /// sin a.
+    Sine,
+    /// Angle of the vector (b, a) from +x.
+    Angle,
+}
+
+/// What a human hand does with a pencil; each can slip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pencil {
+    /// Lays off a length, pricks a coordinate, sets the compass.
+    Length,
+    /// Draws a line in a direction.
+    Direction,
+    /// Reads a length off.
+    Reading,
+    /// Reads an angle off.
+    AngleReading,
+}
+
 /// What listens to the board. Recording costs nothing where the recorder is [`Blank`].
 pub trait Recorder {
     /// Handle of a recorded scalar.
     type Mark: Copy + Debug + Default;
     /// A number from outside with its radius of uncertainty.
-    fn given(&mut self, error: f64) -> Self::Mark;
-    /// A result: what it hangs on, and the rounding of this operation alone.
-    fn result(&mut self, parts: &[(Self::Mark, f64)], rounding: f64) -> Self::Mark;
+    fn given(&mut self, value: f64, error: f64) -> Self::Mark;
+    /// As [`Recorder::given`], for the place of an input, by its index.
+    fn input(&mut self, _index: usize, value: f64, error: f64) -> Self::Mark {
+        self.given(value, error)
+    }
+    /// A result: how it was reckoned from what, and the rounding of this operation alone.
+    fn result(&mut self, step: Reckoning, parts: &[(Self::Mark, f64)], rounding: f64) -> Self::Mark;
+    /// The slip of a human hand in one act, in millimetres or radians; `None` where the hand is perfect.
+    fn pencil(&mut self, _kind: Pencil) -> Option<(f64, Self::Mark)> {
+        None
+    }
     /// A divisor whose value must stand clear of its own error.
     fn divisor(&mut self, mark: Self::Mark, value: f64, reason: Reason);
     /// First-order error of a recorded scalar, if this recorder knows.
@@ -92,9 +146,9 @@ pub struct Blank;
 impl Recorder for Blank {
     type Mark = ();
 
-    fn given(&mut self, _: f64) {}
+    fn given(&mut self, _: f64, _: f64) {}
 
-    fn result(&mut self, _: &[((), f64)], _: f64) {}
+    fn result(&mut self, _: Reckoning, _: &[((), f64)], _: f64) {}
 
     fn divisor(&mut self, (): (), _: f64, _: Reason) {}
 
@@ -115,6 +169,8 @@ struct Slot {
     parts: [(u32, f64); MOST_PARTS],
     count: u8,
     rounding: f64,
+    /// Running error: never below the first-order error, but without correlations often far above it.
+    running: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -148,19 +204,12 @@ pub struct Tape {
 impl Recorder for Tape {
     type Mark = u32;
 
-    fn given(&mut self, error: f64) -> u32 {
-        self.result(&[], error)
+    fn given(&mut self, _: f64, error: f64) -> u32 {
+        self.push(&[], error)
     }
 
-    fn result(&mut self, parts: &[(u32, f64)], rounding: f64) -> u32 {
-        let mut slot = Slot { parts: [(0, 0.0); MOST_PARTS], count: 0, rounding };
-        for (to, from) in slot.parts.iter_mut().zip(parts) {
-            *to = *from;
-            slot.count += 1;
-        }
-        let mark = u32::try_from(self.slots.len()).unwrap_or(u32::MAX);
-        self.slots.push(slot);
-        mark
+    fn result(&mut self, _: Reckoning, parts: &[(u32, f64)], rounding: f64) -> u32 {
+        self.push(parts, rounding)
     }
 
     fn divisor(&mut self, mark: u32, value: f64, reason: Reason) {
@@ -201,6 +250,19 @@ impl Tape {
         Self { nudge: Some(nudge), ..Self::default() }
     }
 
+    pub(super) fn push(&mut self, parts: &[(u32, f64)], rounding: f64) -> u32 {
+        let mut slot = Slot { parts: [(0, 0.0); MOST_PARTS], count: 0, rounding, running: rounding };
+        for (to, from) in slot.parts.iter_mut().zip(parts) {
+            *to = *from;
+            slot.count += 1;
+            let part = self.slots.get(from.0 as usize).map_or(0.0, |s| s.running);
+            slot.running += from.1.abs() * part;
+        }
+        let mark = u32::try_from(self.slots.len()).unwrap_or(u32::MAX);
+        self.slots.push(slot);
+        mark
+    }
+
     /// The strokes in the order of drawing.
     #[must_use]
     pub fn strokes(&self) -> &[Stroke] {
@@ -218,9 +280,11 @@ impl Tape {
         for index in 0..self.divisors.len() {
             if self.divisors[index].weak.is_none() {
                 let Divisor { slot, value, .. } = self.divisors[index];
-                let error = self.first_order_error(slot);
-                // Written so that a not-a-number counts as weak.
-                let clear = error <= WEAK_DIVISOR * value.abs() && value != 0.0;
+                let running = self.slots.get(slot as usize).map_or(f64::INFINITY, |s| s.running);
+                // Written so that a not-a-number counts as weak. Where the running error is small enough
+                // already, nobody needs to sweep.
+                let within = |error: f64| error <= WEAK_DIVISOR * value.abs() && value != 0.0;
+                let clear = within(running) || within(self.first_order_error(slot));
                 self.divisors[index].weak = Some(!clear);
             }
         }
@@ -240,7 +304,7 @@ impl Tape {
         self.adjoint.get(slot as usize).copied().unwrap_or(0.0)
     }
 
-    fn first_order_error(&mut self, mark: u32) -> f64 {
+    pub(super) fn first_order_error(&mut self, mark: u32) -> f64 {
         self.sweep_back(mark);
         self.adjoint.iter().zip(&self.slots).map(|(a, s)| a.abs() * s.rounding).sum()
     }

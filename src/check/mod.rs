@@ -8,7 +8,7 @@ use crate::graphical::construction::Reading;
 use crate::mechanism::PointId;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity};
 use crate::scene::{Published, Refusal, Scene};
-use crate::solve::{SolveError, Solved};
+use crate::solve::{Settings, SolveError, Solved};
 
 /// One asked quantity by both solvers.
 #[derive(Debug, Clone, PartialEq)]
@@ -246,7 +246,13 @@ pub struct SceneCheck {
 /// Checks one scene: solves it both ways, once for what it asks and once for what was published.
 #[must_use]
 pub fn check(scene: &Scene, tolerance: f64) -> SceneCheck {
-    match solve_for_check(scene) {
+    check_with(scene, tolerance, Settings::default())
+}
+
+/// As [`check()`], with settings of choice.
+#[must_use]
+pub fn check_with(scene: &Scene, tolerance: f64, settings: Settings) -> SceneCheck {
+    match solve_for_check(scene, settings) {
         Err(error) => {
             let refusal = error.refusal();
             let ok = refusal.is_some() && refusal == scene.expect;
@@ -269,10 +275,16 @@ pub fn check(scene: &Scene, tolerance: f64) -> SceneCheck {
 }
 
 /// One solution that answers the asked quantities and then the published ones; the agreement covers both.
-fn solve_for_check(scene: &Scene) -> Result<(Agreement, Vec<Answer>), SolveError> {
+fn solve_for_check(scene: &Scene, settings: Settings) -> Result<(Agreement, Vec<Answer>), SolveError> {
     let mut both = scene.clone();
     both.mechanism.asked.extend(scene.published.iter().map(|p| p.asked.clone()));
-    let solved = crate::solve::solve(&both, crate::plan::Extent::Asked, crate::sheet::scale::for_scene)?;
+    let solved = crate::solve::solve_with(
+        &both,
+        crate::plan::Extent::Asked,
+        &[],
+        settings,
+        crate::sheet::scale::for_scene,
+    )?;
     let asked = scene.mechanism.asked.len();
     // What was published must not hide that nothing asked is determined.
     crate::solve::determined(&scene.mechanism.asked, &solved.solution.construction.answers[..asked])?;

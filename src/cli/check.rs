@@ -13,6 +13,7 @@ use super::report::{diagnose, short};
 use super::{Ending, Failure, files, print};
 use crate::check::{Outcome, PublishedCheck, SceneCheck};
 use crate::scene::Scene;
+use crate::solve::Settings;
 
 /// Fewer scenes than this need no progress bar.
 const MANY: usize = 50;
@@ -23,9 +24,14 @@ struct Checked {
     result: Result<(Scene, SceneCheck), String>,
 }
 
-pub(super) fn run(paths: &[PathBuf], as_json: bool, tolerance: f64) -> Result<Ending, Failure> {
+pub(super) fn run(
+    paths: &[PathBuf],
+    as_json: bool,
+    tolerance: f64,
+    settings: Settings,
+) -> Result<Ending, Failure> {
     let scenes = files::scenes_under(paths)?;
-    let checked = check_all(&scenes, tolerance);
+    let checked = check_all(&scenes, tolerance, settings);
     let held = checked.iter().filter(|c| c.ok()).count();
     // A file that is no scene is bad input, told on stderr; the others are still reported.
     let broken: Vec<&str> =
@@ -48,7 +54,7 @@ pub(super) fn run(paths: &[PathBuf], as_json: bool, tolerance: f64) -> Result<En
 }
 
 /// Checks on all processors; the results stay in the order of the files.
-fn check_all(scenes: &[PathBuf], tolerance: f64) -> Vec<Checked> {
+fn check_all(scenes: &[PathBuf], tolerance: f64, settings: Settings) -> Vec<Checked> {
     let bar = if scenes.len() >= MANY && std::io::stderr().is_terminal() {
         let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {eta} left")
             .unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -65,7 +71,7 @@ fn check_all(scenes: &[PathBuf], tolerance: f64) -> Vec<Checked> {
                 loop {
                     let index = next.fetch_add(1, Ordering::Relaxed);
                     let Some(path) = scenes.get(index) else { break };
-                    let checked = check_one(path, tolerance);
+                    let checked = check_one(path, tolerance, settings);
                     bar.inc(1);
                     if let Ok(mut done) = done.lock() {
                         done.push((index, checked));
@@ -80,11 +86,11 @@ fn check_all(scenes: &[PathBuf], tolerance: f64) -> Vec<Checked> {
     done.into_iter().map(|(_, checked)| checked).collect()
 }
 
-fn check_one(path: &Path, tolerance: f64) -> Checked {
+fn check_one(path: &Path, tolerance: f64, settings: Settings) -> Checked {
     let read = super::read_scene(path);
     match read {
         Ok((file, scene)) => {
-            let check = crate::check::check(&scene, tolerance);
+            let check = crate::check::check_with(&scene, tolerance, settings);
             Checked { file, result: Ok((scene, check)) }
         }
         Err(Failure(message)) => Checked { file: path.display().to_string(), result: Err(message) },

@@ -3,12 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use super::report::short;
-use super::{Ending, Failure, failure, files, print, read_scene};
+use super::{Ending, Failure, failure, files, print_bytes, read_scene};
 use crate::graphical::Scales;
 use crate::graphical::construction::Construction;
 use crate::plan::{Auxiliary, Extent};
+use crate::render::theme::Theme;
+use crate::render::{self, Format, Lettering};
 use crate::scene::{Scene, Subject};
 use crate::sheet::{self, Figure};
+use crate::solve::Settings;
 
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
@@ -24,6 +27,10 @@ pub(super) struct Job {
     pub(super) paper: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) dpi: f32,
+    pub(super) settings: Settings,
+    pub(super) theme: Option<String>,
+    pub(super) text: Option<String>,
+    pub(super) format: Option<String>,
 }
 
 /// What is drawn of a scene.
@@ -38,7 +45,8 @@ pub(super) enum Kind {
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
-    let formats: Vec<Format> = job.output.iter().map(|path| Format::of(path)).collect::<Result<_, _>>()?;
+    let formats = formats(job)?;
+    let lettering = lettering(job, &formats)?;
     if job.play && job.kind != Kind::Steps {
         return Err(Failure("--play plays the steps: say --as steps as well".to_owned()));
     }
@@ -60,6 +68,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
     }
     let language = language(job, scene)?;
+    let theme = theme(job, scene)?;
     // What the scene wishes to have drawn is a wish for the solution.
     let names: Vec<&str> = if job.figure.is_empty() && job.kind == Kind::Solution {
         scene.sheet.figures.iter().map(String::as_str).collect()
@@ -75,10 +84,10 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
     let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
     let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(Failure)?;
-    let solved = crate::solve::solve_with(scene, extent, &auxiliary, scales)
+    let solved = crate::solve::solve_with(scene, extent, &auxiliary, job.settings, scales)
         .map_err(|error| failure(scene, &error))?;
     let construction = &solved.solution.construction;
-    let shown = Shown { scene, extent, language };
+    let shown = Shown { scene, extent, language, settings: job.settings };
     let figure = match (job.kind, &names[..]) {
         (Kind::Question, []) => sheet::question(scene, construction, language),
         (Kind::Question, ["skeleton"]) => sheet::single_of_question(scene, construction, language),
@@ -104,21 +113,78 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         let mend = "choose smaller scales; where none is stated the diagrams fill their panels".to_owned();
         return Err(scene.source.complain(Subject::Sheet, what, Some(mend)).into());
     }
-    let svg = crate::render::svg::write(&figure);
+    let options = render::Options { theme, lettering, dpi: job.dpi };
+    let bytes = |format: &Format| {
+        render::render(&figure, *format, &options).map_err(|error| Failure(error.to_string()))
+    };
     if job.output.is_empty() {
-        print(&svg)?;
+        for format in &formats {
+            print_bytes(&bytes(format)?)?;
+        }
         return Ok(Ending::Fine);
     }
     let mut written = Vec::new();
     for (path, format) in job.output.iter().zip(&formats) {
-        let bytes = match format {
-            Format::Svg => svg.clone().into_bytes(),
-            Format::Png => png(&figure, job.dpi)?,
-        };
-        written.push((path.clone(), bytes));
+        written.push((path.clone(), bytes(format)?));
     }
     files::write_all(&written)?;
     Ok(Ending::Fine)
+}
+
+/// The format of each output; of standard output where there is none.
+fn formats(job: &Job) -> Result<Vec<Format>, Failure> {
+    let chosen = |name: &String| {
+        let known = Format::ALL.map(Format::name);
+        Format::from_name(name).ok_or_else(|| Failure(unknown("format", name, name, &known)))
+    };
+    if job.output.is_empty() {
+        return Ok(vec![job.format.as_ref().map(chosen).transpose()?.unwrap_or_default()]);
+    }
+    if job.format.is_some() {
+        let what = "--format is for standard output; the ending of a file's name chooses its format";
+        return Err(Failure(what.to_owned()));
+    }
+    job.output.iter().map(|path| format_of(path)).collect()
+}
+
+fn format_of(path: &Path) -> Result<Format, Failure> {
+    let ending = path.extension().and_then(|e| e.to_str()).and_then(Format::from_name);
+    ending.ok_or_else(|| {
+        let known = Format::ALL.map(|format| format!(".{}", format.name()));
+        let path = path.display();
+        Failure(format!("{path}: unknown format; end the name in {}", one_of(&known)))
+    })
+}
+
+/// `a, b or c`.
+fn one_of(names: &[String]) -> String {
+    match names {
+        [all @ .., last] if !all.is_empty() => format!("{} or {last}", all.join(", ")),
+        _ => names.concat(),
+    }
+}
+
+fn lettering(job: &Job, formats: &[Format]) -> Result<Lettering, Failure> {
+    let Some(name) = &job.text else { return Ok(Lettering::default()) };
+    let known = Lettering::ALL.map(Lettering::name);
+    let kind =
+        Lettering::from_name(name).ok_or_else(|| Failure(unknown("kind of text", name, name, &known)))?;
+    if !formats.contains(&Format::Svg) {
+        return Err(Failure(format!("--text {name} is for SVG, and none is written")));
+    }
+    Ok(kind)
+}
+
+fn theme(job: &Job, scene: &Scene) -> Result<Theme, Failure> {
+    let Some(name) = job.theme.as_ref().or(scene.sheet.theme.as_ref()) else { return Ok(Theme::default()) };
+    Theme::from_name(name).ok_or_else(|| Failure(unknown("theme", name, name, &Theme::ALL.map(Theme::name))))
+}
+
+/// That `name` is unknown, and what comes nearest to its `head`, the part that is looked up.
+fn unknown(what: &str, name: &str, head: &str, known: &[&str]) -> String {
+    let nearest = crate::scene::nearest(head, known);
+    let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
+    format!("unknown {what} {name}{mend} (known: {})", known.join(", "))
 }
 
 /// Writes the steps as a film.
@@ -129,7 +195,7 @@ fn write_film(job: &Job, formats: &[Format], frames: &[Figure]) -> Result<Ending
     }
     let svg = crate::render::svg::write_film(frames);
     if job.output.is_empty() {
-        print(&svg)?;
+        print_bytes(svg.as_bytes())?;
         return Ok(Ending::Fine);
     }
     let written: Vec<_> = job.output.iter().map(|path| (path.clone(), svg.clone().into_bytes())).collect();
@@ -144,9 +210,7 @@ fn unknown_figure(name: &str) -> Option<String> {
     if known.contains(&head) {
         return None;
     }
-    let nearest = crate::scene::nearest(head, known);
-    let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
-    Some(format!("unknown figure {name}{mend} (known: {})", known.join(", ")))
+    Some(unknown("figure", name, head, known))
 }
 
 fn language(job: &Job, scene: &Scene) -> Result<sheet::Language, Failure> {
@@ -161,6 +225,7 @@ struct Shown<'a> {
     scene: &'a Scene,
     extent: Extent,
     language: sheet::Language,
+    settings: Settings,
 }
 
 impl Shown<'_> {
@@ -178,7 +243,7 @@ impl Shown<'_> {
         let again = smaller.zip(kind).map(|(length, kind)| {
             let choose =
                 |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
-            crate::solve::solve_with(scene, self.extent, &[kind], choose)
+            crate::solve::solve_with(scene, self.extent, &[kind], self.settings, choose)
                 .map_err(|error| failure(scene, &error))
         });
         let again = again.transpose()?;
@@ -188,31 +253,5 @@ impl Shown<'_> {
             let why = why.unwrap_or("nothing asked in this scene needs it, so it is not drawn");
             Failure(format!("figure {name}: {why}"))
         })
-    }
-}
-
-#[cfg(feature = "png")]
-fn png(figure: &Figure, dpi: f32) -> Result<Vec<u8>, Failure> {
-    crate::render::png::render(figure, dpi).map_err(|error| Failure(error.to_string()))
-}
-
-#[cfg(not(feature = "png"))]
-fn png(_: &Figure, _: f32) -> Result<Vec<u8>, Failure> {
-    Err(Failure("this build has no PNG: build with the feature `png`".to_owned()))
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Format {
-    Svg,
-    Png,
-}
-
-impl Format {
-    fn of(path: &Path) -> Result<Self, Failure> {
-        match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            _ => Err(Failure(format!("{}: unknown format; end the name in .svg or .png", path.display()))),
-        }
     }
 }

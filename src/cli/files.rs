@@ -39,38 +39,92 @@ pub(super) fn read(path: &Path) -> Result<(String, String), Failure> {
     Ok((file, text))
 }
 
-/// Writes all files, or none: each beside its place first, then all are renamed.
+/// Writes all files, or none: each beside its place first, then all are renamed; if one cannot be, those
+/// renamed before it are taken back.
 pub(super) fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
-    let mut waiting: Vec<(PathBuf, &PathBuf)> = Vec::new();
-    let result = files.iter().try_for_each(|(path, bytes)| {
-        let name = path.file_name().ok_or_else(|| Failure(format!("{}: not a file name", path.display())))?;
-        let mut beside = std::ffi::OsString::from(".");
-        beside.push(name);
-        beside.push(format!(".{}.part", std::process::id()));
-        let beside = path.with_file_name(beside);
+    let mut waiting: Vec<Waiting<'_>> = Vec::new();
+    let result = files
+        .iter()
+        .try_for_each(|(path, bytes)| {
+            waiting.push(Waiting::create(path)?);
+            let Some(Waiting { file, .. }) = waiting.last_mut() else { return Ok(()) };
+            let written = file.write_all(bytes).and_then(|()| file.sync_all());
+            written.map_err(|error| failed(path, &error))
+        })
+        .and_then(|()| {
+            let several = waiting.len() > 1;
+            waiting.iter_mut().try_for_each(|one| one.put(several))
+        });
+    for one in waiting.into_iter().rev() {
+        one.finish(result.is_ok());
+    }
+    result
+}
+
+fn failed(path: &Path, error: &std::io::Error) -> Failure {
+    Failure(format!("{}: {error}", path.display()))
+}
+
+/// A file written beside its place.
+struct Waiting<'a> {
+    path: &'a Path,
+    beside: PathBuf,
+    file: fs::File,
+    /// The file that stood there before, under another name.
+    old: Option<PathBuf>,
+    in_place: bool,
+}
+
+impl<'a> Waiting<'a> {
+    fn create(path: &'a Path) -> Result<Self, Failure> {
         if path.is_dir() {
             return Err(Failure(format!("{}: is a folder", path.display())));
         }
+        let beside = beside(path, "part")?;
         // Two names of one file would wait under one name.
-        let mut file = fs::File::create_new(&beside).map_err(|error| match error.kind() {
+        let file = fs::File::create_new(&beside).map_err(|error| match error.kind() {
             ErrorKind::AlreadyExists => Failure(format!("{}: is to be written twice", path.display())),
-            _ => Failure(format!("{}: {error}", path.display())),
+            _ => failed(path, &error),
         })?;
-        waiting.push((beside, path));
-        let written = file.write_all(bytes).and_then(|()| file.sync_all());
-        written.map_err(|error| Failure(format!("{}: {error}", path.display())))
-    });
-    let result = result.and_then(|()| {
-        waiting.iter().try_for_each(|(beside, path)| {
-            fs::rename(beside, path).map_err(|error| Failure(format!("{}: {error}", path.display())))
-        })
-    });
-    if result.is_err() {
-        for (beside, _) in &waiting {
-            let _ = fs::remove_file(beside);
+        Ok(Self { path, beside, file, old: None, in_place: false })
+    }
+
+    /// Renames it to its place; among several, what stands there is kept until all are.
+    fn put(&mut self, several: bool) -> Result<(), Failure> {
+        if several && self.path.exists() {
+            let old = beside(self.path, "old")?;
+            // A second name costs nothing; where the file system has none, a copy serves.
+            fs::hard_link(self.path, &old)
+                .or_else(|_| fs::copy(self.path, &old).map(drop))
+                .map_err(|error| failed(self.path, &error))?;
+            self.old = Some(old);
+        }
+        fs::rename(&self.beside, self.path).map_err(|error| failed(self.path, &error))?;
+        self.in_place = true;
+        Ok(())
+    }
+
+    /// Leaves nothing behind but the file, or, if all are taken back, what was there before.
+    fn finish(self, all_are_written: bool) {
+        if !self.in_place {
+            let _ = fs::remove_file(&self.beside);
+        }
+        match (&self.old, all_are_written || !self.in_place) {
+            (Some(old), true) => drop(fs::remove_file(old)),
+            (Some(old), false) => drop(fs::rename(old, self.path)),
+            (None, true) => {}
+            (None, false) => drop(fs::remove_file(self.path)),
         }
     }
-    result
+}
+
+/// A name in the same folder that nobody else uses.
+fn beside(path: &Path, ending: &str) -> Result<PathBuf, Failure> {
+    let name = path.file_name().ok_or_else(|| Failure(format!("{}: not a file name", path.display())))?;
+    let mut beside = std::ffi::OsString::from(".");
+    beside.push(name);
+    beside.push(format!(".{}.{ending}", std::process::id()));
+    Ok(path.with_file_name(beside))
 }
 
 /// Every scene under the paths: a file as it is, a folder's `.json` files in the order of their names.
@@ -112,4 +166,35 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), Fai
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A folder comes into being where the second file should go, after all were written beside.
+    #[test]
+    fn what_was_renamed_is_taken_back_when_a_later_file_cannot_be() {
+        let folder = std::env::temp_dir().join(format!("linkgram-files-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let [old, new, bad] = ["old.svg", "new.svg", "bad.svg"].map(|name| folder.join(name));
+        fs::write(&old, "before").unwrap();
+        let mut waiting: Vec<Waiting<'_>> =
+            [&old, &new, &bad].into_iter().map(|path| Waiting::create(path).ok().unwrap()).collect();
+        for one in &mut waiting {
+            one.file.write_all(b"after").unwrap();
+        }
+        fs::create_dir_all(bad.join("inside")).unwrap();
+        assert!(waiting[0].put(true).is_ok() && waiting[1].put(true).is_ok());
+        assert_eq!(fs::read(&old).unwrap(), b"after");
+        assert!(waiting[2].put(true).is_err());
+        for one in waiting.into_iter().rev() {
+            one.finish(false);
+        }
+        assert_eq!(fs::read(&old).unwrap(), b"before");
+        fs::remove_dir_all(&bad).unwrap();
+        let left: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|e| e.unwrap().path()).collect();
+        assert_eq!(left, [old]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
 }

@@ -13,6 +13,7 @@ mod new;
 mod report;
 mod solve;
 mod structure;
+mod sweep;
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -22,6 +23,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::scene::{Diagnostic, Scene};
+use crate::solve::{Arithmetic, Hand, Settings};
 
 /// Draws and checks graphical solutions of planar mechanisms.
 #[derive(Debug, Parser)]
@@ -37,7 +39,8 @@ enum Command {
     Draw {
         /// The scene file; - for standard input
         scene: PathBuf,
-        /// Where to write; the extension chooses the format (.svg, .png). SVG on stdout without it
+        /// Where to write; the ending chooses the format (.svg, .png, .pdf, .tex, .json); may be given
+        /// several times: all files are written, or none. Without it the figure goes to standard output
         #[arg(short, long, value_name = "FILE")]
         output: Vec<PathBuf>,
         /// A single figure instead of the sheet: skeleton, velocity, acceleration, steps, results
@@ -58,6 +61,18 @@ enum Command {
         /// Resolution of a PNG
         #[arg(long, value_name = "DPI", default_value_t = 150.0)]
         dpi: f32,
+        /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+        #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
+        arith: Arithmetic,
+        /// Colours: mono, colour or dark; what the scene says, or mono
+        #[arg(long, value_name = "NAME")]
+        theme: Option<String>,
+        /// Text of an SVG: live, outline (paths) or embed (with its typefaces)
+        #[arg(long, value_name = "KIND")]
+        text: Option<String>,
+        /// Format on standard output: svg, png, pdf, tex or json
+        #[arg(long, value_name = "FORMAT")]
+        format: Option<String>,
     },
     /// Print the asked quantities, graphical beside analytic
     Solve {
@@ -69,6 +84,13 @@ enum Command {
         /// Say which steps the asked quantities needed, and which were left out
         #[arg(long)]
         explain: bool,
+        /// What a draughtsman would get whose lengths and readings slip by up to this many millimetres of
+        /// paper, and whose directions by this many degrees
+        #[arg(long, value_name = "MM,DEG", value_parser = parse_hand)]
+        hand: Option<Hand>,
+        /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+        #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
+        arith: Arithmetic,
     },
     /// Check scenes: graphical against analytic, and both against what was published
     Check {
@@ -81,6 +103,9 @@ enum Command {
         /// Allowed deviation of published values where the scene states none
         #[arg(long, value_name = "PERCENT", default_value = "5%", value_parser = parse_percent)]
         tolerance: f64,
+        /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+        #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
+        arith: Arithmetic,
     },
     /// Report links, pairs, mobility, groups, Grashof class and dead positions
     Structure {
@@ -89,6 +114,29 @@ enum Command {
         /// Print one JSON object
         #[arg(long)]
         json: bool,
+    },
+    /// Move a mechanism through the range of its first input: limits, dead positions, strokes, extremes;
+    /// tables and diagrams
+    Sweep {
+        /// The scene file; - for standard input
+        scene: PathBuf,
+        /// Equal steps over the range; one position more than steps
+        #[arg(long, value_name = "N", conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+        steps: Option<u32>,
+        /// As many positions as it takes for no column to stray from the line between two of them by more
+        /// than this part of its range
+        #[arg(long, value_name = "PERCENT", value_parser = parse_percent)]
+        tolerance: Option<f64>,
+        /// Where to begin, in the scene's unit of the input; a whole turn from 0 where nothing is said
+        #[arg(long, value_name = "PLACE", allow_negative_numbers = true, requires = "to")]
+        from: Option<f64>,
+        /// Where to end
+        #[arg(long, value_name = "PLACE", allow_negative_numbers = true, requires = "from")]
+        to: Option<f64>,
+        /// Where to write; the extension chooses the format (.csv, .json, .svg). What happens on the way, on
+        /// stdout, without it
+        #[arg(short, long, value_name = "FILE")]
+        output: Vec<PathBuf>,
     },
     /// List the mechanism catalogue, or write a ready scene of a kind
     New {
@@ -114,6 +162,31 @@ impl From<Diagnostic> for Failure {
     fn from(diagnostic: Diagnostic) -> Self {
         Self(diagnostic.to_string())
     }
+}
+
+fn parse_arithmetic(text: &str) -> Result<Arithmetic, String> {
+    match text {
+        "f32" => Ok(Arithmetic::Single),
+        "f64" => Ok(Arithmetic::Double),
+        "dd" => Ok(Arithmetic::DoubleDouble),
+        _ => Err("expected f32, f64 or dd".to_owned()),
+    }
+}
+
+/// `0.2mm,0.3deg`, with or without the units.
+fn parse_hand(text: &str) -> Result<Hand, String> {
+    let wrong = || "expected a slip in millimetres and one in degrees, such as 0.2mm,0.3deg".to_owned();
+    let (length, angle) = text.split_once(',').ok_or_else(wrong)?;
+    let part = |text: &str, unit: &str, most: f64| {
+        let text = text.trim();
+        let digits = text.strip_suffix(unit).unwrap_or(text).trim_end();
+        match digits.parse::<f64>() {
+            Ok(value) if (0.0..=most).contains(&value) => Ok(value),
+            Ok(_) => Err(format!("a hand slips by 0 to {most} {unit}")),
+            Err(_) => Err(wrong()),
+        }
+    };
+    Ok(Hand { length: part(length, "mm", 10.0)?, angle: part(angle, "deg", 10.0)?.to_radians() })
 }
 
 fn parse_percent(text: &str) -> Result<f64, String> {
@@ -147,12 +220,34 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let ending = match arguments.command {
-        Command::Draw { scene, output, figure, kind, play, paper, lang, dpi } => {
-            draw::run(&draw::Job { scene, output, figure, kind, play, paper, lang, dpi })
+        Command::Draw { scene, output, figure, kind, play, paper, lang, dpi, theme, text, format, arith } => {
+            let settings = Settings { arithmetic: arith };
+            draw::run(&draw::Job {
+                scene,
+                output,
+                figure,
+                kind,
+                play,
+                paper,
+                lang,
+                dpi,
+                theme,
+                text,
+                format,
+                settings,
+            })
         }
-        Command::Solve { scene, json, explain } => solve::run(&scene, json, explain),
-        Command::Check { paths, json, tolerance } => check::run(&paths, json, tolerance),
+        Command::Solve { scene, json, explain, hand, arith } => {
+            let settings = Settings { arithmetic: arith };
+            solve::run(&solve::Job { scene, json, explain, hand, settings })
+        }
+        Command::Check { paths, json, tolerance, arith } => {
+            check::run(&paths, json, tolerance, Settings { arithmetic: arith })
+        }
         Command::Structure { scene, json } => structure::run(&scene, json),
+        Command::Sweep { scene, steps, tolerance, from, to, output } => {
+            sweep::run(&sweep::Job { scene, steps, tolerance, from, to, output })
+        }
         Command::New { kind } => new::run(kind.as_deref()),
         Command::Schema => schema(),
     };
@@ -175,8 +270,12 @@ fn schema() -> Result<Ending, Failure> {
 
 /// Writes to stdout; a reader who hung up is no error.
 fn print(text: &str) -> Result<(), Failure> {
+    print_bytes(text.as_bytes())
+}
+
+fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
             Err(Failure(format!("standard output: {error}")))
         }

@@ -112,6 +112,12 @@ pub(super) fn short(x: f64) -> String {
     text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
 }
 
+/// A number with two significant digits: an error.
+pub(super) fn two_digits(x: f64) -> String {
+    let text = format!("{x:.1e}");
+    text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
+}
+
 /// An answer for people: value in its unit.
 pub(super) fn describe(asked: &Asked, answer: &Answer) -> String {
     let unit = &asked.unit;

@@ -1,48 +1,72 @@
 //! `linkgram solve`.
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 
-use super::report::{describe, short};
+use super::report::{describe, short, two_digits};
 use super::{Ending, Failure, failure, print, read_scene};
 use crate::check::{Agreement, Compared};
+use crate::double_double::DoubleDouble;
+use crate::graphical::construction::Fine;
+use crate::graphical::{Draughtsmen, HandError};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity};
 use crate::plan::Extent;
 use crate::scene::Scene;
+use crate::solve::{Hand, Settings};
 
-pub(super) fn run(path: &Path, as_json: bool, explain: bool) -> Result<Ending, Failure> {
-    let (file, scene) = read_scene(path)?;
+/// What to solve and how to print it.
+pub(super) struct Job {
+    pub(super) scene: PathBuf,
+    pub(super) json: bool,
+    pub(super) explain: bool,
+    pub(super) hand: Option<Hand>,
+    pub(super) settings: Settings,
+}
+
+/// So many draughtsmen with dice draw for `--hand`.
+const DRAUGHTSMEN: u64 = 1000;
+
+pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
+    let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
-    let solved = crate::solve::solve(scene, Extent::Asked, crate::sheet::scale::for_scene)
-        .map_err(|error| failure(scene, &error))?;
+    let solved =
+        crate::solve::solve_with(scene, Extent::Asked, &[], job.settings, crate::sheet::scale::for_scene)
+            .map_err(|error| failure(scene, &error))?;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
-    let explanation = explain.then(|| {
+    let by_hand = match job.hand {
+        Some(hand) => {
+            let draughtsmen = Draughtsmen { hand, number: DRAUGHTSMEN };
+            crate::solve::by_hand(scene, &solved, draughtsmen).map_err(|error| failure(scene, &error))?
+        }
+        None => Vec::new(),
+    };
+    let explanation = job.explain.then(|| {
         let circle = solved.solution.construction.circle.as_ref();
         let centres = circle.map_or_else(String::new, |c| c.explain(&scene.mechanism).to_string());
         solved.plan.explain(&scene.mechanism, &solved.structure).to_string() + &centres
     });
-    let text = if as_json {
-        let mut object = object(&file, scene, &solved, &agreement);
+    let text = if job.json {
+        let mut object = object(&file, scene, &solved, &agreement, &by_hand);
         if let (Some(explanation), Some(map)) = (&explanation, object.as_object_mut()) {
             let lines: Vec<&str> = explanation.lines().collect();
             map.insert("explain".to_owned(), json!(lines));
         }
         serde_json::to_string_pretty(&object).map_err(|error| Failure(error.to_string()))? + "\n"
     } else {
-        table(&solved, &agreement) + explanation.as_deref().unwrap_or("")
+        table(&solved, &agreement, &by_hand) + explanation.as_deref().unwrap_or("")
     };
     print(&text)?;
     let determined = agreement.compared.iter().all(|c| c.indeterminate().is_none());
     Ok(if agreement.ok() && determined { Ending::Fine } else { Ending::DoesNotHold })
 }
 
-fn table(solved: &crate::solve::Solved, agreement: &Agreement) -> String {
+fn table(solved: &crate::solve::Solved, agreement: &Agreement, by_hand: &[HandError]) -> String {
     let mut out = String::new();
     let _ = writeln!(out, "{}", solved.structure.mobility);
     let width = agreement.compared.iter().map(|c| named(&c.asked).len()).max().unwrap_or(0);
-    for compared in &agreement.compared {
+    for (index, compared) in agreement.compared.iter().enumerate() {
         let asked = &compared.asked;
         let _ = write!(out, "{:width$}  {}", named(asked), describe(asked, &compared.graphical.answer));
         let _ = match (compared.difference, compared.indeterminate()) {
@@ -55,6 +79,14 @@ fn table(solved: &crate::solve::Solved, agreement: &Agreement) -> String {
             ),
             (None, _) => writeln!(out, "   analytic {}", describe(asked, &compared.analytic)),
         };
+        if let Some(fine) = &compared.graphical.fine {
+            let bound = fine_bound(fine, asked);
+            let digits = digits(fine, asked).join(", ");
+            let _ = writeln!(out, "{:width$}  {digits} {}, within {bound:.1e}", "", asked.unit.symbol);
+        }
+        if let (Some(error), None) = (by_hand.get(index), compared.indeterminate()) {
+            let _ = writeln!(out, "{:width$}  {}", "", hand_words(asked, &compared.graphical.answer, error));
+        }
     }
     let _ = writeln!(out, "{}", verdict(agreement));
     out
@@ -81,8 +113,19 @@ pub(super) fn verdict(agreement: &Agreement) -> String {
     format!("graphical and analytic {said}: worst difference is {} of the bounds", short(worst))
 }
 
-fn object(file: &str, scene: &Scene, solved: &crate::solve::Solved, agreement: &Agreement) -> Value {
-    let quantities: Vec<Value> = agreement.compared.iter().map(quantity).collect();
+fn object(
+    file: &str,
+    scene: &Scene,
+    solved: &crate::solve::Solved,
+    agreement: &Agreement,
+    by_hand: &[HandError],
+) -> Value {
+    let mut quantities: Vec<Value> = agreement.compared.iter().map(quantity).collect();
+    for ((value, compared), error) in quantities.iter_mut().zip(&agreement.compared).zip(by_hand) {
+        if let (Some(map), None) = (value.as_object_mut(), compared.indeterminate()) {
+            map.insert("hand".to_owned(), hand_object(&compared.asked, error));
+        }
+    }
     let mut verdict_of = json!({ "worst_ratio": agreement.worst_ratio(), "ok": agreement.ok() });
     if let (false, Some(map)) = (agreement.ok(), verdict_of.as_object_mut()) {
         map.insert("why".to_owned(), json!(verdict(agreement)));
@@ -109,6 +152,12 @@ fn quantity(compared: &Compared) -> Value {
         return Value::Object(map);
     }
     insert_value(&mut map, asked, &compared.graphical.answer);
+    if let Some(fine) = &compared.graphical.fine {
+        let digits = digits(fine, asked);
+        let digits = if digits.len() == 1 { json!(digits[0]) } else { json!(digits) };
+        map.insert("digits".to_owned(), digits);
+        map.insert("digits_bound".to_owned(), json!(fine_bound(fine, asked)));
+    }
     let in_unit = |x: f64| json!(x / asked.unit.si);
     match &compared.analytic {
         Answer::Scalar { value, bound } => {
@@ -133,6 +182,69 @@ fn quantity(compared: &Compared) -> Value {
         map.insert("drawn_mm".to_owned(), json!(mm));
     }
     Value::Object(map)
+}
+
+/// `by hand within ±1.2 cm/s (0.7 %), half of them within 0.4, at worst ±2.5 cm/s`.
+fn hand_words(asked: &Asked, answer: &Answer, error: &HandError) -> String {
+    let si = asked.unit.si;
+    let n = |x: f64| two_digits(x / si);
+    let Some(spread) = error.spread else { return "by hand: cannot be drawn".to_owned() };
+    let size = match answer {
+        Answer::Scalar { value, .. } => value.abs(),
+        Answer::Vector { value, .. } => libm::hypot(value[0], value[1]),
+        Answer::AtInfinity { .. } | Answer::Indeterminate(_) => 0.0,
+    };
+    let percent =
+        if size > 0.0 { format!(" ({} %)", two_digits(100.0 * spread.most / size)) } else { String::new() };
+    let flat = if error.flat { " (to first order: too flat to rely on)" } else { "" };
+    let worst = format!("at worst ±{}{flat}", error.worst.map_or("?".to_owned(), n));
+    let failed = if error.failed > 0 {
+        format!("; {} of {DRAUGHTSMEN} do not close", error.failed)
+    } else {
+        String::new()
+    };
+    let unit = &asked.unit.symbol;
+    format!(
+        "by hand ±{} {unit}{percent}, half of them within {}, {worst}{failed}",
+        n(spread.most),
+        n(spread.median)
+    )
+}
+
+/// The same for programs, in the unit of the answer.
+fn hand_object(asked: &Asked, error: &HandError) -> Value {
+    let in_unit = |x: f64| x / asked.unit.si;
+    json!({
+        "worst": error.worst.map(in_unit),
+        "flat": error.flat,
+        "median": error.spread.map(|s| in_unit(s.median)),
+        "most": error.spread.map(|s| in_unit(s.most)),
+        "largest": error.spread.map(|s| in_unit(s.largest)),
+        "failed": error.failed,
+        "draughtsmen": DRAUGHTSMEN,
+    })
+}
+
+/// A fine value in its unit, with the digits that its bound leaves.
+fn digits(fine: &Fine, asked: &Asked) -> Vec<String> {
+    let bound = fine_bound(fine, asked);
+    let si = crate::scene::si_of(&asked.unit);
+    let in_unit = |v: &DoubleDouble| *v / si;
+    let digits = |v: DoubleDouble| {
+        // One digit beyond the first that the bound reaches.
+        let clear = libm::log10(v.abs().hi() / bound);
+        let most = 31.0;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 31")]
+        let digits = if clear.is_nan() { most } else { (clear.ceil() + 1.0).clamp(1.0, most) } as usize;
+        v.decimals(digits)
+    };
+    fine.value.iter().map(in_unit).map(digits).collect()
+}
+
+/// The bound of a fine value in its unit, with the rounding of the division.
+fn fine_bound(fine: &Fine, asked: &Asked) -> f64 {
+    let size = fine.value.iter().fold(0.0, |sum, v| libm::hypot(sum, v.hi())) / asked.unit.si;
+    fine.bound / asked.unit.si * (1.0 + f64::EPSILON) + size * 4.0 * DoubleDouble::ROUNDOFF
 }
 
 /// A bound in the unit of the answer, with the roundings that this costs: the unit's own two and the

@@ -6,6 +6,7 @@
 
 use std::fmt;
 
+use crate::double_double::DoubleDouble;
 use crate::mechanism::quantity::{Answer, Method, Order, Quantity};
 use crate::mechanism::structure::Closing;
 use crate::mechanism::{LinkId, Mechanism, PointId};
@@ -40,8 +41,19 @@ pub struct Construction {
 pub struct Reading {
     /// The value in SI units with its bound.
     pub answer: Answer,
+    /// The value in the board's own arithmetic, where that is finer than a double.
+    pub fine: Option<Fine>,
     /// The length of its vector on the paper, for quantities that are a vector of a polygon.
     pub drawn_mm: Option<f64>,
+}
+
+/// A value to more digits than a double has.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fine {
+    /// SI units; two for a vector, one for a scalar.
+    pub value: Vec<DoubleDouble>,
+    /// How far it may be from the truth.
+    pub bound: f64,
 }
 
 /// The skeleton as drawn.

@@ -186,6 +186,11 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.reasons.get(reason as usize).cloned().unwrap_or_default()
     }
 
+    /// The links behind every reason.
+    pub(super) fn all_reasons(&self) -> Vec<Vec<u32>> {
+        self.reasons.clone()
+    }
+
     // --- the record ----------------------------------------------------------------------------
 
     /// Begins a numbered step.

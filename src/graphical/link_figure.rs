@@ -48,25 +48,25 @@ impl<B: Bench> Draughtsman<'_, B> {
         let points = match form {
             Form::Length(length) => {
                 let l = mm(board, *length);
-                vec![origin, board.lay_off(origin, right, l)]
+                vec![origin, board.step_off(origin, right, l)]
             }
             Form::Line(positions) => positions
                 .iter()
                 .map(|&p| {
                     let at = mm(board, p);
-                    board.lay_off(origin, right, at)
+                    board.step_off(origin, right, at)
                 })
                 .collect(),
             Form::Sides { first_second, second_third, third_first, turn } => {
                 let base = mm(board, *first_second);
-                let second = board.lay_off(origin, right, base);
+                let second = board.step_off(origin, right, base);
                 let about_first = Circle { centre: origin, radius: mm(board, *third_first) };
                 let about_second = Circle { centre: second, radius: mm(board, *second_third) };
                 let side = if *turn == Sense::Ccw { Side::First } else { Side::Second };
                 // The scene room has checked the triangle inequality; a flat triangle is a tangency.
                 let third = match board.meet_circles(about_first, about_second, reason) {
                     Ok(pair) => board.take(pair, side),
-                    Err(_) => board.lay_off(origin, right, about_first.radius),
+                    Err(_) => board.step_off(origin, right, about_first.radius),
                 };
                 vec![origin, second, third]
             }
@@ -75,7 +75,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 let l3 = mm(board, *third);
                 let angle = board.angle(*angle);
                 let arm = board.protractor(angle);
-                vec![origin, board.lay_off(origin, right, l2), board.lay_off(origin, arm, l3)]
+                vec![origin, board.step_off(origin, right, l2), board.lay_off(origin, arm, l3)]
             }
             Form::Shape(points) => points
                 .iter()

@@ -6,6 +6,7 @@
 
 mod acceleration;
 pub mod auxiliary;
+mod by_hand;
 mod centres;
 pub mod centrodes;
 pub mod construction;
@@ -15,10 +16,15 @@ mod link_figure;
 mod pose;
 mod position;
 mod reading;
+mod transcribe;
 mod trial;
 mod velocity;
 
-use crate::board::{Bench, Board, Recorded, Recorder, Scale, Tape, Trial};
+pub use by_hand::{Draughtsmen, HandError, Spread, by_hand};
+pub use transcribe::{Transcribed, transcribe};
+
+use crate::board::{Arithmetic, Bench, Board, Real, Recorded, Recorder, Scale, Tape, Taped, Trial};
+use crate::double_double::DoubleDouble;
 use crate::given::Given;
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
@@ -180,7 +186,7 @@ impl std::fmt::Display for ClosingRange {
     }
 }
 
-/// Draws the solution at the given scales.
+/// Draws the solution at the given scales, in double precision.
 ///
 /// # Errors
 /// See [`DrawError`].
@@ -191,6 +197,26 @@ pub fn construct(
     scales: Scales,
 ) -> Result<Solution, DrawError> {
     construct_on(Tape::default(), mechanism, structure, plan, scales)
+}
+
+/// As [`construct`], in an arithmetic of choice.
+///
+/// # Errors
+/// See [`DrawError`].
+pub fn construct_in(
+    arithmetic: Arithmetic,
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+) -> Result<Solution, DrawError> {
+    match arithmetic {
+        Arithmetic::Single => taped::<f32>(Tape::default(), mechanism, structure, plan, scales),
+        Arithmetic::Double => taped::<f64>(Tape::default(), mechanism, structure, plan, scales),
+        Arithmetic::DoubleDouble => {
+            taped::<DoubleDouble>(Tape::default(), mechanism, structure, plan, scales)
+        }
+    }
 }
 
 /// As [`construct`], on a tape of one's own: a nudged one, to see how a moved stroke moves the answers.
@@ -204,7 +230,17 @@ pub fn construct_on(
     plan: &Plan,
     scales: Scales,
 ) -> Result<Solution, DrawError> {
-    let board = Board::<Recorded>::new(tape);
+    taped::<f64>(tape, mechanism, structure, plan, scales)
+}
+
+fn taped<R: Real>(
+    tape: Tape,
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+) -> Result<Solution, DrawError> {
+    let board = Board::<Taped<R>>::new(tape);
     let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
     auxiliary::draw(&mut draughtsman, plan);
     let (answers, slots) = reading::answers(&mut draughtsman);

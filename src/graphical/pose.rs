@@ -69,7 +69,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             Some(pose) if !self.stands_in_world(link) => {
                 let line = Line { through: pose.own_anchor, along: pose.own_along };
                 let [forward, left] = self.board.square_off(line, own);
-                let foot = self.board.lay_off(pose.anchor, pose.along, forward);
+                let foot = self.board.step_off(pose.anchor, pose.along, forward);
                 let square = self.board.quarter_turn(pose.along);
                 self.board.lay_off(foot, square, left)
             }

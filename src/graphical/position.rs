@@ -132,7 +132,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
         match self.driven_angle(input) {
             Some(angle) => {
-                let angle = self.board.angle(angle);
+                let angle = self.board.input_angle(input, angle);
                 let along = self.board.protractor(angle);
                 self.driver_along(step, link, base, along);
             }
@@ -204,7 +204,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             && let (Input::Slide { at: Some(at), .. }, Track::Straight(line)) =
                 (self.mechanism.inputs[input], self.track(slide, None))
         {
-            let at = self.board.amount(at);
+            let at = self.board.input_amount(input, at);
             let scale = self.length_scale();
             let mm = self.board.to_paper(at, scale);
             let place = self.board.lay_off(line.through, line.along, mm);
@@ -1037,7 +1037,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let reason = self.reason(&[link]);
         let (along, _) = self.board.toward(at_p, at_q, reason);
         let [forward, left] = self.offsets(link, p, q, point);
-        let foot = self.board.lay_off(at_p, along, forward);
+        let foot = self.board.step_off(at_p, along, forward);
         if self.is_straight(link) {
             return foot;
         }

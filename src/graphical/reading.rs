@@ -1,13 +1,13 @@
 //! Reads the asked quantities off the finished diagrams.
 
-use crate::board::{Amount, Angle, Bench, Board, Direction, Line, Location, MarkOf, Point, Recorded};
-use crate::mechanism::quantity::{Answer, Indeterminate, Method, Order, Quantity};
+use crate::board::{Amount, Angle, Bench, Direction, Line, Location, MarkOf, Point, Real, TOO_LARGE, Tape};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{Form, LinkId, PointId};
 use crate::plan::{Auxiliary, chord, home, transmission_points};
 
 use super::auxiliary::KleinAnswer;
 use super::centres::{FromCentres, NO_INPUT};
-use super::construction::{Act, Calculation, Label, Reading, VectorKind};
+use super::construction::{Act, Calculation, Fine, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
 
 /// What stands for a quantity on the board.
@@ -19,57 +19,97 @@ enum Read<B: Bench> {
     Undefined(&'static str),
 }
 
+/// What was read off for an asked quantity.
+pub(super) struct ReadOff<B: Bench> {
+    /// Marks and values, two for a vector; or why there are none.
+    pub(super) numbers: Numbers<B>,
+    /// The direction of a place at infinity; its angle is the number.
+    toward: Option<[f64; 2]>,
+    /// How long it was drawn.
+    drawn_mm: Option<f64>,
+}
+
+/// Marks and values of a read quantity, or why there are none.
+pub(super) type Numbers<B> = Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>;
+
 /// Reads every asked quantity, with its bound from the tape.
-pub(super) fn answers(d: &mut Draughtsman<'_, Recorded>) -> (Vec<Reading>, Vec<Vec<u32>>) {
-    let asked = d.mechanism.asked.clone();
+pub(super) fn answers<B: Bench<Recorder = Tape>>(
+    d: &mut Draughtsman<'_, B>,
+) -> (Vec<Reading>, Vec<Vec<u32>>) {
     let mut slots = Vec::new();
-    let readings = asked
-        .iter()
-        .enumerate()
-        .map(|(index, asked)| {
-            let read = if asked.method == Method::Klein {
-                d.read_klein(&asked.quantity)
-            } else if asked.by_centres() {
-                d.read_from_centres(index)
-            } else {
-                d.read_quantity(&asked.quantity)
-            };
-            let of_polygon = asked.method != Method::Klein;
-            let drawn_mm = of_polygon.then(|| d.drawn_length(&asked.quantity)).flatten();
-            let answer = d.answer(read, &mut slots);
-            Reading { answer, drawn_mm }
+    let readings = read_all(d)
+        .into_iter()
+        .map(|read| {
+            slots.push(read.numbers.iter().flatten().map(|(mark, _)| *mark).collect());
+            let (answer, fine) = d.answer(&read);
+            Reading { answer, fine, drawn_mm: read.drawn_mm }
         })
         .collect();
     (readings, slots)
 }
 
-impl Draughtsman<'_, Recorded> {
-    fn answer(&mut self, read: Read<Recorded>, slots: &mut Vec<Vec<u32>>) -> Answer {
-        let marks: Vec<MarkOf<Recorded>> = match &read {
-            Read::Vector([x, y]) => vec![x.mark(), y.mark()],
-            Read::Scalar(a) => vec![a.mark()],
-            Read::Angle(a) | Read::Toward(_, a) => vec![a.mark()],
-            Read::Undefined(_) => Vec::new(),
+/// Reads every asked quantity.
+pub(super) fn read_all<B: Bench>(d: &mut Draughtsman<'_, B>) -> Vec<ReadOff<B>> {
+    let asked = d.mechanism.asked.clone();
+    asked.iter().enumerate().map(|(index, asked)| d.read_off(index, asked)).collect()
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    fn read_off(&mut self, index: usize, asked: &Asked) -> ReadOff<B> {
+        let read = if asked.method == Method::Klein {
+            self.read_klein(&asked.quantity)
+        } else if asked.by_centres() {
+            self.read_from_centres(index)
+        } else {
+            self.read_quantity(&asked.quantity)
         };
-        slots.push(marks.clone());
-        let weak = marks.iter().find_map(|&mark| self.board.recorder().weakness(mark));
+        let of_polygon = asked.method != Method::Klein;
+        let drawn_mm = of_polygon.then(|| self.drawn_length(&asked.quantity)).flatten();
+        let toward = match &read {
+            Read::Toward(direction, _) => Some(direction.value()),
+            _ => None,
+        };
+        let numbers = match read {
+            Read::Vector([x, y]) => Ok(vec![(x.mark(), x.real()), (y.mark(), y.real())]),
+            Read::Scalar(a) => Ok(vec![(a.mark(), a.real())]),
+            Read::Angle(a) | Read::Toward(_, a) => Ok(vec![(a.mark(), a.real())]),
+            Read::Undefined(why) => Err(why),
+        };
+        ReadOff { numbers, toward, drawn_mm }
+    }
+}
+
+impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
+    fn answer(&mut self, read: &ReadOff<B>) -> (Answer, Option<Fine>) {
+        let undefined = |why: &str| Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() });
+        let numbers = match &read.numbers {
+            Ok(numbers) => numbers,
+            Err(why) => return (undefined(why), None),
+        };
+        let weak = numbers.iter().find_map(|&(mark, _)| self.board.recorder().weakness(mark));
+        if weak == Some(TOO_LARGE) {
+            return (undefined("a number on the way is too large for this arithmetic"), None);
+        }
         if let Some(reason) = weak {
             let links = self.links_of(reason);
-            return Answer::Indeterminate(Indeterminate::DeadCentre { links });
+            return (Answer::Indeterminate(Indeterminate::DeadCentre { links }), None);
         }
-        let mut bounds = marks.iter().map(|&mark| self.board.recorder().bound(mark));
-        match read {
-            Read::Vector([x, y]) => {
-                let (bx, by) = (bounds.next().unwrap_or(0.0), bounds.next().unwrap_or(0.0));
-                Answer::Vector { value: [x.value(), y.value()], bound: libm::hypot(bx, by) }
-            }
-            Read::Scalar(a) => Answer::Scalar { value: a.value(), bound: bounds.next().unwrap_or(0.0) },
-            Read::Angle(a) => Answer::Scalar { value: a.value(), bound: bounds.next().unwrap_or(0.0) },
-            Read::Toward(direction, _) => {
-                Answer::AtInfinity { direction: direction.value(), bound: bounds.next().unwrap_or(0.0) }
-            }
-            Read::Undefined(why) => Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() }),
-        }
+        let bounds: Vec<f64> = numbers.iter().map(|&(mark, _)| self.board.recorder().bound(mark)).collect();
+        let values: Vec<f64> = numbers.iter().map(|(_, real)| real.to_f64()).collect();
+        let low: Vec<f64> = numbers.iter().map(|(_, real)| real.to_double_double().lo()).collect();
+        // The answer is rounded to a double: what that leaves belongs to its bound.
+        let rounded = |i: usize| bounds[i] + low[i].abs();
+        let answer = match (read.toward, &values[..]) {
+            (Some(direction), [_]) => return (Answer::AtInfinity { direction, bound: rounded(0) }, None),
+            (None, &[value]) => Answer::Scalar { value, bound: rounded(0) },
+            (None, &[x, y]) => Answer::Vector { value: [x, y], bound: libm::hypot(rounded(0), rounded(1)) },
+            _ => undefined("nothing was read"),
+        };
+        let fine = (B::Real::UNIT_ROUNDOFF < f64::EPSILON / 4.0).then(|| Fine {
+            value: numbers.iter().map(|(_, real)| real.to_double_double()).collect(),
+            bound: bounds.iter().fold(0.0, |sum, b| libm::hypot(sum, *b)),
+        });
+        (answer, fine)
     }
 }
 
@@ -389,17 +429,5 @@ impl<B: Bench> Draughtsman<'_, B> {
         let coupler = self.outward(i, pin, p);
         let output = self.outward(j, pin, q);
         Read::Angle(self.board.unsigned_angle(coupler, output))
-    }
-}
-
-impl<B: Bench> Board<B> {
-    /// Angle between two directions, 0 to π.
-    fn unsigned_angle(
-        &mut self,
-        from: crate::board::Direction<B>,
-        to: crate::board::Direction<B>,
-    ) -> Angle<B> {
-        let angle = self.angle_between(from, to);
-        if angle.value() < 0.0 { self.angle_between(to, from) } else { angle }
     }
 }

@@ -343,7 +343,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             }
         };
         let (fine, coarse) = (difference(STEP), difference(2.0 * STEP));
-        Given { value: fine, error: (fine - coarse).abs() }
+        Given::within(fine, (fine - coarse).abs())
     }
 
     // --- velocity ------------------------------------------------------------------------------

@@ -7,42 +7,124 @@
 //! points, or `guide` and the name that a group of the skeleton carries as `data-guide`: its rider, and its
 //! link where one pin rides on several; the first stroke of that group has the guide's direction). A vector
 //! too short to draw is a circle with `data-as-point`. The polygon's and the skeleton's `data-scale` is its
-//! unit per millimetre; images and joints carry `data-point`, which no two places of a figure share.
+//! unit per millimetre (`data-si-per-mm` the same in SI); images and joints carry `data-point`, which no two
+//! places of a figure share.
+//!
+//! Title and description are the first children and name the picture for screen readers. Identifiers begin
+//! with a hash of the content, so that several figures can stand in one HTML page.
 
-use kurbo::Point;
+use std::cell::Cell;
+
+use kurbo::{BezPath, PathEl, Point};
 use svg::Document;
 use svg::node::Blob;
-use svg::node::element::{Circle, Element, Group as GroupElement, Path};
+use svg::node::element::{Circle, Element, Group as GroupElement, Path, Rectangle};
 
 use super::number::decimal;
-use crate::sheet::figure::{Dash, Figure, Group, Mark, Node, Pen, Run, Shape, Text, Tone, on_circle};
-use crate::sheet::font::{ARABIC_FAMILIES, FAMILIES, Face};
+use super::theme::{Place, Theme};
+use crate::sheet::figure::{Figure, Group, Mark, Node, Pen, Run, Shape, Text, Tone, on_circle};
+use crate::sheet::font::{ARABIC_FAMILIES, ARABIC_FAMILY, FAMILIES, FAMILY, Face};
 
 /// Decimals of a millimetre for ink that only has to look right.
 const LAYOUT: usize = 3;
 /// Decimals of a millimetre for ink whose length is a quantity.
 const PRECISE: usize = 6;
 
-/// The figure as an SVG document.
+/// The figure as an SVG document, black on white.
 #[must_use]
 pub fn write(figure: &Figure) -> String {
+    write_in(figure, Theme::Mono)
+}
+
+/// The figure as an SVG document in the colours of a theme.
+#[must_use]
+pub fn write_in(figure: &Figure, theme: Theme) -> String {
+    document(figure, theme, &Lettered::Live, None)
+}
+
+/// The same with the typefaces that its text is set in embedded as `data:`, so that it looks alike where
+/// they are not installed. Some 400 kB larger for each typeface used.
+#[must_use]
+pub fn write_embedded(figure: &Figure, theme: Theme) -> String {
+    document(figure, theme, &Lettered::Live, Some(font_faces(figure)))
+}
+
+/// Path data of each line of text by its identifier, as [`write_numbered`] gives them.
+#[cfg(feature = "png")]
+pub(super) type Outlines = std::collections::BTreeMap<String, String>;
+
+/// The figure with an identifier at each line of text, for [`write_outlined`].
+#[cfg(feature = "png")]
+pub(super) fn write_numbered(figure: &Figure) -> String {
+    document(figure, Theme::Mono, &Lettered::Numbered, None)
+}
+
+/// The figure with paths in the place of its text.
+#[cfg(feature = "png")]
+pub(super) fn write_outlined(figure: &Figure, theme: Theme, outlines: Outlines) -> String {
+    document(figure, theme, &Lettered::Outlined(outlines), None)
+}
+
+/// How text is written.
+enum Lettered {
+    Live,
+    #[cfg(feature = "png")]
+    Numbered,
+    #[cfg(feature = "png")]
+    Outlined(Outlines),
+}
+
+fn document(figure: &Figure, theme: Theme, lettered: &Lettered, style: Option<String>) -> String {
     let width = decimal(figure.width, LAYOUT);
     let height = decimal(figure.height, LAYOUT);
+    let body = |prefix: &str| {
+        let texts = Cell::new(0);
+        Writer { theme, prefix, lettered, texts }.group(&figure.root, Place::default())
+    };
+    // The hash is of all that stands in the figure but the prefix itself.
+    let plain = body("");
+    let content = format!("{}\n{}\n{plain}", figure.title, figure.description);
+    let prefix = format!("f{:08x}-", fold(fnv(content.as_bytes())));
+    let (title, description) = (format!("{prefix}title"), format!("{prefix}desc"));
+    let described = !figure.description.is_empty();
     let mut document = Document::new()
         .set("width", format!("{width}mm"))
         .set("height", format!("{height}mm"))
         .set("viewBox", format!("0 0 {width} {height}"))
         .set("xml:lang", figure.language)
+        .set("lang", figure.language)
         .set("role", "img")
+        .set("aria-labelledby", if described { format!("{title} {description}") } else { title.clone() })
         .set("font-family", FAMILIES)
         .set("stroke-linejoin", "round")
-        .add(element_with_text("title", &figure.title));
-    if !figure.description.is_empty() {
-        document = document.add(element_with_text("desc", &figure.description));
+        .add(element_with_text("title", Some(&title), &figure.title));
+    if described {
+        document = document.add(element_with_text("desc", Some(&description), &figure.description));
     }
-    let mut text = document.add(group(&figure.root)).to_string();
+    if let Some(style) = style {
+        document = document.add(Blob::new(style));
+    }
+    if theme.paints_paper() {
+        let place = Place::default();
+        document = document.set("fill", colour(theme, Tone::Ink, place)).add(
+            Rectangle::new()
+                .set("class", "paper")
+                .set("width", width)
+                .set("height", height)
+                .set("fill", colour(theme, Tone::Paper, place)),
+        );
+    }
+    let body = if has_ids(&figure.root) { body(&prefix) } else { plain };
+    let mut text = document.add(body).to_string();
     text.push('\n');
     text
+}
+
+/// The FNV-1a hash: short, and the same everywhere.
+fn fnv(bytes: &[u8]) -> u64 {
+    bytes
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
 }
 
 /// Seconds for which a step of a film is shown.
@@ -82,109 +164,183 @@ pub fn write_film(frames: &[Figure]) -> String {
     hidden.replacen("<g class=\"film\">", &format!("<style>{style}</style>\n<g class=\"film\">"), 1)
 }
 
-fn element_with_text(name: &str, text: &str) -> Blob {
-    Blob::new(format!("<{name}>{}</{name}>", escape(text)))
+fn fold(hash: u64) -> u32 {
+    (hash ^ (hash >> 32)) as u32
 }
 
-fn group(group: &Group) -> GroupElement {
-    let mut element = GroupElement::new();
-    if !group.class.is_empty() {
-        element = element.set("class", group.class.as_str());
-    }
-    if let Some(id) = &group.id {
-        element = element.set("id", id.as_str());
-    }
-    for (name, value) in &group.data {
-        element = element.set(format!("data-{name}"), printable(value));
-    }
-    if let Some(title) = &group.title {
-        element = element.add(element_with_text("title", title));
-    }
-    for child in &group.children {
-        element = match child {
-            Node::Group(child) => element.add(self::group(child)),
-            Node::Mark(child) => element.add(mark(child)),
-            Node::Text(child) => element.add(text(child)),
+fn has_ids(group: &Group) -> bool {
+    group.id.is_some()
+        || group.children.iter().any(|child| matches!(child, Node::Group(group) if has_ids(group)))
+}
+
+/// One `@font-face` for each typeface that occurs.
+fn font_faces(figure: &Figure) -> String {
+    let mut used = Vec::new();
+    figure.root.walk(&mut |node| {
+        if let Node::Text(text) = node {
+            used.extend(text.runs.iter().map(|run| run.face));
+        }
+    });
+    let mut rules = String::from("<style>");
+    for face in Face::ALL.into_iter().filter(|face| used.contains(face)) {
+        let (family, style, weight, format) = match face {
+            Face::Upright => (FAMILY, "normal", "normal", "opentype"),
+            Face::Italic => (FAMILY, "italic", "normal", "opentype"),
+            Face::Bold => (FAMILY, "normal", "bold", "opentype"),
+            Face::Arabic => (ARABIC_FAMILY, "normal", "normal", "truetype"),
+            Face::ArabicBold => (ARABIC_FAMILY, "normal", "bold", "truetype"),
         };
+        rules.push_str(&format!(
+            "@font-face{{font-family:'{family}';font-style:{style};font-weight:{weight};\
+             src:url(data:font/sfnt;base64,{}) format('{format}')}}",
+            base64(face.bytes())
+        ));
     }
-    element
+    rules.push_str("</style>");
+    rules
 }
 
-fn mark(mark: &Mark) -> Element {
-    let decimals = if mark.precise { PRECISE } else { LAYOUT };
-    let n = |value: f64| decimal(value, decimals);
-    let at = |p: Point| format!("{} {}", n(p.x), n(p.y));
-    let mut element: Element = match &mark.shape {
-        Shape::Line(a, b) => Path::new().set("d", format!("M{} L{}", at(*a), at(*b))).into(),
-        Shape::Polyline(points) => Path::new().set("d", through(points, at)).into(),
-        Shape::Polygon(points) => Path::new().set("d", format!("{} Z", through(points, at))).into(),
-        Shape::Circle { centre, radius } => {
-            Circle::new().set("cx", n(centre.x)).set("cy", n(centre.y)).set("r", n(*radius)).into()
-        }
-        Shape::Arc { centre, radius, start, sweep } => {
-            let large = i32::from(sweep.abs() > std::f64::consts::PI);
-            let clockwise = i32::from(*sweep < 0.0);
-            let from = on_circle(*centre, *radius, *start);
-            let to = on_circle(*centre, *radius, start + sweep);
-            let r = n(*radius);
-            Path::new().set("d", format!("M{} A{r} {r} 0 {large} {clockwise} {}", at(from), at(to))).into()
-        }
-    };
-    let attributes = element.get_attributes_mut();
-    let mut set = |name: &str, value: String| {
-        attributes.insert(name.to_owned(), value.into());
-    };
-    if !mark.class.is_empty() {
-        set("class", mark.class.to_owned());
-    }
-    set("fill", mark.fill.map_or("none", colour).to_owned());
-    if let Some(pen) = mark.pen {
-        set("stroke", colour(Tone::Ink).to_owned());
-        set("stroke-width", decimal(pen.width, LAYOUT));
-        if let Some(dashes) = dashes(pen) {
-            set("stroke-dasharray", dashes);
+/// The path data of a curve.
+fn curve(path: &BezPath, at: impl Fn(Point) -> String) -> String {
+    let parts: Vec<String> = path
+        .elements()
+        .iter()
+        .map(|element| match *element {
+            PathEl::MoveTo(p) => format!("M{}", at(p)),
+            PathEl::LineTo(p) => format!("L{}", at(p)),
+            PathEl::QuadTo(a, p) => format!("Q{} {}", at(a), at(p)),
+            PathEl::CurveTo(a, b, p) => format!("C{} {} {}", at(a), at(b), at(p)),
+            PathEl::ClosePath => "Z".to_owned(),
+        })
+        .collect();
+    parts.join(" ")
+}
+
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let bits =
+            three.iter().enumerate().fold(0_u32, |bits, (i, byte)| bits | u32::from(*byte) << (16 - 8 * i));
+        for i in 0..4 {
+            let digit = DIGITS[(bits >> (18 - 6 * i) & 63) as usize];
+            out.push(if i <= three.len() { char::from(digit) } else { '=' });
         }
     }
-    element
+    out
 }
 
-fn through(points: &[Point], at: impl Fn(Point) -> String) -> String {
-    let places: Vec<String> = points.iter().map(|p| at(*p)).collect();
-    format!("M{}", places.join(" L"))
+fn element_with_text(name: &str, id: Option<&str>, text: &str) -> Blob {
+    let id = id.map_or(String::new(), |id| format!(" id=\"{id}\""));
+    Blob::new(format!("<{name}{id}>{}</{name}>", escape(text)))
 }
 
-fn colour(tone: Tone) -> &'static str {
-    match tone {
-        Tone::Ink => "#000000",
-        Tone::Paper => "#ffffff",
-        Tone::Tint => "#e4ebf2",
+struct Writer<'a> {
+    theme: Theme,
+    /// What every identifier begins with.
+    prefix: &'a str,
+    lettered: &'a Lettered,
+    /// Lines of text written so far.
+    texts: Cell<usize>,
+}
+
+impl Writer<'_> {
+    fn group(&self, group: &Group, place: Place) -> GroupElement {
+        let place = place.inside(group);
+        let mut element = GroupElement::new();
+        if !group.class.is_empty() {
+            element = element.set("class", group.class.as_str());
+        }
+        if let Some(id) = &group.id {
+            element = element.set("id", format!("{}{id}", self.prefix));
+        }
+        for (name, value) in &group.data {
+            element = element.set(format!("data-{name}"), printable(value));
+        }
+        if let Some(title) = &group.title {
+            element = element.add(element_with_text("title", None, title));
+        }
+        for child in &group.children {
+            element = match child {
+                Node::Group(child) => element.add(self.group(child, place)),
+                Node::Mark(child) => element.add(self.mark(child, place)),
+                Node::Text(child) => element.add(self.text(child)),
+            };
+        }
+        element
     }
-}
 
-fn dashes(pen: Pen) -> Option<String> {
-    let lengths: &[f64] = match pen.dash {
-        Dash::Solid => return None,
-        Dash::Dashed => &[2.0, 1.0],
-        Dash::Chain => &[5.0, 0.9, 0.4, 0.9],
-    };
-    let lengths: Vec<String> = lengths.iter().map(|l| decimal(*l, LAYOUT)).collect();
-    Some(lengths.join(" "))
-}
-
-/// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs. A line
-/// with words of Arabic script is one `<text>` per run: viewers order runs of two directions in one `<text>`
-/// each in its own way.
-fn text(text: &Text) -> Blob {
-    let class = if text.class.is_empty() { String::new() } else { format!(" class=\"{}\"", text.class) };
-    if !text.runs.iter().any(|run| run.face.is_arabic()) {
-        return Blob::new(format!("<text{class}>{}</text>", text.runs.iter().map(run).collect::<String>()));
+    fn mark(&self, mark: &Mark, place: Place) -> Element {
+        let decimals = if mark.precise { PRECISE } else { LAYOUT };
+        let n = |value: f64| decimal(value, decimals);
+        let at = |p: Point| format!("{} {}", n(p.x), n(p.y));
+        let mut element: Element = match &mark.shape {
+            Shape::Line(a, b) => Path::new().set("d", format!("M{} L{}", at(*a), at(*b))).into(),
+            Shape::Polyline(points) => Path::new().set("d", through(points, at)).into(),
+            Shape::Polygon(points) => Path::new().set("d", format!("{} Z", through(points, at))).into(),
+            Shape::Curve(path) => Path::new().set("d", curve(path, at)).into(),
+            Shape::Circle { centre, radius } => {
+                Circle::new().set("cx", n(centre.x)).set("cy", n(centre.y)).set("r", n(*radius)).into()
+            }
+            Shape::Arc { centre, radius, start, sweep } => {
+                let large = i32::from(sweep.abs() > std::f64::consts::PI);
+                let clockwise = i32::from(*sweep < 0.0);
+                let from = on_circle(*centre, *radius, *start);
+                let to = on_circle(*centre, *radius, start + sweep);
+                let r = n(*radius);
+                Path::new()
+                    .set("d", format!("M{} A{r} {r} 0 {large} {clockwise} {}", at(from), at(to)))
+                    .into()
+            }
+        };
+        let attributes = element.get_attributes_mut();
+        let mut set = |name: &str, value: String| {
+            attributes.insert(name.to_owned(), value.into());
+        };
+        if !mark.class.is_empty() {
+            set("class", mark.class.to_owned());
+        }
+        set("fill", mark.fill.map_or("none".to_owned(), |tone| colour(self.theme, tone, place)));
+        if let Some(pen) = mark.pen {
+            set("stroke", colour(self.theme, Tone::Ink, place));
+            set("stroke-width", decimal(pen.width, LAYOUT));
+            if let Some(dashes) = dashes(pen) {
+                set("stroke-dasharray", dashes);
+            }
+        }
+        element
     }
-    let alone = |own: &Run| {
-        let family =
-            if own.face.is_arabic() { format!(" font-family=\"{ARABIC_FAMILIES}\"") } else { String::new() };
-        format!("<text{family}>{}</text>", run(own))
-    };
-    Blob::new(format!("<g{class}>{}</g>", text.runs.iter().map(alone).collect::<String>()))
+
+    /// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs. A
+    /// line with words of Arabic script is one `<text>` per run: viewers order runs of two directions in one
+    /// `<text>` each in its own way.
+    fn text(&self, text: &Text) -> Blob {
+        let number = self.texts.get();
+        self.texts.set(number + 1);
+        let class = if text.class.is_empty() { String::new() } else { format!(" class=\"{}\"", text.class) };
+        let name: Option<String> = match self.lettered {
+            Lettered::Live => None,
+            #[cfg(feature = "png")]
+            Lettered::Numbered => Some(format!("t{number}")),
+            #[cfg(feature = "png")]
+            Lettered::Outlined(outlines) => {
+                let d = outlines.get(&format!("t{number}")).map_or("", String::as_str);
+                let words = attribute(&text.content());
+                return Blob::new(format!("<path{class} role=\"img\" aria-label=\"{words}\" d=\"{d}\"/>"));
+            }
+        };
+        let id = |part: usize| name.as_ref().map_or(String::new(), |name| format!(" id=\"{name}-{part}\""));
+        if !text.runs.iter().any(|run| run.face.is_arabic()) {
+            let runs: String = text.runs.iter().map(run).collect();
+            return Blob::new(format!("<text{class}{}>{runs}</text>", id(0)));
+        }
+        let alone = |(part, own): (usize, &Run)| {
+            let arabic = own.face.is_arabic();
+            let family = if arabic { format!(" font-family=\"{ARABIC_FAMILIES}\"") } else { String::new() };
+            format!("<text{}{family}>{}</text>", id(part), run(own))
+        };
+        Blob::new(format!("<g{class}>{}</g>", text.runs.iter().enumerate().map(alone).collect::<String>()))
+    }
 }
 
 fn run(run: &Run) -> String {
@@ -202,6 +358,20 @@ fn run(run: &Run) -> String {
     )
 }
 
+fn through(points: &[Point], at: impl Fn(Point) -> String) -> String {
+    let places: Vec<String> = points.iter().map(|p| at(*p)).collect();
+    format!("M{}", places.join(" L"))
+}
+
+fn colour(theme: Theme, tone: Tone, place: Place) -> String {
+    format!("#{}", theme.tone(tone, place.about).hex())
+}
+
+fn dashes(pen: Pen) -> Option<String> {
+    let lengths: Vec<String> = pen.dash.lengths()?.iter().map(|l| decimal(*l, LAYOUT)).collect();
+    Some(lengths.join(" "))
+}
+
 /// Characters that XML cannot hold become the replacement character.
 fn printable(text: &str) -> String {
     text.chars()
@@ -215,6 +385,12 @@ fn printable(text: &str) -> String {
 
 fn escape(text: &str) -> String {
     printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// Text for an attribute in double quotes.
+#[cfg(feature = "png")]
+fn attribute(text: &str) -> String {
+    escape(text).replace('"', "&quot;")
 }
 
 #[cfg(test)]
@@ -232,7 +408,7 @@ mod tests {
             root: Group::new("x").data("name", "\u{1}<\"'&>"),
         };
         let svg = write(&figure);
-        assert!(svg.contains("<title>a &lt; b &amp; \u{fffd} \"c\"</title>"), "{svg}");
+        assert!(svg.contains("title\">a &lt; b &amp; \u{fffd} \"c\"</title>"), "{svg}");
         let document = svg.split("data-name=").nth(1).unwrap();
         assert!(document.starts_with("\"\u{fffd}&lt;&quot;&apos;&amp;&gt;\""), "{document}");
     }

@@ -44,5 +44,6 @@ pub(super) const SHEET: &[&str] = &[
     "figures",
     "notation",
     "decimal",
+    "theme",
 ];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];

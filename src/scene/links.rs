@@ -167,7 +167,7 @@ fn pins(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
             (Some(radius), None) => draft.scales.positive(radius, "the radius")?,
             (None, Some(diameter)) => {
                 let diameter = draft.scales.positive(&diameter.value, "the diameter")?;
-                Given { value: diameter.value / 2.0, error: diameter.error / 2.0 }
+                diameter.times(0.5)
             }
             (Some(_), Some(diameter)) => {
                 return Err(Fault::new(diameter.at, "a pin has a radius or a diameter, not both"));

@@ -25,6 +25,7 @@ pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
 pub use sheet::paper_size;
 pub use source::{Source, Subject};
+pub use units::si_of;
 
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Unit;
@@ -213,6 +214,8 @@ pub struct SheetOptions {
     pub paper: Option<String>,
     /// Language tag: `en`, `ar`, `ar-x-ajala` or `fa`.
     pub language: Option<String>,
+    /// Colours: `mono`, `colour` or `dark`.
+    pub theme: Option<String>,
     /// Letter for angular acceleration.
     pub angular_acceleration: Option<AngularAcceleration>,
     /// How vectors are written: `standard`, or as in a textbook: `norton`, `uicker`, `rattan`, `martin`.

@@ -645,7 +645,7 @@ impl<'b, 's> Board<'b, 's> {
             let (settled, free) = self.meet(spot, &bonds);
             self.spots[point.0] = Some(settled);
             let place = if free || needed {
-                Place::Placed(settled.xy.map(|value| Given { value, error: settled.error }))
+                Place::Placed(settled.xy.map(|value| Given::within(value, settled.error)))
             } else {
                 Place::Near(settled.xy)
             };

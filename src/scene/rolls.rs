@@ -132,5 +132,5 @@ fn pitch_radius(teeth: &Value<'_>, module: Given) -> Res<Given> {
     if count == 0 || count > MOST_TEETH {
         return Err(Fault::new(teeth.at, format!("a wheel cannot have {count} teeth")));
     }
-    Ok(module.scaled(f64::from(count) / 2.0, 0.0))
+    Ok(module.times(f64::from(count) / 2.0))
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::sheet::{LANGUAGES, NOTATIONS, PAPERS};
+use super::sheet::{LANGUAGES, NOTATIONS, PAPERS, THEMES};
 use super::units::names;
 use crate::mechanism::quantity::Method;
 
@@ -349,6 +349,7 @@ fn sheet() -> Value {
                 "default": "A4", "description": "Paper size.", "examples": ["A4", "A3 landscape"],
             },
             "language": { "enum": LANGUAGES, "description": "Language of the sheet." },
+            "theme": { "enum": THEMES, "default": "mono", "description": "Colours of the sheet." },
             "symbols": { "enum": ["alpha", "epsilon"], "description": "Letter for angular acceleration." },
             "notation": {
                 "enum": NOTATIONS, "default": "standard",

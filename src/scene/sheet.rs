@@ -10,6 +10,8 @@ pub(super) const LANGUAGES: [&str; 4] = ["en", "ar", "ar-x-ajala", "fa"];
 /// Paper sizes; `portrait` or `landscape` may stand after them.
 pub(super) const PAPERS: [&str; 9] = ["A0", "A1", "A2", "A3", "A4", "A5", "A6", "letter", "legal"];
 
+/// Colours of the sheet.
+pub(super) const THEMES: [&str; 3] = ["mono", "colour", "dark"];
 /// Notations of vectors.
 pub(super) const NOTATIONS: [&str; 5] = ["standard", "norton", "uicker", "rattan", "martin"];
 
@@ -42,6 +44,7 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales) -> Res<SheetOptio
     let fields = Fields::of(value, keys::SHEET, "how to draw the sheet")?;
     sheet.paper = fields.get("paper").map(paper).transpose()?;
     sheet.language = fields.get("language").map(|v| one_of(v, &LANGUAGES, "a language")).transpose()?;
+    sheet.theme = fields.get("theme").map(|v| one_of(v, &THEMES, "a theme")).transpose()?;
     if let Some(symbols) = fields.get("symbols") {
         let name = one_of(symbols, &["alpha", "epsilon"], "a letter for angular acceleration")?;
         let epsilon = name == "epsilon";

@@ -6,6 +6,7 @@ use super::Units;
 use super::diagnostic::{Fault, Res};
 use super::json::{Fields, Kind, Value};
 use super::keys;
+use crate::double_double::DoubleDouble;
 use crate::mechanism::quantity::Unit;
 use crate::mechanism::{Given, Sense};
 
@@ -120,6 +121,10 @@ pub(super) struct Scale {
     denominator: f64,
     /// Relative error of the quotient.
     error: f64,
+    /// The quotient to double-double.
+    fine: DoubleDouble,
+    /// Relative error of `fine`.
+    fine_error: f64,
     /// How many units make a full turn, for the units in which that is exact.
     turn: Option<f64>,
 }
@@ -167,7 +172,22 @@ impl Scale {
             "rev" => Some(1.0),
             _ => None,
         };
-        Some(Self { symbol: symbol.to_owned(), dimension, numerator, denominator, error, turn })
+        let of_pi = match symbol {
+            "deg" | "rpm" => Some(DoubleDouble::PI),
+            "rev" => Some(DoubleDouble::PI * DoubleDouble::of(2.0)),
+            _ => None,
+        };
+        let fine = of_pi.unwrap_or(DoubleDouble::of(numerator)) / DoubleDouble::of(denominator);
+        Some(Self {
+            symbol: symbol.to_owned(),
+            dimension,
+            numerator,
+            denominator,
+            error,
+            fine,
+            fine_error: 2.0 * DoubleDouble::ROUNDOFF,
+            turn,
+        })
     }
 
     /// Degrees.
@@ -183,6 +203,8 @@ impl Scale {
             numerator: 1.0,
             denominator: 1.0,
             error: 0.0,
+            fine: DoubleDouble::of(1.0),
+            fine_error: 0.0,
             turn: None,
         }
     }
@@ -209,6 +231,8 @@ impl Scale {
             numerator: self.numerator * up,
             denominator: self.denominator * down,
             error: self.error + other.error + rounding(self.numerator, up) + rounding(self.denominator, down),
+            fine: if inverse { self.fine / other.fine } else { self.fine * other.fine },
+            fine_error: self.fine_error + other.fine_error + DoubleDouble::ROUNDOFF,
             turn: None,
         })
     }
@@ -284,7 +308,14 @@ impl Scale {
         let down = if self.denominator == 1.0 { 0.0 } else { HALF_ULP };
         let value = read.value * self.numerator / self.denominator;
         let error = read.error * self.si() + value.abs() * (self.error + up + down);
-        Given { value, error }
+        self.refined(value, error, read.double_double(), read.low_error)
+    }
+
+    /// A converted number with what its nearest double leaves.
+    fn refined(&self, value: f64, error: f64, read: DoubleDouble, read_error: f64) -> Given {
+        let fine = read * self.fine;
+        let low_error = read_error * self.si() + value.abs() * (self.fine_error + DoubleDouble::ROUNDOFF);
+        Given { value, error, low: fine.hi() - value + fine.lo(), low_error }
     }
 
     /// An angle within half a turn. Whole turns are taken off in the unit itself, where that is exact,
@@ -302,8 +333,16 @@ impl Scale {
         } else {
             (rest * self.numerator / self.denominator, self.error + 2.0 * HALF_ULP)
         };
-        Given { value, error: read.error * self.si() + value.abs() * rounding }
+        let error = read.error * self.si() + value.abs() * rounding;
+        // What was taken off is a whole number of turns exactly: the low part stays as it is.
+        self.refined(value, error, DoubleDouble::sum(rest, read.low), read.low_error)
     }
+}
+
+/// SI units per unit, to double-double: from the unit's symbol, since a double would round it.
+#[must_use]
+pub fn si_of(unit: &Unit) -> DoubleDouble {
+    Scale::parse(&unit.symbol, 0).map_or(DoubleDouble::of(unit.si), |scale| scale.fine)
 }
 
 /// `s^2` as `s` and 2.
@@ -437,7 +476,7 @@ impl Scales {
         let read = number(stated.digits, value.at)?;
         let mut given = scale.apply(read);
         if stated.sense == Some(Sense::Cw) {
-            given.value = -given.value;
+            given = -given;
         }
         // A negative zero would print as one.
         given.value += 0.0;
@@ -501,7 +540,7 @@ pub(super) fn number(digits: &str, at: usize) -> Res<Given> {
         let fault = Fault::new(at, format!("`{digits}` is out of range of double precision"));
         return Err(fault.mend(format!("sizes from {SMALLEST:e} to {LARGEST:e} in SI units can be solved")));
     }
-    Ok(Given::read(value))
+    Ok(Given::decimal(digits).unwrap_or(Given::read(value)))
 }
 
 /// `75 rpm cw`, taken apart.

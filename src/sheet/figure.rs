@@ -3,7 +3,7 @@
 //! x runs to the right and y down, as on every page. The renderer knows no mechanism; the sheet knows
 //! no file format.
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Affine, BezPath, PathEl, Point, Rect, Vec2};
 
 use super::font::Face;
 
@@ -76,6 +76,8 @@ pub enum Shape {
     Polyline(Vec<Point>),
     /// A closed outline.
     Polygon(Vec<Point>),
+    /// A curve of Béziers.
+    Curve(BezPath),
     /// A circle.
     Circle {
         /// Its centre.
@@ -114,6 +116,18 @@ pub enum Dash {
     Dashed,
     /// Long dash, dot: axes, centre lines, pitch circles.
     Chain,
+}
+
+impl Dash {
+    /// Lengths of strokes and gaps, mm; none for a continuous line.
+    #[must_use]
+    pub const fn lengths(self) -> Option<&'static [f64]> {
+        match self {
+            Self::Solid => None,
+            Self::Dashed => Some(&[2.0, 1.0]),
+            Self::Chain => Some(&[5.0, 0.9, 0.4, 0.9]),
+        }
+    }
 }
 
 /// What an area is filled with.
@@ -292,6 +306,7 @@ impl Shape {
                 *b += by;
             }
             Self::Polyline(points) | Self::Polygon(points) => points.iter_mut().for_each(|p| *p += by),
+            Self::Curve(path) => path.apply_affine(Affine::translate(by)),
             Self::Circle { centre, .. } | Self::Arc { centre, .. } => *centre += by,
         }
     }
@@ -305,6 +320,18 @@ impl Shape {
             Self::Polygon(points) => {
                 let next = points.iter().cycle().skip(1);
                 points.iter().zip(next).map(|(a, b)| (*a, *b)).collect()
+            }
+            Self::Curve(path) => {
+                let (mut pieces, mut at) = (Vec::new(), Point::ZERO);
+                kurbo::flatten(path, 0.02, |element| match element {
+                    PathEl::LineTo(to) => {
+                        pieces.push((at, to));
+                        at = to;
+                    }
+                    PathEl::MoveTo(to) => at = to,
+                    _ => {}
+                });
+                pieces
             }
             Self::Circle { centre, radius } => chords(*centre, *radius, 0.0, std::f64::consts::TAU),
             Self::Arc { centre, radius, start, sweep } => chords(*centre, *radius, *start, *sweep),

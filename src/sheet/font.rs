@@ -34,6 +34,9 @@ pub const FAMILIES: &str =
 /// The family's name alone.
 pub const FAMILY: &str = "Libertinus Serif";
 
+/// The family's name of Arabic script alone.
+pub const ARABIC_FAMILY: &str = "Amiri";
+
 /// The family of Arabic script, and what may stand for it where it is not installed.
 pub const ARABIC_FAMILIES: &str =
     "Amiri, 'Scheherazade New', 'Noto Naskh Arabic', 'Traditional Arabic', 'Times New Roman', serif";

@@ -11,6 +11,7 @@ mod centres;
 mod circle;
 mod compose;
 mod coriolis;
+pub mod diagrams;
 mod dimensions;
 mod feet;
 pub mod figure;

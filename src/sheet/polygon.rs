@@ -30,7 +30,8 @@ pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>) -> Group
     let unit = notation.unit(polygon.order);
     let mut group = Group::new(class)
         .data("scale", number(polygon.si_per_mm / unit.si))
-        .data("unit", format!("{} per mm", unit.symbol));
+        .data("unit", format!("{} per mm", unit.symbol))
+        .data("si-per-mm", number(polygon.si_per_mm));
     group.title = Some(figure_name.to_owned());
 
     group.group(link_images(polygon, notation));

@@ -110,7 +110,8 @@ pub fn draw_under(
     let unit = &notation.scene.units.length;
     let mut group = Group::new("skeleton")
         .data("scale", format!("{}", space.metres_per_mm / unit.si))
-        .data("unit", format!("{} per mm", unit.symbol));
+        .data("unit", format!("{} per mm", unit.symbol))
+        .data("si-per-mm", format!("{}", space.metres_per_mm));
     group.title = Some(notation.words.skeleton.to_owned());
     let mut artist = Artist::new(construction, notation);
     artist.links_and_joints(&mut group, true);
@@ -704,7 +705,8 @@ impl Artist<'_> {
             if values {
                 own = own
                     .data("quantity", self.notation.quantity_name(quantity))
-                    .data("value", format!("{}", value / unit.si));
+                    .data("value", format!("{}", value / unit.si))
+                    .data("unit", unit.symbol);
             }
             let Turn { centre, radius, middle, half } = arc;
             let (start, sweep) =

@@ -4,6 +4,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use linkgram::double_double::DoubleDouble;
 use num_bigint::BigInt;
 
 /// Digits after the binary point.
@@ -35,6 +36,47 @@ impl Exact {
             kept
         };
         Self(if value < 0.0 { -magnitude } else { magnitude })
+    }
+
+    /// A double-double as it stands.
+    pub(crate) fn fine(value: DoubleDouble) -> Self {
+        Self::of(value.hi()) + Self::of(value.lo())
+    }
+
+    /// A number as written in decimals.
+    pub(crate) fn decimal(text: &str) -> Self {
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits: BigInt = format!("{whole}{part}").parse().expect("digits");
+        let power =
+            exponent.parse::<i64>().expect("an exponent") - i64::try_from(part.len()).expect("few digits");
+        let ten = BigInt::from(10).pow(u32::try_from(power.unsigned_abs()).expect("a small exponent"));
+        Self(if power < 0 { (digits << BITS) / ten } else { (digits * ten) << BITS })
+    }
+
+    /// So many digits after the point, cut off.
+    pub(crate) fn to_decimal(&self, digits: u32) -> String {
+        let scaled = (&self.0 * BigInt::from(10).pow(digits)) >> BITS;
+        let negative = scaled.sign() == num_bigint::Sign::Minus;
+        let text = format!("{:0>width$}", scaled.magnitude().to_string(), width = digits as usize + 1);
+        let (whole, part) = text.split_at(text.len() - digits as usize);
+        let part = part.trim_end_matches('0');
+        let point = if part.is_empty() { "" } else { "." };
+        format!("{}{whole}{point}{part}", if negative { "-" } else { "" })
+    }
+
+    /// π, by Machin's formula.
+    pub(crate) fn pi() -> Self {
+        let arc_cotangent = |x: i64| {
+            let (mut power, mut sum) = (Self::ratio(1, x), Self::zero());
+            for n in 0..300 {
+                let term = &power / Self::ratio(2 * n + 1, 1);
+                sum = if n % 2 == 0 { sum + term } else { sum - term };
+                power = power / Self::ratio(x * x, 1);
+            }
+            sum
+        };
+        Self::ratio(16, 1) * arc_cotangent(5) - Self::ratio(4, 1) * arc_cotangent(239)
     }
 
     /// A fraction of whole numbers.
@@ -109,6 +151,11 @@ impl Exact {
     /// |double − number|.
     pub(crate) fn error_of(&self, value: f64) -> f64 {
         (Self::of(value) - self).abs().near()
+    }
+
+    /// |double-double − number|.
+    pub(crate) fn error_of_fine(&self, value: DoubleDouble) -> f64 {
+        (Self::fine(value) - self).abs().near()
     }
 
     pub(crate) fn is_less_than(&self, other: f64) -> bool {

@@ -92,7 +92,8 @@ impl Bench {
             Ok(name) => GuidePoint::Point(self.m.point_named(name).unwrap()),
             Err(own) => GuidePoint::Own(own.map(number)),
         };
-        let angle = number(degrees).scaled(std::f64::consts::PI / 180.0, f64::EPSILON);
+        let radians = degrees.to_radians();
+        let angle = Given::within(radians, radians.abs() * 2.0 * f64::EPSILON);
         Guide {
             link: self.id(n),
             path: Path::Straight {

@@ -12,7 +12,7 @@
 //! 4. A crank that gathers speed (ε ≠ 0) has Aᵗ as well: ε/ω² times the crank, square to it at a, and the normal
 //!    part of the rod is moved along.
 
-use crate::board::{Amount, Bench, Direction, Line, Point, Recorded};
+use crate::board::{Amount, Bench, Direction, Line, Point, Tape};
 use crate::given::Given;
 use crate::mechanism::Input;
 use crate::mechanism::engine::Engine;
@@ -63,7 +63,7 @@ impl<B: Bench> Clone for Accelerations<B> {
 
 impl<B: Bench> Copy for Accelerations<B> {}
 
-impl Draughtsman<'_, Recorded> {
+impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     /// Draws the velocity part, and for accelerations both.
     pub(super) fn draw_klein(&mut self, crank: Engine, order: Order) {
         self.board.purpose("Klein's construction");
@@ -115,7 +115,7 @@ impl Draughtsman<'_, Recorded> {
     }
 
     /// ω and ε of the crank as the input gives them.
-    fn crank_rates(&mut self, crank: Engine) -> Option<(Amount<Recorded>, Given)> {
+    fn crank_rates(&mut self, crank: Engine) -> Option<(Amount<B>, Given)> {
         match self.mechanism.inputs[crank.input] {
             Input::Angle { omega, alpha, .. } => Some((self.board.amount(omega), alpha)),
             Input::Speed { point, speed, alpha, .. } => {
@@ -131,11 +131,11 @@ impl Draughtsman<'_, Recorded> {
 
     fn klein_accelerations(
         &mut self,
-        klein: &Klein<Recorded>,
+        klein: &Klein<B>,
         alpha: Given,
-        end: Point<Recorded>,
-        guide: Direction<Recorded>,
-    ) -> Accelerations<Recorded> {
+        end: Point<B>,
+        guide: Direction<B>,
+    ) -> Accelerations<B> {
         let Klein { crank, omega, pole, pin, image, rod, .. } = *klein;
         let Engine { crank_pin, slider_pin, pivot, slide, .. } = crank;
         let reason = self.reason(&[crank.crank, crank.rod]);
@@ -186,13 +186,13 @@ impl Draughtsman<'_, Recorded> {
     }
 
     /// What is read off the images, for the step list.
-    fn read_klein_images(&mut self, klein: &Klein<Recorded>) {
+    fn read_klein_images(&mut self, klein: &Klein<B>) {
         let Klein { crank, omega, pole, pin, image, length, .. } = *klein;
         let Engine { crank_pin, slider_pin, rod, .. } = crank;
         let rate = omega.value();
         let label = |point| Label::Image { point, link: None };
         let (a, b) = (label(crank_pin), label(slider_pin));
-        let apart = |p: Point<Recorded>, q: Point<Recorded>| {
+        let apart = |p: Point<B>, q: Point<B>| {
             let (p, q) = (p.value(), q.value());
             libm::hypot(q[0] - p[0], q[1] - p[1])
         };

@@ -10,7 +10,7 @@ mod klein;
 mod proportion;
 mod rotation;
 
-use crate::board::{Bench, Location, Point, Recorded};
+use crate::board::{Bench, Location, Point, Tape};
 use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId};
@@ -332,7 +332,7 @@ const CURVE_WITHIN: f64 = 0.02;
 const CURVE_REACH: f64 = 600.0;
 
 /// Draws the planned auxiliary constructions.
-pub(super) fn draw(d: &mut Draughtsman<'_, Recorded>, plan: &Plan) {
+pub(super) fn draw<B: Bench<Recorder = Tape>>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     for &auxiliary in &plan.auxiliary {
         d.open_auxiliary(auxiliary);
         match auxiliary {
@@ -345,7 +345,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_, Recorded>, plan: &Plan) {
     }
 }
 
-impl Draughtsman<'_, Recorded> {
+impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     /// Draws the centrodes of two links. They are curves through many positions, each drawn on its own board.
     fn draw_centrodes(&mut self, links: [LinkId; 2]) {
         let per_mm = self.scales.length;
@@ -397,7 +397,7 @@ impl Draughtsman<'_, Recorded> {
     }
 
     /// Whether a point is determined: no divisor behind it is weak.
-    pub(super) fn stands(&mut self, point: Point<Recorded>) -> bool {
+    pub(super) fn stands(&mut self, point: Point<B>) -> bool {
         let origin = self.board.origin();
         let marks = self.board.between(origin, point).map(|mm| mm.mark());
         marks.into_iter().all(|mark| self.board.recorder().weakness(mark).is_none())

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Cost follows the question: instructions of whole runs (process start to exit) under callgrind, by what is
+# asked of one scene; peak memory and time of a run without valgrind beside them. Needs valgrind (apt-get
+# install valgrind) and python3. Usage: benches/instructions.sh [SCENE]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scene=${1:-examples/s000-ch3a-1.json}
+CARGO_PROFILE_RELEASE_DEBUG=0 cargo build --quiet --release --no-default-features
+program=${CARGO_TARGET_DIR:-target}/release/linkgram
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# The scene with another question; nothing published.
+asking() {
+  python3 - "$scene" "$2" >"$work/$1.json" <<'PY'
+import json, sys
+scene = json.load(open(sys.argv[1]))
+for key in ("published", "errata", "expect"):
+    scene.pop(key, None)
+scene["find"] = json.loads(sys.argv[2])
+print(json.dumps(scene))
+PY
+}
+asking one '["v(B)"]'
+asking velocities '["v(A)", "v(B)", "v(C)", "v(D)", "omega(3)", "omega(4)", "omega(5)"]'
+asking accelerations '["v(A)", "v(B)", "v(C)", "v(D)", "omega(3)", "omega(4)", "omega(5)", "a(A)", "a(B)", "a(C)", "a(D)", "alpha(3)", "alpha(4)", "alpha(5)"]'
+
+printf '| %-34s | %14s | %9s |\n' "run" "instructions" "peak kB"
+printf '|%s|%s|%s|\n' "$(printf -- '-%.0s' {1..36})" "$(printf -- '-%.0s' {1..16})" "$(printf -- '-%.0s' {1..11})"
+measure() {
+  local name=$1
+  shift
+  valgrind --tool=callgrind --callgrind-out-file="$work/out" "$program" "$@" >/dev/null 2>"$work/log"
+  local count peak
+  count=$(sed -n 's/.*Collected : \([0-9]*\).*/\1/p' "$work/log")
+  peak=$(python3 - "$program" "$@" <<'PY'
+import resource, subprocess, sys
+subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+PY
+)
+  printf '| %-34s | %14s | %9s |\n' "$name" "$count" "$peak"
+}
+measure "start-up only (--version)" --version
+measure "one velocity" solve "$work/one.json"
+measure "all velocities" solve "$work/velocities.json"
+measure "velocities and accelerations" solve "$work/accelerations.json"
+measure "the same with the sheet" draw "$work/accelerations.json" -o "$work/sheet.svg"

@@ -1,0 +1,121 @@
+//! What a careful human would get from the same drawing: each answer's error by pencil, ruler and set
+//! square.
+
+use std::f64::consts::PI;
+
+use crate::board::{Bench, Board, Equipped, Hand, PencilTape, Tremor};
+use crate::mechanism::Mechanism;
+use crate::mechanism::quantity::Quantity;
+use crate::mechanism::structure::Structure;
+use crate::plan::Plan;
+
+use super::reading::{Numbers, read_all};
+use super::{DrawError, Scales, draw};
+
+type Perfect = Equipped<f64, PencilTape>;
+type Trembling = Equipped<f64, Tremor>;
+
+/// The error of one asked quantity, drawn by hand, in SI units (of a vector: the length of its error).
+#[derive(Debug, Clone, PartialEq)]
+pub struct HandError {
+    /// What all slips can do at their worst, to first order; `None` for what has no number.
+    pub worst: Option<f64>,
+    /// Lines cross so flatly, or arcs nearly touch, that first order says little.
+    pub flat: bool,
+    /// How the draughtsmen's errors spread; `None` where nobody got an answer.
+    pub spread: Option<Spread>,
+    /// How many draughtsmen got no answer, because their lines or arcs did not meet.
+    pub failed: usize,
+}
+
+/// Errors of many draughtsmen, in ascending order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Half of them stay within.
+    pub median: f64,
+    /// Nineteen of twenty stay within.
+    pub most: f64,
+    /// The worst of them.
+    pub largest: f64,
+}
+
+impl HandError {
+    /// By how much the answer of a careful draughtsman may be off: nineteen of twenty stay within. `None`
+    /// where the quantity cannot be drawn by hand.
+    #[must_use]
+    pub fn tolerance(&self) -> Option<f64> {
+        self.spread.map(|spread| spread.most)
+    }
+}
+
+/// How the drawing is made by hand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Draughtsmen {
+    /// Their hand.
+    pub hand: Hand,
+    /// How many of them draw.
+    pub number: u64,
+}
+
+/// The errors that draughtsmen make in each asked quantity, at these scales.
+///
+/// # Errors
+/// As [`super::construct`], where not even a perfect hand can draw it.
+pub fn by_hand(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+    draughtsmen: Draughtsmen,
+) -> Result<Vec<HandError>, DrawError> {
+    let hand = draughtsmen.hand;
+    let board = Board::<Perfect>::new(PencilTape::new(hand));
+    let mut perfect = draw(board, mechanism, structure, plan, scales)?;
+    let readings: Vec<_> = read_all(&mut perfect).into_iter().map(|read| read.numbers).collect();
+    let mut errors: Vec<Vec<f64>> = vec![Vec::new(); readings.len()];
+    for seed in 0..draughtsmen.number {
+        let board = Board::<Trembling>::new(Tremor::new(hand, seed));
+        let Ok(mut drawn) = draw(board, mechanism, structure, plan, scales) else { continue };
+        for (index, read) in read_all(&mut drawn).into_iter().enumerate() {
+            let turns = matches!(mechanism.asked[index].quantity, Quantity::Angle(_));
+            errors[index].extend(apart::<Trembling, Perfect>(&read.numbers, &readings[index], turns));
+        }
+    }
+    let mut results = Vec::with_capacity(readings.len());
+    for (numbers, mut errors) in readings.iter().zip(errors) {
+        errors.sort_by(f64::total_cmp);
+        let marks: Vec<u32> = numbers.iter().flatten().map(|(mark, _)| *mark).collect();
+        let tape = perfect.board.recorder();
+        let worst = marks.iter().fold(0.0, |sum, &mark| libm::hypot(sum, tape.worst(mark)));
+        let flat = !marks.iter().all(|&mark| tape.is_clear(mark));
+        let all = usize::try_from(draughtsmen.number).unwrap_or(usize::MAX);
+        results.push(HandError {
+            worst: (numbers.is_ok() && worst.is_finite()).then_some(worst),
+            flat,
+            spread: spread(&errors),
+            failed: all - errors.len(),
+        });
+    }
+    Ok(results)
+}
+
+/// Distance of an answer from the perfect one.
+fn apart<A: Bench<Real = f64>, B: Bench<Real = f64>>(
+    drawn: &Numbers<A>,
+    perfect: &Numbers<B>,
+    turns: bool,
+) -> Option<f64> {
+    let (Ok(drawn), Ok(perfect)) = (drawn, perfect) else { return None };
+    let square = |sum: f64, (a, b): (f64, f64)| {
+        let apart = (a - b).abs();
+        libm::hypot(sum, if turns { apart.min(2.0 * PI - apart) } else { apart })
+    };
+    let pairs = drawn.iter().map(|n| n.1).zip(perfect.iter().map(|n| n.1));
+    let error = pairs.fold(0.0, square);
+    error.is_finite().then_some(error)
+}
+
+fn spread(sorted: &[f64]) -> Option<Spread> {
+    let at = |part: usize, of: usize| sorted.get((sorted.len() * part / of).min(sorted.len().max(1) - 1));
+    Some(Spread { median: *at(1, 2)?, most: *at(19, 20)?, largest: *sorted.last()? })
+}

@@ -1,0 +1,458 @@
+//! Diagrams of a sweep: quantities over the input, paths of points, hodographs; with axes and numbered
+//! positions.
+
+use std::f64::consts::PI;
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::figure::{Figure, Group, Mark, Pen, Shape};
+use super::ink::{FINE, SMALL, THICK, THIN, dot};
+use super::labels::{self, Request, Site};
+use super::notation::Notation;
+use super::rich::Rich;
+use super::{Language, human};
+use crate::board::Moving;
+use crate::mechanism::quantity::{Quantity, Unit};
+use crate::scene::Scene;
+use crate::sweep::{InputKind, Stretch, Sweep};
+
+/// Width of the page, mm.
+const PAGE: f64 = 190.0;
+/// Blank around the page.
+const MARGIN: f64 = 10.0;
+/// A panel with its names.
+const PANEL: (f64, f64) = (85.0, 74.0);
+/// The plot in a panel: left, top, width, height.
+const PLOT: (f64, f64, f64, f64) = (15.0, 9.0, 66.0, 50.0);
+/// A fitted curve stays this near to the truth, mm.
+const ACCURACY: f64 = 0.01;
+/// Values larger than this many times what nine of ten stay below are cut off: towards a limit of the input
+/// speeds grow without end.
+const CUT: f64 = 3.0;
+/// Positions that are marked and numbered on paths and hodographs.
+const NUMBERED: u32 = 12;
+/// Places at which a range is measured.
+const LOOKS: u32 = 360;
+/// Size of tick labels.
+const TICK: f64 = 2.6;
+
+/// What a panel shows.
+enum Panel {
+    /// A number over the input: one column, or the length of a vector of two.
+    Over(Vec<usize>),
+    /// Two columns against each other: a path or a hodograph.
+    Plane([usize; 2]),
+}
+
+/// The diagrams of everything that was asked.
+#[must_use]
+pub fn of_sweep(scene: &Scene, sweep: &Sweep) -> Figure {
+    let notation = Notation::new(scene, Language::English.words());
+    let mut panels = Vec::new();
+    let asked: Vec<usize> = (0..sweep.columns.len()).filter(|&c| !sweep.columns[c].watched).collect();
+    for &c in &asked {
+        let column = &sweep.columns[c];
+        match (column.axis, column.asked.quantity) {
+            (None, _) => panels.push(Panel::Over(vec![c])),
+            (Some(0), Quantity::Position(_)) => {
+                panels.push(Panel::Plane([c, c + 1]));
+                if column.motion {
+                    panels.extend([c, c + 1].map(|c| Panel::Over(vec![c])));
+                }
+            }
+            (Some(0), _) => {
+                panels.push(Panel::Over(vec![c, c + 1]));
+                panels.push(Panel::Plane([c, c + 1]));
+            }
+            _ => {}
+        }
+    }
+    let mut root = Group::new("diagrams");
+    let title = scene.title.in_language("en").unwrap_or("Sweep").to_owned();
+    let head = Rich::bold(&title).set(5.0);
+    head.put(&mut root, Point::new(MARGIN, MARGIN + 4.0), "title");
+    caption(&notation, sweep).set(SMALL).put(&mut root, Point::new(MARGIN, MARGIN + 10.5), "caption");
+    let top = MARGIN + 15.0;
+    for (index, panel) in panels.iter().enumerate() {
+        let (row, side) = (index / 2, index % 2);
+        #[expect(clippy::cast_precision_loss, reason = "a few panels")]
+        let at = Vec2::new(MARGIN + side as f64 * PANEL.0, top + row as f64 * PANEL.1);
+        let mut group = match panel {
+            Panel::Over(columns) => over(&notation, sweep, columns),
+            Panel::Plane(columns) => plane(&notation, sweep, *columns),
+        };
+        group.translate(at);
+        root.group(group);
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a few panels")]
+    let height = top + panels.len().div_ceil(2) as f64 * PANEL.1 + MARGIN;
+    Figure {
+        width: PAGE,
+        height,
+        title,
+        description: "Quantities over the input, paths and hodographs".to_owned(),
+        language: "en",
+        root,
+    }
+}
+
+/// The input, its range, and how long that takes.
+fn caption(notation: &Notation<'_>, sweep: &Sweep) -> Rich {
+    let unit = input_unit(notation, sweep);
+    let [from, to] = sweep.range;
+    let mut text = input_symbol(notation, sweep)
+        .up(" from ")
+        .then(&human::stated_quantity(from, &unit))
+        .up(" to ")
+        .then(&human::stated_quantity(to, &unit));
+    if sweep.rate != 0.0 {
+        let time = &notation.scene.units.time;
+        text = text
+            .up(", in ")
+            .then(&human::quantity((to - from) / sweep.rate.abs(), time))
+            .up(" at the given rate");
+    }
+    text.up("; numbers 0 to ").up(&(NUMBERED - 1).to_string()).up(" mark equal steps of it")
+}
+
+fn input_unit(notation: &Notation<'_>, sweep: &Sweep) -> Unit {
+    match sweep.input {
+        InputKind::Angle(_) => Unit { symbol: "deg".to_owned(), si: PI / 180.0 },
+        InputKind::Slide(_) => notation.scene.units.length.clone(),
+    }
+}
+
+fn input_symbol(notation: &Notation<'_>, sweep: &Sweep) -> Rich {
+    match sweep.input {
+        InputKind::Angle(link) => notation.symbol(Quantity::Angle(link), false),
+        InputKind::Slide(_) => Rich::italic("s"),
+    }
+}
+
+/// A heading such as `ω₃ in rad/s`.
+fn heading(symbol: &Rich, unit: &Unit) -> Rich {
+    symbol.clone().up(" in ").up(&human::pretty(&unit.symbol))
+}
+
+/// A number with its change by the input.
+type Rate = (f64, f64);
+
+/// The number of a panel: the column, or the length of the vector.
+fn number(columns: &[usize], values: &[Option<Moving>]) -> Option<Rate> {
+    let get = |c: usize| values.get(c).copied().flatten();
+    match *columns {
+        [x, y] => {
+            let (x, y) = (get(x)?, get(y)?);
+            let length = libm::hypot(x.value, y.value);
+            let change = if length > 0.0 { (x.value * x.slope + y.value * y.slope) / length } else { 0.0 };
+            Some((length, change))
+        }
+        [c] => get(c).map(|m| (m.value, m.slope)),
+        _ => None,
+    }
+}
+
+/// Places over the range at which to look, within each stretch.
+fn looks(sweep: &Sweep) -> impl Iterator<Item = (&Stretch, f64)> {
+    let whole = sweep.range[1] - sweep.range[0];
+    sweep.stretches.iter().flat_map(move |stretch| {
+        let part = (stretch.to - stretch.from) / whole;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most LOOKS")]
+        let count = (f64::from(LOOKS) * part).ceil().max(8.0) as u32;
+        (0..=count).map(move |i| {
+            (stretch, stretch.from + (stretch.to - stretch.from) * (f64::from(i) / f64::from(count)))
+        })
+    })
+}
+
+/// Least and greatest of some numbers; what runs away to infinity is cut.
+fn bounds(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    let mut sorted: Vec<f64> = numbers.filter(|x| x.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else { return [0.0, 1.0] };
+    let at = |part: usize| sorted[(sorted.len() - 1) * part / 20];
+    let body = (at(19) - at(1)).max(at(19).abs().max(at(1).abs()) * 1e-3);
+    [low.max(at(1) - CUT * body), high.min(at(19) + CUT * body)]
+}
+
+/// Round numbers between two ends: at most six.
+fn ticks(low: f64, high: f64) -> Vec<f64> {
+    let step = super::scale::round_up((high - low) / 5.0).unwrap_or(1.0);
+    let (first, last) = ((low / step).ceil(), (high / step + 1e-9).floor());
+    #[expect(clippy::cast_possible_truncation, reason = "a few steps")]
+    let (first, last) = (first as i64, last as i64);
+    #[expect(clippy::cast_precision_loss, reason = "small whole numbers")]
+    (first..=last).map(|i| i as f64 * step).collect()
+}
+
+/// A frame with ticks on both axes; `map` takes numbers in their units to the page.
+struct Axes {
+    plot: Rect,
+    x: [f64; 2],
+    y: [f64; 2],
+}
+
+impl Axes {
+    fn map(&self, x: f64, y: f64) -> Point {
+        let part = |v: f64, [low, high]: [f64; 2]| (v - low) / (high - low);
+        Point::new(
+            self.plot.x0 + part(x, self.x) * self.plot.width(),
+            self.plot.y1 - part(y, self.y) * self.plot.height(),
+        )
+    }
+
+    fn scale(&self) -> Vec2 {
+        let per = |[low, high]: [f64; 2], size: f64| size / (high - low);
+        Vec2::new(per(self.x, self.plot.width()), -per(self.y, self.plot.height()))
+    }
+
+    fn draw(&self, group: &mut Group, x_ticks: &[f64]) {
+        let plot = self.plot;
+        let corners =
+            vec![Point::new(plot.x0, plot.y0), Point::new(plot.x0, plot.y1), Point::new(plot.x1, plot.y1)];
+        group.mark(Mark::stroke(Shape::Polyline(corners), Pen::solid(THIN)).class("axis"));
+        for &x in x_ticks {
+            let at = self.map(x, self.y[0]);
+            group.mark(
+                Mark::stroke(Shape::Line(at, at + Vec2::new(0.0, 1.2)), Pen::solid(FINE)).class("tick"),
+            );
+            let text = human::stated(x).set(TICK);
+            text.put(group, at + Vec2::new(-text.width / 2.0, 4.0), "tick");
+        }
+        for y in ticks(self.y[0], self.y[1]) {
+            let at = self.map(self.x[0], y);
+            group.mark(
+                Mark::stroke(Shape::Line(at, at - Vec2::new(1.2, 0.0)), Pen::solid(FINE)).class("tick"),
+            );
+            let text = human::stated(y).set(TICK);
+            text.put(group, at + Vec2::new(-1.8 - text.width, 0.9), "tick");
+        }
+        if self.y[0] < 0.0 && self.y[1] > 0.0 {
+            let (a, b) = (self.map(self.x[0], 0.0), self.map(self.x[1], 0.0));
+            group.mark(Mark::stroke(Shape::Line(a, b), Pen::chain(FINE)).class("zero"));
+        }
+    }
+}
+
+fn plot_area() -> Rect {
+    Rect::from_origin_size((PLOT.0, PLOT.1), (PLOT.2, PLOT.3))
+}
+
+/// A number over the input.
+fn over(notation: &Notation<'_>, sweep: &Sweep, columns: &[usize]) -> Group {
+    let Some(column) = columns.first().map(|&c| &sweep.columns[c]) else { return Group::default() };
+    let unit = &column.asked.unit;
+    let input = input_unit(notation, sweep);
+    let mut group = Group::new("over").data("quantity", &column.asked.name);
+    // An angle that passes half a turn goes on.
+    let turns = matches!(column.asked.quantity, Quantity::Angle(_));
+    let middle = turns.then(|| angle_of_first(sweep, columns)).flatten();
+    let read = |values: &[Option<Moving>]| -> Option<Rate> {
+        let (value, change) = number(columns, values)?;
+        let value = middle.map_or(value, |m| value - 2.0 * PI * ((value - m) / (2.0 * PI)).round());
+        Some((value / unit.si, change / unit.si))
+    };
+    let mut y = bounds(looks(sweep).filter_map(|(_, at)| read(&sweep.at(at)?).map(|r| r.0)));
+    let noise = NOISE * error(sweep, columns) / unit.si;
+    let constant = y[1] - y[0] < noise;
+    if constant {
+        y = [y[0] - noise, y[1] + noise];
+    }
+    if columns.len() == 2 {
+        y[0] = 0.0;
+    }
+    let blank = (y[1] - y[0]).max(y[1].abs() * 1e-6).max(f64::MIN_POSITIVE) * 0.04;
+    let axes = Axes {
+        plot: plot_area(),
+        x: sweep.range.map(|x| x / input.si),
+        y: [if columns.len() == 2 { 0.0 } else { y[0] - blank }, y[1] + blank],
+    };
+    let marks = match sweep.input {
+        InputKind::Angle(_) => {
+            let step = if axes.x[1] - axes.x[0] > 180.0 { 60.0 } else { 30.0 };
+            let first = (axes.x[0] / step).ceil();
+            let round: Vec<f64> =
+                (0..13).map(|i| (first + f64::from(i)) * step).filter(|x| *x <= axes.x[1] + 1e-9).collect();
+            if round.len() > 2 { round } else { ticks(axes.x[0], axes.x[1]) }
+        }
+        InputKind::Slide(_) => ticks(axes.x[0], axes.x[1]),
+    };
+    axes.draw(&mut group, &marks);
+    let scale = axes.scale();
+    let track = |at: f64, values: &[Option<Moving>]| {
+        let (value, change) = read(values)?;
+        // The slope of a constant is rounding.
+        let change = if constant { 0.0 } else { change };
+        let p = axes.map(at / input.si, value);
+        Some((p, Vec2::new(scale.x / input.si, scale.y * change)))
+    };
+    for stretch in &sweep.stretches {
+        for range in inside(sweep, stretch, |values| {
+            {
+                is_sure(values, columns, (axes.y[1] - axes.y[0]) * unit.si)
+                    && read(values).is_some_and(|r| (axes.y[0]..=axes.y[1]).contains(&r.0))
+            }
+        }) {
+            let path = sweep.curve(stretch, range, &track, ACCURACY);
+            group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
+        }
+    }
+    let arrow = columns.len() == 2;
+    let symbol = notation.symbol(column.asked.quantity, arrow);
+    let symbol = match column.axis {
+        Some(axis) if !arrow => Rich::italic(["x", "y"][axis]).up(" of ").then(&symbol),
+        _ => symbol,
+    };
+    let symbol = if arrow { Rich::upright("|").then(&symbol).up("|") } else { symbol };
+    heading(&symbol, unit).set(SMALL).put(&mut group, Point::new(2.0, 5.0), "heading");
+    let below = heading(&input_symbol(notation, sweep), &input).set(TICK);
+    below.put(&mut group, Point::new(PLOT.0 + PLOT.2 - below.width, PLOT.1 + PLOT.3 + 8.0), "axis-name");
+    group
+}
+
+/// A constant is drawn as one: its axis shows no less than this many times the numbers' errors.
+const NOISE: f64 = 1e6;
+
+/// The middle error of the columns over the sweep, SI units.
+fn error(sweep: &Sweep, columns: &[usize]) -> f64 {
+    let mut errors: Vec<f64> = looks(sweep)
+        .filter_map(|(_, at)| sweep.at(at))
+        .flat_map(|values| columns.iter().filter_map(|&c| values[c]).map(|m| m.error).collect::<Vec<_>>())
+        .collect();
+    errors.sort_by(f64::total_cmp);
+    errors.get(errors.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// Whether numbers are known well enough to draw a curve through: beside a change point they fade into
+/// rounding.
+fn is_sure(values: &[Option<Moving>], columns: &[usize], span: f64) -> bool {
+    const PART: f64 = 1e-4;
+    columns.iter().all(|&c| values[c].is_some_and(|m| m.error <= PART * span))
+}
+
+/// The first value of an angle, to follow it over half a turn.
+fn angle_of_first(sweep: &Sweep, columns: &[usize]) -> Option<f64> {
+    let values: Vec<f64> =
+        looks(sweep).filter_map(|(_, at)| number(columns, &sweep.at(at)?).map(|r| r.0)).collect();
+    // The middle of the circle's part that is used: opposite the widest gap.
+    let mut sorted = values.clone();
+    sorted.sort_by(f64::total_cmp);
+    let first = *sorted.first()?;
+    let gaps = sorted.windows(2).map(|w| (w[1] - w[0], f64::midpoint(w[0], w[1])));
+    let last = (first + 2.0 * PI - sorted.last()?, first - (first + 2.0 * PI - sorted.last()?) / 2.0);
+    let widest = gaps.chain([last]).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(widest.1 + PI)
+}
+
+/// The parts of a stretch in which a condition holds, by halving.
+fn inside(sweep: &Sweep, stretch: &Stretch, holds: impl Fn(&[Option<Moving>]) -> bool) -> Vec<[f64; 2]> {
+    let look = |at: f64| sweep.at(at).is_some_and(|values| holds(&values));
+    let step = (stretch.to - stretch.from) / f64::from(LOOKS);
+    let edge = |mut out: f64, mut within: f64| {
+        for _ in 0..40 {
+            let middle = f64::midpoint(out, within);
+            if look(middle) { within = middle } else { out = middle }
+        }
+        within
+    };
+    let mut parts = Vec::new();
+    let mut open: Option<f64> = None;
+    let mut last = stretch.from;
+    for i in 0..=LOOKS {
+        // The ends themselves may have no number; a hair's breadth beside them there is one.
+        let hair = step * 1e-6;
+        let at = (stretch.from + step * f64::from(i)).clamp(stretch.from + hair, stretch.to - hair);
+        match (open, look(at)) {
+            (None, true) => open = Some(if i == 0 { at } else { edge(last, at) }),
+            (Some(from), false) => {
+                parts.push([from, edge(at, last)]);
+                open = None;
+            }
+            _ => {}
+        }
+        last = at;
+    }
+    parts.extend(open.map(|from| [from, last]));
+    parts.retain(|[a, b]| b > a);
+    parts
+}
+
+/// A path or a hodograph, with numbered positions.
+fn plane(notation: &Notation<'_>, sweep: &Sweep, columns: [usize; 2]) -> Group {
+    let column = &sweep.columns[columns[0]];
+    let unit = &column.asked.unit;
+    let path = matches!(column.asked.quantity, Quantity::Position(_));
+    let mut group = Group::new(if path { "path" } else { "hodograph" }).data("quantity", &column.asked.name);
+    let read = |values: &[Option<Moving>]| -> Option<[Rate; 2]> {
+        let get = |c: usize| values.get(c).copied().flatten().map(|m| (m.value / unit.si, m.slope / unit.si));
+        Some([get(columns[0])?, get(columns[1])?])
+    };
+    let points: Vec<[f64; 2]> =
+        looks(sweep).filter_map(|(_, at)| read(&sweep.at(at)?).map(|r| r.map(|v| v.0))).collect();
+    let mut limits = [0, 1].map(|axis| bounds(points.iter().map(|p| p[axis])));
+    if !path {
+        limits = limits.map(|[low, high]| [low.min(0.0), high.max(0.0)]);
+    }
+    let noise = NOISE * error(sweep, &columns) / unit.si;
+    limits =
+        limits.map(|[low, high]| if high - low < noise { [low - noise, high + noise] } else { [low, high] });
+    // One scale for both axes.
+    let area = plot_area();
+    let sizes = limits.map(|[low, high]| high - low);
+    let per_mm = (sizes[0] / area.width()).max(sizes[1] / area.height()).max(f64::MIN_POSITIVE) * 1.12;
+    let spans = [area.width() * per_mm, area.height() * per_mm];
+    let [x, y] = [0, 1].map(|axis| {
+        let middle = f64::midpoint(limits[axis][0], limits[axis][1]);
+        [middle - spans[axis] / 2.0, middle + spans[axis] / 2.0]
+    });
+    let axes = Axes { plot: area, x, y };
+    axes.draw(&mut group, &ticks(x[0], x[1]));
+    let scale = axes.scale();
+    let track = |_: f64, values: &[Option<Moving>]| {
+        let [x, y] = read(values)?;
+        Some((axes.map(x.0, y.0), Vec2::new(scale.x * x.1, scale.y * y.1)))
+    };
+    for stretch in &sweep.stretches {
+        let visible = |values: &[Option<Moving>]| {
+            is_sure(values, &columns, (axes.x[1] - axes.x[0]) * unit.si)
+                && read(values).is_some_and(|[x, y]| {
+                    (axes.x[0]..=axes.x[1]).contains(&x.0) && (axes.y[0]..=axes.y[1]).contains(&y.0)
+                })
+        };
+        for range in inside(sweep, stretch, visible) {
+            let path = sweep.curve(stretch, range, &track, ACCURACY);
+            group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
+        }
+    }
+    let mut requests = Vec::new();
+    if !path {
+        let pole = axes.map(0.0, 0.0);
+        group.mark(dot(pole, 0.6).class("pole"));
+        let site = Site::Around { at: pole, radius: 0.8, toward: None };
+        requests.push(Request::new(Rich::italic("o"), SMALL, site, "pole"));
+    }
+    let step = (sweep.range[1] - sweep.range[0]) / f64::from(NUMBERED);
+    for i in 0..NUMBERED {
+        let at = sweep.range[0] + step * f64::from(i);
+        let Some([x, y]) = sweep.at(at).and_then(|values| read(&values)) else { continue };
+        let place = axes.map(x.0, y.0);
+        if !area.contains(place) {
+            continue;
+        }
+        group.mark(dot(place, 0.5).class("position"));
+        let site = Site::Around { at: place, radius: 0.7, toward: None };
+        let mut request = Request::new(Rich::upright(i.to_string()), TICK, site, "position");
+        request.optional = true;
+        requests.push(request);
+    }
+    let names = labels::place(&group, &requests, Some(area.inflate(4.0, 4.0)));
+    group.group(names);
+    let symbol = notation.symbol(column.asked.quantity, !path);
+    let word = if path { "Path of " } else { "Hodograph of " };
+    heading(&Rich::upright(word).then(&symbol), unit).set(SMALL).put(
+        &mut group,
+        Point::new(2.0, 5.0),
+        "heading",
+    );
+    group
+}

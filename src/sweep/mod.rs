@@ -1,0 +1,414 @@
+//! A mechanism over the range of its input: positions, velocities and accelerations at many places, from
+//! one drawing that is transcribed once.
+//!
+//! The assembly of the scene is kept from place to place. At a *limit* two arcs just touch and the input
+//! goes no further; at a *change point* they touch and come apart on the other side: the mechanism goes
+//! through, and the other meeting point is taken from there on. Limits, change points, dead positions and
+//! extremes are found as roots of what the program reckons, by halving an interval down to neighbouring
+//! doubles, not by sampling; sampling only has to see that there is one.
+//!
+//! The input's rates are those of the scene at every place.
+//!
+//! **Architecture Invariant:** nothing here knows paper, a file or the analytic solver.
+
+mod course;
+mod curve;
+mod prepare;
+
+use crate::board::{LANES, Lane, Moving, Place};
+use crate::graphical::{DrawError, Transcribed, transcribe};
+use crate::mechanism::quantity::{Asked, Quantity};
+use crate::mechanism::structure::{Structure, StructureError};
+use crate::mechanism::{Input, LinkId, Mechanism};
+use crate::plan::{Extent, Plan};
+
+pub use course::{Event, EventKind, Stretch};
+
+/// What the input of a sweep measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InputKind {
+    /// The angle of a link, radians.
+    Angle(LinkId),
+    /// The place of a slide (by index) along its guide, metres.
+    Slide(usize),
+}
+
+/// Why a scene cannot be swept.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SweepError {
+    /// The freedoms do not match the inputs.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// The scene's own position cannot be drawn.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
+    /// Something in the scene holds for this instant only.
+    #[error("{0}")]
+    Instant(String),
+    /// The range is empty, or the scene's own place is not in it.
+    #[error("{0}")]
+    Range(String),
+}
+
+/// One number over the sweep: a scalar, or a coordinate of a vector.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// The quantity.
+    pub asked: Asked,
+    /// 0 or 1 for the coordinates of a vector; `None` for a scalar.
+    pub axis: Option<usize>,
+    /// A motion that may have a stroke: of a pin on a guide of the frame, or of a link pivoted to it.
+    pub motion: bool,
+    /// A quantity that the sweep watches for its extremes, though nobody asked.
+    pub watched: bool,
+}
+
+impl Column {
+    /// Its heading: the quantity's name, and the axis of a vector.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self.axis {
+            None => self.asked.name.clone(),
+            Some(0) => format!("{}.x", self.asked.name),
+            Some(_) => format!("{}.y", self.asked.name),
+        }
+    }
+
+    /// A quantity without a sense: the program goes on with the sign that it had in the drawing.
+    fn is_unsigned(&self) -> bool {
+        matches!(self.asked.quantity, Quantity::Rub(..) | Quantity::Transmission(..))
+    }
+
+    /// The number as it counts for the quantity.
+    fn counted(&self, m: Moving) -> Moving {
+        if self.is_unsigned() && m.value < 0.0 {
+            return Moving { value: -m.value, slope: -m.slope, error: m.error };
+        }
+        m
+    }
+}
+
+/// The mechanism at one place of its input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Position {
+    /// The input, SI units.
+    pub at: f64,
+    /// One number for each column, SI units; `None` where it is indeterminate here.
+    pub values: Vec<Option<f64>>,
+}
+
+/// A motion to and fro in a whole turn of the input.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// Index of the column: a coordinate of a pin on a guide, or the angle of a rocker.
+    pub column: usize,
+    /// From the least to the greatest value, SI units; along the guide for a pin.
+    pub length: f64,
+    /// The input at the least and at the greatest value, SI units.
+    pub ends: [f64; 2],
+    /// Time of the slower way over that of the quicker one, at constant speed of the input.
+    pub time_ratio: f64,
+}
+
+/// A mechanism made ready to be swept.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    /// What is varied.
+    pub input: InputKind,
+    /// From where to where, SI units.
+    pub range: [f64; 2],
+    /// Where the scene's own position is in it.
+    pub start: f64,
+    /// The range is one whole turn.
+    pub whole_turn: bool,
+    /// The columns, those asked for first.
+    pub columns: Vec<Column>,
+    /// Where the mechanism moves freely, ascending.
+    pub stretches: Vec<Stretch>,
+    /// What happens on the way, ascending.
+    pub events: Vec<Event>,
+    /// The input's rate, SI units per second.
+    pub rate: f64,
+    transcribed: Transcribed,
+}
+
+/// How many places are looked at to see that something happens between two of them.
+const LOOKS: u32 = 720;
+
+/// The most positions that sampling to a tolerance may take in one stretch.
+const MOST_HALVINGS: u32 = 12;
+
+impl Sweep {
+    /// Transcribes the drawing of a mechanism and walks the range of its first input: `range` in SI units,
+    /// else a whole turn, or for a slide as far as it goes.
+    ///
+    /// # Errors
+    /// See [`SweepError`].
+    pub fn new(mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Self, SweepError> {
+        let is_swept = |asked: &&Asked| !matches!(asked.quantity, Quantity::Centre(..));
+        let asked = mechanism.asked.iter().filter(is_swept).count();
+        let (mechanism, swept, start) = prepare::ready(mechanism)?;
+        let structure = Structure::of(&mechanism)?;
+        prepare::refuse_rolled_points(&mechanism, &structure)?;
+        let plan = Plan::new(&mechanism, &structure, Extent::Asked);
+        let transcribed = transcribe(&mechanism, &structure, &plan, (swept, asked))?;
+        let mut columns = Vec::new();
+        for (index, (asked_here, numbers)) in mechanism.asked.iter().zip(&transcribed.numbers).enumerate() {
+            for axis in 0..*numbers {
+                let axis = (*numbers == 2).then_some(axis);
+                let motion = match asked_here.quantity {
+                    Quantity::Position(p) => prepare::is_guided(&mechanism, p),
+                    Quantity::Angle(_) => true,
+                    _ => false,
+                };
+                columns.push(Column { asked: asked_here.clone(), axis, motion, watched: index >= asked });
+            }
+        }
+        let (input, rate) = match mechanism.inputs[swept] {
+            Input::Angle { link, omega, .. } => (InputKind::Angle(link), omega.value),
+            Input::Speed { link, .. } => (InputKind::Angle(link), 0.0),
+            Input::Slide { slide, velocity, .. } => (InputKind::Slide(slide), velocity.value),
+        };
+        let (range, start, whole_turn) = prepare::range(input, range, start, &mechanism)?;
+        let mut sweep = Self {
+            input,
+            range,
+            start,
+            whole_turn,
+            columns,
+            stretches: Vec::new(),
+            events: Vec::new(),
+            rate,
+            transcribed,
+        };
+        let (stretches, events) = course::walk(&sweep, start, LOOKS);
+        sweep.stretches = stretches;
+        sweep.events = events;
+        Ok(sweep)
+    }
+
+    /// How many operations one position takes.
+    #[must_use]
+    pub fn operations(&self) -> usize {
+        self.transcribed.lean.len()
+    }
+
+    /// The stretch in which a place lies.
+    #[must_use]
+    pub fn stretch_at(&self, at: f64) -> Option<&Stretch> {
+        self.stretches.iter().find(|s| (s.from..=s.to).contains(&at))
+    }
+
+    /// The mechanism at one place: every column with its derivative by the input; `None` where it cannot be
+    /// assembled.
+    #[must_use]
+    pub fn at(&self, at: f64) -> Option<Vec<Option<Moving>>> {
+        let stretch = self.stretch_at(at)?;
+        let mut place = Place::default();
+        Some(self.look(at, &stretch.signs, &mut place))
+    }
+
+    fn look(&self, at: f64, signs: &[f64], place: &mut Place) -> Vec<Option<Moving>> {
+        let program = &self.transcribed.program;
+        program.look(at, signs, place);
+        let clear = program.divisors(place).all(course::is_clear);
+        program
+            .asked(place)
+            .zip(&self.columns)
+            .map(|(m, column)| {
+                let position = matches!(
+                    column.asked.quantity,
+                    Quantity::Position(_) | Quantity::Angle(_) | Quantity::Transmission(..)
+                );
+                (m.value.is_finite() && (clear || position)).then(|| column.counted(m))
+            })
+            .collect()
+    }
+
+    /// Reckons the asked columns at many places, in blocks and without allocation for each: `take` gets the place
+    /// and its numbers. Numbers at events of the course (which see) mean nothing.
+    pub fn run(&self, places: &[f64], mut take: impl FnMut(f64, &[f64])) {
+        let program = &self.transcribed.lean;
+        let mut block = program.block();
+        let mut row = vec![0.0; self.columns.iter().filter(|c| !c.watched).count()];
+        for stretch in &self.stretches {
+            let inside: &[f64] = {
+                let from = places.partition_point(|p| *p < stretch.from);
+                let to = places.partition_point(|p| *p <= stretch.to);
+                &places[from..to.max(from)]
+            };
+            for chunk in inside.chunks(LANES) {
+                let mut lane: Lane = [chunk.last().copied().unwrap_or(0.0); LANES];
+                lane[..chunk.len()].copy_from_slice(chunk);
+                program.run(&lane, &stretch.signs, &mut block);
+                for (index, &at) in chunk.iter().enumerate() {
+                    for ((to, from), column) in row.iter_mut().zip(block.asked(program)).zip(&self.columns) {
+                        *to = if column.is_unsigned() { from[index].abs() } else { from[index] };
+                    }
+                    take(at, &row);
+                }
+            }
+        }
+    }
+
+    /// Positions at these places, ascending; those that cannot be assembled are left out.
+    #[must_use]
+    pub fn positions(&self, places: &[f64]) -> Vec<Position> {
+        let mut place = Place::default();
+        places
+            .iter()
+            .filter_map(|&at| {
+                let stretch = self.stretch_at(at)?;
+                let values = self.look(at, &stretch.signs, &mut place);
+                Some(Position { at, values: values.into_iter().map(|v| v.map(|m| m.value)).collect() })
+            })
+            .collect()
+    }
+
+    /// `steps` equal steps over the range: one place more than steps.
+    #[must_use]
+    pub fn equal_steps(&self, steps: u32) -> Vec<f64> {
+        let [from, to] = self.range;
+        let steps = steps.max(1);
+        (0..=steps).map(|i| from + (to - from) * (f64::from(i) / f64::from(steps))).collect()
+    }
+
+    /// Places so close together that between two of them no column strays from the straight line by more
+    /// than `tolerance` times its own range.
+    #[must_use]
+    pub fn adapted(&self, tolerance: f64) -> Vec<f64> {
+        /// A stretch is first cut into so many parts.
+        const PARTS: u32 = 16;
+        let mut place = Place::default();
+        let mut places = Vec::new();
+        let mut look = |at: f64, signs: &[f64]| {
+            let values = self.look(at, signs, &mut place);
+            (at, values.into_iter().map(|v| v.map(|m| m.value)).collect::<Vec<_>>())
+        };
+        for stretch in &self.stretches {
+            let step = (stretch.to - stretch.from) / f64::from(PARTS);
+            let first: Vec<Node> =
+                (0..=PARTS).map(|i| look(stretch.from + step * f64::from(i), &stretch.signs)).collect();
+            let ranges = ranges(&first);
+            places.push(stretch.from);
+            for pair in first.windows(2) {
+                let mut at = |x: f64| look(x, &stretch.signs);
+                divide(&mut at, &pair[0], &pair[1], &ranges, tolerance, MOST_HALVINGS, &mut places);
+            }
+        }
+        places.dedup();
+        places
+    }
+
+    /// The motions to and fro, where the input goes all the way round: columns with just one least and one
+    /// greatest value.
+    #[must_use]
+    pub fn strokes(&self) -> Vec<Stroke> {
+        let round = self.whole_turn && self.stretches.iter().all(|s| !s.apart) && {
+            let covered: f64 = self.stretches.iter().map(|s| s.to - s.from).sum();
+            covered >= (self.range[1] - self.range[0]) * (1.0 - f64::EPSILON * 8.0)
+        };
+        if !round {
+            return Vec::new();
+        }
+        let mut strokes = Vec::new();
+        for (index, column) in self.columns.iter().enumerate() {
+            let (mut least, mut greatest) = (Vec::new(), Vec::new());
+            for event in &self.events {
+                match event.kind {
+                    EventKind::Least { column, value } if column == index => least.push((event.at, value)),
+                    EventKind::Greatest { column, value } if column == index => {
+                        greatest.push((event.at, value));
+                    }
+                    _ => {}
+                }
+            }
+            if let (true, &[(low_at, low)], &[(high_at, high)]) =
+                (column.motion, least.as_slice(), greatest.as_slice())
+            {
+                let turn = self.range[1] - self.range[0];
+                let way = (high_at - low_at).abs();
+                let (quick, slow) = (way.min(turn - way), way.max(turn - way));
+                let across = column.axis.map_or(0.0, |axis| self.along_with(index, axis, [low_at, high_at]));
+                strokes.push(Stroke {
+                    column: index,
+                    length: libm::hypot(high - low, across),
+                    ends: [low_at, high_at],
+                    time_ratio: slow / quick,
+                });
+            }
+        }
+        // A pin on an oblique guide has the same stroke in both coordinates: told once.
+        strokes.dedup_by(|b, a| {
+            let same = self.columns[a.column].asked.quantity == self.columns[b.column].asked.quantity;
+            same && self.columns[a.column].axis.is_some()
+        });
+        strokes
+    }
+
+    /// How far the other coordinate of a place moves between two places of the input.
+    fn along_with(&self, column: usize, axis: usize, ends: [f64; 2]) -> f64 {
+        let other = if axis == 0 { column + 1 } else { column - 1 };
+        let value = |at: f64| self.at(at).and_then(|values| values.get(other).copied().flatten());
+        match ends.map(value) {
+            [Some(a), Some(b)] => b.value - a.value,
+            _ => 0.0,
+        }
+    }
+
+    /// The links that stand in line at an event.
+    #[must_use]
+    pub fn links(&self, event: &Event) -> &[u32] {
+        event.reason.map_or(&[], |reason| self.transcribed.links(reason))
+    }
+
+    /// The size of the input's numbers, by which its rounding is measured.
+    fn size(&self) -> f64 {
+        self.range[0].abs().max(self.range[1].abs())
+    }
+
+    pub(crate) fn transcribed(&self) -> &Transcribed {
+        &self.transcribed
+    }
+}
+
+type Node = (f64, Vec<Option<f64>>);
+
+/// Largest minus smallest value of each column.
+fn ranges(nodes: &[Node]) -> Vec<f64> {
+    let columns = nodes.first().map_or(0, |n| n.1.len());
+    (0..columns)
+        .map(|c| {
+            let mut values: Vec<f64> = nodes.iter().filter_map(|n| n.1[c]).collect();
+            values.sort_by(f64::total_cmp);
+            // Without the outermost twentieth: at a limit speeds grow without end.
+            let cut = values.len() / 20;
+            match (values.get(cut), values.get(values.len().saturating_sub(1 + cut))) {
+                (Some(low), Some(high)) => high - low,
+                _ => 0.0,
+            }
+        })
+        .collect()
+}
+
+fn divide(
+    look: &mut impl FnMut(f64) -> Node,
+    from: &Node,
+    to: &Node,
+    ranges: &[f64],
+    tolerance: f64,
+    left: u32,
+    places: &mut Vec<f64>,
+) {
+    let middle = look(f64::midpoint(from.0, to.0));
+    let strays = (0..ranges.len()).any(|c| match (from.1[c], middle.1[c], to.1[c]) {
+        (Some(a), Some(m), Some(b)) => (m - f64::midpoint(a, b)).abs() > tolerance * ranges[c],
+        _ => false,
+    });
+    if strays && left > 0 {
+        divide(look, from, &middle, ranges, tolerance, left - 1, places);
+        divide(look, &middle, to, ranges, tolerance, left - 1, places);
+    } else {
+        places.push(to.0);
+    }
+}

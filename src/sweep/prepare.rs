@@ -1,0 +1,209 @@
+//! From a scene's instant to a mechanism that can move: dimensions instead of places, and what a sweep
+//! watches besides what was asked.
+
+use std::f64::consts::PI;
+
+use super::{InputKind, SweepError};
+use crate::given::Given;
+use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
+use crate::mechanism::structure::{GroupKind, Structure};
+use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider};
+
+/// The mechanism without anything that holds at one instant only; the index of its first input; and where
+/// that input stands.
+pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), SweepError> {
+    let mut ready = mechanism.clone();
+    let place = |p: PointId| mechanism.point(p).place.exact();
+    for (index, link) in mechanism.links.iter().enumerate().skip(1) {
+        if link.form != Form::Placed {
+            continue;
+        }
+        let points: Option<Vec<_>> = link.points.iter().map(|&p| place(p)).collect();
+        if let Some(points) = points {
+            ready.links[index].form = Form::Shape(points);
+        }
+    }
+    for point in &mut ready.points {
+        if let Place::Placed(at) = point.place {
+            point.place = Place::Near(at.map(|x| x.value));
+        }
+    }
+    for (index, slide) in mechanism.slides.iter().enumerate() {
+        if let Rider::Link { link, turned: None } = slide.rider {
+            // It rides as placed: its own axes are the world's, and so are the guide's.
+            let angle = match slide.guide.path {
+                Path::Straight { direction: Direction::Angle(angle), turned, .. }
+                    if matches!(mechanism.link(slide.guide.link).form, Form::Placed) =>
+                {
+                    Given::within(-(angle.value + turned.value), angle.error + turned.error)
+                }
+                _ => return Err(instant(mechanism, link)),
+            };
+            ready.slides[index].rider = Rider::Link { link, turned: Some(angle) };
+        }
+        let guide = slide.guide.link;
+        let through_own_joint = match slide.guide.path {
+            Path::Straight { through: GuidePoint::Point(p), .. } => {
+                mechanism.link(guide).points.first() == Some(&p)
+            }
+            _ => false,
+        };
+        if mechanism.link(guide).form == Form::Single && !through_own_joint && !driven(mechanism, guide) {
+            return Err(instant(mechanism, guide));
+        }
+    }
+    for (index, input) in mechanism.inputs.iter().enumerate() {
+        match (input, &mut ready.inputs[index]) {
+            (
+                Input::Angle { link, angle: None, .. } | Input::Speed { link, angle: None, .. },
+                Input::Angle { angle, .. } | Input::Speed { angle, .. },
+            ) => {
+                let ends: Vec<_> = mechanism.link(*link).points.iter().take(2).map(|&p| place(p)).collect();
+                let &[Some(a), Some(b)] = ends.as_slice() else { return Err(instant(mechanism, *link)) };
+                let [dx, dy] = [0, 1].map(|k| b[k].value - a[k].value);
+                let error = (a[0].error + a[1].error + b[0].error + b[1].error) / libm::hypot(dx, dy);
+                *angle = Some(Given::within(libm::atan2(dy, dx), error));
+            }
+            (Input::Slide { at: None, slide, .. }, _) => {
+                return Err(SweepError::Instant(format!(
+                    "the place of the driven slide follows from placed points at this instant: give \"at\" \
+                     (pair {})",
+                    slide + 1
+                )));
+            }
+            _ => {}
+        }
+    }
+    let start = match ready.inputs.first() {
+        Some(Input::Angle { angle: Some(at), .. } | Input::Speed { angle: Some(at), .. }) => at.value,
+        Some(Input::Slide { at: Some(at), .. }) => at.value,
+        _ => return Err(SweepError::Instant("there is no input to sweep".to_owned())),
+    };
+    // Whatever the method, the numbers are those of the polygons. A centre that passes through infinity has
+    // no course.
+    ready.asked.retain(|asked| !matches!(asked.quantity, Quantity::Centre(..)));
+    for asked in &mut ready.asked {
+        asked.method = Method::Polygon;
+    }
+    watch(&mut ready);
+    Ok((ready, 0, start))
+}
+
+/// Where a wheel's points go follows from how far it has rolled, and no drawing of one position tells that.
+pub(super) fn refuse_rolled_points(mechanism: &Mechanism, structure: &Structure) -> Result<(), SweepError> {
+    for group in &structure.groups {
+        if let GroupKind::Wheel { wheel, .. } | GroupKind::Rolling { wheel, .. } = group.kind
+            && mechanism.link(wheel).points.len() > 1
+        {
+            let number = mechanism.link(wheel).number;
+            return Err(SweepError::Instant(format!(
+                "where the points of wheel {number} go follows from how far it has rolled, which a sweep does \
+                 not know"
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a pin rides on a guide of the frame.
+pub(super) fn is_guided(mechanism: &Mechanism, pin: PointId) -> bool {
+    let rides = |rider: Rider| matches!(rider, Rider::Pin { point, .. } if point == pin);
+    mechanism.slides.iter().any(|s| s.guide.link == LinkId::FRAME && rides(s.rider))
+}
+
+fn driven(mechanism: &Mechanism, link: LinkId) -> bool {
+    mechanism
+        .inputs
+        .iter()
+        .any(|i| matches!(i, Input::Angle { link: l, .. } | Input::Speed { link: l, .. } if *l == link))
+}
+
+fn instant(mechanism: &Mechanism, link: LinkId) -> SweepError {
+    let number = mechanism.link(link).number;
+    SweepError::Instant(format!(
+        "link {number} stands as placed at this instant: give its own dimensions to move it"
+    ))
+}
+
+/// Adds what a sweep watches: the places of pins on guides of the frame, the angles of links pivoted to it,
+/// the transmission angles of four-bar loops.
+fn watch(mechanism: &mut Mechanism) {
+    let unit = |symbol: &str, si: f64| Unit { symbol: symbol.to_owned(), si };
+    let mut wanted: Vec<(String, Quantity, Unit)> = Vec::new();
+    for slide in &mechanism.slides {
+        if let (Rider::Pin { point, .. }, LinkId::FRAME) = (slide.rider, slide.guide.link) {
+            let name = format!("x({})", mechanism.point(point).name);
+            wanted.push((name, Quantity::Position(point), unit("m", 1.0)));
+        }
+    }
+    for link in mechanism.moving() {
+        let here = mechanism.link(link);
+        let pivot = here.points.iter().find(|&&p| mechanism.is_fixed(p));
+        if here.block || pivot.is_none() || here.points.len() < 2 || driven(mechanism, link) {
+            continue;
+        }
+        let name = format!("angle({})", here.number);
+        wanted.push((name, Quantity::Angle(link), unit("deg", PI / 180.0)));
+        for pin in &mechanism.pins {
+            let other = match pin.links {
+                [a, b] if a == link => b,
+                [a, b] if b == link => a,
+                _ => continue,
+            };
+            if other == LinkId::FRAME || mechanism.link(other).block || mechanism.link(other).points.len() < 2
+            {
+                continue;
+            }
+            let name = format!("transmission({}/{})", mechanism.link(other).number, here.number);
+            wanted.push((name, Quantity::Transmission(other, link), unit("deg", PI / 180.0)));
+        }
+    }
+    for (name, quantity, unit) in wanted {
+        if !mechanism.asked.iter().any(|a| a.quantity == quantity) {
+            mechanism.asked.push(Asked { name, quantity, unit, method: Method::Polygon });
+        }
+    }
+}
+
+/// The range to walk, the start in it, and whether it is a whole turn.
+pub(super) fn range(
+    input: InputKind,
+    stated: Option<[f64; 2]>,
+    start: f64,
+    mechanism: &Mechanism,
+) -> Result<([f64; 2], f64, bool), SweepError> {
+    let turn = 2.0 * PI;
+    let range = match (stated, input) {
+        (Some([from, to]), _) if from < to && (to - from).is_finite() => [from, to],
+        (Some(_), _) => return Err(SweepError::Range("the range ends before it begins".to_owned())),
+        (None, InputKind::Angle(_)) => [0.0, turn],
+        (None, InputKind::Slide(_)) => {
+            let reach: f64 = mechanism
+                .links
+                .iter()
+                .map(|l| match &l.form {
+                    Form::Length(l) => l.value,
+                    Form::Line(p) => p.iter().map(|x| x.value.abs()).fold(0.0, f64::max),
+                    Form::Sides { first_second, third_first, .. } => {
+                        first_second.value.max(third_first.value)
+                    }
+                    Form::Arms { second, third, .. } => second.value.max(third.value),
+                    Form::Shape(p) => p.iter().flatten().map(|x| x.value.abs()).fold(0.0, f64::max),
+                    Form::Placed | Form::Single => 0.0,
+                })
+                .sum();
+            [start - 2.0 * reach, start + 2.0 * reach]
+        }
+    };
+    let whole = matches!(input, InputKind::Angle(_)) && range[1] - range[0] == turn;
+    let start = match input {
+        InputKind::Angle(_) => start + turn * ((range[0] - start) / turn).ceil(),
+        InputKind::Slide(_) => start,
+    };
+    // Rounding may put it a hair's breadth beyond.
+    let start = if whole { start.clamp(range[0], range[1]) } else { start };
+    if !(range[0]..=range[1]).contains(&start) {
+        return Err(SweepError::Range("the scene's own position must lie in the range".to_owned()));
+    }
+    Ok((range, start, whole))
+}

@@ -1,0 +1,230 @@
+//! Extremes: a crank next to a dead centre or a change point, lines of centres nearly parallel, absurd ratios,
+//! units, speeds and distances, the edge of assembly. In each arithmetic every answer is right within its
+//! bound or refused; and where the numbers still carry digits it must be an answer.
+//!
+//! The expected digits stand in `tests/data/extremes.tsv`. They come from closed forms in an arithmetic of a
+//! hundred digits (`tests/common/oracle.rs`) that shares nothing with the program.
+//! `LINKGRAM_BLESS=1 cargo test --test extremes` writes them anew.
+
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
+mod common;
+
+use std::fmt::Write;
+
+use common::exact::Exact;
+use common::oracle::{FOUR_BAR_QUANTITIES, FourBar, SLIDER_QUANTITIES, Slider};
+use linkgram::double_double::DoubleDouble;
+use linkgram::mechanism::quantity::Answer;
+use linkgram::plan::Extent;
+use linkgram::solve::{Arithmetic, Settings, solve_with};
+
+/// One scene with the truth about it.
+struct Case {
+    name: String,
+    scene: String,
+    quantities: &'static [&'static str],
+    truth: Option<Vec<Vec<Exact>>>,
+    /// The coarsest arithmetic that must answer everything; `None` where even the finest may refuse.
+    answers: Option<Arithmetic>,
+}
+
+fn texts<const N: usize>(numbers: [&str; N]) -> [String; N] {
+    numbers.map(str::to_owned)
+}
+
+fn four_bar(name: String, bar: &FourBar, answers: Option<Arithmetic>) -> Case {
+    Case { name, scene: bar.scene(), quantities: &FOUR_BAR_QUANTITIES, truth: bar.closed_form(), answers }
+}
+
+fn bar(lengths: [&str; 4], angle: &str) -> FourBar {
+    FourBar {
+        at: texts(["0", "0"]),
+        lengths: texts(lengths),
+        angle: angle.to_owned(),
+        unit: "rad",
+        rates: texts(["2", "3"]),
+    }
+}
+
+/// 10^−n as text.
+fn power(n: i32) -> String {
+    format!("1e{n}")
+}
+
+fn cases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let finest_to = |n: i32, single: i32, double: i32, fine: i32| {
+        if n <= single {
+            Some(Arithmetic::Single)
+        } else if n <= double {
+            Some(Arithmetic::Double)
+        } else if n <= fine {
+            Some(Arithmetic::DoubleDouble)
+        } else {
+            None
+        }
+    };
+    // Coupler and rocker in line at a right angle of the crank: 3² + 4² = (2 + 3)².
+    for n in 1..=14 {
+        let quarter = Exact::pi() / Exact::ratio(2, 1) - Exact::decimal(&power(-n));
+        let at = bar(["4", "3", "2", "3"], &quarter.to_decimal(80));
+        cases.push(four_bar(format!("dead-centre-1e-{n}"), &at, finest_to(n, 3, 10, 14)));
+    }
+    // A parallelogram next to its change point: redundant, but movable.
+    for n in 1..=14 {
+        let at = bar(["2", "1", "2", "1"], &power(-n));
+        cases.push(four_bar(format!("change-point-1e-{n}"), &at, finest_to(n, 1, 5, 12)));
+    }
+    // On the edge of assembly, short of it by ever less.
+    for n in [1, 3, 6, 9, 12] {
+        let reach = Exact::ratio(5, 1) + Exact::decimal(&power(-n)) - Exact::ratio(2, 1);
+        let quarter = (Exact::pi() / Exact::ratio(2, 1)).to_decimal(80);
+        let at = bar(["4", "3", "2", &reach.to_decimal(80)], &quarter);
+        cases.push(four_bar(format!("edge-of-assembly-1e-{n}"), &at, finest_to(n, 3, 9, 12)));
+    }
+    // A crank a million times shorter than the rest, and a frame a million times shorter.
+    for n in [2, 4, 6] {
+        let short = power(-n);
+        let at = bar(["1.7", &short, "1.3", "0.9"], "0.7");
+        cases.push(four_bar(format!("short-crank-1e-{n}"), &at, Some(Arithmetic::Single)));
+        let at = bar([&short, "1.1", "1.3", "0.9"], "0.7");
+        cases.push(four_bar(format!("short-frame-1e-{n}"), &at, finest_to(n, 4, 6, 6)));
+    }
+    // From nanometres to a thousand kilometres.
+    for n in [-9, -6, -3, 3, 6] {
+        let [a, b, c, d] = ["1.7", "0.6", "1.3", "1.1"].map(|x| format!("{x}e{n}"));
+        let at = bar([&a, &b, &c, &d], "0.7");
+        cases.push(four_bar(format!("size-1e{n}"), &at, Some(Arithmetic::Single)));
+    }
+    for n in [-9, -5, 5, 9] {
+        let mut at = bar(["1.7", "0.6", "1.3", "1.1"], "0.7");
+        at.rates = [power(n), format!("3e{}", 2 * n)];
+        cases.push(four_bar(format!("speed-1e{n}"), &at, Some(Arithmetic::Single)));
+    }
+    // Pivots far from the origin.
+    for n in [2, 5, 8] {
+        let mut at = bar(["1.7", "0.6", "1.3", "1.1"], "0.7");
+        at.at = [power(n), format!("-3e{n}")];
+        cases.push(four_bar(format!("offset-1e{n}"), &at, finest_to(n, 2, 8, 8)));
+    }
+    // A slider at the end of its stroke.
+    for n in 1..=14 {
+        let slider = Slider { lengths: texts(["0.5", "1.5"]), angle: power(-n), omega: "2".to_owned() };
+        cases.push(Case {
+            name: format!("end-of-stroke-1e-{n}"),
+            scene: slider.scene(),
+            quantities: &SLIDER_QUANTITIES,
+            truth: Some(slider.closed_form()),
+            answers: Some(Arithmetic::Single),
+        });
+    }
+    cases
+}
+
+/// Forty digits.
+fn digits(truth: &Exact) -> String {
+    let size = truth.abs().near();
+    let after = if size > 0.0 { (40.0 - libm::log10(size)).clamp(0.0, 110.0) } else { 1.0 };
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 110")]
+    truth.to_decimal(after as u32)
+}
+
+fn table(cases: &[Case]) -> String {
+    let mut out = String::from(
+        "# Closed forms in an arithmetic of a hundred digits; LINKGRAM_BLESS=1 cargo test --test extremes\n",
+    );
+    for case in cases {
+        match &case.truth {
+            None => writeln!(out, "{}\t-\tdoes not close", case.name).unwrap(),
+            Some(truth) => {
+                for (quantity, numbers) in case.quantities.iter().zip(truth) {
+                    let numbers: Vec<String> = numbers.iter().map(digits).collect();
+                    writeln!(out, "{}\t{quantity}\t{}", case.name, numbers.join("\t")).unwrap();
+                }
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn the_table_is_the_oracles() {
+    let path = common::root().join("tests/data/extremes.tsv");
+    let table = table(&cases());
+    if std::env::var_os("LINKGRAM_BLESS").is_some_and(|v| v == "1") {
+        std::fs::write(&path, table).unwrap();
+    } else {
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), table);
+    }
+}
+
+/// Every answer against the digits of the table; says how many there were.
+fn hold_in(arithmetic: Arithmetic) -> usize {
+    let rank = |a: Arithmetic| match a {
+        Arithmetic::Single => 0,
+        Arithmetic::Double => 1,
+        Arithmetic::DoubleDouble => 2,
+    };
+    let data = std::fs::read_to_string(common::root().join("tests/data/extremes.tsv")).unwrap();
+    let mut answered = 0;
+    for case in cases() {
+        let name = format!("{} in {arithmetic:?}", case.name);
+        let must = case.answers.is_some_and(|a| rank(a) <= rank(arithmetic));
+        let scene = common::read(&case.scene);
+        let settings = Settings { arithmetic };
+        let solved = match solve_with(&scene, Extent::Asked, &[], settings, linkgram::sheet::scale::for_scene)
+        {
+            Ok(solved) => solved,
+            Err(error) => {
+                assert!(!must, "{name}: {error}");
+                assert!(error.refusal().is_some(), "{name}: {error}");
+                continue;
+            }
+        };
+        assert!(case.truth.is_some(), "{name} has an answer, but does not close");
+        for (quantity, reading) in case.quantities.iter().zip(&solved.solution.construction.answers) {
+            let start = format!("{}\t{quantity}\t", case.name);
+            let row = data.lines().find_map(|line| line.strip_prefix(&start)).unwrap();
+            let truth: Vec<Exact> = row.split('\t').map(Exact::decimal).collect();
+            let (value, bound) = match &reading.answer {
+                Answer::Scalar { value, bound } => (vec![*value], *bound),
+                Answer::Vector { value, bound } => (value.to_vec(), *bound),
+                other => {
+                    assert!(!must, "{name}: {quantity} is {other:?}");
+                    continue;
+                }
+            };
+            let off = |value: &[DoubleDouble]| {
+                value.iter().zip(&truth).fold(0.0, |sum, (v, t)| libm::hypot(sum, t.error_of_fine(*v)))
+            };
+            let doubles: Vec<DoubleDouble> = value.iter().map(|v| DoubleDouble::of(*v)).collect();
+            let error = off(&doubles);
+            assert!(
+                error <= bound && bound.is_finite(),
+                "{name}: {quantity} off by {error:e}, bound {bound:e}"
+            );
+            if let Some(fine) = &reading.fine {
+                let error = off(&fine.value);
+                assert!(error <= fine.bound, "{name}: {quantity} off by {error:e}, bound {:e}", fine.bound);
+            }
+            answered += 1;
+        }
+    }
+    answered
+}
+
+#[test]
+fn extremes_in_single_precision() {
+    assert!(hold_in(Arithmetic::Single) > 150);
+}
+
+#[test]
+fn extremes_in_double_precision() {
+    assert!(hold_in(Arithmetic::Double) > 250);
+}
+
+#[test]
+fn extremes_in_double_double() {
+    assert!(hold_in(Arithmetic::DoubleDouble) > 350);
+}
