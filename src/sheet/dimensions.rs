@@ -13,7 +13,7 @@ use super::skeleton::{Artist, PIN};
 use crate::mechanism::{Direction, Form, GuidePoint, LinkId, Path, PointId, Roll};
 
 /// How far dimension lines stand from what they measure.
-const AWAY: [f64; 9] = [6.0, 8.5, 11.0, 14.0, 17.0, 20.5, 24.0, 28.0, 33.0];
+const AWAY: [f64; 9] = [7.5, 10.0, 12.5, 15.0, 18.0, 21.0, 24.5, 28.0, 33.0];
 /// How far an extension line runs past the dimension line.
 const PAST: f64 = 1.3;
 /// Shorter dimensions have their arrowheads outside.

@@ -15,8 +15,10 @@ const WORD: f64 = 1.6;
 const TOUCH: f64 = 1000.0;
 /// Passes of repair; each label moves to its best place given all others.
 const PASSES: usize = 8;
-/// Rounds in which a crowd is untangled.
-const ROUNDS: usize = 60;
+/// Moves by which a crowd is untangled: where so many do not suffice there is no room.
+const MOVES: usize = 1500;
+/// More labels than this that touch something are past untangling.
+const MOST_TOUCHING: usize = 100;
 
 /// Where a label may stand.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -301,11 +303,13 @@ impl Standing {
         further: &dyn Fn(usize) -> Vec<Candidate>,
     ) {
         let mut looked: Vec<bool> = vec![false; all.len()];
-        for _ in 0..ROUNDS {
+        let mut moves = 0;
+        while moves < MOVES {
             let touching: Vec<usize> = order.iter().copied().filter(|i| self.touches(*i, all)).collect();
-            if touching.iter().all(|i| requests[*i].optional) {
+            if touching.len() > MOST_TOUCHING || touching.iter().all(|i| requests[*i].optional) {
                 break;
             }
+            moves += touching.len();
             for &i in &touching {
                 self.weights[i] += 1.0;
                 if !std::mem::replace(&mut looked[i], true) {

@@ -26,6 +26,8 @@ pub(super) const PIN: f64 = 1.1;
 pub(super) const BLOCK: (f64, f64) = (4.4, 2.5);
 /// Half length and half width of a block in a slot.
 pub(super) const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
+/// Where more labels than this touch something, giving way one by one takes too long.
+const HOPELESS: usize = 40;
 /// How far a guide reaches beyond its rider.
 pub(super) const GUIDE: f64 = 13.0;
 
@@ -78,12 +80,14 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> Group {
         whole.group(lines);
         let texts = place(&whole, &requests, None);
         whole.group(texts);
-        // In a crowd the dimension that disturbs most is left to the given data, and so on.
-        let worst = (0..dimensions.len()).max_by(|a, b| dimensions[*a].cost.total_cmp(&dimensions[*b].cost));
-        match worst.filter(|_| !overlaps_in(&whole, None).is_empty()) {
-            Some(worst) => dimensions.remove(worst),
-            None => return whole,
-        };
+        let touching = overlaps_in(&whole, None).len();
+        if dimensions.is_empty() || touching == 0 {
+            return whole;
+        }
+        // In a crowd the dimensions that disturb most are left to the given data, and so on.
+        let left_out = if touching > HOPELESS { dimensions.len() } else { dimensions.len().div_ceil(8) };
+        dimensions.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        dimensions.truncate(dimensions.len() - left_out);
     }
 }
 
@@ -139,8 +143,12 @@ pub fn draw_under(
         artist.labels.extend(over.labels.iter().cloned());
         let labels = artist.placed_labels(&whole);
         whole.group(labels);
-        if tries.peek().is_none() || overlaps_in(&whole, None).is_empty() {
+        let touching = overlaps_in(&whole, None).len();
+        if tries.peek().is_none() || touching == 0 {
             return whole;
+        }
+        if touching > HOPELESS {
+            tries.next_if(|_| true);
         }
     }
     group

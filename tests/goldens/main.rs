@@ -17,8 +17,12 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::process::Command;
 
+use linkgram::sheet::Language;
 use report::Mismatch;
-use sheets::{Example, examples, root};
+use sheets::{Example, Kind, examples, root};
+
+/// The pictures in the README: first pages.
+const TITLES: [&str; 4] = ["title-page", "title-page-ar", "question-page", "question-page-ar"];
 
 fn golden(name: &str, extension: &str) -> PathBuf {
     root().join("golden").join(format!("{name}.{extension}"))
@@ -28,16 +32,55 @@ fn blessing() -> bool {
     std::env::var_os("LINKGRAM_BLESS").is_some_and(|v| v == "1")
 }
 
+/// The same scenes in other languages, as questions and step by step: some of each.
+fn variants() -> Vec<Example> {
+    use Kind::{Question, Solution, Steps};
+    use Language::{Arabic, ArabicAjala, English, Persian};
+    let of = [
+        ("s000-ch3a-1", Question, English),
+        ("s000-ch3a-1", Question, Arabic),
+        ("s000-ch3a-1", Question, ArabicAjala),
+        ("s000-ch3a-1", Question, Persian),
+        ("s000-ch3a-1", Solution, Arabic),
+        ("s000-ch3a-1", Solution, ArabicAjala),
+        ("s000-ch3a-1", Solution, Persian),
+        ("s000-ch3a-1", Steps, English),
+        ("s000-ch3a-2", Question, English),
+        ("s000-ch3a-2", Solution, Arabic),
+        ("s000-ch3a-2", Steps, Persian),
+        ("s000-ch4-1", Question, Arabic),
+        ("s000-ch4-9-b", Question, English),
+        ("s000-ch4-9-b", Solution, Persian),
+    ];
+    let variant = |(name, kind, language): (&str, Kind, Language)| {
+        let kind_name = match kind {
+            Solution => "solution",
+            Question => "question",
+            Steps => "steps",
+        };
+        let tag = match language {
+            English => "en",
+            Arabic => "ar",
+            ArabicAjala => "ar-x-ajala",
+            Persian => "fa",
+        };
+        let path = root().join(format!("examples/{name}.json"));
+        Example { name: format!("{name}.{kind_name}.{tag}"), path, kind, language }
+    };
+    of.into_iter().map(variant).collect()
+}
+
 #[test]
 fn every_sheet_is_its_golden() {
-    let examples = examples();
+    let mut examples = examples();
+    examples.extend(variants());
     if blessing() {
         bless(&examples);
         return;
     }
     let mut mismatches: Vec<Mismatch> = in_parallel(&examples, compare).into_iter().flatten().collect();
     #[cfg(feature = "png")]
-    mismatches.extend(pixels::compare_title_page());
+    mismatches.extend(pixels::compare_title_pages());
     for stale in strangers(&examples) {
         mismatches.push(Mismatch::missing(&stale, "no example belongs to this golden file"));
     }
@@ -81,7 +124,7 @@ fn bless(examples: &[Example]) {
         println!("blessed {changed}");
     }
     #[cfg(feature = "png")]
-    pixels::bless_title_page();
+    pixels::bless_title_pages();
     println!("now look at the pictures, and commit them on their own");
 }
 
@@ -102,7 +145,7 @@ fn strangers(examples: &[Example]) -> Vec<String> {
     let known: BTreeSet<String> = examples
         .iter()
         .flat_map(|e| [format!("{}.svg", e.name), format!("{}.png", e.name)])
-        .chain(["title-page.png".to_owned()])
+        .chain(TITLES.iter().map(|name| format!("{name}.png")))
         .collect();
     let mut strangers: Vec<String> = std::fs::read_dir(root().join("golden"))
         .unwrap()

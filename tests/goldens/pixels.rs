@@ -3,17 +3,19 @@
 use linkgram::render::png::render_svg;
 use resvg::tiny_skia::Pixmap;
 
-use super::golden;
 use super::report::{Mismatch, Picture};
+use super::{TITLES, golden};
 
 /// Resolution of the golden pictures.
 const DPI: f32 = 48.0;
-/// Resolution of the picture in the README.
-const TITLE_DPI: f32 = 110.0;
-/// The scene whose first page is the picture in the README.
-const TITLE_SCENE: &str = "s000-ch3a-1";
-/// Height of that page, millimetres.
-const PAGE_HEIGHT: f64 = 297.0;
+/// The pictures in the README, by their names: the sheet whose first page it is, its resolution, and how much
+/// of the page is shown, millimetres.
+const TITLE_PAGES: [(&str, f32, f64); 4] = [
+    ("s000-ch3a-1", 110.0, 297.0),
+    ("s000-ch3a-1.solution.ar", 80.0, 297.0),
+    ("s000-ch3a-1.question.en", 80.0, 190.0),
+    ("s000-ch3a-1.question.ar", 80.0, 190.0),
+];
 /// A grey level may move by this much, as another version of the renderer may round.
 const TOLERANCE: u8 = 1;
 /// This part of the pixels may move by more.
@@ -120,18 +122,20 @@ fn bless_picture(name: &str, actual: &Grey) {
     }
 }
 
-/// The first page of the main example: the picture in the README.
-fn title_page() -> Grey {
-    let svg = std::fs::read_to_string(golden(TITLE_SCENE, "svg")).unwrap();
-    Grey::of_svg(&svg, TITLE_DPI).cut((PAGE_HEIGHT / 25.4 * f64::from(TITLE_DPI)) as u32)
+/// The pictures in the README with their names.
+fn title_pages() -> impl Iterator<Item = (&'static str, Grey)> {
+    TITLES.into_iter().zip(TITLE_PAGES).map(|(name, (sheet, dpi, height))| {
+        let svg = std::fs::read_to_string(golden(sheet, "svg")).unwrap();
+        (name, Grey::of_svg(&svg, dpi).cut((height / 25.4 * f64::from(dpi)) as u32))
+    })
 }
 
-pub fn compare_title_page() -> Option<Mismatch> {
-    against_golden("title-page", &title_page())
+pub fn compare_title_pages() -> Vec<Mismatch> {
+    title_pages().filter_map(|(name, page)| against_golden(name, &page)).collect()
 }
 
-pub fn bless_title_page() {
-    bless_picture("title-page", &title_page());
+pub fn bless_title_pages() {
+    title_pages().for_each(|(name, page)| bless_picture(name, &page));
 }
 
 #[test]
