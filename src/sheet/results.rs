@@ -65,6 +65,11 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
         symbol = symbol.up(",\u{a0}").up(method);
     }
     match &reading.answer {
+        // What is not told from zero reads as zero, here and below.
+        Answer::Scalar { value, bound } if value.abs() <= *bound && *value != 0.0 => {
+            let none = Answer::Scalar { value: 0.0, bound: 0.0 };
+            return row(asked, &Reading { answer: none, ..reading.clone() }, notation);
+        }
         Answer::Scalar { value, .. } => match asked.quantity {
             Quantity::Omega(_)
             | Quantity::RelativeOmega(..)
@@ -83,6 +88,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
                 return vec![symbol, human::with_unit(&pair, &asked.unit.symbol), Rich::default()];
             }
             let size = libm::hypot(*x, *y);
+            let size = if size <= *bound { 0.0 } else { size };
             let direction = if size > 0.0 {
                 Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(*y, *x)))
             } else {

@@ -32,6 +32,18 @@ fn blessing() -> bool {
     std::env::var_os("LINKGRAM_BLESS").is_some_and(|v| v == "1")
 }
 
+/// Every kind of the catalogue as it comes.
+fn catalogue() -> Vec<Example> {
+    let folder = root().join("src/catalogue");
+    let of = |kind: &linkgram::catalogue::Kind| Example {
+        name: format!("catalogue.{}", kind.name),
+        path: folder.join(format!("{}.json", kind.name)),
+        kind: Kind::Solution,
+        language: Language::English,
+    };
+    linkgram::catalogue::KINDS.iter().map(of).collect()
+}
+
 /// The same scenes in other languages, as questions and step by step: some of each.
 fn variants() -> Vec<Example> {
     use Kind::{Question, Solution, Steps};
@@ -74,6 +86,7 @@ fn variants() -> Vec<Example> {
 fn every_sheet_is_its_golden() {
     let mut examples = examples();
     examples.extend(variants());
+    examples.extend(catalogue());
     if blessing() {
         bless(&examples);
         return;
