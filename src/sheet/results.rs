@@ -68,7 +68,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
         // What is not told from zero reads as zero, here and below.
         Answer::Scalar { value, bound } if value.abs() <= *bound && *value != 0.0 => {
             let none = Answer::Scalar { value: 0.0, bound: 0.0 };
-            return row(asked, &Reading { answer: none, ..reading.clone() }, notation);
+            row(asked, &Reading { answer: none, ..reading.clone() }, notation)
         }
         Answer::Scalar { value, .. } => match asked.quantity {
             Quantity::Omega(_)
