@@ -140,7 +140,8 @@ pub(crate) fn scenes_under(paths: &[PathBuf]) -> Result<Vec<PathBuf>, FileError>
             found.push(path.clone());
         } else {
             let before = found.len();
-            walk(path, &mut found, 0)?;
+            let scene = |path: &PathBuf| path.extension().is_some_and(|e| e == "json");
+            found.extend(all_under(path)?.into_iter().filter(scene));
             if found.len() == before {
                 return Err(FileError(format!("{}: no .json file in this folder", path.display())));
             }
@@ -151,6 +152,13 @@ pub(crate) fn scenes_under(paths: &[PathBuf]) -> Result<Vec<PathBuf>, FileError>
 
 /// Folders nested deeper than this are a loop of links.
 const DEEPEST_FOLDER: usize = 64;
+
+/// Every file of a folder and of those below it, in the order of their names.
+pub(crate) fn all_under(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+    let mut found = Vec::new();
+    walk(folder, &mut found, 0)?;
+    Ok(found)
+}
 
 fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), FileError> {
     let failed = |error: std::io::Error| FileError(format!("{}: {error}", folder.display()));
@@ -166,7 +174,7 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), Fil
     for entry in entries {
         if entry.is_dir() {
             walk(&entry, found, depth + 1)?;
-        } else if entry.extension().is_some_and(|e| e == "json") {
+        } else {
             found.push(entry);
         }
     }

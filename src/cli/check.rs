@@ -1,22 +1,17 @@
 //! `linkgram check`.
 
 use std::fmt::Write;
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
-use super::{Ending, Failure, print};
+use super::{Ending, Failure, print, progress};
 use crate::check::{Outcome, PublishedCheck, SceneCheck};
 use crate::files;
 use crate::parallel;
 use crate::report::{diagnose, short};
 use crate::scene::Scene;
 use crate::solve::Settings;
-
-/// Fewer scenes than this need no progress bar.
-const MANY: usize = 50;
 
 struct Checked {
     file: String,
@@ -55,13 +50,7 @@ pub(super) fn run(
 
 /// Checks on all processors; the results stay in the order of the files.
 fn check_all(scenes: &[PathBuf], tolerance: f64, settings: Settings) -> Vec<Checked> {
-    let bar = if scenes.len() >= MANY && std::io::stderr().is_terminal() {
-        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {eta} left")
-            .unwrap_or_else(|_| ProgressStyle::default_bar());
-        ProgressBar::new(scenes.len() as u64).with_style(style)
-    } else {
-        ProgressBar::hidden()
-    };
+    let bar = progress(scenes.len(), "scenes");
     let checked = parallel::map(scenes, |path| {
         let checked = check_one(path, tolerance, settings);
         bar.inc(1);

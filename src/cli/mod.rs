@@ -8,17 +8,19 @@
 
 mod check;
 mod draw;
+mod golden;
 mod new;
 mod solve;
 mod structure;
 mod sweep;
 
 use std::ffi::OsString;
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::drawing::Kind;
 use crate::files::{self, FileError};
@@ -138,6 +140,11 @@ enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: Vec<PathBuf>,
     },
+    /// Compare scenes with the figures that were blessed, or bless what is drawn now
+    Golden {
+        #[command(subcommand)]
+        action: GoldenAction,
+    },
     /// List the mechanism catalogue, or write a ready scene of a kind
     New {
         /// The kind
@@ -145,6 +152,31 @@ enum Command {
     },
     /// Print the JSON Schema of a scene
     Schema,
+}
+
+#[derive(Debug, Subcommand)]
+enum GoldenAction {
+    /// Draw every scene of a folder and tell what differs from its golden: a changed number from other
+    /// content, and both from a cosmetic change
+    Check {
+        /// The folder: scenes with their goldens beside them, or goldens with a suite.json
+        folder: PathBuf,
+        /// Only the goldens of these names
+        names: Vec<String>,
+        /// Write a page that shows expected, actual and difference: one HTML file
+        #[arg(long, value_name = "FILE")]
+        report: Option<PathBuf>,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+    },
+    /// Make what is drawn now the goldens
+    Bless {
+        /// The folder: scenes with their goldens beside them, or goldens with a suite.json
+        folder: PathBuf,
+        /// Only the goldens of these names
+        names: Vec<String>,
+    },
 }
 
 /// How a command ended.
@@ -254,6 +286,12 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Sweep { scene, steps, tolerance, from, to, output } => {
             sweep::run(&sweep::Job { scene, steps, tolerance, from, to, output })
         }
+        Command::Golden { action: GoldenAction::Check { folder, names, report, json } } => {
+            golden::check(&golden::Job { folder, names }, report.as_deref(), json)
+        }
+        Command::Golden { action: GoldenAction::Bless { folder, names } } => {
+            golden::bless(&golden::Job { folder, names })
+        }
         Command::New { kind } => new::run(kind.as_deref()),
         Command::Schema => schema(),
     };
@@ -287,6 +325,19 @@ fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Fewer things than this need no progress bar.
+const MANY: usize = 50;
+
+/// A bar on stderr, where somebody is looking and there is much to do.
+fn progress(count: usize, what: &str) -> ProgressBar {
+    if count < MANY || !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {what}, {{eta}} left"))
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(count as u64).with_style(style)
 }
 
 fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {

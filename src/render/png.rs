@@ -48,6 +48,11 @@ pub fn render(figure: &Figure, dpi: f32) -> Result<Vec<u8>, PngError> {
 /// # Errors
 /// When the size is out of range, or the text is not an SVG.
 pub fn render_svg(svg: &str, dpi: f32) -> Result<Vec<u8>, PngError> {
+    pixels(svg, dpi)?.encode_png().map_err(|e| PngError::Encoding(e.to_string()))
+}
+
+/// The pixels of an SVG on white at `dpi` dots per inch.
+pub(crate) fn pixels(svg: &str, dpi: f32) -> Result<Pixmap, PngError> {
     let dpi = f64::from(dpi);
     let tree = parse(svg)?;
     // usvg resolves millimetres at its own 96 dots per inch.
@@ -63,7 +68,7 @@ pub fn render_svg(svg: &str, dpi: f32) -> Result<Vec<u8>, PngError> {
     pixels.fill(Color::WHITE);
     let scale = scale as f32;
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
-    pixels.encode_png().map_err(|e| PngError::Encoding(e.to_string()))
+    Ok(pixels)
 }
 
 /// Reads an SVG with the embedded fonts.

@@ -20,6 +20,7 @@ use svg::Document;
 use svg::node::Blob;
 use svg::node::element::{Circle, Element, Group as GroupElement, Path, Rectangle};
 
+use super::base64::base64;
 use super::number::decimal;
 use super::theme::{Place, Theme};
 use crate::sheet::figure::{Figure, Group, Mark, Node, Pen, Run, Shape, Text, Tone, on_circle};
@@ -215,20 +216,6 @@ fn curve(path: &BezPath, at: impl Fn(Point) -> String) -> String {
         })
         .collect();
     parts.join(" ")
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let bits =
-            three.iter().enumerate().fold(0_u32, |bits, (i, byte)| bits | u32::from(*byte) << (16 - 8 * i));
-        for i in 0..4 {
-            let digit = DIGITS[(bits >> (18 - 6 * i) & 63) as usize];
-            out.push(if i <= three.len() { char::from(digit) } else { '=' });
-        }
-    }
-    out
 }
 
 fn element_with_text(name: &str, id: Option<&str>, text: &str) -> Blob {

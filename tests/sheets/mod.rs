@@ -13,19 +13,6 @@ pub struct Example {
     pub name: String,
     /// Its file.
     pub path: PathBuf,
-    /// What is drawn of it.
-    pub kind: Kind,
-    /// In which language.
-    pub language: Language,
-}
-
-/// What is drawn of a scene.
-#[derive(Clone, Copy, PartialEq, Eq)]
-#[allow(dead_code, reason = "each test binary draws its own kinds")]
-pub enum Kind {
-    Solution,
-    Question,
-    Steps,
 }
 
 /// The root of the repository.
@@ -40,12 +27,7 @@ pub fn examples() -> Vec<Example> {
         .flat_map(|folder| std::fs::read_dir(root().join(folder)).unwrap())
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.extension().is_some_and(|e| e == "json"))
-        .map(|path| Example {
-            name: path.file_stem().unwrap().to_str().unwrap().to_owned(),
-            path,
-            kind: Kind::Solution,
-            language: Language::English,
-        })
+        .map(|path| Example { name: path.file_stem().unwrap().to_str().unwrap().to_owned(), path })
         .collect();
     all.sort_by(|a, b| a.name.cmp(&b.name));
     assert!(all.len() >= 15, "the examples are there");
@@ -54,32 +36,18 @@ pub fn examples() -> Vec<Example> {
 }
 
 /// Reads, solves and draws an example, as `linkgram draw` does.
+#[allow(dead_code, reason = "each test binary uses its own part of these helpers")]
 pub fn draw(example: &Example) -> (Scene, Solved, String) {
-    let text = std::fs::read_to_string(&example.path).unwrap();
-    draw_as(&example.name, &text, example.kind, example.language)
+    draw_text(&example.name, &std::fs::read_to_string(&example.path).unwrap())
 }
 
 /// The solution of the text of a scene, in English.
 #[allow(dead_code, reason = "each test binary uses its own part of these helpers")]
 pub fn draw_text(name: &str, text: &str) -> (Scene, Solved, String) {
-    draw_as(name, text, Kind::Solution, Language::English)
-}
-
-fn draw_as(name: &str, text: &str, kind: Kind, language: Language) -> (Scene, Solved, String) {
     let scene = linkgram::scene::read(text, name).unwrap();
-    let scales = match kind {
-        Kind::Solution => sheet::scale::for_scene,
-        Kind::Question => sheet::scale::for_question,
-        Kind::Steps => sheet::scale::for_steps,
-    };
-    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, scales)
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene)
         .unwrap_or_else(|error| panic!("{name}: {error}"));
-    let construction = &solved.solution.construction;
-    let figure = match kind {
-        Kind::Solution => sheet::solution(&scene, construction, language),
-        Kind::Question => sheet::question(&scene, construction, language),
-        Kind::Steps => sheet::step_by_step(&scene, construction, language),
-    };
+    let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
     let svg = linkgram::render::svg::write(&figure);
     (scene, solved, svg)
 }

@@ -1,0 +1,481 @@
+//! A folder of goldens: drawn, compared, blessed.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::meaning::without_numbers;
+use super::{Change, Checked, GoldenError, Meaning, Report, Tier, Verdict, Weight, manifest};
+use crate::drawing::{self, NoFigure, Wish};
+use crate::render::theme::Theme;
+use crate::render::{json, svg};
+use crate::report::diagnose;
+use crate::solve::SolveError;
+use crate::{files, parallel};
+
+/// The ending of the file that has the meaning of a figure.
+pub(super) const MEANING: &str = ".figure.json";
+/// The ending of the drawing.
+const SVG: &str = ".svg";
+/// The ending of the picture.
+const PIXELS: &str = ".png";
+/// The ending of the file that has a refusal.
+const REFUSAL: &str = ".refusal.txt";
+
+/// A scene and how it is drawn.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Case {
+    /// The name of the golden: its path in the suite, without endings.
+    pub name: String,
+    /// The file of the scene.
+    pub scene: PathBuf,
+    /// What is drawn of it.
+    pub wish: Wish,
+    /// On which paper; the scene's where nothing is said.
+    pub paper: Option<String>,
+    /// In which colours; the scene's where nothing is said.
+    pub theme: Option<Theme>,
+}
+
+/// What a scene comes to.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// A figure.
+    Figure {
+        /// Its JSON.
+        json: String,
+        /// Its SVG.
+        svg: String,
+    },
+    /// The refusal that the scene expects, as text.
+    Refusal(String),
+}
+
+/// A folder of goldens.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Suite {
+    folder: PathBuf,
+    cases: Vec<Case>,
+    /// The names of all cases, whether chosen or not.
+    known: BTreeSet<String>,
+    /// Whether only some cases were chosen.
+    chosen: bool,
+    /// Of the pictures.
+    #[cfg_attr(not(feature = "png"), allow(dead_code, reason = "there are no pictures"))]
+    dpi: f32,
+}
+
+/// The path of a file in a suite, with slashes on every system.
+pub(super) fn name_in(folder: &Path, path: &Path) -> String {
+    let inside = path.strip_prefix(folder).unwrap_or(path);
+    inside.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
+}
+
+impl Suite {
+    /// The suite of a folder.
+    ///
+    /// # Errors
+    /// When the folder or its `suite.json` cannot be read, says what cannot be, or lists no scene.
+    pub fn open(folder: &Path) -> Result<Self, GoldenError> {
+        if !folder.is_dir() {
+            return Err(GoldenError::File(format!("{}: not a folder", folder.display())));
+        }
+        let (cases, dpi) = manifest::read(folder)?;
+        if cases.is_empty() {
+            return Err(GoldenError::Suite(format!("{}: no scene in this suite", folder.display())));
+        }
+        let known = cases.iter().map(|case| case.name.clone()).collect();
+        Ok(Self { folder: folder.to_owned(), cases, known, chosen: false, dpi })
+    }
+
+    /// The scenes and how they are drawn.
+    #[must_use]
+    pub fn cases(&self) -> &[Case] {
+        &self.cases
+    }
+
+    /// Only the goldens of these names.
+    ///
+    /// # Errors
+    /// When the suite has no golden of such a name.
+    pub fn only(mut self, names: &[String]) -> Result<Self, GoldenError> {
+        let known: Vec<&str> = self.known.iter().map(String::as_str).collect();
+        if let Some(stranger) = names.iter().find(|name| !self.known.contains(*name)) {
+            let mend = crate::scene::nearest(stranger, &known)
+                .map_or(String::new(), |nearest| format!("; did you mean {nearest}?"));
+            return Err(GoldenError::Suite(format!("no golden of the name {stranger} in this suite{mend}")));
+        }
+        self.cases.retain(|case| names.contains(&case.name));
+        self.chosen = true;
+        Ok(self)
+    }
+
+    fn path(&self, name: &str, ending: &str) -> PathBuf {
+        self.folder.join(format!("{name}{ending}"))
+    }
+
+    /// Draws everything and compares it with what was blessed; `tick` is called after each figure.
+    #[must_use]
+    pub fn check(&self, tick: &(dyn Fn() + Sync)) -> Report {
+        let mut checked = parallel::map(&self.cases, |case| {
+            let checked = self.check_one(case);
+            tick();
+            checked
+        });
+        checked.extend(self.extra().into_iter().map(|name| Checked {
+            name,
+            verdict: Verdict::Extra,
+            expected: None,
+            actual: None,
+        }));
+        Report { checked }
+    }
+
+    fn check_one(&self, case: &Case) -> Checked {
+        let name = case.name.clone();
+        let looked = match case.draw() {
+            Ok(outcome) => self.compare(&name, &outcome),
+            Err(why) => {
+                let expected = self.text(&name, SVG).ok().flatten();
+                Looked { verdict: Verdict::Broken(why), expected, actual: None }
+            }
+        };
+        let Looked { verdict, expected, actual } = looked;
+        Checked { name, verdict, expected, actual }
+    }
+
+    /// What an outcome is against its golden.
+    fn compare(&self, name: &str, outcome: &Outcome) -> Looked {
+        let result = match outcome {
+            Outcome::Refusal(refusal) => self.compare_refusal(name, refusal),
+            Outcome::Figure { json, svg } => self.compare_figure(name, json, svg),
+        };
+        result.unwrap_or_else(|verdict| Looked {
+            verdict,
+            expected: None,
+            actual: Some(outcome.shown().to_owned()),
+        })
+    }
+
+    fn compare_refusal(&self, name: &str, refusal: &str) -> Result<Looked, Verdict> {
+        let Some(golden) = self.text(name, REFUSAL)? else {
+            if self.path(name, MEANING).exists() {
+                let change =
+                    Change::new(Weight::Content, format!("refused now, as the scene expects: {refusal}"));
+                let expected = self.text(name, SVG)?;
+                let actual = Some(refusal.to_owned());
+                return Ok(Looked { verdict: Verdict::Differs(vec![change]), expected, actual });
+            }
+            return Err(self.missing(name, REFUSAL));
+        };
+        if with_plain_ends(&golden) == refusal {
+            return Ok(Looked::same());
+        }
+        let change = match without_numbers(&golden) == without_numbers(refusal) {
+            true => Change::new(Weight::Number, "a number in the refusal changed"),
+            false => Change::new(Weight::Content, "the refusal is worded otherwise"),
+        };
+        Ok(Looked {
+            verdict: Verdict::Differs(vec![change]),
+            expected: Some(golden),
+            actual: Some(refusal.to_owned()),
+        })
+    }
+
+    fn compare_figure(&self, name: &str, json: &str, svg: &str) -> Result<Looked, Verdict> {
+        let Some(golden) = self.text(name, MEANING)? else {
+            if let Some(refusal) = self.text(name, REFUSAL)? {
+                let change = Change::new(Weight::Content, "drawn now, where it was refused");
+                let (expected, actual) = (Some(refusal), Some(svg.to_owned()));
+                return Ok(Looked { verdict: Verdict::Differs(vec![change]), expected, actual });
+            }
+            return Err(self.missing(name, MEANING));
+        };
+        let unreadable = |ending: &str, why: String| {
+            Verdict::Unreadable(format!("{}: {why}; bless it anew", self.path(name, ending).display()))
+        };
+        let mut changes = Vec::new();
+        if with_plain_ends(&golden) != json {
+            let expected = Meaning::read(&golden).map_err(|why| unreadable(MEANING, why))?;
+            let actual = Meaning::read(json).map_err(|why| unreadable(MEANING, why))?;
+            changes = expected.changes(&actual);
+        }
+        let said = changes.len();
+        let expected = self.text(name, SVG)?;
+        let mut missing = None;
+        for (tier, seen) in [
+            (Tier::Svg, compare_bytes(expected.as_deref(), svg)),
+            (Tier::Pixels, self.compare_pixels(name, svg)?),
+        ] {
+            let what = match seen {
+                Seen::Same => continue,
+                Seen::Differs(what) => what,
+                Seen::Missing(ending) => {
+                    missing = missing.or(Some(ending));
+                    "no golden".to_owned()
+                }
+            };
+            changes.push(Change::looks(tier, what));
+        }
+        if changes.is_empty() {
+            return Ok(Looked::same());
+        }
+        // Where nothing else is to be said: that a file is not there.
+        let verdict = match missing {
+            Some(ending) if said == 0 => self.missing(name, ending),
+            _ => Verdict::Differs(changes),
+        };
+        Ok(Looked { verdict, expected, actual: Some(svg.to_owned()) })
+    }
+
+    #[cfg(feature = "png")]
+    fn compare_pixels(&self, name: &str, svg: &str) -> Result<Seen, Verdict> {
+        use super::pixels::Picture;
+        let path = self.path(name, PIXELS);
+        let Some(bytes) = bytes(&path)? else { return Ok(Seen::Missing(PIXELS)) };
+        let unreadable =
+            |why: String| Verdict::Unreadable(format!("{}: {why}; bless it anew", path.display()));
+        let expected = Picture::read(&bytes).map_err(unreadable)?;
+        let actual = Picture::of_svg(svg, self.dpi).map_err(|error| Verdict::Broken(error.to_string()))?;
+        let difference = expected.difference(&actual);
+        Ok(if difference.seen() { Seen::Differs(difference.to_string()) } else { Seen::Same })
+    }
+
+    #[cfg(not(feature = "png"))]
+    #[expect(clippy::unused_self, clippy::unnecessary_wraps, reason = "as it is with pictures")]
+    fn compare_pixels(&self, _: &str, _: &str) -> Result<Seen, Verdict> {
+        Ok(Seen::Same)
+    }
+
+    fn missing(&self, name: &str, ending: &str) -> Verdict {
+        Verdict::Missing(format!(
+            "{}: not there; look at the figure and bless it",
+            self.path(name, ending).display()
+        ))
+    }
+
+    /// The text of a golden file; `None` where there is no such file.
+    fn text(&self, name: &str, ending: &str) -> Result<Option<String>, Verdict> {
+        let path = self.path(name, ending);
+        let Some(bytes) = bytes(&path)? else { return Ok(None) };
+        let text = String::from_utf8(bytes);
+        text.map(Some)
+            .map_err(|_| Verdict::Unreadable(format!("{}: not UTF-8 text; bless it anew", path.display())))
+    }
+
+    /// The goldens to which no scene belongs, by their names.
+    fn extra(&self) -> Vec<String> {
+        if self.chosen {
+            return Vec::new();
+        }
+        let Ok(all) = files::all_under(&self.folder) else { return Vec::new() };
+        let golden = |path: &PathBuf| {
+            let name = name_in(&self.folder, path);
+            [MEANING, REFUSAL].iter().find_map(|ending| name.strip_suffix(ending)).map(str::to_owned)
+        };
+        let names: BTreeSet<String> = all.iter().filter_map(golden).collect();
+        names.difference(&self.known).cloned().collect()
+    }
+
+    /// Makes what is drawn now the golden: a line for each that is new or changed, with the tiers in which it
+    /// differed. Each golden is written whole or not at all. Files that no figure of the suite writes are left alone;
+    /// where a scene is refused that was drawn before, or the other way round, its own former files go.
+    ///
+    /// # Errors
+    /// When a scene cannot be drawn, or is not refused although it expects to be: nothing is written then. When
+    /// a file cannot be written: the goldens before it are blessed, it and those after it are not.
+    pub fn bless(&self, tick: &(dyn Fn() + Sync)) -> Result<Vec<String>, GoldenError> {
+        let drawn = parallel::map(&self.cases, |case| {
+            let drawn = case.draw().map(|outcome| {
+                let looked = self.compare(&case.name, &outcome);
+                (outcome, looked.verdict)
+            });
+            tick();
+            drawn
+        });
+        let broken: Vec<String> = drawn.iter().filter_map(|drawn| drawn.as_ref().err().cloned()).collect();
+        if !broken.is_empty() {
+            return Err(GoldenError::Broken(broken));
+        }
+        let mut lines = Vec::new();
+        for (case, (outcome, verdict)) in self.cases.iter().zip(drawn.into_iter().flatten()) {
+            if self.write(&case.name, &outcome, &verdict)? {
+                lines.push(blessed(&case.name, &verdict));
+            }
+        }
+        let extra = self.extra().into_iter();
+        lines.extend(extra.map(|name| format!("{name}: left alone, though no scene draws it")));
+        Ok(lines)
+    }
+
+    /// Whether anything was written.
+    fn write(&self, name: &str, outcome: &Outcome, verdict: &Verdict) -> Result<bool, GoldenError> {
+        let file = |error: &dyn std::fmt::Display| GoldenError::File(error.to_string());
+        let (mut wanted, former) = match outcome {
+            Outcome::Refusal(text) => {
+                let drawn = self.path(name, MEANING).exists();
+                let former: &[&str] = if drawn { &[MEANING, SVG, PIXELS] } else { &[] };
+                (vec![(self.path(name, REFUSAL), text.clone().into_bytes())], former)
+            }
+            Outcome::Figure { json, svg } => {
+                let mut files = vec![
+                    (self.path(name, MEANING), json.clone().into_bytes()),
+                    (self.path(name, SVG), svg.clone().into_bytes()),
+                ];
+                files.extend(self.picture(name, svg, verdict)?);
+                (files, &[REFUSAL][..])
+            }
+        };
+        wanted.retain(|(path, bytes)| fs::read(path).ok().as_ref() != Some(bytes));
+        if let Some(folder) = wanted.first().and_then(|(path, _)| path.parent()) {
+            fs::create_dir_all(folder).map_err(|error| file(&format!("{}: {error}", folder.display())))?;
+        }
+        files::write_all(&wanted).map_err(|error| file(&error))?;
+        let mut changed = !wanted.is_empty();
+        for ending in former {
+            let path = self.path(name, ending);
+            if path.exists() {
+                fs::remove_file(&path).map_err(|error| file(&format!("{}: {error}", path.display())))?;
+                changed = true;
+            }
+        }
+        Ok(changed)
+    }
+
+    /// The picture, where the present one no longer serves.
+    #[cfg(feature = "png")]
+    fn picture(
+        &self,
+        name: &str,
+        svg: &str,
+        verdict: &Verdict,
+    ) -> Result<Option<(PathBuf, Vec<u8>)>, GoldenError> {
+        let seen = match verdict {
+            Verdict::Same => false,
+            Verdict::Differs(changes) => changes.iter().any(|change| change.tier == Tier::Pixels),
+            _ => true,
+        };
+        let path = self.path(name, PIXELS);
+        if !seen && path.exists() {
+            return Ok(None);
+        }
+        let picture = super::pixels::Picture::of_svg(svg, self.dpi);
+        let picture = picture.map_err(|error| GoldenError::Broken(vec![format!("{name}: {error}")]))?;
+        Ok(Some((path, picture.png())))
+    }
+
+    #[cfg(not(feature = "png"))]
+    #[expect(clippy::unused_self, clippy::unnecessary_wraps, reason = "as it is with pictures")]
+    fn picture(&self, _: &str, _: &str, _: &Verdict) -> Result<Option<(PathBuf, Vec<u8>)>, GoldenError> {
+        Ok(None)
+    }
+}
+
+/// A golden that was compared.
+struct Looked {
+    verdict: Verdict,
+    expected: Option<String>,
+    actual: Option<String>,
+}
+
+impl Looked {
+    const fn same() -> Self {
+        Self { verdict: Verdict::Same, expected: None, actual: None }
+    }
+}
+
+/// A golden file of a later tier, compared.
+enum Seen {
+    Same,
+    Differs(String),
+    /// There is no such file; its ending.
+    Missing(&'static str),
+}
+
+fn compare_bytes(expected: Option<&str>, svg: &str) -> Seen {
+    let Some(expected) = expected else { return Seen::Missing(SVG) };
+    if expected == svg {
+        return Seen::Same;
+    }
+    if with_plain_ends(expected) == svg {
+        let what = "its lines end in CR LF; say `*.svg text eol=lf` in .gitattributes";
+        return Seen::Differs(what.to_owned());
+    }
+    let same = expected.lines().zip(svg.lines()).take_while(|(a, b)| a == b).count();
+    Seen::Differs(format!("differs from line {} on", same + 1))
+}
+
+/// What a bless did, in one line.
+fn blessed(name: &str, verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Differs(changes) => {
+            let tiers: BTreeSet<Tier> = changes.iter().map(|change| change.tier).collect();
+            let tiers: Vec<&str> = tiers.iter().map(|tier| tier.name()).collect();
+            let first = changes.first().map_or("", |change| change.what.as_str());
+            let more = changes.len().saturating_sub(1);
+            let more = if more == 0 { String::new() } else { format!(", and {more} more") };
+            format!("{name}: {}, in {}: {first}{more}", verdict.word(), tiers.join(", "))
+        }
+        Verdict::Missing(_) => format!("{name}: new"),
+        Verdict::Unreadable(why) => format!("{name}: replaced; it was unreadable: {why}"),
+        Verdict::Same | Verdict::Extra | Verdict::Broken(_) => format!("{name}: written anew"),
+    }
+}
+
+/// The bytes of a file; `None` where there is none.
+fn bytes(path: &Path) -> Result<Option<Vec<u8>>, Verdict> {
+    match fs::read(path) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(Verdict::Unreadable(format!("{}: {error}", path.display()))),
+    }
+}
+
+fn with_plain_ends(text: &str) -> String {
+    text.replace("\r\n", "\n")
+}
+
+impl Outcome {
+    /// What there is to be seen of it.
+    fn shown(&self) -> &str {
+        match self {
+            Self::Figure { svg, .. } => svg,
+            Self::Refusal(text) => text,
+        }
+    }
+}
+
+impl Case {
+    /// Draws the scene, or has it refused as it expects.
+    ///
+    /// # Errors
+    /// One line, naming the file: where it is no scene, is refused without expecting it, or is not refused although
+    /// it expects to be.
+    pub fn draw(&self) -> Result<Outcome, String> {
+        let (file, text) = files::read(&self.scene).map_err(|error| error.to_string())?;
+        let mut scene = crate::scene::read(&text, &file).map_err(|error| error.to_string())?;
+        if let Some(paper) = &self.paper {
+            scene.sheet.paper = Some(paper.clone());
+        }
+        match (drawing::figure(&scene, &self.wish), scene.expect) {
+            (Ok(figure), None) => {
+                let theme = self.theme.unwrap_or_else(|| drawing::theme(&scene));
+                Ok(Outcome::Figure { json: json::write(&figure), svg: svg::write_in(&figure, theme) })
+            }
+            (Ok(_), Some(_)) => Err(format!("{file}: the scene expects a refusal, and is drawn")),
+            (Err(NoFigure::Unsolved(error)), Some(expected)) if error.refusal() == Some(expected) => {
+                Ok(Outcome::Refusal(refusal(&scene, &error)))
+            }
+            (Err(error), _) => Err(error.told(&scene)),
+        }
+    }
+}
+
+/// A refusal as text: where in the scene, what, and the mend; without line and column, which move with every edit.
+fn refusal(scene: &crate::scene::Scene, error: &SolveError) -> String {
+    let told = diagnose(scene, error);
+    let mut lines = vec![told.path, told.what];
+    lines.extend(told.mend.map(|mend| format!("help: {mend}")));
+    lines.retain(|line| !line.is_empty());
+    lines.join("\n") + "\n"
+}
