@@ -9,6 +9,7 @@ pub mod check;
 pub mod cli;
 pub mod double_double;
 pub mod given;
+pub mod grade;
 pub mod graphical;
 pub mod mechanism;
 pub mod plan;

@@ -9,6 +9,7 @@
 mod check;
 mod draw;
 mod files;
+mod grade;
 mod new;
 mod report;
 mod solve;
@@ -106,6 +107,21 @@ enum Command {
         /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
         arith: Arithmetic,
+    },
+    /// Grade a solution that somebody drew or calculated by hand: what is right, what follows rightly from an
+    /// earlier fault, and which typical mistake explains the rest
+    Grade {
+        /// The scene file; - for standard input
+        scene: PathBuf,
+        /// What was handed in: JSON or CSV (linkgram schema answers)
+        answers: PathBuf,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+        /// By how many millimetres of paper lengths and readings may slip, and by how many degrees directions;
+        /// 0.2mm,0.3deg where neither this nor the answers say it
+        #[arg(long, value_name = "MM,DEG", value_parser = parse_hand)]
+        hand: Option<Hand>,
     },
     /// Report links, pairs, mobility, groups, Grashof class and dead positions
     Structure {
@@ -243,6 +259,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith })
+        }
+        Command::Grade { scene, answers, json, hand } => {
+            grade::run(&grade::Job { scene, answers, json, hand })
         }
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep { scene, steps, tolerance, from, to, output } => {
