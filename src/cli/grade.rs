@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use super::{Ending, Failure, failure, files, print, read_scene};
+use super::{Ending, Failure, failure, print, read_scene};
+use crate::files;
 use crate::grade::{self, GradeError, GradeSettings};
 use crate::solve::Hand;
 
