@@ -159,8 +159,19 @@ enum Command {
         /// The kind
         kind: Option<String>,
     },
-    /// Print the JSON Schema of a scene
-    Schema,
+    /// Print the JSON Schema of a scene, or of answers for `grade`
+    Schema {
+        /// Of what
+        #[arg(value_enum, default_value_t = SchemaOf::Scene)]
+        of: SchemaOf,
+    },
+}
+
+/// What a JSON Schema is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum SchemaOf {
+    Scene,
+    Answers,
 }
 
 /// How a command ended.
@@ -274,7 +285,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             sweep::run(&sweep::Job { scene, steps, tolerance, from, to, output })
         }
         Command::New { kind } => new::run(kind.as_deref()),
-        Command::Schema => schema(),
+        Command::Schema { of } => schema(of),
     };
     match ending {
         Ok(Ending::Fine) => ExitCode::SUCCESS,
@@ -286,9 +297,12 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-fn schema() -> Result<Ending, Failure> {
-    let text =
-        serde_json::to_string_pretty(&crate::scene::schema()).map_err(|error| Failure(error.to_string()))?;
+fn schema(of: SchemaOf) -> Result<Ending, Failure> {
+    let schema = match of {
+        SchemaOf::Scene => crate::scene::schema(),
+        SchemaOf::Answers => crate::grade::schema(),
+    };
+    let text = serde_json::to_string_pretty(&schema).map_err(|error| Failure(error.to_string()))?;
     print(&(text + "\n"))?;
     Ok(Ending::Fine)
 }

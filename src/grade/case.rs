@@ -398,7 +398,8 @@ impl<'s> Case<'s> {
     }
 
     fn allowed(&self, observation: &Observation, worst: f64, factor: f64, seen: Option<&[f64]>) -> f64 {
-        if let Some(stated) = observation.stated {
+        // A part of nothing is no tolerance.
+        if let Some(stated) = observation.stated.filter(|stated| *stated > 0.0) {
             return stated;
         }
         let exact = seen.map_or(0.0, size);
@@ -408,7 +409,7 @@ impl<'s> Case<'s> {
         let linear = observation.quantity.is_none_or(|q| is_vector(&q));
         let reading = if linear { self.hand.length * self.si_per_mm(order) * factor } else { 0.0 };
         let rounding = observation.rounding.min(ROUNDED * exact);
-        SAFETY * worst + reading + rounding + ROUNDING * exact
+        (SAFETY * worst + reading + rounding + ROUNDING * exact).max(f64::MIN_POSITIVE)
     }
 
     /// How far two sets of numbers of an answer are apart.

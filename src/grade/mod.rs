@@ -30,12 +30,14 @@ mod kind;
 mod mistakes;
 mod report;
 mod scan;
+mod schema;
 
 pub use answers::{Answers, FigurePoints, Given, Item, StatedScales, Tolerance, read_answers, read_named};
 pub use judge::{Mistake, Verdict};
 pub use kind::Kind;
 pub use report::{FirstFault, Graded, Report};
 pub use scan::Scan;
+pub use schema::schema;
 
 use crate::board::Hand;
 use crate::scene::{Diagnostic, Scene};

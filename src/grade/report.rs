@@ -124,7 +124,7 @@ fn graded(
         tolerance: case.tolerances[index] / si,
         off: case.miss(index, &case.truth[index]) / si,
         unit: observation.unit.clone(),
-        step: (observation.rank.1 != usize::MAX).then_some(observation.rank.1 + 1),
+        step: observation.rank.1.checked_add(1),
         verdict,
         mistakes,
     }
