@@ -12,6 +12,7 @@ pub mod drawing;
 mod files;
 pub mod given;
 pub mod golden;
+pub mod grade;
 pub mod graphical;
 pub mod mechanism;
 mod parallel;
