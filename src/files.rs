@@ -44,6 +44,23 @@ pub(crate) fn read(path: &Path) -> Result<(String, String), FileError> {
     Ok((file, text))
 }
 
+/// Refuses to write over the file that was read, in whatever way it is named.
+pub(crate) fn spare<'a>(
+    input: &Path,
+    outputs: impl IntoIterator<Item = &'a PathBuf>,
+) -> Result<(), FileError> {
+    // What is not there yet cannot be the input, nor can standard input.
+    let Ok(input) = fs::canonicalize(input) else { return Ok(()) };
+    let same = |path: &&PathBuf| fs::canonicalize(path).is_ok_and(|path| path == input);
+    match outputs.into_iter().find(same) {
+        Some(path) => Err(FileError(format!(
+            "{}: is the scene itself, and would be overwritten; choose another name",
+            path.display()
+        ))),
+        None => Ok(()),
+    }
+}
+
 /// Writes all files, or none: each beside its place first, then all are renamed; if one cannot be, those
 /// renamed before it are taken back.
 pub(crate) fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), FileError> {
@@ -150,19 +167,24 @@ pub(crate) fn scenes_under(paths: &[PathBuf]) -> Result<Vec<PathBuf>, FileError>
     Ok(found)
 }
 
-/// Folders nested deeper than this are a loop of links.
+/// Folders nested deeper than this are nobody's scenes.
 const DEEPEST_FOLDER: usize = 64;
 
 /// Every file of a folder and of those below it, in the order of their names.
 pub(crate) fn all_under(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     let mut found = Vec::new();
-    walk(folder, &mut found, 0)?;
+    walk(folder, &mut found, &mut Vec::new())?;
     Ok(found)
 }
 
-fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), FileError> {
+fn walk(folder: &Path, found: &mut Vec<PathBuf>, around: &mut Vec<PathBuf>) -> Result<(), FileError> {
     let failed = |error: std::io::Error| FileError(format!("{}: {error}", folder.display()));
-    if depth > DEEPEST_FOLDER {
+    let whole = fs::canonicalize(folder).map_err(failed)?;
+    // A link back to a folder around it shows nothing new.
+    if around.contains(&whole) {
+        return Ok(());
+    }
+    if around.len() > DEEPEST_FOLDER {
         return Err(FileError(format!("{}: folders nested too deep", folder.display())));
     }
     let mut entries: Vec<PathBuf> = fs::read_dir(folder)
@@ -171,13 +193,15 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), Fil
         .collect::<Result<_, _>>()
         .map_err(failed)?;
     entries.sort();
+    around.push(whole);
     for entry in entries {
         if entry.is_dir() {
-            walk(&entry, found, depth + 1)?;
+            walk(&entry, found, around)?;
         } else {
             found.push(entry);
         }
     }
+    around.pop();
     Ok(())
 }
 

@@ -765,3 +765,47 @@ fn a_sweep_tells_what_happens_and_writes_tables() {
     }
     assert_eq!(folder.contents(), contents, "a refused sweep writes nothing");
 }
+
+// --- what hostile hands find ---------------------------------------------------------------------------
+
+/// The figure as JSON, and the table of a sweep, end in `.json` as the scene does.
+#[test]
+fn a_scene_is_never_written_over() {
+    let folder = Folder::new("spare");
+    folder.write("s.json", six().to_string());
+    let before = folder.contents();
+    for command in ["draw", "sweep"] {
+        for output in ["s.json", "./s.json", "../../../../../../..//S"] {
+            let output = output.replace("S", folder.0.join("s.json").to_str().unwrap());
+            let ran = run_in(&folder.0, &[command, "s.json", "-o", &output], None);
+            assert!(ran.code == 2 && ran.err.contains("is the scene itself"), "{output}: {}", ran.err);
+            assert_eq!(folder.contents(), before);
+        }
+    }
+}
+
+#[test]
+fn a_number_that_no_walk_reaches_is_refused_at_once() {
+    let ran = run(&["draw", SIX, "--figure", "rotation-centre(1e308)"]);
+    assert!(ran.code == 2 && ran.err.contains("within 100 turns"), "{}", ran.err);
+    for wrong in [
+        &["sweep", SIX, "--from", "nan", "--to", "1"][..],
+        &["sweep", SIX, "--from", "0", "--to", "inf"],
+        &["draw", SIX, "--dpi", "-5"],
+        &["solve", SIX, "--hand", "-1,0"],
+        &["check", SIX, "--tolerance", "-1"],
+    ] {
+        let ran = run(wrong);
+        assert!(ran.code == 2 && !ran.err.contains("tip:"), "{wrong:?}: {}", ran.err);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_that_links_to_itself_is_walked_once() {
+    let folder = Folder::new("loop");
+    folder.write("s.json", six().to_string());
+    std::os::unix::fs::symlink(".", folder.0.join("again")).unwrap();
+    let ran = run_in(&folder.0, &["check", "."], None);
+    assert!(ran.code == 0 && ran.out.ends_with("1 of 1 scenes hold\n"), "{}", ran.out);
+}

@@ -36,6 +36,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if !(job.dpi.is_finite() && (10.0..=2400.0).contains(&job.dpi)) {
         return Err(Failure(format!("--dpi {}: choose between 10 and 2400", job.dpi)));
     }
+    files::spare(&job.scene, &job.output)?;
     let (_, mut scene) = read_scene(&job.scene)?;
     if let Some(paper) = &job.paper {
         let size = crate::scene::paper_size(paper);

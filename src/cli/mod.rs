@@ -62,7 +62,7 @@ enum Command {
         #[arg(long, value_name = "LANG")]
         lang: Option<String>,
         /// Resolution of a PNG
-        #[arg(long, value_name = "DPI", default_value_t = 150.0)]
+        #[arg(long, value_name = "DPI", default_value_t = 150.0, allow_negative_numbers = true)]
         dpi: f32,
         /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
@@ -89,7 +89,7 @@ enum Command {
         explain: bool,
         /// What a draughtsman would get whose lengths and readings slip by up to this many millimetres of
         /// paper, and whose directions by this many degrees
-        #[arg(long, value_name = "MM,DEG", value_parser = parse_hand)]
+        #[arg(long, value_name = "MM,DEG", allow_hyphen_values = true, value_parser = parse_hand)]
         hand: Option<Hand>,
         /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
@@ -104,7 +104,7 @@ enum Command {
         #[arg(long)]
         json: bool,
         /// Allowed deviation of published values where the scene states none
-        #[arg(long, value_name = "PERCENT", default_value = "5%", value_parser = parse_percent)]
+        #[arg(long, value_name = "PERCENT", default_value = "5%", allow_hyphen_values = true, value_parser = parse_percent)]
         tolerance: f64,
         /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
@@ -122,7 +122,7 @@ enum Command {
         json: bool,
         /// By how many millimetres of paper lengths and readings may slip, and by how many degrees directions;
         /// 0.2mm,0.3deg where neither this nor the answers say it
-        #[arg(long, value_name = "MM,DEG", value_parser = parse_hand)]
+        #[arg(long, value_name = "MM,DEG", allow_hyphen_values = true, value_parser = parse_hand)]
         hand: Option<Hand>,
     },
     /// Report links, pairs, mobility, groups, Grashof class and dead positions
@@ -143,13 +143,13 @@ enum Command {
         steps: Option<u32>,
         /// As many positions as it takes for no column to stray from the line between two of them by more
         /// than this part of its range
-        #[arg(long, value_name = "PERCENT", value_parser = parse_percent)]
+        #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = parse_percent)]
         tolerance: Option<f64>,
         /// Where to begin, in the scene's unit of the input; a whole turn from 0 where nothing is said
-        #[arg(long, value_name = "PLACE", allow_negative_numbers = true, requires = "to")]
+        #[arg(long, value_name = "PLACE", allow_negative_numbers = true, value_parser = parse_place, requires = "to")]
         from: Option<f64>,
         /// Where to end
-        #[arg(long, value_name = "PLACE", allow_negative_numbers = true, requires = "from")]
+        #[arg(long, value_name = "PLACE", allow_negative_numbers = true, value_parser = parse_place, requires = "from")]
         to: Option<f64>,
         /// Where to write; the extension chooses the format (.csv, .json, .svg). What happens on the way, on
         /// stdout, without it
@@ -263,6 +263,13 @@ fn parse_percent(text: &str) -> Result<f64, String> {
         // A bare 5 would be 500 %, which nobody means.
         Ok(value) if (0.0..=1.0).contains(&(value * factor)) => Ok(value * factor),
         _ => Err("expected a percentage up to 100% such as 5%, or a part such as 0.05".to_owned()),
+    }
+}
+
+fn parse_place(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(place) if place.is_finite() => Ok(place),
+        _ => Err("expected a number, in the scene's unit of the input".to_owned()),
     }
 }
 

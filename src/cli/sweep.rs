@@ -52,6 +52,7 @@ impl Format {
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let formats: Vec<Format> = job.output.iter().map(|path| Format::of(path)).collect::<Result<_, _>>()?;
+    files::spare(&job.scene, &job.output)?;
     let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
     let unit = input_unit(scene);

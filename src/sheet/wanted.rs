@@ -5,6 +5,7 @@ use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, Rider};
 use crate::plan::Auxiliary;
+use crate::report::short;
 use crate::scene::Scene;
 
 /// The figures of constructions on the skeleton, with the form of their arguments.
@@ -15,6 +16,9 @@ const FORMS: [(&str, &str); 5] = [
     ("kennedy", "kennedy or kennedy(1,2,3), with three links"),
     ("rotation-centre", "rotation-centre(90) or rotation-centre(3,90), with a link and where the input goes"),
 ];
+
+/// The other position of a finite rotation is walked to: not further than this, in whole turns.
+const MOST_TURNS: f64 = 100.0;
 
 /// The name of a figure without its arguments.
 #[must_use]
@@ -158,11 +162,16 @@ impl Asking<'_> {
         let Some(number) = to.parse::<f64>().ok().filter(|n| n.is_finite()) else {
             return self.refuse(&format!("{to} is not a number"));
         };
-        let unit = match self.mechanism.inputs.first() {
-            Some(Input::Slide { .. }) => scene.units.length.si,
-            _ => scene.units.angle.si,
-        };
-        Ok(Auxiliary::Rotation { link, to: number * unit })
+        let turns = !matches!(self.mechanism.inputs.first(), Some(Input::Slide { .. }));
+        let unit = if turns { scene.units.angle.si } else { scene.units.length.si };
+        let to = number * unit;
+        if turns && to.abs() > MOST_TURNS * std::f64::consts::TAU {
+            return self.refuse(&format!(
+                "the input goes to {}; name a place within {MOST_TURNS} turns of 0",
+                short(number)
+            ));
+        }
+        Ok(Auxiliary::Rotation { link, to })
     }
 
     /// The link that the scene asks most about among those without a fixed pivot and with two points, else the first
