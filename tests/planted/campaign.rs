@@ -100,7 +100,9 @@ fn try_to_plant(kind: Kind, chance: &mut Chance) -> Option<Case> {
     let style = *chance.pick(&STYLES);
     let desk = Desk { mechanism: &mechanism, style };
     let truth = steady(&mechanism, None).ok()?;
-    let mine: Vec<&Mistake> = truth.offered.iter().filter(|m| m.kind == kind).collect();
+    // ω times the other pin's arm serves to recognise equal numbers; as a tangential part it is a stretch.
+    let mine: Vec<&Mistake> =
+        truth.offered.iter().filter(|m| m.kind == kind && m.how != "to the other pin").collect();
     if mine.is_empty() {
         return None;
     }

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::mechanism::{Group, Mechanism, Unit};
 use super::mistakes::{Kind, Mistake};
-use super::plane::{Chance, O, Xy, corner, meet};
+use super::plane::{Chance, O, Xy, corner, meet, xy};
 
 /// How far a pricked point may miss, in mm on paper.
 const PENCIL: f64 = 0.2;
@@ -71,6 +71,8 @@ struct Neighbour {
     toward: Option<Xy>,
     omega: Option<f64>,
     length: Option<f64>,
+    /// Size of its own normal part.
+    normal: Option<f64>,
 }
 
 /// Everything that the student has found.
@@ -216,8 +218,7 @@ impl Student<'_> {
         {
             drawn = to - pole;
         }
-        if (name.contains('/') && !name.starts_with("at")) && self.slips(Kind::RelativeReversed, name, "read")
-        {
+        if name.contains('/') && self.slips(Kind::RelativeReversed, name, "read") {
             drawn = -drawn;
         }
         let mut value = drawn * self.scale_slip(name, diagram);
@@ -292,6 +293,11 @@ impl Student<'_> {
             && self.slips(Kind::NormalOfWrongLink, name, "length")
         {
             size = v * v / other;
+        }
+        if let Some(other) = other.normal
+            && self.slips(Kind::NormalOfWrongLink, name, "value")
+        {
+            size = other;
         }
         if self.slips(Kind::NormalAwayFromCentre, name, "") {
             direction = -direction;
@@ -477,6 +483,9 @@ impl Student<'_> {
             if self.slips(Kind::SenseReversed, &name, "") {
                 figure = -figure;
             }
+            if self.slips(Kind::TangentialWrongLength, &name, "to the other pin") {
+                figure = figure * ((shape - xy(1.0, 0.0)).size() / shape.size());
+            }
         } else if self.slips(Kind::RelativeReversed, &name, "laid off") {
             figure = -figure;
         }
@@ -500,7 +509,7 @@ impl Student<'_> {
             }
             Group::Further { .. } => None,
         });
-        let neighbour = Neighbour { toward: None, omega: None, length: other };
+        let neighbour = Neighbour { toward: None, omega: None, length: other, normal: None };
         let normal = self.normal("an(A)", -arm, omega * radius, radius, neighbour);
         let mut a = normal;
         self.laid_off("an(A)", Acceleration, normal, normal);
@@ -547,6 +556,7 @@ impl Student<'_> {
                         toward: Some(-self.arm_of(before)),
                         omega: Some(self.omega(before)),
                         length: self.lengths.get(before).copied(),
+                        normal: self.lengths.get(before).map(|l| l * self.omega(before) * self.omega(before)),
                     };
                     let name = format!("an({pin}/{from})");
                     let normal = self.normal(&name, f - p, v, length, neighbour);
@@ -573,7 +583,8 @@ impl Student<'_> {
                         let under = self.image(Acceleration, &format!("{pin}4"));
                         under * (arm.dot(whole.unit()) / whole.size())
                     } else {
-                        let neighbour = Neighbour { toward: None, omega: None, length: Some(whole.size()) };
+                        let neighbour =
+                            Neighbour { toward: None, omega: None, length: Some(whole.size()), normal: None };
                         let name = format!("an({end})");
                         let normal = self.normal(&name, -arm, omega * length, length, neighbour);
                         self.laid_off(&name, Acceleration, normal, normal);
@@ -596,7 +607,8 @@ impl Student<'_> {
                     let whole = (self.place(pin) - self.place(pivot)).size();
                     let arm = self.place(end) - self.place(pin);
                     let length = self.length("end", length);
-                    let neighbour = Neighbour { toward: None, omega: None, length: Some(whole) };
+                    let neighbour =
+                        Neighbour { toward: None, omega: None, length: Some(whole), normal: None };
                     let name = format!("an({end}/{pin})");
                     let normal = self.normal(&name, -arm, omega * length, length, neighbour);
                     self.laid_off(&name, Acceleration, normal, normal);
@@ -650,10 +662,14 @@ impl Student<'_> {
         let (l3, l4) = (self.length(coupler, coupler_length), self.length(rocker, rocker_length));
         let v3 = self.value(&format!("v({pin}/{from})")).size();
         let v4 = self.value(&format!("v({pin})")).size();
-        let rocker_side =
-            Neighbour { toward: Some(o - p), omega: Some(self.omega(rocker)), length: Some(rocker_length) };
-        let coupler_side =
-            Neighbour { toward: Some(f - p), omega: Some(self.omega(coupler)), length: Some(coupler_length) };
+        let side = |toward, omega: f64, length: f64| Neighbour {
+            toward: Some(toward),
+            omega: Some(omega),
+            length: Some(length),
+            normal: Some(omega * omega * length),
+        };
+        let rocker_side = side(o - p, self.omega(rocker), rocker_length);
+        let coupler_side = side(f - p, self.omega(coupler), coupler_length);
         let names = [format!("an({pin}/{from})"), format!("an({pin})")];
         let n3 = self.normal(&names[0], f - p, v3, l3, rocker_side);
         let n4 = self.normal(&names[1], o - p, v4, l4, coupler_side);
@@ -691,7 +707,12 @@ impl Student<'_> {
         let slip = self.value(&format!("slip({pin}/4)"));
         let omega = self.omega(guide);
         let crank = self.crank_omega();
-        let neighbour = Neighbour { toward: None, omega: Some(crank), length: Some(other_length) };
+        let neighbour = Neighbour {
+            toward: None,
+            omega: Some(crank),
+            length: Some(other_length),
+            normal: Some(crank * crank * self.mechanism.crank),
+        };
         let name = format!("an({pin}@4)");
         let normal = self.normal(&name, -arm, v, length, neighbour);
         let foot = self.prick(normal, self.scales.acceleration);
