@@ -69,7 +69,6 @@ fn every_kind_is_planted() {
             assert_eq!(case.class[0].kind, kind);
             assert_eq!(plant(kind, seed).sheet.text, case.sheet.text);
             println!("{}, {:?}: {:?}", case.family, case.style, case.class);
-            keep(&case, &format!("{}-{seed}", case.class[0].kind.name().trim_matches(['(', ')'])));
         }
     }
 }
@@ -79,8 +78,13 @@ fn every_kind_is_planted() {
 struct Tally {
     /// By planted kind and first diagnosis.
     confusion: BTreeMap<(Kind, String), usize>,
+    /// Sheets with a mistake of the list, and those of them whose first diagnosis is right.
     cases: usize,
     diagnosed: usize,
+    /// Sheets with a fault that nobody foresees, and those of them for which no known mistake is claimed.
+    odd: usize,
+    left_open: usize,
+    /// Answers without a mistake, and those of them that were called wrong.
     quantities: usize,
     alarms: usize,
     /// Answers on sheets with a mistake that the mistake does not touch, and those of them that were called wrong.
@@ -127,8 +131,12 @@ impl Tally {
         // An equally right name for the same numbers counts as the planted one.
         let shown = if right && kind != Kind::Unforeseen { kind.name() } else { first };
         *self.confusion.entry((kind, shown.to_owned())).or_default() += 1;
-        self.cases += 1;
-        self.diagnosed += usize::from(right);
+        let (all, good) = match kind {
+            Kind::Unforeseen => (&mut self.odd, &mut self.left_open),
+            _ => (&mut self.cases, &mut self.diagnosed),
+        };
+        *all += 1;
+        *good += usize::from(right);
         if !right {
             let planted = case.planted.as_ref().unwrap();
             let (place, ranked) = judgement.fault.clone().unwrap_or_default();
@@ -151,6 +159,8 @@ impl Tally {
         }
         self.cases += other.cases;
         self.diagnosed += other.diagnosed;
+        self.odd += other.odd;
+        self.left_open += other.left_open;
         self.quantities += other.quantities;
         self.alarms += other.alarms;
         self.unharmed += other.unharmed;
@@ -161,9 +171,11 @@ impl Tally {
     }
 
     /// # Panics
-    /// If fewer than 95 % are diagnosed, or more than 1 % of the answers accused without cause.
+    /// If fewer than 95 % are diagnosed, or more than 1 % of the answers accused without cause; or if more than a tenth
+    /// of the unforeseen faults is explained away.
     fn hold(&self) {
         assert!(self.diagnosed * 100 >= self.cases * 95, "diagnosed {} of {}", self.diagnosed, self.cases);
+        assert!(self.left_open * 100 >= self.odd * 90, "{} of {} left open", self.left_open, self.odd);
         assert!(self.alarms * 100 <= self.quantities, "{} false alarms of {}", self.alarms, self.quantities);
         assert!(self.accused * 100 <= self.unharmed, "{} of {} called wrong", self.accused, self.unharmed);
     }
@@ -183,6 +195,7 @@ impl Tally {
             "diagnosed: {} of {} ({} of them with numbers that another kind gives as well); {} answers called wrong",
             self.diagnosed, self.cases, self.shared, self.wrong
         );
+        println!("unforeseen, and left open: {} of {}", self.left_open, self.odd);
         println!("false alarms: {} of {} quantities", self.alarms, self.quantities);
         println!(
             "called wrong beside a mistake that does not touch them: {} of {}",
@@ -292,8 +305,10 @@ fn textbooks_pass_but_for_their_misprints() {
         }
         for (name, verdict) in Judgement::of(&report).verdicts {
             judged += 1;
-            let misprint = errata.contains(&name.as_str());
-            if misprint == (verdict == "right") {
+            // A misprint that follows rightly from another one is consistent.
+            let expected: &[&str] =
+                if errata.contains(&name.as_str()) { &["wrong", "consistent"] } else { &["right"] };
+            if !expected.contains(&verdict.as_str()) {
                 faults.push(format!("{scene}: {name} is {verdict}"));
             }
         }
