@@ -649,7 +649,7 @@ fn turn(a: Place, b: Place) -> f64 {
 
 /// ` (+0.50 %)`.
 fn percent(from: f64, to: f64) -> String {
-    if from == 0.0 { String::new() } else { format!(" ({:+.3} %)", (to - from) / from.abs() * 100.0) }
+    if from == 0.0 { String::new() } else { format!(" ({:+.3} %)", (to - from) / from * 100.0) }
 }
 
 /// Millimetres as people read them.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Checked, Report, Verdict};
+use super::{Checked, Report, TOLD, Verdict};
 use crate::render::base64::base64;
 
 /// At most this many differing lines of an SVG are shown.
@@ -19,15 +19,15 @@ const HEAD: &str = "<!doctype html>
 body { font: 15px/1.4 sans-serif; margin: 2em; color: #111; background: #fff }
 h2 { border-top: 1px solid #888; padding-top: 1em } h2 b { font-weight: normal; border: 1px solid; padding: 0 .4em }
 .number b { color: #a00 } .content b { color: #930 } .cosmetic b { color: #06c }
-figure { margin: 0 } figcaption { text-align: center } img { width: 100%; border: 1px solid #888; box-sizing: border-box }
+figure { margin: 0 } figcaption { text-align: center } img { width: 100%; background: #fff; border: 1px solid #888; box-sizing: border-box }
 .trio { display: grid; grid-template-columns: repeat(3, 1fr); gap: 8px; --at: 50% }
 .range { display: none; width: 100% }
-.slide:checked ~ .range { display: block }
+.slide:checked ~ .range { display: block; max-width: 1100px }
 .slide:checked ~ .trio { grid-template-columns: 1fr; max-width: 1100px }
 .slide:checked ~ .trio figure { grid-area: 1 / 1 }
 .slide:checked ~ .trio .difference, .slide:checked ~ .trio figcaption { display: none }
 .slide:checked ~ .trio .actual img { clip-path: inset(0 0 0 var(--at)) }
-.over { position: relative } .over img + img { position: absolute; inset: 0; mix-blend-mode: difference }
+.over { position: relative; isolation: isolate } .over img + img { position: absolute; inset: 0; mix-blend-mode: difference }
 pre { white-space: pre-wrap; overflow-wrap: anywhere; font-size: 12px; margin: 0 }
 table { width: 100%; table-layout: fixed; border-collapse: collapse } td, th { border: 1px solid #888; vertical-align: top; padding: 4px }
 </style></head><body>
@@ -58,10 +58,15 @@ pub fn html(report: &Report) -> String {
 fn section(html: &mut String, index: usize, one: &Checked) {
     let (name, word) = (escape(&one.name), one.verdict.word());
     let _ = writeln!(html, "<section class=\"{word}\" id=\"g{index}\"><h2>{name} <b>{word}</b></h2>\n<ul>");
-    for line in one.verdict.lines() {
-        let _ = writeln!(html, "<li>{}</li>", escape(&line));
-    }
+    let told: Vec<String> =
+        one.verdict.lines().iter().map(|line| format!("<li>{}</li>\n", escape(line))).collect();
+    let (first, more) = told.split_at(told.len().min(TOLD));
+    html.push_str(&first.concat());
     html.push_str("</ul>\n");
+    if !more.is_empty() {
+        let (count, more) = (more.len(), more.concat());
+        let _ = writeln!(html, "<details><summary>and {count} more</summary><ul>{more}</ul></details>");
+    }
     let [expected, actual] = [&one.expected, &one.actual].map(|side| side.as_deref().map(Shown::of));
     if expected.is_some() || actual.is_some() {
         let slides = matches!((&expected, &actual), (Some(Shown::Drawing(_)), Some(Shown::Drawing(_))));
