@@ -8,6 +8,7 @@ pub mod catalogue;
 pub mod check;
 pub mod cli;
 pub mod double_double;
+pub mod exam;
 pub mod given;
 pub mod graphical;
 pub mod mechanism;
