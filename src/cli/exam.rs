@@ -8,8 +8,10 @@ use std::path::{Path, PathBuf};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
-use super::{Ending, Failure, failure, files, print, read_scene};
+use super::{Ending, Failure, failure, print, read_scene};
 use crate::exam::{self, Bank, ExamError, Terms, Variant};
+use crate::files;
+use crate::parallel;
 use crate::render::{self, Format, Lettering, Options};
 use crate::scene::{Scene, Subject};
 use crate::sheet::Language;
@@ -48,7 +50,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         (false, _) => languages,
         (true, stated) => vec![stated.and_then(Language::from_tag).unwrap_or_default()],
     };
-    let workers = job.jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let workers = job.jobs.unwrap_or_else(parallel::processors);
     let terms = Terms { variants: job.variants, seed: job.seed, flattest: job.flattest, hand: job.hand };
     let text = scene.source.text();
     let folder =
@@ -178,7 +180,7 @@ impl Folder<'_> {
         }
         let mut manifest = self.exam.clone();
         manifest["tries"] = variants.iter().map(|v| v.attempt).collect();
-        files::write_all(&[(self.manifest(), pretty(&manifest)?)])
+        Ok(files::write_all(&[(self.manifest(), pretty(&manifest)?)])?)
     }
 }
 
@@ -257,7 +259,7 @@ impl Work<'_> {
             there => format!("{there} variants are there already\n"),
         };
         let bar = bar(missing.len(), "{bar:40} {pos}/{len} sheets, {eta} left");
-        let written = exam::in_parallel(&missing, self.workers, |variant| {
+        let written = parallel::map_with(self.workers, &missing, |variant| {
             let result = self.write(variant);
             bar.inc(1);
             result
@@ -288,7 +290,7 @@ impl Work<'_> {
                 all.push((self.path(folder, variant, language), bytes));
             }
         }
-        files::write_all(&all)
+        Ok(files::write_all(&all)?)
     }
 
     /// Writes the key and the banks: all of them, or none.
@@ -300,7 +302,7 @@ impl Work<'_> {
             (root.join("key.json"), pretty(&key)?),
         ];
         for &language in self.languages {
-            let figures = exam::in_parallel(variants, self.workers, |variant| {
+            let figures = parallel::map_with(self.workers, variants, |variant| {
                 exam::card(&variant.scene, language).map_err(|error| failure(&variant.scene, &error))
             });
             let figures: Vec<_> = figures.into_iter().collect::<Result<_, _>>()?;
@@ -315,7 +317,7 @@ impl Work<'_> {
             let package = exam::package(&bank).map_err(|error| Failure(error.to_string()))?;
             all.push((root.join(format!("qti.{tag}.zip")), package));
         }
-        files::write_all(&all)
+        Ok(files::write_all(&all)?)
     }
 }
 

@@ -18,8 +18,6 @@ mod qti;
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub use answer::KeyAnswer;
 pub use bank::Bank;
@@ -28,6 +26,7 @@ pub use moodle::{cloze, numerical};
 pub use qti::{QtiError, package};
 
 use crate::board::Hand;
+use crate::parallel;
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::{self, Figure, Language};
@@ -256,7 +255,7 @@ pub fn draw(
             .map(|indices| scene.vary.iter().zip(indices).map(|(v, i)| v.range.number(i)).collect())
             .collect();
         let all = batch.is_empty();
-        let judged = in_parallel(&batch, workers, |numbers| base.admit(numbers, terms));
+        let judged = parallel::map_with(workers, &batch, |numbers| base.admit(numbers, terms));
         for (numbers, judged) in batch.into_iter().zip(judged) {
             if drawn.variants.len() == terms.variants {
                 break;
@@ -299,7 +298,7 @@ pub fn redraw(
     let tries = Tries::new(&scene.vary, terms.seed);
     let base = Base::new(scene, terms)?;
     let numbered: Vec<(usize, u64)> = (1..).zip(attempts.iter().copied()).collect();
-    let variants = in_parallel(&numbered, workers, |(number, attempt)| {
+    let variants = parallel::map_with(workers, &numbered, |(number, attempt)| {
         let indices = tries.indices(*attempt)?;
         let numbers: Vec<String> = scene.vary.iter().zip(indices).map(|(v, i)| v.range.number(i)).collect();
         let candidate = base.admit(&numbers, terms).ok()?;
@@ -319,31 +318,6 @@ fn unlike(variants: &[Variant], candidate: Candidate) -> Result<Candidate, Flaw>
         Some(variant) => Err(Flaw::Alike { variant: variant.number }),
         None => Ok(candidate),
     }
-}
-
-/// What every worker makes of its items, in the order of the items.
-pub(crate) fn in_parallel<T: Sync, R: Send>(
-    items: &[T],
-    workers: usize,
-    work: impl Fn(&T) -> R + Sync,
-) -> Vec<R> {
-    let next = AtomicUsize::new(0);
-    let done: Mutex<Vec<(usize, R)>> = Mutex::new(Vec::with_capacity(items.len()));
-    std::thread::scope(|scope| {
-        for _ in 0..workers.clamp(1, items.len().max(1)) {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(item) = items.get(index) else { break };
-                    let result = work(item);
-                    done.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, result));
-                }
-            });
-        }
-    });
-    let mut done = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    done.sort_by_key(|(index, _)| *index);
-    done.into_iter().map(|(_, result)| result).collect()
 }
 
 /// The question of a variant: what is given, the dimensioned skeleton, what is asked.
