@@ -101,7 +101,7 @@ fn file_name(variant: &Variant) -> String {
 fn figure(bank: &Bank<'_>, item: &Item<'_>) -> String {
     let words = bank.language.words();
     format!(
-        "<p dir=\"{}\" lang=\"{}\">{}</p><p><img src=\"@@PLUGINFILE@@/{}\" alt=\"{}\" class=\"img-fluid\"></p>",
+        "<p dir=\"{}\" lang=\"{}\">{}</p><p><img src=\"@@PLUGINFILE@@/{}\" alt=\"{}\" class=\"img-fluid\"/></p>",
         bank.direction(),
         words.tag,
         escaped(words.by_drawing),
@@ -115,13 +115,13 @@ fn common(bank: &Bank<'_>, item: &Item<'_>, name: &str, body: &str) -> String {
     let body =
         format!("<div dir=\"{}\" lang=\"{}\">{body}</div>", bank.direction(), bank.language.words().tag);
     format!(
-        "    <name><text>{}</text></name>\n    <questiontext format=\"html\">\n      <text>{}</text>\n      \
+        "    <name><text>{}</text></name>\n    <questiontext format=\"html\">\n      <text><![CDATA[{}]]></text>\n      \
          <file name=\"{}\" path=\"/\" encoding=\"base64\">{}</file>\n    </questiontext>\n    \
          <generalfeedback format=\"html\"><text></text></generalfeedback>\n    \
          <defaultgrade>1</defaultgrade>\n    <penalty>0.3333333</penalty>\n    <hidden>0</hidden>\n    \
          <idnumber></idnumber>\n",
         escaped(name),
-        escaped(&body),
+        body.replace("]]>", "]]]]><![CDATA[>"),
         file_name(item.variant),
         STANDARD.encode(&item.figure),
     )

@@ -282,23 +282,23 @@ mod tests {
             (r#"{"from": 1, "to": 2}"#, "f:1:1: `step` is missing: by how much neighbours differ"),
             (
                 r#"{"from": 1, "to": 2, "step": 0.3}"#,
-                "f:1:18: to: the range is no whole number of steps; help: end at 1.9 or at 2.2",
+                "f:1:19: to: the range is no whole number of steps; help: end at 1.9 or at 2.2",
             ),
             (
                 r#"{"from": 1, "to": 2, "step": 3}"#,
-                "f:1:18: to: the range is no whole number of steps; help: take a step of 1 or less",
+                "f:1:19: to: the range is no whole number of steps; help: take a step of 1 or less",
             ),
             (
                 r#"{"from": 2, "to": 1, "step": 1}"#,
-                "f:1:18: to: `to` must be greater than `from`; help: exchange them, or leave the number out of `vary`",
+                "f:1:19: to: `to` must be greater than `from`; help: exchange them, or leave the number out of `vary`",
             ),
             (
                 r#"{"from": 1, "to": 2, "step": -1}"#,
-                "f:1:29: step: a step is greater than zero; help: `from` is the smaller number, `to` the larger one",
+                "f:1:30: step: a step is greater than zero; help: `from` is the smaller number, `to` the larger one",
             ),
             (
                 r#"{"from": 1, "to": "2 cm", "step": 1}"#,
-                "f:1:18: to: expected a bare number, found text; help: a range counts in the unit of the number that varies",
+                "f:1:19: to: expected a bare number, found text; help: a range counts in the unit of the number that varies",
             ),
             (
                 r#"{"from": 1e3, "to": 2000, "step": 1}"#,
