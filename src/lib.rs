@@ -12,6 +12,7 @@ pub mod drawing;
 pub mod exam;
 mod files;
 pub mod given;
+pub mod grade;
 pub mod graphical;
 pub mod mechanism;
 mod parallel;

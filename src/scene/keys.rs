@@ -46,6 +46,7 @@ pub(super) const SHEET: &[&str] = &[
     "notation",
     "decimal",
     "theme",
+    "marks",
 ];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];
 pub(super) const RANGE: &[&str] = &["from", "to", "step"];
