@@ -405,6 +405,12 @@ fn packaged(folder: &Folder, language: &str, key: &dyn Fn(&str) -> Vec<Vec<Strin
         let item = Document::parse(text).unwrap();
         let qti = |local: &'static str| ("http://www.imsglobal.org/xsd/imsqti_v2p1", local);
         let all = |local: &'static str| item.descendants().filter(move |n| n.has_tag_name(qti(local)));
+        // The order of the schema's sequence.
+        let order = ["responseDeclaration", "outcomeDeclaration", "itemBody", "responseProcessing"];
+        let parts = item.root_element().children().filter(Node::is_element);
+        let places: Vec<usize> =
+            parts.map(|part| order.iter().position(|o| *o == part.tag_name().name()).unwrap()).collect();
+        assert!(places.is_sorted() && places.ends_with(&[1, 2, 3]), "{places:?}");
         let variant = &name[6..9];
         let lines = key(variant);
         assert_eq!(all("textEntryInteraction").count(), lines.len());
