@@ -45,6 +45,8 @@ const fn dpi() -> f32 {
 #[serde(deny_unknown_fields)]
 struct Listed {
     scenes: Vec<String>,
+    #[serde(default)]
+    except: Vec<String>,
     name: Option<String>,
     #[serde(rename = "as")]
     kind: Option<String>,
@@ -143,6 +145,7 @@ impl Listed {
     }
 
     fn found(&self, folder: &Path) -> Result<Vec<PathBuf>, GoldenError> {
+        let except: Vec<PathBuf> = self.except.iter().map(|listed| folder.join(listed)).collect();
         let mut found = Vec::new();
         for listed in &self.scenes {
             let path = folder.join(listed);
@@ -152,7 +155,10 @@ impl Listed {
             }
             let all = files::all_under(&path).map_err(|error| GoldenError::File(error.to_string()))?;
             let before = found.len();
-            found.extend(all.into_iter().filter(|path| is_scene(path)));
+            found.extend(
+                all.into_iter()
+                    .filter(|path| is_scene(path) && !except.iter().any(|except| path.starts_with(except))),
+            );
             if found.len() == before {
                 return Err(GoldenError::Suite(format!("{}: no scene in this folder", path.display())));
             }

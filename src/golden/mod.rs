@@ -19,11 +19,11 @@
 //! ```json
 //! { "dpi": 48,
 //!   "figures": [
-//!     { "scenes": ["../examples"] },
+//!     { "scenes": ["../examples"], "except": ["../examples/drafts"] },
 //!     { "scenes": ["../examples/slider.json"], "as": "question", "lang": "ar", "name": "*.question.ar" } ] }
 //! ```
 //!
-//! `scenes` lists files, and folders of them, seen from the suite; `as`, `figure`, `lang`, `paper` and `theme` are the
+//! `scenes` lists files, and folders of them, seen from the suite, `except` those in them that are left out; `as`, `figure`, `lang`, `paper` and `theme` are the
 //! options of `linkgram draw`; in `name`, which may begin with folders, `*` stands for the name of the scene
 //! without its ending; it is `*` where nothing is said.
 //!

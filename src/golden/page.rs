@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
 use super::{Checked, Report, TOLD, Verdict};
-use crate::render::base64::base64;
 
 /// At most this many differing lines of an SVG are shown.
 const LINES: usize = 12;
@@ -167,7 +169,7 @@ fn drawing(svg: &str) -> String {
 
 #[cfg(feature = "png")]
 fn dots(picture: &super::pixels::Picture) -> String {
-    format!("<img src=\"data:image/png;base64,{}\" alt=\"\">", base64(&picture.png()))
+    format!("<img src=\"data:image/png;base64,{}\" alt=\"\">", STANDARD.encode(picture.png()))
 }
 
 #[cfg(feature = "png")]
@@ -191,7 +193,7 @@ fn difference(expected: &str, actual: &str) -> String {
 
 /// The browser draws, with the typefaces it has.
 fn browser(svg: &str) -> String {
-    format!("<img src=\"data:image/svg+xml;base64,{}\" alt=\"\">", base64(svg.as_bytes()))
+    format!("<img src=\"data:image/svg+xml;base64,{}\" alt=\"\">", STANDARD.encode(svg))
 }
 
 /// The browser subtracts: black is what is the same.

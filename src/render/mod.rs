@@ -3,7 +3,6 @@
 //! **Architecture Invariant:** nothing here knows a mechanism; a [`Figure`]
 //! is ink with classes.
 
-pub(crate) mod base64;
 pub mod json;
 pub mod number;
 #[cfg(feature = "png")]

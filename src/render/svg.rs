@@ -15,12 +15,13 @@
 
 use std::cell::Cell;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use kurbo::{BezPath, PathEl, Point};
 use svg::Document;
 use svg::node::Blob;
 use svg::node::element::{Circle, Element, Group as GroupElement, Path, Rectangle};
 
-use super::base64::base64;
 use super::number::decimal;
 use super::theme::{Place, Theme};
 use crate::sheet::figure::{Figure, Group, Mark, Node, Pen, Run, Shape, Text, Tone, on_circle};
@@ -122,7 +123,7 @@ fn document(figure: &Figure, theme: Theme, lettered: &Lettered, style: Option<St
 }
 
 /// The FNV-1a hash: short, and the same everywhere.
-fn fnv(bytes: &[u8]) -> u64 {
+pub(crate) fn fnv(bytes: &[u8]) -> u64 {
     bytes
         .iter()
         .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
@@ -195,7 +196,7 @@ fn font_faces(figure: &Figure) -> String {
         rules.push_str(&format!(
             "@font-face{{font-family:'{family}';font-style:{style};font-weight:{weight};\
              src:url(data:font/sfnt;base64,{}) format('{format}')}}",
-            base64(face.bytes())
+            STANDARD.encode(face.bytes())
         ));
     }
     rules.push_str("</style>");

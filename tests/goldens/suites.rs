@@ -320,10 +320,12 @@ fn a_suite_says_where_its_scenes_are_and_how_they_are_drawn() {
     let folder = Folder::new("manifest");
     std::fs::create_dir_all(folder.path("scenes/deep")).unwrap();
     folder.write("scenes/deep/one.json", &example("s000-ch3a-1"));
+    std::fs::create_dir_all(folder.path("scenes/drafts")).unwrap();
+    folder.write("scenes/drafts/one.json", "{");
     std::fs::create_dir_all(folder.path("suite")).unwrap();
     folder.write(
         "suite/suite.json",
-        r#"{ "figures": [ { "scenes": ["../scenes"] },
+        r#"{ "figures": [ { "scenes": ["../scenes"], "except": ["../scenes/drafts"] },
              { "scenes": ["../scenes/deep/one.json"], "as": "question", "lang": "ar", "theme": "dark", "name": "questions/*.ar" } ] }"#,
     );
     let (code, out, err) = run(&["golden", "bless", "suite"], &folder.0);
@@ -331,6 +333,7 @@ fn a_suite_says_where_its_scenes_are_and_how_they_are_drawn() {
     assert!(folder.read("suite/questions/one.ar.svg").contains("lang=\"ar\""));
     assert!(folder.path("suite/one.figure.json").exists());
     assert_eq!(run(&["golden", "check", "suite"], &folder.0).0, 0);
+    std::fs::remove_file(folder.path("scenes/drafts/one.json")).unwrap();
     let wrong = [
         (r#"{ "figures": [ { "scenes": ["../scenes"], "lnag": "ar" } ] }"#, "unknown field `lnag`"),
         (r#"{ "figures": [ { "scenes": ["../scenes"], "lang": "arr" } ] }"#, "unknown `lang` arr"),
