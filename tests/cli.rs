@@ -502,11 +502,11 @@ fn the_ending_or_the_option_chooses_the_format() {
 #[test]
 fn what_latex_cannot_set_is_refused_and_nothing_is_written() {
     let folder = Folder::new("latex");
-    let text = common::example_text("s000-ch3a-1").replacen("Problem", "\u{633}\u{631}\u{639}\u{629}", 1);
+    let text = common::example_text("s000-ch3a-1").replacen("Problem", "\u{5e9}", 1);
     folder.write("scene.json", &text);
     let ran = run_in(&folder.0, &["draw", "scene.json", "-o", "a.svg", "-o", "a.tex"], None);
     assert_eq!(ran.code, 2);
-    assert!(ran.err.contains("U+0633") && ran.err.contains(".svg, .png or .pdf"), "{}", ran.err);
+    assert!(ran.err.contains("U+05E9") && ran.err.contains(".svg, .png or .pdf"), "{}", ran.err);
     assert_eq!(folder.contents().len(), 1);
 }
 

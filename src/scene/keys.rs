@@ -45,5 +45,7 @@ pub(super) const SHEET: &[&str] = &[
     "notation",
     "decimal",
     "theme",
+    "positions",
+    "other_assembly",
 ];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];

@@ -23,7 +23,7 @@ mod units;
 
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
-pub use sheet::paper_size;
+pub use sheet::{MOST_POSITIONS, input_place, paper_size};
 pub use source::{Source, Subject};
 pub use units::si_of;
 
@@ -89,7 +89,8 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let errata = published::errata(fields.get("errata"), &published)?;
     let expect = published::expect(fields.get("expect"))?;
     draft.anchors.sheet = fields.get("sheet").map(|value| value.at);
-    let sheet = sheet::read(fields.get("sheet"), &scales)?;
+    let input = sheet::input_measure(&draft.mechanism);
+    let sheet = sheet::read(fields.get("sheet"), &scales, input)?;
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
     let mut mechanism = draft.mechanism;
     rolls::name_contacts(&mut mechanism);
@@ -230,6 +231,10 @@ pub struct SheetOptions {
     pub acceleration_scale: Option<f64>,
     /// Figures wanted, by name; all where empty.
     pub figures: Vec<String>,
+    /// Where the first input stands in the other positions that the skeleton shows dashed: rad, or m for a slide.
+    pub positions: Vec<f64>,
+    /// The skeleton shows the other assembly dashed.
+    pub other_assembly: bool,
 }
 
 /// Which letter stands for angular acceleration.

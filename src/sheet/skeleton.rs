@@ -14,6 +14,7 @@ use super::notation::Notation;
 use super::overlap::overlaps_in;
 use super::polygon::short_arc;
 use super::pose::{GuideLine, Pose};
+use super::positions;
 use super::rich::Rich;
 use super::slots::Slot;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
@@ -114,6 +115,11 @@ pub fn draw_under(
         .data("si-per-mm", format!("{}", space.metres_per_mm));
     group.title = Some(notation.words.skeleton.to_owned());
     let mut artist = Artist::new(construction, notation);
+    if !construction.others.is_empty() {
+        let (ink, names) = positions::draw(construction, notation);
+        group.group(ink);
+        artist.labels.extend(names);
+    }
     artist.links_and_joints(&mut group, true);
     let mut known = artist.known_rotations();
     if arrows == Arrows::Inputs {
@@ -177,7 +183,7 @@ pub(super) enum Body {
 }
 
 impl<'a> Artist<'a> {
-    fn new(construction: &'a Construction, notation: &Notation<'a>) -> Self {
+    pub(super) fn new(construction: &'a Construction, notation: &Notation<'a>) -> Self {
         let mut artist = Self {
             construction,
             notation: *notation,
@@ -601,7 +607,7 @@ impl Artist<'_> {
         all
     }
 
-    fn outward(&self, at: Point) -> Option<f64> {
+    pub(super) fn outward(&self, at: Point) -> Option<f64> {
         let sum: Vec2 = self
             .bars
             .iter()

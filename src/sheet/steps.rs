@@ -50,6 +50,7 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
     let mut all: Vec<Told> = Vec::new();
     let mut rubbing = false;
     let mut measured: Vec<[PointId; 2]> = Vec::new();
+    let mut marked = false;
     for (i, step) in construction.steps.iter().enumerate() {
         let teller = Teller { construction, notation, step };
         // Rubbing speeds of several pins stand under one head.
@@ -61,13 +62,16 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             told.step = i;
             continue;
         }
-        let head = Rich::bold(format!("{}.", i + 1)).up("\u{a0}\u{a0}").then(&teller.head());
+        let head = Rich::bold(format!("{}.", all.len() + 1)).up("\u{a0}\u{a0}").then(&teller.head());
         let mut items = vec![Item::Head(head)];
         for equation in &step.equations {
             items.push(Item::Terms(teller.terms(equation)));
         }
         for act in &step.acts {
             // What was measured once is known.
+            if matches!(act, Act::MarkPlaces) && std::mem::replace(&mut marked, true) {
+                continue;
+            }
             if let Act::MeasureLength { from, to, .. } = act {
                 if measured.contains(&[*from, *to]) {
                     continue;
@@ -76,7 +80,10 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             }
             items.extend(teller.act(act).map(Item::Sentence));
         }
-        all.push(Told { step: i, drawn: (!rubs).then_some(step.order), items });
+        // What was marked at the beginning needs no step of its own.
+        if items.len() > 1 {
+            all.push(Told { step: i, drawn: (!rubs).then_some(step.order), items });
+        }
     }
     // Constructions of their own follow the steps.
     let step = construction.steps.len().saturating_sub(1);
@@ -239,6 +246,9 @@ impl Teller<'_> {
                     .filter(|p| n.mechanism().point(*p).place.exact().is_some())
                     .map(|p| n.point(p))
                     .collect();
+                if points.is_empty() {
+                    return None;
+                }
                 Rich::fill(
                     words.mark_places,
                     &[
@@ -390,12 +400,19 @@ impl Teller<'_> {
         Some(sentence)
     }
 
+    /// Whether a vector ends in a known point and begins in a new one.
+    fn is_drawn_backwards(&self, vector: &Vector) -> bool {
+        let earlier = self.polygon().into_iter().flat_map(|p| &p.vectors).take_while(|v| *v != vector);
+        let mut ends = earlier.flat_map(|v| [v.tail, v.head]);
+        matches!(vector.tail, Label::Foot { .. }) && !ends.any(|end| end == vector.tail)
+    }
+
     /// The direction in which a vector is laid off, with its sense.
     fn direction_of(&self, vector: &Vector) -> Rich {
         let n = self.notation;
         let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.aside(n.words.comma, &b) };
         let Some(claim) = vector.claim else { return Rich::default() };
-        if vector.kind == VectorKind::Coriolis {
+        if vector.kind == VectorKind::Coriolis && self.is_drawn_backwards(vector) {
             let head = ("head", n.image(vector.head, self.step.order));
             return comma(n.claim(claim), Rich::fill(n.words.head_first, &[head]));
         }

@@ -90,6 +90,8 @@ pub struct Words {
     pub given_journal: &'static str,
     pub given_scales: &'static str,
     pub dimensions_in: &'static str,
+    pub other_positions: &'static str,
+    pub other_assembly: &'static str,
     pub scale: &'static str,
     pub page: &'static str,
 
@@ -106,6 +108,8 @@ pub struct Words {
     pub asked_rubbing: &'static str,
     pub asked_accelerations: &'static str,
     pub asked_alphas: &'static str,
+    pub asked_positions: &'static str,
+    pub asked_assembly: &'static str,
 
     // Heads of tables, senses and places.
     pub quantity: &'static str,
@@ -267,6 +271,8 @@ const ENGLISH: Words = Words {
     given_journal: "journal radius at {points}: {radius}",
     given_scales: "in the scales {list}",
     dimensions_in: "dimensions in {unit}",
+    other_positions: "dashed: {list}",
+    other_assembly: "dashed, letters in parentheses: the other assembly",
     scale: "scale {scale}",
     page: "page {page} of {pages}",
 
@@ -282,6 +288,8 @@ const ENGLISH: Words = Words {
     asked_rubbing: "the rubbing speeds",
     asked_accelerations: "the accelerations",
     asked_alphas: "the angular accelerations",
+    asked_positions: "the skeleton also at {list}",
+    asked_assembly: "the other assembly",
 
     quantity: "quantity",
     value: "value",
@@ -435,6 +443,8 @@ const ARABIC: Words = Words {
     given_journal: "نصف قطر مسمار الربط {radius} عند {points}",
     given_scales: "بمقاييس الرسم {list}",
     dimensions_in: "الأبعاد بوحدة {unit}",
+    other_positions: "بالخط المتقطع: {list}",
+    other_assembly: "بالخط المتقطع والأحرف بين قوسين: التجميع الآخر",
     scale: "مقياس الرسم {scale}",
     page: "الصفحة {page} من {pages}",
 
@@ -450,6 +460,8 @@ const ARABIC: Words = Words {
     asked_rubbing: "سرعات التحاك",
     asked_accelerations: "التسارعات",
     asked_alphas: "التسارعات الزاوية",
+    asked_positions: "المخطط الحركي أيضا عند {list}",
+    asked_assembly: "التجميع الآخر للتركيبة",
 
     quantity: "الكمية",
     value: "القيمة",
@@ -605,6 +617,8 @@ const ARABIC_AJALA: Words = Words {
     given_journal: "نصف قطر مسمار الربط {radius} عند {points}",
     given_scales: "بمقاييس الرسم {list}",
     dimensions_in: "الأبعاد بوحدة {unit}",
+    other_positions: "بالخط المتقطع: {list}",
+    other_assembly: "بالخط المتقطع والأحرف بين قوسين: التجميع الآخر",
     scale: "مقياس الرسم {scale}",
     page: "الصفحة {page} من {pages}",
 
@@ -620,6 +634,8 @@ const ARABIC_AJALA: Words = Words {
     asked_rubbing: "سرعات الاحتكاك",
     asked_accelerations: "العجلات",
     asked_alphas: "العجلات الزاوية",
+    asked_positions: "المخطط الحركي أيضا عند {list}",
+    asked_assembly: "التجميع الآخر للآلية",
 
     quantity: "الكمية",
     value: "القيمة",
@@ -774,6 +790,8 @@ const PERSIAN: Words = Words {
     given_journal: "شعاع پین {radius} در {points}",
     given_scales: "با مقیاس‌های {list}",
     dimensions_in: "ابعاد بر حسب {unit}",
+    other_positions: "خط‌چین: {list}",
+    other_assembly: "خط‌چین با حروف درون پرانتز: مونتاژ دیگر",
     scale: "مقیاس {scale}",
     page: "صفحهٔ {page} از {pages}",
 
@@ -789,6 +807,8 @@ const PERSIAN: Words = Words {
     asked_rubbing: "سرعت‌های مالش",
     asked_accelerations: "شتاب‌های",
     asked_alphas: "شتاب‌های زاویه‌ای",
+    asked_positions: "دیاگرام سینماتیکی در {list} نیز",
+    asked_assembly: "مونتاژ دیگر مکانیزم",
 
     quantity: "کمیت",
     value: "مقدار",
