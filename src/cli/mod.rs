@@ -8,9 +8,7 @@
 
 mod check;
 mod draw;
-mod files;
 mod new;
-mod report;
 mod solve;
 mod structure;
 mod sweep;
@@ -22,6 +20,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::drawing::Kind;
+use crate::files::{self, FileError};
 use crate::scene::{Diagnostic, Scene};
 use crate::solve::{Arithmetic, Hand, Settings};
 
@@ -47,8 +47,8 @@ enum Command {
         #[arg(long, value_name = "NAME")]
         figure: Vec<String>,
         /// What to draw: the question without its answers, the solution, or its steps one by one
-        #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = draw::Kind::Solution)]
-        kind: draw::Kind,
+        #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = Kind::Solution)]
+        kind: Kind,
         /// With --as steps: one SVG that plays them, without a script
         #[arg(long)]
         play: bool,
@@ -163,6 +163,12 @@ enum Ending {
 /// Bad input or usage: what stands on stderr before exit 2.
 #[derive(Debug)]
 struct Failure(String);
+
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        Self(error.to_string())
+    }
+}
 
 impl From<Diagnostic> for Failure {
     fn from(diagnostic: Diagnostic) -> Self {
@@ -314,5 +320,5 @@ fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
 
 /// An error of a later room, at the place in the file that it is about.
 fn failure(scene: &Scene, error: &crate::solve::SolveError) -> Failure {
-    report::diagnose(scene, error).into()
+    crate::report::diagnose(scene, error).into()
 }
