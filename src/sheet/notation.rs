@@ -77,7 +77,11 @@ impl<'a> Notation<'a> {
     #[must_use]
     pub fn links(&self, links: &[LinkId]) -> Rich {
         let numbers: Vec<Rich> = links.iter().map(|l| Rich::upright(self.number(*l))).collect();
-        let template = if links.len() == 1 { self.words.link } else { self.words.links };
+        let template = match links {
+            [_] => self.words.link,
+            [_, _] => self.words.two_links,
+            _ => self.words.links,
+        };
         let list = match numbers.split_last() {
             Some((last, rest)) if !rest.is_empty() => {
                 Rich::join(rest, &Rich::upright(self.words.comma)).up(self.words.and).then(last)

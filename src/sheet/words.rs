@@ -132,6 +132,7 @@ pub struct Words {
 
     // Heads of steps.
     pub link: &'static str,
+    pub two_links: &'static str,
     pub links: &'static str,
     pub and: &'static str,
     pub step_frame: &'static str,
@@ -309,6 +310,7 @@ const ENGLISH: Words = Words {
     undefined: "does not exist here",
 
     link: "link {links}",
+    two_links: "links {links}",
     links: "links {links}",
     and: " and ",
     step_frame: "Frame and input",
@@ -481,6 +483,7 @@ const ARABIC: Words = Words {
     undefined: "غير موجود في هذا الوضع",
 
     link: "الوصلة {links}",
+    two_links: "الوصلتين {links}",
     links: "الوصلات {links}",
     and: " و ",
     step_frame: "الهيكل والوصلة القائدة",
@@ -573,7 +576,7 @@ const ARABIC: Words = Words {
     inflection_circle: "يتقاطع العمودان على شعاعي القطب في {first} و {second} في قطب الانعطاف {summit}. الدائرة التي قطرها {pole}{summit} = {mm}، أي {value}، هي دائرة الانعطاف: مسارات نقاطها مستقيمة في هذا الوضع.",
     acceleration_centre: "النسبة {alpha}/{omega}² = {ratio} هي ظل الزاوية {angle}. من {pole} نرسم هذه الزاوية ابتداء من {pole}{summit}، {sense}. تقطع الدائرة في {centre}، وهي نقطة الوصلة {link} التي ينعدم تسارعها.",
     acceleration_centre_steady: "بما أن {alpha} = 0 ينطبق مركز التسارع {centre} على {summit}.",
-    kennedy_figure: "نظرية كينيدي للوصلات {links}",
+    kennedy_figure: "نظرية كينيدي على {links}",
     kennedy_trial: "المركزان {first} و {second} معلومان. نفرض أن {third} خارج خطهما، في {trial}.",
     kennedy_velocities: "بالنسبة إلى الوصلة {base} تتحرك {trial} كنقطة من الوصلة {one} عموديا على {first}، وكنقطة من الوصلة {other} عموديا على {second}. والمنحيان مختلفان.",
     kennedy_line: "لا تكون للوصلتين سرعة واحدة إلا على الخط {line}: هناك يقع {third}.",
@@ -655,6 +658,7 @@ const ARABIC_AJALA: Words = Words {
     undefined: "غير موجود في هذا الوضع",
 
     link: "الوصلة {links}",
+    two_links: "الوصلتين {links}",
     links: "الوصلات {links}",
     and: " و ",
     step_frame: "الإطار والوصلة القائدة",
@@ -747,7 +751,7 @@ const ARABIC_AJALA: Words = Words {
     inflection_circle: "يتقاطع العمودان على شعاعي القطب في {first} و {second} في قطب الانعطاف {summit}. الدائرة التي قطرها {pole}{summit} = {mm}، أي {value}، هي دائرة الانعطاف: مسارات نقاطها مستقيمة في هذا الوضع.",
     acceleration_centre: "النسبة {alpha}/{omega}² = {ratio} هي ظل الزاوية {angle}. من {pole} نرسم هذه الزاوية ابتداء من {pole}{summit}، {sense}. تقطع الدائرة في {centre}، وهي نقطة الوصلة {link} التي تنعدم عجلتها.",
     acceleration_centre_steady: "بما أن {alpha} = 0 ينطبق مركز العجلة {centre} على {summit}.",
-    kennedy_figure: "نظرية كينيدي للوصلات {links}",
+    kennedy_figure: "نظرية كينيدي على {links}",
     kennedy_trial: "المركزان {first} و {second} معلومان. نفرض أن {third} خارج خطهما، في {trial}.",
     kennedy_velocities: "بالنسبة إلى الوصلة {base} تتحرك {trial} كنقطة من الوصلة {one} عموديا على {first}، وكنقطة من الوصلة {other} عموديا على {second}. والاتجاهان مختلفان.",
     kennedy_line: "لا تكون للوصلتين سرعة واحدة إلا على الخط {line}: هناك يقع {third}.",
@@ -828,6 +832,7 @@ const PERSIAN: Words = Words {
     undefined: "در این وضعیت وجود ندارد",
 
     link: "بند {links}",
+    two_links: "بندهای {links}",
     links: "بندهای {links}",
     and: " و ",
     step_frame: "بند پایه و بند محرک",
@@ -920,7 +925,7 @@ const PERSIAN: Words = Words {
     inflection_circle: "عمودهای شعاع‌های قطب در {first} و {second} در قطب عطف {summit} یکدیگر را قطع می‌کنند. دایرهٔ به قطر {pole}{summit} = {mm}، یعنی {value}، دایرهٔ عطف است: مسیر نقاط آن در این وضعیت راست است.",
     acceleration_centre: "نسبت {alpha}/{omega}² = {ratio} تانژانت {angle} است. در {pole} این زاویه را از {pole}{summit} {sense} جدا می‌کنیم. دایره را در {centre} قطع می‌کند که نقطهٔ بی‌شتاب بند {link} است.",
     acceleration_centre_steady: "چون {alpha} = 0 مرکز شتاب {centre} بر {summit} می‌افتد.",
-    kennedy_figure: "قضیهٔ کندی برای بندهای {links}",
+    kennedy_figure: "قضیهٔ کندی برای {links}",
     kennedy_trial: "مراکز {first} و {second} معلوم‌اند. فرض می‌کنیم {third} بیرون از خط آن‌ها، در {trial} باشد.",
     kennedy_velocities: "نسبت به بند {base}، نقطهٔ {trial} از بند {one} عمود بر {first} و از بند {other} عمود بر {second} حرکت می‌کند. این راستاها یکی نیستند.",
     kennedy_line: "دو بند تنها روی خط {line} یک سرعت دارند: {third} آنجاست.",
