@@ -238,7 +238,7 @@ fn arabic_and_persian_can_be_written_for_latex() {
             }
         });
         let set = body.iter().filter(|line| line.starts_with("\\linkgramword{")).count();
-        assert!(words > 200 && set == words, "{language:?}: {set} of {words} words");
+        assert!(words > 100 && set == words, "{language:?}: {set} of {words} words");
         let (open, close) = (text.matches("\\begin{scope}").count(), text.matches("\\end{scope}").count());
         assert_eq!(open, close);
     }
@@ -251,7 +251,7 @@ fn arabic_lines_are_told_with_their_blanks() {
     let scene = linkgram::scene::read(&std::fs::read_to_string(path).unwrap(), "x").unwrap();
     let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
     let json = json::value(&sheet::solution(&scene, &solved.solution.construction, Language::Arabic));
-    assert_eq!(json["pages"][0]["panels"][0]["caption"], "(a) المخطط الحركي، مقياس الرسم 1 : 10");
+    assert_eq!(json["pages"][0]["panels"][0]["caption"], "(a) المخطط الحركي، مقياس الرسم 1\u{a0}:\u{a0}10");
     let pages = json["pages"].as_array().unwrap();
     let lines = pages.iter().flat_map(|page| list(page, "texts")).map(|t| t["text"].as_str().unwrap());
     let sentence = "نختار القطب o، وهو خيال الهيكل كله.";
