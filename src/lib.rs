@@ -11,6 +11,7 @@ pub mod double_double;
 pub mod drawing;
 mod files;
 pub mod given;
+pub mod grade;
 pub mod graphical;
 pub mod mechanism;
 mod parallel;

@@ -8,6 +8,7 @@
 
 mod check;
 mod draw;
+mod grade;
 mod new;
 mod solve;
 mod structure;
@@ -113,6 +114,21 @@ enum Command {
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
         arith: Arithmetic,
     },
+    /// Grade a solution that somebody drew or calculated by hand: what is right, what follows rightly from an
+    /// earlier fault, and which typical mistake explains the rest
+    Grade {
+        /// The scene file; - for standard input
+        scene: PathBuf,
+        /// What was handed in: JSON or CSV (linkgram schema answers)
+        answers: PathBuf,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+        /// By how many millimetres of paper lengths and readings may slip, and by how many degrees directions;
+        /// 0.2mm,0.3deg where neither this nor the answers say it
+        #[arg(long, value_name = "MM,DEG", value_parser = parse_hand)]
+        hand: Option<Hand>,
+    },
     /// Report links, pairs, mobility, groups, Grashof class and dead positions
     Structure {
         /// The scene file; - for standard input
@@ -149,8 +165,19 @@ enum Command {
         /// The kind
         kind: Option<String>,
     },
-    /// Print the JSON Schema of a scene
-    Schema,
+    /// Print the JSON Schema of a scene, or of answers for `grade`
+    Schema {
+        /// Of what
+        #[arg(value_enum, default_value_t = SchemaOf::Scene)]
+        of: SchemaOf,
+    },
+}
+
+/// What a JSON Schema is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum SchemaOf {
+    Scene,
+    Answers,
 }
 
 /// How a command ended.
@@ -273,12 +300,15 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith })
         }
+        Command::Grade { scene, answers, json, hand } => {
+            grade::run(&grade::Job { scene, answers, json, hand })
+        }
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep { scene, steps, tolerance, from, to, output } => {
             sweep::run(&sweep::Job { scene, steps, tolerance, from, to, output })
         }
         Command::New { kind } => new::run(kind.as_deref()),
-        Command::Schema => schema(),
+        Command::Schema { of } => schema(of),
     };
     match ending {
         Ok(Ending::Fine) => ExitCode::SUCCESS,
@@ -290,9 +320,12 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-fn schema() -> Result<Ending, Failure> {
-    let text =
-        serde_json::to_string_pretty(&crate::scene::schema()).map_err(|error| Failure(error.to_string()))?;
+fn schema(of: SchemaOf) -> Result<Ending, Failure> {
+    let schema = match of {
+        SchemaOf::Scene => crate::scene::schema(),
+        SchemaOf::Answers => crate::grade::schema(),
+    };
+    let text = serde_json::to_string_pretty(&schema).map_err(|error| Failure(error.to_string()))?;
     print(&(text + "\n"))?;
     Ok(Ending::Fine)
 }

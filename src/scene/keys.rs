@@ -47,5 +47,6 @@ pub(super) const SHEET: &[&str] = &[
     "theme",
     "positions",
     "other_assembly",
+    "marks",
 ];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];

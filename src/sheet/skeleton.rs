@@ -17,6 +17,7 @@ use super::pose::{GuideLine, Pose};
 use super::positions;
 use super::rich::Rich;
 use super::slots::Slot;
+use super::steps;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll};
@@ -669,15 +670,16 @@ impl Artist<'_> {
     fn known_rotations(&self) -> BTreeMap<(LinkId, bool), f64> {
         let mut known = self.stated_rotations();
         for act in self.construction.steps.iter().flat_map(|s| &s.acts) {
-            match act {
-                Act::Calculate(Calculation::Omega { link, value, .. }) => {
-                    known.insert((*link, false), *value);
+            let Act::Calculate(calculation) = act else { continue };
+            match steps::without_noise(calculation, self.construction) {
+                Calculation::Omega { link, value, .. } => {
+                    known.insert((link, false), value);
                 }
-                Act::Calculate(Calculation::Alpha { link, value, .. }) => {
-                    known.insert((*link, true), *value);
+                Calculation::Alpha { link, value, .. } => {
+                    known.insert((link, true), value);
                 }
-                Act::Calculate(Calculation::Speed { link, omega, .. }) => {
-                    known.insert((*link, false), *omega);
+                Calculation::Speed { link, omega, .. } => {
+                    known.insert((link, false), omega);
                 }
                 _ => {}
             }
