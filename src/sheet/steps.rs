@@ -140,7 +140,7 @@ fn quiet(si: f64, order: Order, construction: &Construction) -> f64 {
 /// A calculation without what comes of such a zero.
 #[must_use]
 pub fn without_noise(calculation: &Calculation, construction: &Construction) -> Calculation {
-    let mut calculation = calculation.clone();
+    let mut calculation = *calculation;
     let clear = |order: Order, read: &mut f64, value: &mut f64| {
         if quiet(*read, order, construction) == 0.0 {
             (*read, *value) = (0.0, 0.0);
