@@ -111,6 +111,13 @@ pub struct Words {
     pub asked_positions: &'static str,
     pub asked_assembly: &'static str,
 
+    // What an answer is to be entered as.
+    pub by_drawing: &'static str,
+    pub answer_rotation: &'static str,
+    pub answer_magnitude: &'static str,
+    pub answer_direction: &'static str,
+    pub answer_coordinate: &'static str,
+
     // Heads of tables, senses and places.
     pub quantity: &'static str,
     pub value: &'static str,
@@ -292,6 +299,12 @@ const ENGLISH: Words = Words {
     asked_positions: "the skeleton also at {list}",
     asked_assembly: "the other assembly",
 
+    by_drawing: "Solve by drawing; the error of a careful hand is allowed for.",
+    answer_rotation: "{symbol}, counter-clockwise positive",
+    answer_magnitude: "magnitude of {symbol}",
+    answer_direction: "direction of {symbol}, counter-clockwise from the x-axis",
+    answer_coordinate: "{symbol}, coordinate {axis}",
+
     quantity: "quantity",
     value: "value",
     sense: "sense, direction",
@@ -464,6 +477,12 @@ const ARABIC: Words = Words {
     asked_alphas: "التسارعات الزاوية",
     asked_positions: "المخطط الحركي أيضا عند {list}",
     asked_assembly: "التجميع الآخر للتركيبة",
+
+    by_drawing: "الحل بالرسم، ويُسمح بخطأ الرسم المتقن باليد.",
+    answer_rotation: "{symbol}، موجبة بعكس عقارب الساعة",
+    answer_magnitude: "قيمة {symbol}",
+    answer_direction: "منحى {symbol}، بعكس عقارب الساعة من المحور x",
+    answer_coordinate: "{symbol}، الإحداثي {axis}",
 
     quantity: "الكمية",
     value: "القيمة",
@@ -640,6 +659,12 @@ const ARABIC_AJALA: Words = Words {
     asked_positions: "المخطط الحركي أيضا عند {list}",
     asked_assembly: "التجميع الآخر للآلية",
 
+    by_drawing: "الحل بالرسم، ويُسمح بخطأ الرسم المتقن باليد.",
+    answer_rotation: "{symbol}، موجبة عكس عقارب الساعة",
+    answer_magnitude: "قيمة {symbol}",
+    answer_direction: "اتجاه {symbol}، عكس عقارب الساعة من المحور x",
+    answer_coordinate: "{symbol}، الإحداثي {axis}",
+
     quantity: "الكمية",
     value: "القيمة",
     sense: "الاتجاه",
@@ -813,6 +838,12 @@ const PERSIAN: Words = Words {
     asked_alphas: "شتاب‌های زاویه‌ای",
     asked_positions: "دیاگرام سینماتیکی در {list} نیز",
     asked_assembly: "حالت مونتاژ دیگر مکانیزم",
+
+    by_drawing: "با رسم حل کنید؛ خطای رسمِ دقیق با دست پذیرفته است.",
+    answer_rotation: "{symbol}، پادساعتگرد مثبت",
+    answer_magnitude: "مقدار {symbol}",
+    answer_direction: "راستای {symbol}، پادساعتگرد از محور x",
+    answer_coordinate: "{symbol}، مختص {axis}",
 
     quantity: "کمیت",
     value: "مقدار",
