@@ -447,7 +447,9 @@ impl<'c> List<'c, '_> {
         let reading = Misreading::Twisted { of: Which::One(quantity), twist };
         let name = self.name(&quantity);
         let change = Change { departures, readings: vec![reading], ..Change::default() };
-        self.add(Kind::RelativeReversed, &name, Some(step), PLAIN, change);
+        // Where the vector was not handed in, the sense of what was is the nearer name.
+        let price = if self.observed().contains(&quantity) { PLAIN } else { 1.0 };
+        self.add(Kind::RelativeReversed, &name, Some(step), price, change);
     }
 
     // --- images --------------------------------------------------------------------------------
