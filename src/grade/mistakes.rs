@@ -290,9 +290,10 @@ impl<'c> List<'c, '_> {
                     self.twisted(Kind::AlphaIgnored, &quantity, step, 1.0, Twist::scaled(0.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
                     if value > 0.0 {
+                        let price = one_of(lengths.len());
                         for &other in &lengths {
                             let twist = Twist::scaled(other / length);
-                            self.twisted(Kind::TangentialWrongLength, &quantity, step, PLAIN, twist);
+                            self.twisted(Kind::TangentialWrongLength, &quantity, step, price, twist);
                         }
                     }
                 }
@@ -344,22 +345,35 @@ impl<'c> List<'c, '_> {
     ) {
         let own = self.link_of(quantity, ends);
         let Some(angle) = self.angle(ends) else { return };
+        let price = one_of(turning.len());
         for other in turning.iter().filter(|other| other.link != own) {
             let other_speed = other.omega * other.length;
             let sizes = [
-                (other.omega * other.omega * length, PLAIN),
-                (other_speed * other_speed / other.length, PLAIN),
-                (other_speed * other_speed / length, PLAIN),
-                (speed * speed / other.length, PLAIN),
+                other.omega * other.omega * length,
+                other_speed * other_speed / other.length,
+                other_speed * other_speed / length,
+                speed * speed / other.length,
             ];
-            for (size, price) in sizes {
+            for size in sizes {
                 let factor = size / value;
                 self.twisted(Kind::NormalOfWrongLink, quantity, step, price, Twist::scaled(factor));
             }
             let whole = other_speed * other_speed / other.length / value;
             for turn in [other.angle - angle, other.angle - angle + PI] {
-                self.twisted(Kind::NormalOfWrongLink, quantity, step, 1.0, Twist { factor: 1.0, turn });
-                self.twisted(Kind::NormalOfWrongLink, quantity, step, 1.0, Twist { factor: whole, turn });
+                self.twisted(
+                    Kind::NormalOfWrongLink,
+                    quantity,
+                    step,
+                    1.0 + price,
+                    Twist { factor: 1.0, turn },
+                );
+                self.twisted(
+                    Kind::NormalOfWrongLink,
+                    quantity,
+                    step,
+                    1.0 + price,
+                    Twist { factor: whole, turn },
+                );
             }
         }
     }
@@ -427,13 +441,14 @@ impl<'c> List<'c, '_> {
                     if matches!(quantity, Quantity::RelativeTangential(..)) {
                         self.taken_back(quantity, vec![rate(-1.0)], step);
                     }
+                    let price = one_of(lengths.len());
                     for &other in &lengths {
                         let change = Change::drawn(vec![rate(length / other)]);
-                        self.add(Kind::TangentialWrongLength, &at, Some(step), PLAIN, change);
+                        self.add(Kind::TangentialWrongLength, &at, Some(step), price, change);
                         // Further points by the image: nothing follows from the number.
                         let (of, twist) = (Which::One(Quantity::Alpha(link)), Twist::scaled(length / other));
                         let change = Change::read(Misreading::Twisted { of, twist });
-                        self.add(Kind::TangentialWrongLength, &at, Some(step), PLAIN, change);
+                        self.add(Kind::TangentialWrongLength, &at, Some(step), price, change);
                     }
                 }
                 _ => {}
@@ -785,6 +800,13 @@ impl<'c> List<'c, '_> {
 
 /// A scale in millimetres or centimetres that is one of its round neighbours.
 const OTHER_SCALES: [f64; 8] = [0.5, 0.4, 2.0, 2.5, 0.05, 0.04, 0.2, 0.25];
+
+/// The price of one of several that would do as well: the more there are, the sooner one fits by chance.
+fn one_of(count: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "links and lengths are few")]
+    let count = count.max(1) as f64;
+    2.0 * libm::log(count)
+}
 
 /// Two lengths that differ by less than this part are one.
 const SAME_LENGTH: f64 = 1e-6;
