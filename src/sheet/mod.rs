@@ -28,6 +28,7 @@ pub mod overlap;
 mod overlay;
 mod polygon;
 mod pose;
+mod positions;
 mod profile;
 mod results;
 mod rich;
