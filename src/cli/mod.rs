@@ -14,6 +14,7 @@ mod report;
 mod solve;
 mod structure;
 mod sweep;
+mod tradeoff;
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -138,6 +139,22 @@ enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: Vec<PathBuf>,
     },
+    /// Speed against accuracy: error and time of scenes by every setting (arithmetic, record, sweeps, hand,
+    /// the independent solver), against a reference of 75 digits
+    Tradeoff {
+        /// Scene files, or folders of them; - for standard input
+        #[arg(required = true)]
+        paths: Vec<PathBuf>,
+        /// How often everything is measured
+        #[arg(long, value_name = "N", default_value_t = 21, value_parser = clap::value_parser!(u16).range(1..=10_000))]
+        passes: u16,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+        /// A picture of error over time (.svg, .png or .pdf), besides the table on standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
     /// List the mechanism catalogue, or write a ready scene of a kind
     New {
         /// The kind
@@ -247,6 +264,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep { scene, steps, tolerance, from, to, output } => {
             sweep::run(&sweep::Job { scene, steps, tolerance, from, to, output })
+        }
+        Command::Tradeoff { paths, passes, json, output } => {
+            tradeoff::run(&tradeoff::Job { paths, passes, json, output })
         }
         Command::New { kind } => new::run(kind.as_deref()),
         Command::Schema => schema(),

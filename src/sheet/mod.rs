@@ -34,6 +34,7 @@ mod skeleton;
 mod slots;
 mod steps;
 mod table;
+pub mod tradeoff;
 mod transfer;
 mod wanted;
 mod words;
