@@ -8,7 +8,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
+#[path = "../common/mod.rs"]
 mod common;
+
+mod campaign;
 
 use std::fmt::Write;
 
