@@ -28,8 +28,11 @@ const AT_ROUNDING: f64 = 64.0;
 /// Smallest residual worth improving.
 const FLOOR: f64 = 4e-15;
 const MOST_ITERATIONS: usize = 80;
-/// A start has led to the neighbourhood of a solution where no residual passes this.
+/// A start has led to the neighbourhood of a solution where no residual passes this and the last step has not
+/// halved it.
 const NEAR: f64 = 1e-12;
+/// A residual that nothing is left of.
+const VANISHED: f64 = 1e-16;
 /// A start that ends with a larger residual leads nowhere.
 const NEARLY: f64 = 1e-5;
 /// No more starts are made after so many that led to more than one solution, and to each so many times: a
@@ -502,8 +505,11 @@ impl<'a> Assembler<'a> {
         let mut next = pose.to_vec();
         let mut damping = 1e-3;
         let mut idle = 0;
+        let mut halved = true;
         for _ in 0..MOST_ITERATIONS {
-            if at.residuals.amax() <= NEAR.max(self.coarsest) || idle > 12 {
+            let rest = at.residuals.amax();
+            // Towards a dead centre the residual goes on falling, and with it the distance from the solution.
+            if rest <= VANISHED.max(self.coarsest) || (rest <= NEAR && !halved) || idle > 12 {
                 break;
             }
             let mut normal = at.jacobian.tr_mul(&at.jacobian);
@@ -519,12 +525,14 @@ impl<'a> Assembler<'a> {
                     && tried.residuals.norm() < at.residuals.norm()
             });
             if better {
+                halved = tried.residuals.norm() < 0.5 * at.residuals.norm();
                 let lazy = tried.residuals.norm() >= 0.999 * at.residuals.norm();
                 idle = if lazy { idle + 1 } else { 0 };
                 pose.copy_from_slice(&next);
                 std::mem::swap(&mut at, &mut tried);
                 damping = (damping * 0.1_f64).max(1e-15);
             } else {
+                halved = false;
                 idle += 1;
                 damping = (damping * 6.0_f64).max(1e-12);
             }

@@ -274,6 +274,10 @@ impl Recorder for Tape {
 /// A divisor is too weak to divide by when its first-order error passes this part of it.
 const WEAK_DIVISOR: f64 = 1.0 / 8.0;
 
+/// A divisor that errs by a part p of itself changes the derivatives behind it by (1 − p)⁻² − 1: for a part up to
+/// an eighth less than this many p.
+const BEND: f64 = 4.0;
+
 /// What second order may add to a first-order bound, at most: all of it again.
 const MOST_SECOND_ORDER: f64 = 1.0;
 
@@ -316,9 +320,8 @@ impl Tape {
     /// Bound of a recorded result: |value − truth| ≤ bound, unless [`Tape::weakness`] says that it has
     /// none.
     pub fn bound(&mut self, mark: u32) -> f64 {
-        // A divisor that errs by a part p of itself bends what hangs on it by another p.
-        let bend: f64 = self.divisors.iter().map(|d| d.part.min(WEAK_DIVISOR)).sum();
-        let second_order = (bend / WEAK_DIVISOR).min(MOST_SECOND_ORDER);
+        let parts: f64 = self.divisors.iter().map(|d| d.part.min(WEAK_DIVISOR)).sum();
+        let second_order = (BEND * parts).min(MOST_SECOND_ORDER);
         (1.0 + second_order + ROUNDED) * self.first_order_error(mark)
     }
 
