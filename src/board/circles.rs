@@ -51,6 +51,11 @@ impl<B: Bench> Board<B> {
         super::Mm(self.exact(length))
     }
 
+    /// A multiple of a length; a negative one points the other way.
+    pub fn multiple(&mut self, length: super::Mm<B>, factor: f64) -> super::Mm<B> {
+        super::Mm(self.times(length.0, factor))
+    }
+
     /// Half of a length.
     pub fn half(&mut self, length: super::Mm<B>) -> super::Mm<B> {
         super::Mm(self.times(length.0, 0.5))

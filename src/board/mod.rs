@@ -226,6 +226,17 @@ pub enum Side {
     Second,
 }
 
+impl Side {
+    /// The other of the two.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::First => Self::Second,
+            Self::Second => Self::First,
+        }
+    }
+}
+
 /// Two figures that do not meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NoMeet;

@@ -3,15 +3,15 @@
 use std::fmt::Write;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
-use super::report::{diagnose, short};
-use super::{Ending, Failure, files, print};
+use super::{Ending, Failure, print};
 use crate::check::{Outcome, PublishedCheck, SceneCheck};
+use crate::files;
+use crate::parallel;
+use crate::report::{diagnose, short};
 use crate::scene::Scene;
 use crate::solve::Settings;
 
@@ -62,28 +62,13 @@ fn check_all(scenes: &[PathBuf], tolerance: f64, settings: Settings) -> Vec<Chec
     } else {
         ProgressBar::hidden()
     };
-    let next = AtomicUsize::new(0);
-    let done: Mutex<Vec<(usize, Checked)>> = Mutex::new(Vec::with_capacity(scenes.len()));
-    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(scenes.len());
-    std::thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(path) = scenes.get(index) else { break };
-                    let checked = check_one(path, tolerance, settings);
-                    bar.inc(1);
-                    if let Ok(mut done) = done.lock() {
-                        done.push((index, checked));
-                    }
-                }
-            });
-        }
+    let checked = parallel::map(scenes, |path| {
+        let checked = check_one(path, tolerance, settings);
+        bar.inc(1);
+        checked
     });
     bar.finish_and_clear();
-    let mut done = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    done.sort_by_key(|(index, _)| *index);
-    done.into_iter().map(|(_, checked)| checked).collect()
+    checked
 }
 
 fn check_one(path: &Path, tolerance: f64, settings: Settings) -> Checked {

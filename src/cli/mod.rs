@@ -8,9 +8,8 @@
 
 mod check;
 mod draw;
-mod files;
+mod grade;
 mod new;
-mod report;
 mod solve;
 mod structure;
 mod sweep;
@@ -23,6 +22,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::drawing::Kind;
+use crate::files::{self, FileError};
 use crate::scene::{Diagnostic, Scene};
 use crate::solve::{Arithmetic, Hand, Settings};
 
@@ -48,8 +49,8 @@ enum Command {
         #[arg(long, value_name = "NAME")]
         figure: Vec<String>,
         /// What to draw: the question without its answers, the solution, or its steps one by one
-        #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = draw::Kind::Solution)]
-        kind: draw::Kind,
+        #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = Kind::Solution)]
+        kind: Kind,
         /// With --as steps: one SVG that plays them, without a script
         #[arg(long)]
         play: bool,
@@ -108,6 +109,21 @@ enum Command {
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
         arith: Arithmetic,
     },
+    /// Grade a solution that somebody drew or calculated by hand: what is right, what follows rightly from an
+    /// earlier fault, and which typical mistake explains the rest
+    Grade {
+        /// The scene file; - for standard input
+        scene: PathBuf,
+        /// What was handed in: JSON or CSV (linkgram schema answers)
+        answers: PathBuf,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+        /// By how many millimetres of paper lengths and readings may slip, and by how many degrees directions;
+        /// 0.2mm,0.3deg where neither this nor the answers say it
+        #[arg(long, value_name = "MM,DEG", value_parser = parse_hand)]
+        hand: Option<Hand>,
+    },
     /// Report links, pairs, mobility, groups, Grashof class and dead positions
     Structure {
         /// The scene file; - for standard input
@@ -160,8 +176,19 @@ enum Command {
         /// The kind
         kind: Option<String>,
     },
-    /// Print the JSON Schema of a scene
-    Schema,
+    /// Print the JSON Schema of a scene, or of answers for `grade`
+    Schema {
+        /// Of what
+        #[arg(value_enum, default_value_t = SchemaOf::Scene)]
+        of: SchemaOf,
+    },
+}
+
+/// What a JSON Schema is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum SchemaOf {
+    Scene,
+    Answers,
 }
 
 /// How a command ended.
@@ -174,6 +201,12 @@ enum Ending {
 /// Bad input or usage: what stands on stderr before exit 2.
 #[derive(Debug)]
 struct Failure(String);
+
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        Self(error.to_string())
+    }
+}
 
 impl From<Diagnostic> for Failure {
     fn from(diagnostic: Diagnostic) -> Self {
@@ -261,6 +294,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith })
         }
+        Command::Grade { scene, answers, json, hand } => {
+            grade::run(&grade::Job { scene, answers, json, hand })
+        }
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep { scene, steps, tolerance, from, to, output } => {
             sweep::run(&sweep::Job { scene, steps, tolerance, from, to, output })
@@ -269,7 +305,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             tradeoff::run(&tradeoff::Job { paths, passes, json, output })
         }
         Command::New { kind } => new::run(kind.as_deref()),
-        Command::Schema => schema(),
+        Command::Schema { of } => schema(of),
     };
     match ending {
         Ok(Ending::Fine) => ExitCode::SUCCESS,
@@ -281,9 +317,12 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-fn schema() -> Result<Ending, Failure> {
-    let text =
-        serde_json::to_string_pretty(&crate::scene::schema()).map_err(|error| Failure(error.to_string()))?;
+fn schema(of: SchemaOf) -> Result<Ending, Failure> {
+    let schema = match of {
+        SchemaOf::Scene => crate::scene::schema(),
+        SchemaOf::Answers => crate::grade::schema(),
+    };
+    let text = serde_json::to_string_pretty(&schema).map_err(|error| Failure(error.to_string()))?;
     print(&(text + "\n"))?;
     Ok(Ending::Fine)
 }
@@ -311,5 +350,5 @@ fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
 
 /// An error of a later room, at the place in the file that it is about.
 fn failure(scene: &Scene, error: &crate::solve::SolveError) -> Failure {
-    report::diagnose(scene, error).into()
+    crate::report::diagnose(scene, error).into()
 }

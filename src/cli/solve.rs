@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 
-use super::report::{describe, short, two_digits};
 use super::{Ending, Failure, failure, print, read_scene};
 use crate::check::{Agreement, Compared};
 use crate::double_double::DoubleDouble;
@@ -13,6 +12,7 @@ use crate::graphical::construction::Fine;
 use crate::graphical::{Draughtsmen, HandError};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity};
 use crate::plan::Extent;
+use crate::report::{describe, short, two_digits};
 use crate::scene::Scene;
 use crate::solve::{Hand, Settings};
 

@@ -5,12 +5,12 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::report::short;
 use super::{Ending, Failure, print, read_scene};
 use crate::mechanism::PointId;
 use crate::mechanism::report::{DeadPosition, FourBar, InLine, Report, report};
 use crate::mechanism::slider_crank::SliderCrank;
 use crate::plan::Extent;
+use crate::report::short;
 use crate::scene::Scene;
 
 pub(super) fn run(path: &Path, as_json: bool) -> Result<Ending, Failure> {

@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
-use super::report::{diagnose, short};
-use super::{Ending, Failure, files, print, read_scene};
+use super::{Ending, Failure, print, read_scene};
+use crate::files;
 use crate::mechanism::quantity::Quantity;
+use crate::report::{diagnose, short};
 use crate::scene::{Scene, Subject};
 use crate::solve::SolveError;
 use crate::sweep::{Event, EventKind, InputKind, Stroke, Sweep, SweepError};

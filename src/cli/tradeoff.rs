@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
-use super::report::diagnose;
-use super::{Ending, Failure, files, print, read_scene};
+use super::{Ending, Failure, print, read_scene};
+use crate::files;
 use crate::render::{Format, Lettering, Options, render};
+use crate::report::diagnose;
 use crate::tradeoff::{Setting, Spread, Tradeoff, Unmeasured, measure};
 
 /// What to measure and where to write it.

@@ -111,6 +111,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let speed = self.board.read(mm, velocity_scale);
         let velocity =
             if own { self.relative_velocity(point, base) } else { Quantity::CoincidentVelocity(point, link) };
+        let speed = self.speed_as_read(link, velocity, speed);
         let reason = self.reason(&[link]);
         let normal = self.board.square_over(speed, length, reason);
         self.act(Act::Calculate(Calculation::Normal {
@@ -137,7 +138,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let outward = self.outward(link, base, point);
         let inward = self.board.reverse(outward);
         let from = self.image(Order::Acceleration, base);
-        let foot = self.board.lay_off(from, inward, mm);
+        let foot = self.lay_off_vector(self.normal_of(link, point, base), from, inward, mm);
         let claim = Claim::Parallel(Reference::Points(base, point));
         let vector = self.note_vector(
             Order::Acceleration,
@@ -163,6 +164,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.step(Order::Acceleration, &[link], Vec::new());
         let uniform = alpha.value == 0.0;
         let alpha = self.board.amount(alpha);
+        let alpha = self.rate_as_calculated(Order::Acceleration, link, alpha);
         self.alphas[link.0] = Some(alpha);
         if !uniform {
             self.driven_accelerations(step, link, base);
@@ -172,7 +174,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             // Without Aᵗ the end of the normal part is the image itself.
             let label = self.label(point);
             let image = self.lay_off_normal(link, point, base, label);
-            self.note_image(Order::Acceleration, point, image);
+            let image = self.note_image(Order::Acceleration, point, image);
             self.whole_acceleration(point, base, image);
         }
     }
@@ -181,7 +183,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     pub(super) fn driven_accelerations(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         for &(_, point) in &step.points {
             let image = self.acceleration_about(link, base, point);
-            self.note_image(Order::Acceleration, point, image);
+            let image = self.note_image(Order::Acceleration, point, image);
             self.whole_acceleration(point, base, image);
         }
     }
@@ -206,14 +208,14 @@ impl<B: Bench> Draughtsman<'_, B> {
         let scale = self.polygon_scale(Order::Acceleration);
         let given = self.board.amount(acceleration);
         let mm = self.board.to_paper(given, scale);
-        let image = self.board.lay_off(from.1, along, mm);
-        self.sliding_accelerations[slide] = Some(given);
-        self.note_image(Order::Acceleration, first, image);
         let (kind, quantity) = if fixed {
             (VectorKind::Absolute, Quantity::Acceleration(first))
         } else {
             (VectorKind::Sliding, Quantity::SlipAcceleration(first, guide))
         };
+        let image = self.lay_off_vector(quantity, from.1, along, mm);
+        self.sliding_accelerations[slide] = Some(given);
+        let image = self.note_image(Order::Acceleration, first, image);
         let claim = Claim::Parallel(Reference::Guide(slide));
         let head = (self.label(first), image);
         let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(claim)), from, head);
@@ -396,7 +398,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let inward = self.board.reverse(outward);
             let start = self.image(Order::Acceleration, other);
             let mm = self.board.to_paper(normal, scale);
-            let foot = self.board.lay_off(start, inward, mm);
+            let foot = self.lay_off_vector(quantity, start, inward, mm);
             let label = Label::Foot { point: centre, link: None, index };
             let vector = self.note_vector(
                 Order::Acceleration,
@@ -417,9 +419,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             let coriolis = self.coriolis(speed, (centre, body));
             let left = self.board.quarter_turn(along);
             let mm = self.board.to_paper(coriolis, scale);
-            let foot = self.board.lay_off(from.1, left, mm);
             let label = Label::Foot { point: centre, link: Some(body), index };
             let quantity = Quantity::Coriolis(centre, body);
+            let foot = self.lay_off_vector(quantity, from.1, left, mm);
             let vector = self.note_vector(
                 Order::Acceleration,
                 (VectorKind::Coriolis, quantity, None),
@@ -480,7 +482,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let scale = self.polygon_scale(Order::Acceleration);
         let mm = self.board.to_paper(amount, scale);
         let way = if back { self.board.reverse(direction) } else { direction };
-        let foot = self.board.lay_off(at, way, mm);
+        let foot = self.lay_off_vector(quantity, at, way, mm);
         let (tail, head) = if back { ((end, foot), (label, at)) } else { ((label, at), (end, foot)) };
         let claim = Claim::Perpendicular(Reference::Guide(slide));
         let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(claim)), tail, head);
@@ -515,9 +517,11 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act_read(Order::Acceleration, vector);
         self.note_part(quantity, route.foot.1, image);
         let tangential = self.board.read(along, scale);
+        let tangential = self.as_read(quantity, tangential);
         let length = self.length_to(link, base, pin);
         let reason = self.reason(&[link]);
         let alpha = self.board.quotient(tangential, length, reason);
+        let alpha = self.rate_as_calculated(Order::Acceleration, link, alpha);
         self.alphas[link.0] = Some(alpha);
         self.act(Act::Calculate(Calculation::Alpha {
             link,
@@ -588,7 +592,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act_turning(Order::Acceleration, quantity, link, [base, point], [alpha, length, tangential]);
         let square = self.square_to(link, base, point);
         let mm = self.board.to_paper(tangential, scale);
-        let image = self.board.lay_off(foot, square, mm);
+        let image = self.lay_off_vector(quantity, foot, square, mm);
         let claim = Claim::Perpendicular(Reference::Points(base, point));
         let head = if self.mechanism.link(link).points.contains(&point) {
             self.label(point)

@@ -12,6 +12,7 @@ use super::construction::{
     Act, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image, Label,
     LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
+use super::departure::Departure;
 use super::pose::Pose;
 use super::{Scales, scale};
 
@@ -93,6 +94,8 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) silent: bool,
     /// Sides that the next choices must take, in a trial.
     pub(super) sides: Option<Vec<Side>>,
+    /// In what this drawing departs from the right one.
+    pub(super) departures: &'m [Departure],
     reasons: Vec<Vec<u32>>,
     record: Construction,
 }
@@ -131,6 +134,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             parts: Vec::new(),
             silent: false,
             sides: None,
+            departures: &[],
             reasons: Vec::new(),
             record: Construction {
                 space: Space { metres_per_mm: scales.length, places: vec![None; points], lines: Vec::new() },
@@ -155,6 +159,11 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.record.answers = answers;
         let tape = std::mem::take(self.board.recorder());
         (self.record, tape)
+    }
+
+    /// What stands on the paper, without answers.
+    pub(super) fn into_record(self) -> Construction {
+        self.record
     }
 
     pub(super) fn length_scale(&self) -> Scale {
@@ -416,13 +425,15 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.note_part(quantity, pole, image);
     }
 
-    /// Notes the image of a point.
-    pub(super) fn note_image(&mut self, order: Order, point: PointId, at: Point<B>) {
+    /// Notes the image of a point, and tells where it stands.
+    pub(super) fn note_image(&mut self, order: Order, point: PointId, at: Point<B>) -> Point<B> {
+        let at = self.image_as_drawn(order, point, at);
         self.images(order)[point.0] = Some(at);
         let image = Image { label: self.label(point), at: at.value() };
         if let Some(polygon) = self.polygon_mut(order) {
             polygon.images.push(image);
         }
+        at
     }
 
     /// Notes the end of a component.

@@ -197,7 +197,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 Guide { link, .. } => u8::from(!self.translates[link.0]),
             },
         };
-        match (order, unknown) {
+        let route = match (order, unknown) {
             (_, Unknown::Carried { slide, link, pin: other }) => {
                 self.carried_route(order, slide, link, [other, pin], first)
             }
@@ -219,7 +219,8 @@ impl<B: Bench> Draughtsman<'_, B> {
             (_, Unknown::Turn { link, base, to }) => self.velocity_arm(link, base, to),
             (_, Unknown::Roll { roll, wheel, centre }) => self.velocity_roll(roll, wheel, centre),
             (_, Unknown::Slide { slide, back }) => self.velocity_slide(slide, back, pin),
-        }
+        };
+        self.ray_as_drawn(order, route)
     }
 
     /// The line of an open constraint from its known end, for a trial.
@@ -361,7 +362,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let mut foot = start;
         for (place, (kind, quantity, claim, direction, amount)) in parts.into_iter().enumerate() {
             let mm = self.board.to_paper(amount, scale);
-            let at = self.board.lay_off(foot.1, direction, mm);
+            let at = self.lay_off_vector(quantity, foot.1, direction, mm);
             let next = index + u8::from(place > 0);
             let here = last.filter(|_| place + 1 == count);
             let label = here.unwrap_or(Label::Foot { point, link: None, index: next });
@@ -379,7 +380,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn second_pin(&mut self, order: Order, kind: GroupKind) {
         let GroupKind::DrivenBar { link, pins: [first, second], slides, .. } = kind else { return };
         let image = self.image_about(order, link, first, second);
-        self.note_image(order, second, image);
+        let image = self.note_image(order, second, image);
         self.absolute_of(order, second, image);
         let loud = !std::mem::replace(&mut self.silent, true);
         let slide = Unknown::Slide { slide: slides[1], back: false };
@@ -428,7 +429,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let square = self.board.reverse(back);
         let scale = self.polygon_scale(order);
         let mm = self.board.to_paper(part, scale);
-        let at = self.board.lay_off(start.1, square, mm);
+        let at = self.lay_off_vector(quantity, start.1, square, mm);
         let across = Claim::Perpendicular(Reference::Points(centre, contact));
         let vector = self.note_vector(order, (kind, quantity, Some(across)), start, (head, at));
         self.act(Act::LayOffVector { vector, value: part.value().abs(), mm: mm.value().abs() });
@@ -474,9 +475,10 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.equation(equation);
         let reason = self.reason(&links);
         let meet = self.board.meet_lines(routes[0].ray, routes[1].ray, reason);
+        let mut at = meet.at;
         let label = match target {
             Target::Pin(pin) => {
-                self.note_image(order, pin, meet.at);
+                at = self.note_image(order, pin, meet.at);
                 self.label(pin)
             }
             Target::Under(pin, link) => {
@@ -486,14 +488,16 @@ impl<B: Bench> Draughtsman<'_, B> {
         };
         self.act(Act::MarkMeet { label, crossing: meet.crossing });
         for (route, along) in routes.iter().zip(meet.along) {
-            self.note_ray(order, route.foot.1, meet.at, route.claim);
-            self.read_route(order, route, target, (label, meet.at), along);
+            // Where the image stands elsewhere than the lines meet, its distance is measured.
+            let along = if self.departures.is_empty() { along } else { self.length_along(route, at, along) };
+            self.note_ray(order, route.foot.1, at, route.claim);
+            self.read_route(order, route, target, (label, at), along);
         }
         if let GroupKind::Rpr { lever, rod: Some(rod), .. } = kind {
             let rate = self.rate(order, lever);
             self.set_rate(order, rod, rate);
         }
-        self.whole_vectors(order, target, unknowns, (label, meet.at));
+        self.whole_vectors(order, target, unknowns, (label, at));
         self.second_pin(order, kind);
         self.further_images(order, step, kind);
     }
@@ -750,7 +754,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 },
                 _ => continue,
             };
-            self.note_image(order, point, image);
+            let image = self.note_image(order, point, image);
             self.absolute_of(order, point, image);
         }
     }

@@ -10,6 +10,7 @@ mod by_hand;
 mod centres;
 pub mod centrodes;
 pub mod construction;
+mod departure;
 mod draughtsman;
 mod dyad;
 mod link_figure;
@@ -21,6 +22,7 @@ mod trial;
 mod velocity;
 
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
+pub use departure::{Departure, Sketch, Twist, sketch};
 pub use reading::Numbers;
 pub use transcribe::{Transcribed, transcribe};
 
@@ -312,7 +314,23 @@ fn draw<'m, B: Bench>(
 where
     B::Recorder: Recorder,
 {
+    draw_departing(board, mechanism, structure, plan, scales, &[])
+}
+
+/// As [`draw`], with departures from the right construction.
+fn draw_departing<'m, B: Bench>(
+    board: Board<B>,
+    mechanism: &'m Mechanism,
+    structure: &'m Structure,
+    plan: &Plan,
+    scales: Scales,
+    departures: &'m [Departure],
+) -> Result<Draughtsman<'m, B>, DrawError>
+where
+    B::Recorder: Recorder,
+{
     let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
+    draughtsman.departures = departures;
     position::draw(&mut draughtsman, plan)?;
     if plan.centres.feeds {
         centres::draw(&mut draughtsman, plan);

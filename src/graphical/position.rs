@@ -702,6 +702,11 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// Chooses between two poses of a link by the hints for its points.
     fn choose_pose(&mut self, link: LinkId, poses: [Pose<B>; 2], pin: PointId) -> Result<Side, DrawError> {
+        let side = self.right_pose(link, poses, pin)?;
+        Ok(if self.takes_other_pose(link) { side.other() } else { side })
+    }
+
+    fn right_pose(&mut self, link: LinkId, poses: [Pose<B>; 2], pin: PointId) -> Result<Side, DrawError> {
         if let Some(side) = self.prescribed_side() {
             return Ok(side);
         }
@@ -930,7 +935,10 @@ impl<B: Bench> Draughtsman<'_, B> {
         pair: Pair<B>,
     ) -> Result<(), DrawError> {
         let crossing = pair.crossing;
-        let side = if pair.tangent { Side::First } else { self.choose(main, rider, pin, pair)? };
+        let mut side = if pair.tangent { Side::First } else { self.choose(main, rider, pin, pair)? };
+        if self.takes_other_side(pin) {
+            side = side.other();
+        }
         let at = self.board.take(pair, side);
         self.place(pin, at);
         self.act(Act::MarkIntersection { point: pin, crossing });

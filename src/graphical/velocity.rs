@@ -87,6 +87,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.board.purpose("velocity of a driven point");
         self.step(Order::Velocity, &[link], Vec::new());
         let omega = self.given_rate(Order::Velocity, input);
+        let omega = self.rate_as_calculated(Order::Velocity, link, omega);
         self.omegas[link.0] = Some(omega);
         self.driven_velocities(step, link, base);
     }
@@ -121,7 +122,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     pub(super) fn driven_velocities(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         for &(_, point) in &step.points {
             let image = self.velocity_about(link, base, point);
-            self.note_image(Order::Velocity, point, image);
+            let image = self.note_image(Order::Velocity, point, image);
             let from = self.image(Order::Velocity, base);
             let claim = Claim::Perpendicular(Reference::Points(base, point));
             let quantity = self.relative_velocity(point, base);
@@ -167,15 +168,15 @@ impl<B: Bench> Draughtsman<'_, B> {
         let speed = self.board.amount(velocity);
         let mm = self.board.to_paper(speed, scale);
         let from = self.image_under(Order::Velocity, first, guide);
-        let image = self.board.lay_off(from, along, mm);
-        self.slips[slide] = Some(speed);
-        self.note_image(Order::Velocity, first, image);
         let fixed = guide == LinkId::FRAME;
         let (kind, quantity) = if fixed {
             (VectorKind::Absolute, Quantity::Velocity(first))
         } else {
             (VectorKind::Sliding, Quantity::Slip(first, guide))
         };
+        let image = self.lay_off_vector(quantity, from, along, mm);
+        self.slips[slide] = Some(speed);
+        let image = self.note_image(Order::Velocity, first, image);
         let claim = Claim::Parallel(Reference::Guide(slide));
         let (tail, head) = ((self.label_under(first, guide), from), (self.label(first), image));
         let vector = self.note_vector(Order::Velocity, (kind, quantity, Some(claim)), tail, head);
@@ -200,7 +201,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 continue;
             }
             let image = self.riding_image(order, link, first, point);
-            self.note_image(order, point, image);
+            let image = self.note_image(order, point, image);
             let label = self.label(point);
             let quantity = match order {
                 Order::Acceleration => Quantity::Acceleration(point),
@@ -235,9 +236,11 @@ impl<B: Bench> Draughtsman<'_, B> {
         let [along, _] = self.board.square_off(Line { through: from, along: square }, image);
         let scale = self.polygon_scale(Order::Velocity);
         let speed = self.board.read(along, scale);
+        let speed = self.as_read(quantity, speed);
         let radius = self.length_to(wheel, centre, contact);
         let reason = self.reason(&[wheel]);
         let omega = self.board.quotient(speed, radius, reason);
+        let omega = self.rate_as_calculated(Order::Velocity, wheel, omega);
         self.omegas[wheel.0] = Some(omega);
         self.act(Act::Calculate(Calculation::Omega {
             link: wheel,
@@ -255,7 +258,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         for &(of, point) in &step.points {
             if of == wheel {
                 let image = self.image_about(order, wheel, centre, point);
-                self.note_image(order, point, image);
+                let image = self.note_image(order, point, image);
                 self.absolute_of(order, point, image);
             }
         }
@@ -277,7 +280,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act(Act::SameImage { label: self.label_under(contact, wheel), with });
         let head = self.label(centre);
         let at = self.spin_part(Order::Velocity, roll, (wheel, centre), head);
-        self.note_image(Order::Velocity, centre, at);
+        let at = self.note_image(Order::Velocity, centre, at);
         if other != LinkId::FRAME {
             self.absolute_vector(Order::Velocity, Quantity::Velocity(centre), head, at);
         }
@@ -450,9 +453,11 @@ impl<B: Bench> Draughtsman<'_, B> {
         );
         self.act_read(Order::Velocity, vector);
         let speed = self.board.read(along, scale);
+        let speed = self.as_read(quantity, speed);
         let length = self.length_to(link, base, pin);
         let reason = self.reason(&[link]);
         let omega = self.board.quotient(speed, length, reason);
+        let omega = self.rate_as_calculated(Order::Velocity, link, omega);
         self.omegas[link.0] = Some(omega);
         self.act(Act::Calculate(Calculation::Omega {
             link,
@@ -477,6 +482,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let guide = self.mechanism.slides[slide].guide.link;
         let scale = self.polygon_scale(Order::Velocity);
         let read = self.board.read(along, scale);
+        let read = self.as_read(Quantity::Slip(self.riding_point(slide, pin), guide), read);
         // Read from the guide's point to the rider: against the ray where it was drawn backwards.
         let speed = if back { self.board.opposite(read) } else { read };
         self.slips[slide] = Some(speed);
@@ -687,7 +693,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let square = self.square_to(link, base, point);
         let mm = self.board.to_paper(speed, scale);
         let from = self.image(Order::Velocity, base);
-        self.board.lay_off(from, square, mm)
+        self.lay_off_vector(quantity, from, square, mm)
     }
 
     /// Calculates V = ω l or Aᵗ = ε l.

@@ -6,7 +6,7 @@ use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::{Measure, Scale, Scales};
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
-use crate::mechanism::{LinkId, PointId, Rider};
+use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 
 /// Every name, with its form for messages.
 const NAMES: [(&str, &str); 19] = [
@@ -99,8 +99,13 @@ pub(super) fn asked(name: &str, at: usize, unit: Option<&Value<'_>>, draft: &Dra
     Ok(Asked { name: name.to_owned(), quantity, unit, method: Method::default() })
 }
 
+/// A quantity of a mechanism that was read before, by its name.
+pub(crate) fn named(name: &str, at: usize, mechanism: &Mechanism, scales: &Scales) -> Res<Asked> {
+    asked(name, at, None, &Draft::of(mechanism.clone(), scales))
+}
+
 /// What a quantity measures.
-pub(super) fn measure(quantity: &Quantity) -> Measure {
+pub(crate) fn measure(quantity: &Quantity) -> Measure {
     match quantity {
         Quantity::Velocity(_)
         | Quantity::RelativeVelocity(..)
@@ -130,7 +135,7 @@ pub(super) fn measure(quantity: &Quantity) -> Measure {
 }
 
 /// The unit in which a quantity is answered where the scene says nothing.
-pub(super) fn default_scale(quantity: &Quantity, scales: &Scales) -> Scale {
+pub(crate) fn default_scale(quantity: &Quantity, scales: &Scales) -> Scale {
     match quantity {
         // A transmission angle is read in degrees whatever the scene counts in.
         Quantity::Transmission(..) => Scale::degrees(),

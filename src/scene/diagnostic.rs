@@ -34,29 +34,29 @@ fn suffix(mend: Option<&str>) -> String {
 
 /// What is wrong at a byte of the text; becomes a [`Diagnostic`] when the reader is left.
 #[derive(Debug)]
-pub(super) struct Fault {
+pub(crate) struct Fault {
     /// Byte offset of the value or key.
-    pub(super) at: usize,
+    pub(crate) at: usize,
     what: String,
     mend: Option<String>,
 }
 
 /// The result of every step of reading.
-pub(super) type Res<T> = Result<T, Fault>;
+pub(crate) type Res<T> = Result<T, Fault>;
 
 impl Fault {
-    pub(super) fn new(at: usize, what: impl Into<String>) -> Self {
+    pub(crate) fn new(at: usize, what: impl Into<String>) -> Self {
         Self { at, what: what.into(), mend: None }
     }
 
     /// Says how to mend it.
-    pub(super) fn mend(mut self, mend: impl Into<String>) -> Self {
+    pub(crate) fn mend(mut self, mend: impl Into<String>) -> Self {
         self.mend = Some(mend.into());
         self
     }
 
     /// Offers the nearest known name; where none is near, all of them if they are few.
-    pub(super) fn known<'n>(self, wrong: &str, known: impl IntoIterator<Item = &'n str>) -> Self {
+    pub(crate) fn known<'n>(self, wrong: &str, known: impl IntoIterator<Item = &'n str>) -> Self {
         let known: Vec<&str> = known.into_iter().collect();
         if let Some(near) = nearest(wrong, &known) {
             return self.mend(format!("did you mean `{near}`?"));
@@ -69,7 +69,7 @@ impl Fault {
     }
 
     /// Adds file, line, column and path.
-    pub(super) fn locate(self, file: &str, text: &str, root: Option<&Value<'_>>) -> Diagnostic {
+    pub(crate) fn locate(self, file: &str, text: &str, root: Option<&Value<'_>>) -> Diagnostic {
         let at = floor_char(text, self.at);
         let line_start = text[..at].rfind('\n').map_or(0, |n| n + 1);
         Diagnostic {
@@ -108,7 +108,7 @@ fn floor_char(text: &str, at: usize) -> usize {
 }
 
 /// Names between back quotes, joined with commas.
-pub(super) fn list(names: &[&str]) -> String {
+pub(crate) fn list(names: &[&str]) -> String {
     names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(", ")
 }
 

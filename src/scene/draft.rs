@@ -44,6 +44,13 @@ impl<'s> Draft<'s> {
         }
     }
 
+    /// A mechanism that was read before, to look names up in it.
+    pub(super) fn of(mechanism: Mechanism, scales: &'s Scales) -> Self {
+        let points = mechanism.points.iter().enumerate().map(|(i, p)| (p.name.clone(), PointId(i))).collect();
+        let links = mechanism.links.iter().enumerate().map(|(i, l)| (l.number, LinkId(i))).collect();
+        Self { mechanism, points, links, ..Self::new(scales, 0) }
+    }
+
     /// Adds a link; numbers come in ascending order.
     pub(super) fn add_link(&mut self, number: u32, at: usize) -> Res<LinkId> {
         let id = LinkId(self.mechanism.links.len());

@@ -12,20 +12,20 @@ use super::diagnostic::{Fault, Res};
 /// The deepest scene has six levels; more is no scene.
 const DEEPEST: usize = 16;
 /// More entries in one list or object than any mechanism has.
-pub(super) const MOST: usize = 10_000;
+pub(crate) const MOST: usize = 10_000;
 /// A larger text is not a scene (bytes).
 const LARGEST: usize = 8 << 20;
 
 /// A value and its place.
 #[derive(Debug)]
-pub(super) struct Value<'a> {
+pub(crate) struct Value<'a> {
     /// Byte offset in the text.
-    pub(super) at: usize,
-    pub(super) kind: Kind<'a>,
+    pub(crate) at: usize,
+    pub(crate) kind: Kind<'a>,
 }
 
 #[derive(Debug)]
-pub(super) enum Kind<'a> {
+pub(crate) enum Kind<'a> {
     Null,
     Bool(bool),
     /// A number as written.
@@ -37,23 +37,23 @@ pub(super) enum Kind<'a> {
 
 /// One key of an object.
 #[derive(Debug)]
-pub(super) struct Entry<'a> {
+pub(crate) struct Entry<'a> {
     /// Byte offset of the key.
-    pub(super) at: usize,
-    pub(super) key: String,
-    pub(super) value: Value<'a>,
+    pub(crate) at: usize,
+    pub(crate) key: String,
+    pub(crate) value: Value<'a>,
 }
 
 /// A text that is JSON.
 #[derive(Debug)]
-pub(super) struct Document<'a> {
-    pub(super) root: Value<'a>,
+pub(crate) struct Document<'a> {
+    pub(crate) root: Value<'a>,
     /// What no scene may have although it is JSON: a key given twice, too many levels or entries.
-    pub(super) fault: Option<Fault>,
+    pub(crate) fault: Option<Fault>,
 }
 
 /// Reads a text.
-pub(super) fn parse(text: &str) -> Res<Document<'_>> {
+pub(crate) fn parse(text: &str) -> Res<Document<'_>> {
     if text.len() > LARGEST {
         return Err(Fault::new(0, format!("the file is larger than {} MiB", LARGEST >> 20)));
     }
@@ -197,7 +197,7 @@ impl<'de> Deserialize<'de> for Items<'de> {
 
 impl<'a> Value<'a> {
     /// What kind of value this is, with its article.
-    pub(super) fn noun(&self) -> &'static str {
+    pub(crate) fn noun(&self) -> &'static str {
         match self.kind {
             Kind::Null => "null",
             Kind::Bool(_) => "true or false",
@@ -209,32 +209,32 @@ impl<'a> Value<'a> {
     }
 
     /// That something else was expected here.
-    pub(super) fn unexpected(&self, expected: &str) -> Fault {
+    pub(crate) fn unexpected(&self, expected: &str) -> Fault {
         Fault::new(self.at, format!("expected {expected}, found {}", self.noun()))
     }
 
-    pub(super) fn text(&self, expected: &str) -> Res<&str> {
+    pub(crate) fn text(&self, expected: &str) -> Res<&str> {
         match &self.kind {
             Kind::Text(text) => Ok(text),
             _ => Err(self.unexpected(expected)),
         }
     }
 
-    pub(super) fn list(&self, expected: &str) -> Res<&[Value<'a>]> {
+    pub(crate) fn list(&self, expected: &str) -> Res<&[Value<'a>]> {
         match &self.kind {
             Kind::List(items) => Ok(items),
             _ => Err(self.unexpected(expected)),
         }
     }
 
-    pub(super) fn object(&self, expected: &str) -> Res<&[Entry<'a>]> {
+    pub(crate) fn object(&self, expected: &str) -> Res<&[Entry<'a>]> {
         match &self.kind {
             Kind::Object(entries) => Ok(entries),
             _ => Err(self.unexpected(expected)),
         }
     }
 
-    pub(super) fn bool(&self) -> Res<bool> {
+    pub(crate) fn bool(&self) -> Res<bool> {
         match self.kind {
             Kind::Bool(value) => Ok(value),
             _ => Err(self.unexpected("true or false")),
@@ -242,7 +242,7 @@ impl<'a> Value<'a> {
     }
 
     /// A whole number from 0.
-    pub(super) fn whole(&self, expected: &str) -> Res<u32> {
+    pub(crate) fn whole(&self, expected: &str) -> Res<u32> {
         match self.kind {
             Kind::Number(digits) => digits.parse().map_err(|_| {
                 Fault::new(self.at, format!("expected {expected}, a whole number, found {digits}"))
@@ -252,7 +252,7 @@ impl<'a> Value<'a> {
     }
 
     /// The keys from here to the value or key at a byte offset.
-    pub(super) fn path_to(&self, at: usize) -> String {
+    pub(crate) fn path_to(&self, at: usize) -> String {
         let mut path = String::new();
         let mut here = self;
         while here.at != at {
@@ -285,16 +285,16 @@ impl<'a> Value<'a> {
 
 /// The entries of an object of which all keys are known.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Fields<'v, 'a> {
+pub(crate) struct Fields<'v, 'a> {
     /// Byte offset of the object.
-    pub(super) at: usize,
+    pub(crate) at: usize,
     entries: &'v [Entry<'a>],
     known: &'static [&'static str],
 }
 
 impl<'v, 'a> Fields<'v, 'a> {
     /// The object's fields; an unknown key is an error that offers the nearest known one.
-    pub(super) fn of(value: &'v Value<'a>, known: &'static [&'static str], expected: &str) -> Res<Self> {
+    pub(crate) fn of(value: &'v Value<'a>, known: &'static [&'static str], expected: &str) -> Res<Self> {
         let entries = value.object(expected)?;
         for entry in entries {
             if !known.contains(&entry.key.as_str()) {
@@ -305,22 +305,22 @@ impl<'v, 'a> Fields<'v, 'a> {
         Ok(Self { at: value.at, entries, known })
     }
 
-    pub(super) fn entry(&self, key: &str) -> Option<&'v Entry<'a>> {
+    pub(crate) fn entry(&self, key: &str) -> Option<&'v Entry<'a>> {
         debug_assert!(self.known.contains(&key), "the reader asks for `{key}`, which no table lists");
         self.entries.iter().find(|e| e.key == key)
     }
 
-    pub(super) fn get(&self, key: &str) -> Option<&'v Value<'a>> {
+    pub(crate) fn get(&self, key: &str) -> Option<&'v Value<'a>> {
         self.entry(key).map(|e| &e.value)
     }
 
     /// A key that must be there.
-    pub(super) fn need(&self, key: &str, why: &str) -> Res<&'v Value<'a>> {
+    pub(crate) fn need(&self, key: &str, why: &str) -> Res<&'v Value<'a>> {
         self.get(key).ok_or_else(|| Fault::new(self.at, format!("`{key}` is missing: {why}")))
     }
 
     /// Refuses keys that have no meaning beside others.
-    pub(super) fn refuse(&self, keys: &[&str], why: &str) -> Res<()> {
+    pub(crate) fn refuse(&self, keys: &[&str], why: &str) -> Res<()> {
         match keys.iter().find_map(|key| self.entry(key)) {
             Some(entry) => Err(Fault::new(entry.at, format!("`{}` has no meaning here: {why}", entry.key))),
             None => Ok(()),

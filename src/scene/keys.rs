@@ -45,5 +45,6 @@ pub(super) const SHEET: &[&str] = &[
     "notation",
     "decimal",
     "theme",
+    "marks",
 ];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];

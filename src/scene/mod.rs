@@ -3,12 +3,12 @@
 //! **Architecture Invariant:** nothing here solves or draws; the scene is lowered to a
 //! [`Mechanism`] in SI units and this room is left.
 
-mod asked;
-mod diagnostic;
+pub(crate) mod asked;
+pub(crate) mod diagnostic;
 mod draft;
 mod guides;
 mod inputs;
-mod json;
+pub(crate) mod json;
 mod keys;
 mod links;
 mod placing;
@@ -19,7 +19,7 @@ mod sheet;
 mod source;
 #[cfg(test)]
 mod tests;
-mod units;
+pub(crate) mod units;
 
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
@@ -73,7 +73,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let fields = Fields::of(root, keys::SCENE, "a scene: {\"links\": {…}, \"input\": {…}, …}")?;
     fields.get("$schema").map(|address| address.text("the address of the schema")).transpose()?;
     let title = sheet::title(fields.get("title"))?;
-    let scales = units::Scales::read(fields.get("units"))?;
+    let scales = units::Scales::read(fields.get("units"), None)?;
     let mut draft = Draft::new(&scales, root.at);
     links::read(&fields, &mut draft)?;
     if draft.mechanism.moving().next().is_none() {
@@ -228,6 +228,8 @@ pub struct SheetOptions {
     pub velocity_scale: Option<f64>,
     /// m/s² per mm of paper.
     pub acceleration_scale: Option<f64>,
+    /// Marks for answers in an exam, by the name of the quantity; 1 where nothing is said.
+    pub marks: Vec<(String, f64)>,
     /// Figures wanted, by name; all where empty.
     pub figures: Vec<String>,
 }

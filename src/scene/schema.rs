@@ -350,6 +350,11 @@ fn sheet() -> Value {
             },
             "language": { "enum": LANGUAGES, "description": "Language of the sheet." },
             "theme": { "enum": THEMES, "default": "mono", "description": "Colours of the sheet." },
+            "marks": {
+                "type": "object", "additionalProperties": { "type": "number", "minimum": 0, "maximum": 1000 },
+                "description": "Marks for answers in an exam, by the name of the quantity; 1 where nothing is said.",
+                "examples": [{ "v(B)": 2, "alpha(3)": 3 }],
+            },
             "symbols": { "enum": ["alpha", "epsilon"], "description": "Letter for angular acceleration." },
             "notation": {
                 "enum": NOTATIONS, "default": "standard",

@@ -2,13 +2,16 @@
 
 use super::diagnostic::{Fault, Res};
 use super::json::{Entry, Fields, Kind, Value};
-use super::units::{Measure, Scales, drawing_scale};
+use super::units::{Measure, Scales, drawing_scale, number};
 use super::{AngularAcceleration, SheetOptions, Title, keys};
 
 /// Languages of the sheet.
 pub(super) const LANGUAGES: [&str; 4] = ["en", "ar", "ar-x-ajala", "fa"];
 /// Paper sizes; `portrait` or `landscape` may stand after them.
 pub(super) const PAPERS: [&str; 9] = ["A0", "A1", "A2", "A3", "A4", "A5", "A6", "letter", "legal"];
+
+/// No answer has more marks.
+const MOST_MARKS: f64 = 1000.0;
 
 /// Colours of the sheet.
 pub(super) const THEMES: [&str; 3] = ["mono", "colour", "dark"];
@@ -71,6 +74,16 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales) -> Res<SheetOptio
     // From metres of paper to millimetres.
     sheet.velocity_scale = scale("velocity", Measure::Velocity)?.map(|s| s / 1000.0);
     sheet.acceleration_scale = scale("acceleration", Measure::Acceleration)?.map(|s| s / 1000.0);
+    if let Some(marks) = fields.get("marks") {
+        for Entry { key, value, .. } in marks.object("marks, by name of the quantity")? {
+            let Kind::Number(digits) = value.kind else { return Err(value.unexpected("a number of marks")) };
+            let weight = number(digits, value.at)?.value;
+            if !(0.0..=MOST_MARKS).contains(&weight) {
+                return Err(Fault::new(value.at, format!("choose between 0 and {MOST_MARKS} marks")));
+            }
+            sheet.marks.push((key.clone(), weight));
+        }
+    }
     if let Some(figures) = fields.get("figures") {
         for item in figures.list("a list of figures, such as [\"skeleton\", \"velocity\"]")? {
             sheet.figures.push(item.text("the name of a figure")?.to_owned());

@@ -20,7 +20,7 @@ const SMALLEST: f64 = 1e-60;
 /// Exponents of length, time and angle. Angles count as a dimension of their own, so that a frequency
 /// or a length cannot pass for one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Dimension {
+pub(crate) struct Dimension {
     length: i8,
     time: i8,
     angle: i8,
@@ -46,7 +46,7 @@ const OPEN_ANGLE: f64 = 1.0 / 8.0;
 
 /// What a number of a scene measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Measure {
+pub(crate) enum Measure {
     Length,
     Angle,
     Velocity,
@@ -68,7 +68,7 @@ impl Measure {
         Self::Number,
     ];
 
-    pub(super) const fn dimension(self) -> Dimension {
+    pub(crate) const fn dimension(self) -> Dimension {
         match self {
             Self::Length => Dimension::new(1, 0, 0),
             Self::Angle => Dimension::new(0, 0, 1),
@@ -80,7 +80,7 @@ impl Measure {
         }
     }
 
-    pub(super) const fn noun(self) -> &'static str {
+    pub(crate) const fn noun(self) -> &'static str {
         match self {
             Self::Length => "a length",
             Self::Angle => "an angle",
@@ -106,7 +106,7 @@ impl Measure {
     }
 
     /// Whether `cw` and `ccw` say something about it anywhere.
-    pub(super) const fn turns(self) -> bool {
+    pub(crate) const fn turns(self) -> bool {
         matches!(self, Self::Angle | Self::AngularVelocity | Self::AngularAcceleration)
     }
 }
@@ -114,8 +114,8 @@ impl Measure {
 /// A unit as a quotient of two numbers, exact wherever π has no part in it: a division by a power of
 /// ten rounds once, a multiplication by 0.01 twice.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Scale {
-    pub(super) symbol: String,
+pub(crate) struct Scale {
+    pub(crate) symbol: String,
     dimension: Dimension,
     numerator: f64,
     denominator: f64,
@@ -155,7 +155,7 @@ const TABLE: [Row; 15] = [
 ];
 
 /// Every unit name.
-pub(super) fn names() -> impl Iterator<Item = &'static str> {
+pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     TABLE.iter().map(|row| row.0)
 }
 
@@ -191,7 +191,7 @@ impl Scale {
     }
 
     /// Degrees.
-    pub(super) fn degrees() -> Self {
+    pub(crate) fn degrees() -> Self {
         Self::base("deg").unwrap_or_else(Self::one)
     }
 
@@ -238,7 +238,7 @@ impl Scale {
     }
 
     /// Reads `cm`, `rad/s^2`, `m*rad/s`.
-    pub(super) fn parse(text: &str, at: usize) -> Res<Self> {
+    pub(crate) fn parse(text: &str, at: usize) -> Res<Self> {
         let wrong = |what: String| Fault::new(at, what);
         let text = text.trim();
         if let Some(base) = Self::base(text) {
@@ -280,17 +280,17 @@ impl Scale {
     }
 
     /// The unit as the other rooms know it.
-    pub(super) fn unit(&self) -> Unit {
+    pub(crate) fn unit(&self) -> Unit {
         Unit { symbol: self.symbol.clone(), si: self.si() }
     }
 
     /// SI units per unit.
-    pub(super) fn si(&self) -> f64 {
+    pub(crate) fn si(&self) -> f64 {
         self.numerator / self.denominator
     }
 
     /// Refuses a unit of another dimension.
-    pub(super) fn must_be(self, measure: Measure, at: usize) -> Res<Self> {
+    pub(crate) fn must_be(self, measure: Measure, at: usize) -> Res<Self> {
         if self.dimension == measure.dimension() {
             return Ok(self);
         }
@@ -361,7 +361,7 @@ fn power(factor: &str) -> Option<(&str, u32)> {
 
 /// The units of bare numbers.
 #[derive(Debug, Clone)]
-pub(super) struct Scales {
+pub(crate) struct Scales {
     length: Scale,
     angle: Scale,
     velocity: Scale,
@@ -374,18 +374,18 @@ pub(super) struct Scales {
 
 /// A number with its unit, as stated.
 #[derive(Debug, Clone)]
-pub(super) struct Stated {
+pub(crate) struct Stated {
     /// In SI units, sense applied.
-    pub(super) given: Given,
+    pub(crate) given: Given,
     /// The unit in which it was stated.
-    pub(super) scale: Scale,
+    pub(crate) scale: Scale,
     /// Whether `cw` or `ccw` was said.
-    pub(super) sense: Option<Sense>,
+    pub(crate) sense: Option<Sense>,
 }
 
 impl Scales {
-    /// Reads `units`.
-    pub(super) fn read(value: Option<&Value<'_>>) -> Res<Self> {
+    /// Reads `units`; what is not said is as in `otherwise`, or SI and degrees.
+    pub(crate) fn read(value: Option<&Value<'_>>, otherwise: Option<&Units>) -> Res<Self> {
         let fields = value.map(|v| Fields::of(v, keys::UNITS, "units by what they measure")).transpose()?;
         let choose = |key: &str, default: &str, dimension: Dimension| -> Res<Scale> {
             let value = fields.as_ref().and_then(|f| f.get(key));
@@ -397,9 +397,12 @@ impl Scales {
                 Fault::new(at, format!("`{name}` is not a unit of {key}")).known(name, names_of(dimension))
             })
         };
-        let length = choose("length", "m", LENGTH)?;
-        let angle = choose("angle", "deg", ANGLE)?;
-        let time = choose("time", "s", TIME)?;
+        let default = |unit: fn(&Units) -> &Unit, usual: &'static str| {
+            otherwise.map_or(usual, |units| unit(units).symbol.as_str())
+        };
+        let length = choose("length", default(|u| &u.length, "m"), LENGTH)?;
+        let angle = choose("angle", default(|u| &u.angle, "deg"), ANGLE)?;
+        let time = choose("time", default(|u| &u.time, "s"), TIME)?;
         let rad = Scale::base("rad").unwrap_or_else(Scale::one);
         let rate = |of: &Scale, order: u8| {
             let mut scale = of.clone();
@@ -424,7 +427,7 @@ impl Scales {
     }
 
     /// The unit of bare numbers.
-    pub(super) fn bare(&self, measure: Measure) -> &Scale {
+    pub(crate) fn bare(&self, measure: Measure) -> &Scale {
         match measure {
             Measure::Length => &self.length,
             Measure::Angle => &self.angle,
@@ -436,18 +439,18 @@ impl Scales {
         }
     }
 
-    pub(super) fn units(&self) -> Units {
+    pub(crate) fn units(&self) -> Units {
         Units { length: self.length.unit(), angle: self.angle.unit(), time: self.time.unit() }
     }
 
     /// A number without a sense of rotation, unless its measure has one.
-    pub(super) fn given(&self, value: &Value<'_>, measure: Measure) -> Res<Given> {
+    pub(crate) fn given(&self, value: &Value<'_>, measure: Measure) -> Res<Given> {
         Ok(self.stated(value, measure, measure.turns(), self.bare(measure))?.given)
     }
 
     /// A number with all that was said about it. `senses`: whether `cw` and `ccw` may stand after it;
     /// `bare`: the unit where none is said.
-    pub(super) fn stated(
+    pub(crate) fn stated(
         &self,
         value: &Value<'_>,
         measure: Measure,
@@ -495,7 +498,7 @@ impl Scales {
     }
 
     /// A length greater than zero.
-    pub(super) fn positive(&self, value: &Value<'_>, what: &str) -> Res<Given> {
+    pub(crate) fn positive(&self, value: &Value<'_>, what: &str) -> Res<Given> {
         let given = self.given(value, Measure::Length)?;
         if given.value > 0.0 {
             return Ok(given);
@@ -505,7 +508,7 @@ impl Scales {
     }
 
     /// A pair of coordinates.
-    pub(super) fn place(&self, value: &Value<'_>) -> Res<[Given; 2]> {
+    pub(crate) fn place(&self, value: &Value<'_>) -> Res<[Given; 2]> {
         match value.list("a place [x, y]")? {
             [x, y] => Ok([self.given(x, Measure::Length)?, self.given(y, Measure::Length)?]),
             other => {
@@ -515,12 +518,12 @@ impl Scales {
     }
 
     /// A length in the scene's unit, for a message: seven digits and the unit.
-    pub(super) fn say_length(&self, metres: f64) -> String {
+    pub(crate) fn say_length(&self, metres: f64) -> String {
         format!("{} {}", short(metres / self.length.si()), self.length.symbol)
     }
 
     /// An angle in the scene's unit, for a message.
-    pub(super) fn say_angle(&self, radians: f64) -> String {
+    pub(crate) fn say_angle(&self, radians: f64) -> String {
         format!("{} {}", short(radians / self.angle.si()), self.angle.symbol)
     }
 }
@@ -532,7 +535,7 @@ fn short(value: f64) -> String {
 }
 
 /// A number as written in decimals. Infinite, and not zero but too small for a double, are errors.
-pub(super) fn number(digits: &str, at: usize) -> Res<Given> {
+pub(crate) fn number(digits: &str, at: usize) -> Res<Given> {
     let value: f64 = digits.parse().map_err(|_| Fault::new(at, format!("`{digits}` is not a number")))?;
     let mantissa = digits.split(['e', 'E']).next().unwrap_or_default();
     let vanished = value == 0.0 && mantissa.bytes().any(|b| matches!(b, b'1'..=b'9'));
@@ -544,16 +547,16 @@ pub(super) fn number(digits: &str, at: usize) -> Res<Given> {
 }
 
 /// `75 rpm cw`, taken apart.
-pub(super) struct Words<'t> {
-    pub(super) digits: &'t str,
+pub(crate) struct Words<'t> {
+    pub(crate) digits: &'t str,
     /// Empty where none is said.
-    pub(super) unit: &'t str,
-    pub(super) sense: Option<Sense>,
+    pub(crate) unit: &'t str,
+    pub(crate) sense: Option<Sense>,
 }
 
 impl<'t> Words<'t> {
     /// `None` where the text does not begin with a number.
-    pub(super) fn split(text: &'t str) -> Option<Self> {
+    pub(crate) fn split(text: &'t str) -> Option<Self> {
         let text = text.trim();
         let end = number_end(text.as_bytes())?;
         let rest = text[end..].trim_start();
@@ -592,7 +595,7 @@ fn number_end(text: &[u8]) -> Option<usize> {
 }
 
 /// A positive quotient of paper and world: `1:10`, or `50 cm/s per cm`. In SI units per metre of paper.
-pub(super) fn drawing_scale(value: &Value<'_>, measure: Measure, scales: &Scales) -> Res<f64> {
+pub(crate) fn drawing_scale(value: &Value<'_>, measure: Measure, scales: &Scales) -> Res<f64> {
     let example = match measure {
         Measure::Length => "write it as \"1:10\" or \"10 cm per cm\"".to_owned(),
         _ => format!("write it as \"50 {} per cm\"", measure.example()),

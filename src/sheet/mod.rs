@@ -44,5 +44,15 @@ pub use figure::Figure;
 pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
 
+/// The name of a polygon's point as plain characters: o, b, a4, b'1.
+#[must_use]
+pub fn image_name(
+    scene: &crate::scene::Scene,
+    label: crate::graphical::construction::Label,
+    order: crate::mechanism::quantity::Order,
+) -> String {
+    notation::Notation::new(scene, Language::English.words()).image_name(label, order)
+}
+
 #[cfg(test)]
 mod tests;

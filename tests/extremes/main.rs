@@ -134,7 +134,7 @@ fn cases() -> Vec<Case> {
     for n in 1..=12 {
         let rocker = (Exact::ratio(1, 1) + Exact::decimal(&power(-n))).to_decimal(40);
         let at = bar(["2", "1", "2", &rocker], "1.1");
-        let mut case = four_bar(format!("parallel-lines-of-centres-1e-{n}"), &at, finest_to(n, 12, 12, 12));
+        let mut case = four_bar(format!("parallel-lines-of-centres-1e-{n}"), &at, finest_to(n, 4, 12, 12));
         let asked = ["omega(3)", "omega(4)"].map(|q| format!(r#"{{ "name": "{q}", "method": "centres" }}"#));
         case.scene =
             case.scene.replace(&format!("{FOUR_BAR_QUANTITIES:?}"), &format!("[{}]", asked.join(", ")));
@@ -145,8 +145,7 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// Two gears, the second 10^n times as large, with the crank of a slider on each side of nothing: ω and ε by the
-/// ratio of the radii alone.
+/// Two gears, the second 10^n times as large: ω and ε by the ratio of the radii alone.
 fn gears(n: i32) -> Case {
     let large = format!("1e{n}");
     let (w, e) = ("2", "3");

@@ -7,8 +7,9 @@ use crate::mechanism::structure::{Joint, StructureError};
 use crate::scene::{Diagnostic, Scene, Subject};
 use crate::solve::SolveError;
 
-/// The diagnostic of an error that was found after reading.
-pub(super) fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
+/// The diagnostic of an error that was found after reading, at the place in the file that it is about.
+#[must_use]
+pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
     let (subject, what, mend) = match error {
         SolveError::Structure(error) => structure(&scene.mechanism, error),
         SolveError::Draw(error) => draw(scene, error),
@@ -107,19 +108,19 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
 }
 
 /// A number with seven significant digits.
-pub(super) fn short(x: f64) -> String {
+pub(crate) fn short(x: f64) -> String {
     let text = format!("{x:.6e}");
     text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
 }
 
 /// A number with two significant digits: an error.
-pub(super) fn two_digits(x: f64) -> String {
+pub(crate) fn two_digits(x: f64) -> String {
     let text = format!("{x:.1e}");
     text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
 }
 
 /// An answer for people: value in its unit.
-pub(super) fn describe(asked: &Asked, answer: &Answer) -> String {
+pub(crate) fn describe(asked: &Asked, answer: &Answer) -> String {
     let unit = &asked.unit;
     match answer {
         Answer::Scalar { value, .. } => {

@@ -4,44 +4,49 @@ use std::fs;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
-use super::Failure;
+use thiserror::Error;
+
+/// A file that cannot be read or written, in one sentence that names it.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{0}")]
+pub struct FileError(pub(crate) String);
 
 /// A scene file larger than this is refused before it is read.
 const LARGEST_SCENE: u64 = 16 * 1024 * 1024;
 
 /// The name to show and the text of a scene; `-` is standard input.
-pub(super) fn read(path: &Path) -> Result<(String, String), Failure> {
+pub(crate) fn read(path: &Path) -> Result<(String, String), FileError> {
     let mut bytes = Vec::new();
     let file = if path.as_os_str() == "-" {
         std::io::stdin()
             .lock()
             .take(LARGEST_SCENE + 1)
             .read_to_end(&mut bytes)
-            .map_err(|error| Failure(format!("standard input: {error}")))?;
+            .map_err(|error| FileError(format!("standard input: {error}")))?;
         "<stdin>".to_owned()
     } else {
         let shown = path.display().to_string();
         fs::File::open(path)
             .and_then(|file| file.take(LARGEST_SCENE + 1).read_to_end(&mut bytes))
-            .map_err(|error| Failure(format!("{shown}: {error}")))?;
+            .map_err(|error| FileError(format!("{shown}: {error}")))?;
         shown
     };
     if bytes.len() as u64 > LARGEST_SCENE {
-        return Err(Failure(format!("{file}: larger than {} MiB; not a scene", LARGEST_SCENE >> 20)));
+        return Err(FileError(format!("{file}: larger than {} MiB; not a scene", LARGEST_SCENE >> 20)));
     }
     let text = String::from_utf8(bytes).map_err(|error| {
         let good =
             String::from_utf8_lossy(&error.as_bytes()[..error.utf8_error().valid_up_to()]).into_owned();
         let line = good.matches('\n').count() + 1;
         let column = good.rsplit('\n').next().map_or(1, |last| last.chars().count() + 1);
-        Failure(format!("{file}:{line}:{column}: not UTF-8 text; save the file as UTF-8"))
+        FileError(format!("{file}:{line}:{column}: not UTF-8 text; save the file as UTF-8"))
     })?;
     Ok((file, text))
 }
 
 /// Writes all files, or none: each beside its place first, then all are renamed; if one cannot be, those
 /// renamed before it are taken back.
-pub(super) fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
+pub(crate) fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), FileError> {
     let mut waiting: Vec<Waiting<'_>> = Vec::new();
     let result = files
         .iter()
@@ -61,8 +66,8 @@ pub(super) fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Failure> {
     result
 }
 
-fn failed(path: &Path, error: &std::io::Error) -> Failure {
-    Failure(format!("{}: {error}", path.display()))
+fn failed(path: &Path, error: &std::io::Error) -> FileError {
+    FileError(format!("{}: {error}", path.display()))
 }
 
 /// A file written beside its place.
@@ -76,21 +81,21 @@ struct Waiting<'a> {
 }
 
 impl<'a> Waiting<'a> {
-    fn create(path: &'a Path) -> Result<Self, Failure> {
+    fn create(path: &'a Path) -> Result<Self, FileError> {
         if path.is_dir() {
-            return Err(Failure(format!("{}: is a folder", path.display())));
+            return Err(FileError(format!("{}: is a folder", path.display())));
         }
         let beside = beside(path, "part")?;
         // Two names of one file would wait under one name.
         let file = fs::File::create_new(&beside).map_err(|error| match error.kind() {
-            ErrorKind::AlreadyExists => Failure(format!("{}: is to be written twice", path.display())),
+            ErrorKind::AlreadyExists => FileError(format!("{}: is to be written twice", path.display())),
             _ => failed(path, &error),
         })?;
         Ok(Self { path, beside, file, old: None, in_place: false })
     }
 
     /// Renames it to its place; among several, what stands there is kept until all are.
-    fn put(&mut self, several: bool) -> Result<(), Failure> {
+    fn put(&mut self, several: bool) -> Result<(), FileError> {
         if several && self.path.exists() {
             let old = beside(self.path, "old")?;
             // A second name costs nothing; where the file system has none, a copy serves.
@@ -119,8 +124,8 @@ impl<'a> Waiting<'a> {
 }
 
 /// A name in the same folder that nobody else uses.
-fn beside(path: &Path, ending: &str) -> Result<PathBuf, Failure> {
-    let name = path.file_name().ok_or_else(|| Failure(format!("{}: not a file name", path.display())))?;
+fn beside(path: &Path, ending: &str) -> Result<PathBuf, FileError> {
+    let name = path.file_name().ok_or_else(|| FileError(format!("{}: not a file name", path.display())))?;
     let mut beside = std::ffi::OsString::from(".");
     beside.push(name);
     beside.push(format!(".{}.{ending}", std::process::id()));
@@ -128,7 +133,7 @@ fn beside(path: &Path, ending: &str) -> Result<PathBuf, Failure> {
 }
 
 /// Every scene under the paths: a file as it is, a folder's `.json` files in the order of their names.
-pub(super) fn scenes_under(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+pub(crate) fn scenes_under(paths: &[PathBuf]) -> Result<Vec<PathBuf>, FileError> {
     let mut found = Vec::new();
     for path in paths {
         if path.as_os_str() == "-" || !path.is_dir() {
@@ -137,7 +142,7 @@ pub(super) fn scenes_under(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
             let before = found.len();
             walk(path, &mut found, 0)?;
             if found.len() == before {
-                return Err(Failure(format!("{}: no .json file in this folder", path.display())));
+                return Err(FileError(format!("{}: no .json file in this folder", path.display())));
             }
         }
     }
@@ -147,10 +152,10 @@ pub(super) fn scenes_under(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
 /// Folders nested deeper than this are a loop of links.
 const DEEPEST_FOLDER: usize = 64;
 
-fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), Failure> {
-    let failed = |error: std::io::Error| Failure(format!("{}: {error}", folder.display()));
+fn walk(folder: &Path, found: &mut Vec<PathBuf>, depth: usize) -> Result<(), FileError> {
+    let failed = |error: std::io::Error| FileError(format!("{}: {error}", folder.display()));
     if depth > DEEPEST_FOLDER {
-        return Err(Failure(format!("{}: folders nested too deep", folder.display())));
+        return Err(FileError(format!("{}: folders nested too deep", folder.display())));
     }
     let mut entries: Vec<PathBuf> = fs::read_dir(folder)
         .map_err(failed)?

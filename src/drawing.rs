@@ -1,0 +1,235 @@
+//! What is to be drawn of a scene, and the figure that comes of it: `linkgram draw` as one call.
+
+use thiserror::Error;
+
+use crate::graphical::Scales;
+use crate::graphical::construction::Construction;
+use crate::plan::{Auxiliary, Extent};
+use crate::render::theme::Theme;
+use crate::report::{diagnose, short};
+use crate::scene::{Diagnostic, Scene, Subject};
+use crate::sheet::{self, Figure, Language};
+use crate::solve::{Settings, SolveError, Solved, solve_with};
+
+/// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
+/// no program opens.
+const LARGEST_SHEET: f64 = 100_000.0;
+
+/// What is drawn of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum Kind {
+    /// The dimensioned skeleton, what is given and what is asked
+    Question,
+    /// Everything
+    #[default]
+    Solution,
+    /// One small figure per step
+    Steps,
+}
+
+/// What is to be drawn; what it leaves open the scene's `sheet` says.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Wish {
+    /// The question, the solution, or its steps.
+    pub kind: Kind,
+    /// Single figures instead of the whole, by name; of a solution those that the scene wishes, where empty.
+    pub figures: Vec<String>,
+    /// The language; the scene's, else English.
+    pub language: Option<Language>,
+    /// How to solve.
+    pub settings: Settings,
+}
+
+/// Why a wish has no figure.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum NoFigure {
+    /// Names a figure that is not there, or wishes that exclude each other: one sentence.
+    #[error("{0}")]
+    Wish(String),
+    /// Something in the scene's `sheet`.
+    #[error(transparent)]
+    Sheet(#[from] Diagnostic),
+    /// The scene has no solution.
+    #[error(transparent)]
+    Unsolved(#[from] SolveError),
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 3] = [Self::Question, Self::Solution, Self::Steps];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Question => "question",
+            Self::Solution => "solution",
+            Self::Steps => "steps",
+        }
+    }
+
+    /// The kind of this name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+}
+
+impl NoFigure {
+    /// The error as it is told to whoever wrote the scene, with its place in the file where it has one.
+    #[must_use]
+    pub fn told(&self, scene: &Scene) -> String {
+        match self {
+            Self::Wish(what) => what.clone(),
+            Self::Sheet(diagnostic) => diagnostic.to_string(),
+            Self::Unsolved(error) => diagnose(scene, error).to_string(),
+        }
+    }
+}
+
+/// What is wrong with the name of a figure, if it is unknown.
+#[must_use]
+pub fn unknown_figure(name: &str) -> Option<String> {
+    let known = sheet::figure_names();
+    let head = sheet::figure_head(name);
+    if known.contains(&head) {
+        return None;
+    }
+    Some(unknown("figure", name, head, known))
+}
+
+/// That `name` is unknown, and what comes nearest to its `head`, the part that is looked up.
+pub(crate) fn unknown(what: &str, name: &str, head: &str, known: &[&str]) -> String {
+    let nearest = crate::scene::nearest(head, known);
+    let mend = nearest.map_or(String::new(), |n| format!("; did you mean {n}?"));
+    format!("unknown {what} {name}{mend} (known: {})", known.join(", "))
+}
+
+/// The colours that the scene wishes, or the default.
+#[must_use]
+pub fn theme(scene: &Scene) -> Theme {
+    scene.sheet.theme.as_deref().and_then(Theme::from_name).unwrap_or_default()
+}
+
+/// The figure that is wished for.
+///
+/// # Errors
+/// See [`NoFigure`].
+pub fn figure(scene: &Scene, wish: &Wish) -> Result<Figure, NoFigure> {
+    let names = wish.names(scene)?;
+    match (wish.kind, &names[..]) {
+        (Kind::Question, [] | ["skeleton"]) | (Kind::Steps, []) | (Kind::Solution, _) => {}
+        (Kind::Question, _) => {
+            let what = "--as question: the only figure that gives no answer away is skeleton";
+            return Err(NoFigure::Wish(what.to_owned()));
+        }
+        (Kind::Steps, _) => {
+            let what = "--as steps draws all figures; leave out --figure";
+            return Err(NoFigure::Wish(what.to_owned()));
+        }
+    }
+    let (extent, solved) = wish.solve(scene, &names)?;
+    let construction = &solved.solution.construction;
+    let language = wish.language(scene);
+    let figure = match (wish.kind, &names[..]) {
+        (Kind::Question, []) => sheet::question(scene, construction, language),
+        (Kind::Question, _) => sheet::single_of_question(scene, construction, language),
+        (Kind::Steps, _) => sheet::step_by_step(scene, construction, language),
+        (Kind::Solution, []) => sheet::solution(scene, construction, language),
+        (Kind::Solution, names) => {
+            let shown = Shown { scene, extent, language, settings: wish.settings };
+            sheet::stack(&shown.singles(construction, names)?)
+        }
+    };
+    if figure.width > LARGEST_SHEET || figure.height > LARGEST_SHEET {
+        let [width, height] = [figure.width, figure.height].map(|mm| short(mm / 1000.0));
+        let what = format!("at the stated scales the sheet would be {width} m wide and {height} m high");
+        let mend = "choose smaller scales; where none is stated the diagrams fill their panels".to_owned();
+        return Err(scene.source.complain(Subject::Sheet, what, Some(mend)).into());
+    }
+    Ok(figure)
+}
+
+/// The steps of the solution as frames of one size.
+///
+/// # Errors
+/// See [`NoFigure`].
+pub fn film(scene: &Scene, wish: &Wish) -> Result<Vec<Figure>, NoFigure> {
+    if wish.kind != Kind::Steps {
+        return Err(NoFigure::Wish("--play plays the steps: say --as steps as well".to_owned()));
+    }
+    let names = wish.names(scene)?;
+    if !names.is_empty() {
+        return Err(NoFigure::Wish("--as steps draws all figures; leave out --figure".to_owned()));
+    }
+    let (_, solved) = wish.solve(scene, &names)?;
+    Ok(sheet::film(scene, &solved.solution.construction, wish.language(scene)))
+}
+
+impl Wish {
+    fn language(&self, scene: &Scene) -> Language {
+        let stated = || scene.sheet.language.as_deref().and_then(Language::from_tag);
+        self.language.or_else(stated).unwrap_or(Language::English)
+    }
+
+    /// The single figures. What the scene wishes to have drawn is a wish for the solution.
+    fn names<'a>(&'a self, scene: &'a Scene) -> Result<Vec<&'a str>, NoFigure> {
+        if let Some(unknown) = self.figures.iter().find_map(|name| unknown_figure(name)) {
+            return Err(NoFigure::Wish(unknown));
+        }
+        if let Some(unknown) = scene.sheet.figures.iter().find_map(|name| unknown_figure(name)) {
+            return Err(scene.source.complain(Subject::Sheet, unknown, None).into());
+        }
+        let of_scene = self.figures.is_empty() && self.kind == Kind::Solution;
+        let names = if of_scene { &scene.sheet.figures } else { &self.figures };
+        Ok(names.iter().map(String::as_str).collect())
+    }
+
+    fn solve(&self, scene: &Scene, names: &[&str]) -> Result<(Extent, Solved), NoFigure> {
+        let scales = match self.kind {
+            Kind::Question => sheet::scale::for_question,
+            Kind::Steps => sheet::scale::for_steps,
+            Kind::Solution => sheet::scale::for_scene,
+        };
+        let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
+        let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
+        let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());
+        let auxiliary: Vec<Auxiliary> = wanted.collect::<Result<_, _>>().map_err(NoFigure::Wish)?;
+        Ok((extent, solve_with(scene, extent, &auxiliary, self.settings, scales)?))
+    }
+}
+
+/// What every single figure of a wish has in common.
+struct Shown<'a> {
+    scene: &'a Scene,
+    extent: Extent,
+    language: Language,
+    settings: Settings,
+}
+
+impl Shown<'_> {
+    fn singles(&self, construction: &Construction, names: &[&str]) -> Result<Vec<Figure>, NoFigure> {
+        names.iter().map(|name| self.single(construction, name)).collect()
+    }
+
+    fn single(&self, construction: &Construction, name: &str) -> Result<Figure, NoFigure> {
+        let scene = self.scene;
+        let kind = sheet::auxiliary(name, scene).ok().flatten();
+        let drawing = construction.auxiliary.iter().find(|a| Some(a.kind) == kind);
+        // A construction that outgrows the sheet is drawn once more to a scale of its own.
+        let smaller = drawing.filter(|_| scene.sheet.length_scale.is_none());
+        let smaller = smaller.and_then(|drawing| sheet::scale::for_auxiliary(construction, drawing));
+        let again = smaller.zip(kind).map(|(length, kind)| {
+            let choose =
+                |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
+            solve_with(scene, self.extent, &[kind], self.settings, choose)
+        });
+        let again = again.transpose()?;
+        let construction = again.as_ref().map_or(construction, |solved| &solved.solution.construction);
+        sheet::single(scene, construction, name, self.language).ok_or_else(|| {
+            let why = drawing.and_then(|drawing| drawing.refused);
+            let why = why.unwrap_or("nothing asked in this scene needs it, so it is not drawn");
+            NoFigure::Wish(format!("figure {name}: {why}"))
+        })
+    }
+}

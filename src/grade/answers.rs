@@ -1,0 +1,471 @@
+//! What a student handed in: values, lengths measured on the drawing, and points read off the paper, as JSON or
+//! as CSV.
+
+use super::scan::Scan;
+use crate::mechanism::quantity::{Asked, Order, Quantity, Unit};
+use crate::scene::asked::{default_scale, measure, named};
+use crate::scene::diagnostic::{Fault, Res};
+use crate::scene::json::{self, Entry, Fields, Kind, Value};
+use crate::scene::units::{Measure, Scale, Scales, Words, drawing_scale, number};
+use crate::scene::{Diagnostic, Scene};
+
+const ANSWERS: &[&str] =
+    &["$schema", "student", "units", "values", "scales", "lengths", "points", "scan", "drawing", "tolerance"];
+const SCALES: &[&str] = &["length", "velocity", "acceleration"];
+const FIGURES: &[&str] = &["velocity", "acceleration", "skeleton"];
+const VALUE: &[&str] = &["value", "magnitude", "direction", "sense", "components", "unit"];
+const SCAN: &[&str] = &["pixels", "mm"];
+
+/// What a student handed in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answers {
+    /// The student's name, where it is told.
+    pub student: Option<String>,
+    /// Values and measured lengths, in the order of the file.
+    pub items: Vec<Item>,
+    /// The scale factors of the student's drawing.
+    pub scales: StatedScales,
+    /// Points of the drawing.
+    pub figures: Vec<FigurePoints>,
+    /// The file of a drawing whose labels name its points.
+    pub drawing: Option<String>,
+    /// How exact the student's hand is taken to be, millimetres and radians, where the file says it.
+    pub hand: (Option<f64>, Option<f64>),
+    /// Tolerances that the file states, by the name of the quantity.
+    pub tolerances: Vec<(String, Tolerance)>,
+    file: String,
+    text: String,
+}
+
+/// One value or measured length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Item {
+    /// What it is of; its unit is the one in which it was written.
+    pub asked: Asked,
+    /// What was written.
+    pub given: Given,
+    /// Half a unit in its last place, in the unit of `given`.
+    pub rounding: f64,
+    /// Where it stands in the file.
+    pub at: usize,
+}
+
+/// What was written of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Given {
+    /// How large it is, SI; nothing is said of its sense or direction.
+    Magnitude(f64),
+    /// A number with its sign, SI.
+    Signed(f64),
+    /// Both components, SI.
+    Vector([f64; 2]),
+    /// The length of its vector on the drawing, millimetres.
+    Drawn(f64),
+}
+
+/// The scale factors of a drawing, where they are stated: SI units per millimetre of paper.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StatedScales {
+    /// Of the skeleton.
+    pub length: Option<f64>,
+    /// Of the velocity polygon.
+    pub velocity: Option<f64>,
+    /// Of the acceleration polygon.
+    pub acceleration: Option<f64>,
+}
+
+/// Points that were read off one figure, millimetres of paper, x right, y up, from any origin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FigurePoints {
+    /// The skeleton, the velocity polygon or the acceleration polygon.
+    pub order: Order,
+    /// Name, place, and where it stands in the file.
+    pub points: Vec<(String, [f64; 2], usize)>,
+}
+
+/// By how much an answer may be off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Tolerance {
+    /// This part of the right value.
+    Part(f64),
+    /// This much, SI.
+    Amount(f64),
+}
+
+impl Answers {
+    /// What is wrong with the answers, with its line and column.
+    #[must_use]
+    pub fn complain(&self, at: usize, what: impl Into<String>, mend: Option<String>) -> Diagnostic {
+        let fault = Fault::new(at, what);
+        let fault = mend.into_iter().fold(fault, Fault::mend);
+        let document = json::parse(&self.text).ok();
+        fault.locate(&self.file, &self.text, document.as_ref().map(|d| &d.root))
+    }
+
+    /// Whether nothing was handed in.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.items.is_empty() && self.figures.iter().all(|f| f.points.is_empty())
+    }
+}
+
+/// Reads the answers to a scene, as JSON or as CSV.
+///
+/// # Errors
+/// The first thing that is wrong with the text, with its place and its mend.
+pub fn read_answers(text: &str, scene: &Scene) -> Result<Answers, Diagnostic> {
+    read_named(text, "answers", scene)
+}
+
+/// As [`read_answers`]; `file` is named in diagnostics.
+///
+/// # Errors
+/// See [`read_answers`].
+pub fn read_named(text: &str, file: &str, scene: &Scene) -> Result<Answers, Diagnostic> {
+    let empty = Answers {
+        student: None,
+        items: Vec::new(),
+        scales: StatedScales::default(),
+        figures: Vec::new(),
+        drawing: None,
+        hand: (None, None),
+        tolerances: Vec::new(),
+        file: file.to_owned(),
+        text: text.to_owned(),
+    };
+    if !text.trim_start_matches('\u{feff}').trim_start().starts_with('{') {
+        return super::csv::read(text, scene, empty).map_err(|fault| fault.locate(file, text, None));
+    }
+    let json::Document { root, fault } = json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
+    let answers = fault.map_or_else(|| answers(&root, scene, empty), Err);
+    answers.map_err(|fault| fault.locate(file, text, Some(&root)))
+}
+
+fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers> {
+    let fields = Fields::of(root, ANSWERS, "answers: {\"values\": {\"v(B)\": \"170 cm/s\"}, …}")?;
+    let text =
+        |key: &str, what: &str| fields.get(key).map(|value| value.text(what).map(str::to_owned)).transpose();
+    text("$schema", "the address of the schema")?;
+    answers.student = text("student", "a name, as text")?;
+    answers.drawing = text("drawing", "the name of an SVG file")?;
+    let scales = Scales::read(fields.get("units"), Some(&scene.units))?;
+    for (index, entry) in entries(&fields, "values", "values, by name of the quantity")?.iter().enumerate() {
+        let item = value(entry, scene, &scales)?;
+        refuse_twice(&answers.items[..index], &item)?;
+        answers.items.push(item);
+    }
+    let stated = fields.get("scales").map(|v| Fields::of(v, SCALES, "scales by diagram")).transpose()?;
+    if let Some(stated) = stated {
+        let scale = |key: &str, measure: Measure, per: f64| -> Res<Option<f64>> {
+            stated.get(key).map(|v| drawing_scale(v, measure, &scales).map(|s| s / per)).transpose()
+        };
+        // From metres of paper to millimetres.
+        answers.scales = StatedScales {
+            length: scale("length", Measure::Length, 1000.0)?,
+            velocity: scale("velocity", Measure::Velocity, 1000.0)?,
+            acceleration: scale("acceleration", Measure::Acceleration, 1000.0)?,
+        };
+    }
+    for entry in entries(&fields, "lengths", "lengths on the drawing in mm, by name of the quantity")? {
+        let asked = named(&entry.key, entry.at, &scene.mechanism, &scales)?;
+        let (mm, rounding) = plain(&entry.value, "a length in mm")?;
+        let item = drawn(asked, mm, rounding, entry.at)?;
+        answers.items.push(item);
+    }
+    let scans =
+        fields.get("scan").map(|v| Fields::of(v, FIGURES, "reference points by figure")).transpose()?;
+    if let Some(figures) = fields.get("points") {
+        let figures = Fields::of(figures, FIGURES, "points by figure")?;
+        for &key in FIGURES {
+            let Some(value) = figures.get(key) else { continue };
+            let scan = scans.and_then(|s| s.get(key)).map(scan).transpose()?;
+            answers.figures.push(figure(key, value, scan)?);
+        }
+    }
+    if let Some(scans) = scans {
+        for &key in FIGURES {
+            let read = order_of(key).is_some_and(|o| answers.figures.iter().any(|f| f.order == o));
+            if let (Some(entry), false) = (scans.entry(key), read) {
+                let fault = Fault::new(entry.at, format!("no points of the {key} figure are given"));
+                return Err(fault.mend(format!("give them in `points.{key}`, in pixels")));
+            }
+        }
+    }
+    tolerances(&fields, scene, &scales, &mut answers)?;
+    Ok(answers)
+}
+
+fn entries<'v, 'a>(fields: &Fields<'v, 'a>, key: &str, what: &str) -> Res<&'v [Entry<'a>]> {
+    fields.get(key).map_or(Ok(&[]), |value| value.object(what))
+}
+
+/// A quantity written in two spellings is written twice.
+pub(super) fn refuse_twice(before: &[Item], item: &Item) -> Res<()> {
+    if before.iter().any(|other| other.asked.quantity == item.asked.quantity) {
+        let fault = Fault::new(item.at, format!("`{}` is answered twice", item.asked.name));
+        return Err(fault.mend("keep one of the two"));
+    }
+    Ok(())
+}
+
+/// One entry of `values`.
+fn value(entry: &Entry<'_>, scene: &Scene, scales: &Scales) -> Res<Item> {
+    let asked = named(&entry.key, entry.at, &scene.mechanism, scales)?;
+    match &entry.value.kind {
+        Kind::List(_) => components(asked, &entry.value, None, entry.at, scales),
+        Kind::Object(_) => {
+            let expected = "a value, such as {\"magnitude\": \"1.2 m/s\", \"direction\": \"37 deg\"}";
+            let fields = Fields::of(&entry.value, VALUE, expected)?;
+            let unit = fields.get("unit").map(|unit| -> Res<Scale> {
+                let symbol = unit.text("the name of a unit")?;
+                Scale::parse(symbol, unit.at)?.must_be(measure(&asked.quantity), unit.at)
+            });
+            let unit = unit.transpose()?;
+            if let Some(list) = fields.get("components") {
+                fields
+                    .refuse(&["value", "magnitude", "direction", "sense"], "the components say everything")?;
+                return components(asked, list, unit, entry.at, scales);
+            }
+            let size = match (fields.get("value"), fields.get("magnitude")) {
+                (Some(value), None) => value,
+                (None, Some(value)) => value,
+                (Some(_), Some(magnitude)) => {
+                    return Err(Fault::new(magnitude.at, "`value` and `magnitude` say the same: keep one"));
+                }
+                (None, None) => return Err(Fault::new(entry.at, "`magnitude` or `components` is missing")),
+            };
+            let sense = fields.get("sense").map(|sense| match sense.text("cw or ccw")? {
+                "cw" => Ok(-1.0),
+                "ccw" => Ok(1.0),
+                other => {
+                    Err(Fault::new(sense.at, format!("`{other}` is no sense")).known(other, ["cw", "ccw"]))
+                }
+            });
+            let sense = sense.transpose()?;
+            let direction = fields
+                .get("direction")
+                .map(|d| scales.given(d, Measure::Angle).map(|g| g.value))
+                .transpose()?;
+            let mut item = scalar(asked, size, unit, entry.at, scales)?;
+            if let Some(sense) = sense {
+                item.given = turned(&item, sense)?;
+            }
+            match direction {
+                Some(angle) => directed(item, angle),
+                None => Ok(item),
+            }
+        }
+        _ => scalar(asked, &entry.value, None, entry.at, scales),
+    }
+}
+
+/// A magnitude with a sense of rotation.
+pub(super) fn turned(item: &Item, sense: f64) -> Res<Given> {
+    match item.given {
+        Given::Magnitude(size) if measure(&item.asked.quantity).turns() => Ok(Given::Signed(sense * size)),
+        Given::Signed(value) => Ok(Given::Signed(sense * value)),
+        _ => Err(Fault::new(item.at, format!("`{}` has no sense of rotation", item.asked.name))
+            .mend("say its direction instead, ccw from +x")),
+    }
+}
+
+/// A magnitude with a direction, ccw from +x.
+pub(super) fn directed(item: Item, angle: f64) -> Res<Item> {
+    match item.given {
+        Given::Magnitude(size) if is_vector(&item.asked.quantity) => {
+            let given = Given::Vector([size * libm::cos(angle), size * libm::sin(angle)]);
+            Ok(Item { given, ..item })
+        }
+        _ => Err(Fault::new(item.at, format!("`{}` has no direction", item.asked.name))),
+    }
+}
+
+/// A number with or without sense.
+pub(super) fn scalar(
+    asked: Asked,
+    value: &Value<'_>,
+    unit: Option<Scale>,
+    at: usize,
+    scales: &Scales,
+) -> Res<Item> {
+    let quantity = asked.quantity;
+    let default = unit.unwrap_or_else(|| default_scale(&quantity, scales));
+    let stated = scales.stated(value, measure(&quantity), measure(&quantity).turns(), &default)?;
+    let si = stated.given.value;
+    let given = match quantity {
+        Quantity::Position(_) | Quantity::Centre(..) => {
+            let fault = Fault::new(value.at, format!("`{}` is a place", asked.name));
+            return Err(fault.mend("write both coordinates: [x, y]"));
+        }
+        Quantity::Ratio(..) | Quantity::Advantage(..) => Given::Signed(si),
+        _ if is_vector(&quantity) || !measure(&quantity).turns() => Given::Magnitude(si.abs()),
+        _ if stated.sense.is_some() || si < 0.0 => Given::Signed(si),
+        _ => Given::Magnitude(si),
+    };
+    let unit = stated.scale.unit();
+    let rounding = last_place(value) / 2.0 * unit.si;
+    Ok(Item { asked: Asked { unit, ..asked }, given, rounding, at })
+}
+
+/// Two components.
+fn components(asked: Asked, list: &Value<'_>, unit: Option<Scale>, at: usize, scales: &Scales) -> Res<Item> {
+    if !is_vector(&asked.quantity) {
+        return Err(Fault::new(at, format!("`{}` is a number, not a vector", asked.name)));
+    }
+    let parts = list.list("two components [x, y]")?;
+    let [x, y] = parts else {
+        return Err(Fault::new(list.at, format!("expected two components [x, y], found {}", parts.len())));
+    };
+    let default = unit.unwrap_or_else(|| default_scale(&asked.quantity, scales));
+    let stated = |value: &Value<'_>| scales.stated(value, measure(&asked.quantity), false, &default);
+    let [a, b] = [stated(x)?, stated(y)?];
+    let unit: Unit = a.scale.unit();
+    let rounding = last_place(x).max(last_place(y)) / 2.0 * unit.si;
+    let given = Given::Vector([a.given.value, b.given.value]);
+    Ok(Item { asked: Asked { unit, ..asked }, given, rounding, at })
+}
+
+/// A length measured on the drawing.
+pub(super) fn drawn(asked: Asked, mm: f64, rounding: f64, at: usize) -> Res<Item> {
+    if !is_vector(&asked.quantity) || matches!(asked.quantity, Quantity::Position(_) | Quantity::Centre(..)) {
+        let fault = Fault::new(at, format!("`{}` is no vector of a polygon", asked.name));
+        return Err(fault.mend("give its value in `values`"));
+    }
+    if mm < 0.0 {
+        return Err(Fault::new(at, "a length on the drawing is not negative"));
+    }
+    Ok(Item { asked, given: Given::Drawn(mm), rounding, at })
+}
+
+/// A number without unit, and half a unit in its last place.
+fn plain(value: &Value<'_>, expected: &str) -> Res<(f64, f64)> {
+    let digits = match &value.kind {
+        Kind::Number(digits) => digits,
+        Kind::Text(text) => match Words::split(text) {
+            Some(Words { digits, unit: "" | "mm", sense: None }) => digits,
+            _ => return Err(value.unexpected(expected)),
+        },
+        _ => return Err(value.unexpected(expected)),
+    };
+    Ok((number(digits, value.at)?.value, last_place(value) / 2.0))
+}
+
+/// One unit in the last place of a number as written.
+fn last_place(value: &Value<'_>) -> f64 {
+    let digits = match &value.kind {
+        Kind::Number(digits) => digits,
+        Kind::Text(text) => Words::split(text).map_or("", |words| words.digits),
+        _ => "",
+    };
+    let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let power = exponent.parse::<f64>().unwrap_or(0.0) - f64::from(u32::try_from(decimals).unwrap_or(0));
+    libm::pow(10.0, power)
+}
+
+/// Whether a quantity has two components.
+#[must_use]
+pub(super) fn is_vector(quantity: &Quantity) -> bool {
+    !matches!(
+        quantity,
+        Quantity::Omega(_)
+            | Quantity::RelativeOmega(..)
+            | Quantity::Alpha(_)
+            | Quantity::RelativeAlpha(..)
+            | Quantity::Ratio(..)
+            | Quantity::Advantage(..)
+            | Quantity::Rub(..)
+            | Quantity::PathRadius(_)
+            | Quantity::Angle(_)
+            | Quantity::Transmission(..)
+    )
+}
+
+/// The figure of a key.
+pub(super) fn order_of(key: &str) -> Option<Order> {
+    match key {
+        "velocity" => Some(Order::Velocity),
+        "acceleration" => Some(Order::Acceleration),
+        "skeleton" => Some(Order::Position),
+        _ => None,
+    }
+}
+
+fn pair(value: &Value<'_>, expected: &str) -> Res<[f64; 2]> {
+    match value.list(expected)? {
+        [x, y] => Ok([plain(x, "a coordinate")?.0, plain(y, "a coordinate")?.0]),
+        other => Err(Fault::new(value.at, format!("expected {expected}, found {} numbers", other.len()))),
+    }
+}
+
+fn scan(value: &Value<'_>) -> Res<Scan> {
+    let fields = Fields::of(value, SCAN, "two reference points in pixels and in mm")?;
+    let two = |key: &str| -> Res<[[f64; 2]; 2]> {
+        let list = fields.need(key, "two reference points tell scale and rotation of a scan")?;
+        match list.list("two points [[x, y], [x, y]]")? {
+            [a, b] => Ok([pair(a, "a point [x, y]")?, pair(b, "a point [x, y]")?]),
+            other => Err(Fault::new(list.at, format!("expected two points, found {}", other.len()))),
+        }
+    };
+    Scan::new(two("pixels")?, two("mm")?).ok_or_else(|| {
+        Fault::new(value.at, "the two reference points are one").mend("take two points far apart")
+    })
+}
+
+fn figure(key: &str, value: &Value<'_>, scan: Option<Scan>) -> Res<FigurePoints> {
+    let mut points: Vec<(String, [f64; 2], usize)> = Vec::new();
+    for Entry { at, key, value } in value.object("points in mm, by their names")? {
+        let place = pair(value, "a point [x, y]")?;
+        points.push((key.clone(), scan.map_or(place, |scan| scan.to_paper(place)), *at));
+    }
+    Ok(FigurePoints { order: order_of(key).unwrap_or(Order::Velocity), points })
+}
+
+/// `tolerance`: the hand, or a tolerance by name.
+fn tolerances(fields: &Fields<'_, '_>, scene: &Scene, scales: &Scales, answers: &mut Answers) -> Res<()> {
+    for Entry { at, key, value } in entries(fields, "tolerance", "tolerances, by name")? {
+        match key.as_str() {
+            "length" => {
+                let text = matches!(value.kind, Kind::Text(_));
+                let mm = if text {
+                    scales.given(value, Measure::Length)?.value * 1000.0
+                } else {
+                    plain(value, "mm")?.0
+                };
+                answers.hand.0 = Some(bounded(mm, 10.0, value.at, "mm")?);
+            }
+            "angle" => {
+                let angle = scales.given(value, Measure::Angle)?.value;
+                answers.hand.1 = Some(bounded(angle.to_degrees(), 10.0, value.at, "deg")?.to_radians());
+            }
+            name => {
+                let asked = named(name, *at, &scene.mechanism, scales)?;
+                let percent = match &value.kind {
+                    Kind::Text(text) => Words::split(text).filter(|w| w.unit == "%"),
+                    _ => None,
+                };
+                let tolerance = match percent {
+                    Some(words) => Tolerance::Part(number(words.digits, value.at)?.value / 100.0),
+                    None => {
+                        let default = default_scale(&asked.quantity, scales);
+                        let stated = scales.stated(value, measure(&asked.quantity), false, &default)?;
+                        Tolerance::Amount(stated.given.value)
+                    }
+                };
+                let (Tolerance::Part(size) | Tolerance::Amount(size)) = tolerance;
+                if size.is_nan() || size <= 0.0 {
+                    return Err(Fault::new(value.at, "a tolerance is greater than zero"));
+                }
+                answers.tolerances.push((asked.name, tolerance));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn bounded(value: f64, most: f64, at: usize, unit: &str) -> Res<f64> {
+    if (0.0..=most).contains(&value) {
+        return Ok(value);
+    }
+    Err(Fault::new(at, format!("a hand slips by 0 to {most} {unit}")))
+}

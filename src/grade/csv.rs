@@ -1,0 +1,183 @@
+//! Answers as CSV: one row per quantity, or one row per point.
+
+use super::answers::{Answers, FigurePoints, directed, drawn, order_of, refuse_twice, scalar, turned};
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::scene::Scene;
+use crate::scene::asked::{measure, named};
+use crate::scene::diagnostic::{Fault, Res};
+use crate::scene::json::{Kind, Value};
+use crate::scene::units::{Measure, Scale, Scales, Words, number};
+
+const QUANTITY: [&str; 5] = ["quantity", "value", "unit", "sense", "direction"];
+const POINT: [&str; 4] = ["figure", "point", "x", "y"];
+
+/// A row: its fields and where each begins.
+type Row = Vec<(String, usize)>;
+
+pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answers> {
+    let scales = Scales::read(None, Some(&scene.units))?;
+    let mut columns: Option<Vec<String>> = None;
+    for row in rows(text)? {
+        let first = row.first().map_or(0, |(_, at)| *at);
+        if let Some(header) = header(&row)? {
+            columns = Some(header);
+            continue;
+        }
+        let Some(columns) = &columns else {
+            let fault = Fault::new(first, "neither JSON nor a table with a known header");
+            return Err(
+                fault.mend("begin with the row `quantity,value,unit,sense,direction` or `figure,point,x,y`")
+            );
+        };
+        if row.len() > columns.len() {
+            return Err(Fault::new(row[columns.len()].1, "more fields than the header has"));
+        }
+        let field = |name: &str| {
+            let index = columns.iter().position(|c| c == name)?;
+            row.get(index).filter(|(text, _)| !text.is_empty())
+        };
+        let need =
+            |name: &str| field(name).ok_or_else(|| Fault::new(first, format!("this row has no `{name}`")));
+        if columns.iter().any(|c| c == "quantity") {
+            quantity(&need, &field, scene, &scales, &mut answers)?;
+        } else {
+            point(&need, &mut answers)?;
+        }
+    }
+    Ok(answers)
+}
+
+/// The names of the columns, where the row is a header.
+fn header(row: &Row) -> Res<Option<Vec<String>>> {
+    let names: Vec<String> = row.iter().map(|(text, _)| text.to_lowercase()).collect();
+    let known: &[&str] = match names.first().map(String::as_str) {
+        Some("quantity") => &QUANTITY,
+        Some("figure") => &POINT,
+        _ => return Ok(None),
+    };
+    for (name, (_, at)) in names.iter().zip(row) {
+        if !known.contains(&name.as_str()) {
+            return Err(
+                Fault::new(*at, format!("unknown column `{name}`")).known(name, known.iter().copied())
+            );
+        }
+    }
+    Ok(Some(names))
+}
+
+fn quantity<'r>(
+    need: &impl Fn(&str) -> Res<&'r (String, usize)>,
+    field: &impl Fn(&str) -> Option<&'r (String, usize)>,
+    scene: &Scene,
+    scales: &Scales,
+    answers: &mut Answers,
+) -> Res<()> {
+    let ((name, at), (text, value_at)) = (need("quantity")?, need("value")?);
+    let asked = named(name, *at, &scene.mechanism, scales)?;
+    let unit = field("unit");
+    let of_polygon = !matches!(asked.quantity, Quantity::Position(_) | Quantity::Centre(..));
+    if let (Some((symbol, _)), Measure::Velocity | Measure::Acceleration, true) =
+        (unit, measure(&asked.quantity), of_polygon)
+        && symbol == "mm"
+    {
+        let mm = number(text, *value_at)?.value;
+        let item = drawn(asked, mm, 0.0, *at)?;
+        answers.items.push(item);
+        return Ok(());
+    }
+    let unit = unit.map(|(symbol, at)| Scale::parse(symbol, *at)?.must_be(measure(&asked.quantity), *at));
+    let value = Value { at: *value_at, kind: Kind::Text(text.clone()) };
+    let mut item = scalar(asked, &value, unit.transpose()?, *at, scales)?;
+    if let Some((sense, at)) = field("sense") {
+        let sign = match sense.as_str() {
+            "cw" => -1.0,
+            "ccw" => 1.0,
+            other => {
+                return Err(Fault::new(*at, format!("`{other}` is no sense")).known(other, ["cw", "ccw"]));
+            }
+        };
+        item.given = turned(&item, sign)?;
+    }
+    if let Some((direction, at)) = field("direction") {
+        let value = Value { at: *at, kind: Kind::Text(direction.clone()) };
+        item = directed(item, scales.given(&value, Measure::Angle)?.value)?;
+    }
+    refuse_twice(&answers.items, &item)?;
+    answers.items.push(item);
+    Ok(())
+}
+
+fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>, answers: &mut Answers) -> Res<()> {
+    let (figure, at) = need("figure")?;
+    let order = order_of(figure).ok_or_else(|| {
+        Fault::new(*at, format!("`{figure}` is no figure"))
+            .known(figure, ["velocity", "acceleration", "skeleton"])
+    })?;
+    let coordinate = |name: &str| -> Res<f64> {
+        let (text, at) = need(name)?;
+        match Words::split(text) {
+            Some(Words { digits, unit: "" | "mm", sense: None }) => Ok(number(digits, *at)?.value),
+            _ => Err(Fault::new(*at, format!("`{text}` is no number of millimetres"))),
+        }
+    };
+    let place = [coordinate("x")?, coordinate("y")?];
+    let (name, at) = need("point")?;
+    let points = figure_of(answers, order);
+    if points.points.iter().any(|(known, ..)| known == name) {
+        return Err(Fault::new(*at, format!("`{name}` is given twice")).mend("keep one of the two"));
+    }
+    points.points.push((name.clone(), place, *at));
+    Ok(())
+}
+
+fn figure_of(answers: &mut Answers, order: Order) -> &mut FigurePoints {
+    let index = answers.figures.iter().position(|f| f.order == order).unwrap_or_else(|| {
+        answers.figures.push(FigurePoints { order, points: Vec::new() });
+        answers.figures.len() - 1
+    });
+    &mut answers.figures[index]
+}
+
+/// The rows that are neither empty nor a comment; a comma within brackets or quotes parts nothing.
+fn rows(text: &str) -> Res<Vec<Row>> {
+    let mut rows = Vec::new();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let content = line.trim_end_matches(['\n', '\r']);
+        if !content.trim().trim_start_matches('\u{feff}').is_empty() && !content.trim_start().starts_with('#')
+        {
+            rows.push(fields(content, start)?);
+        }
+        start += line.len();
+    }
+    Ok(rows)
+}
+
+fn fields(line: &str, start: usize) -> Res<Row> {
+    let mut row = Row::new();
+    let (mut from, mut depth, mut quoted) = (0, 0_i32, false);
+    let mut push = |from: usize, to: usize| {
+        let raw = line[from..to].trim_start_matches('\u{feff}');
+        let blanks = raw.len() - raw.trim_start().len();
+        let text = raw.trim();
+        let bare = text.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
+        row.push((bare.map_or_else(|| text.to_owned(), |b| b.replace("\"\"", "\"")), start + from + blanks));
+    };
+    for (at, sign) in line.char_indices() {
+        match sign {
+            '"' => quoted = !quoted,
+            '(' if !quoted => depth += 1,
+            ')' if !quoted => depth -= 1,
+            ',' | ';' if !quoted && depth <= 0 => {
+                push(from, at);
+                from = at + 1;
+            }
+            _ => {}
+        }
+    }
+    push(from, line.len());
+    if quoted {
+        return Err(Fault::new(start + from, "a quotation mark is not closed"));
+    }
+    Ok(row)
+}

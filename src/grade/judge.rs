@@ -1,0 +1,426 @@
+//! Which answers are right, which follow rightly from a wrong one, and which mistake explains the rest.
+//!
+//! Answers are taken in the order of the solution. At the first one that neither is right nor follows from what is
+//! known of the drawing so far, every typical mistake is tried as a changed construction; the one that explains the
+//! answers best, counted together, becomes part of what is known. Where none does, the student's own value takes
+//! its place in the construction, and it is seen what follows from it.
+
+use super::answers::Given;
+use super::case::{Case, Observation, Target, size};
+use super::change::{Change, Misreading, Which};
+use super::kind::Kind;
+use super::mistakes::{self, Hypothesis, vector_of};
+use crate::graphical::construction::{Act, Calculation, Label};
+use crate::graphical::{Departure, Sketch, Twist};
+use crate::mechanism::quantity::{Order, Quantity};
+
+/// What is said of one answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// Within its tolerance.
+    Right,
+    /// Wrong, but it follows rightly from an earlier wrong answer.
+    Consistent,
+    /// Wrong.
+    Wrong,
+    /// Nothing can be said: the quantity is not determined here.
+    NotChecked,
+}
+
+/// A mistake that explains answers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mistake {
+    /// Which.
+    pub kind: Kind,
+    /// What it is about, such as `an(B/A)`.
+    pub at: String,
+    /// In which step of the solution it was made, from 1, where that can be said.
+    pub step: Option<usize>,
+    /// How far the explained answers are from what the mistake leads to: root of the mean square, in tolerances.
+    pub residual: f64,
+    /// How many answers it explains that are not right.
+    pub explains: usize,
+}
+
+/// One fault: where it starts, and what it may be.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Fault {
+    /// Index of the answer where it shows first.
+    pub(super) first: usize,
+    /// Ranked; empty where no known mistake fits.
+    pub(super) mistakes: Vec<Mistake>,
+}
+
+/// All that was found.
+#[derive(Debug, Clone)]
+pub(super) struct Judgement {
+    pub(super) verdicts: Vec<Verdict>,
+    pub(super) faults: Vec<Fault>,
+}
+
+/// A miss of one tolerance is so many times its usual size.
+const USUAL: f64 = 2.5;
+/// A miss is not counted as more than this: the answer is then not explained at all.
+const MOST: f64 = 25.0;
+/// An answer is explained if it misses by no more than this many tolerances.
+const EXPLAINED: f64 = 1.25;
+/// A value of which nothing is known may be anything: that explains it, at this price.
+const UNKNOWN: f64 = 12.0;
+/// How many of the best hypotheses are weighed with tolerances of their own.
+const WEIGHED: usize = 24;
+/// Draughtsmen for the tolerances of one hypothesis.
+const FEW: u64 = 24;
+/// How many mistakes are named at one fault.
+const NAMED: usize = 5;
+/// Single mistakes that are tried together with every other one.
+const PAIRED: usize = 6;
+/// What a second mistake costs.
+const SECOND: f64 = 8.0;
+
+/// A tried explanation.
+#[derive(Clone)]
+struct Tried {
+    hypothesis: Hypothesis,
+    change: Change,
+    cost: f64,
+    /// Of every answer, in tolerances.
+    misses: Vec<f64>,
+}
+
+pub(super) fn judge(case: &Case<'_>) -> Judgement {
+    let count = case.observations.len();
+    let right: Vec<f64> = (0..count).map(|i| case.miss(i, &case.truth[i]) / case.tolerances[i]).collect();
+    let mut verdicts: Vec<Option<Verdict>> = (0..count)
+        .map(|i| match (&case.truth[i], right[i] <= 1.0) {
+            (None, _) => Some(Verdict::NotChecked),
+            (_, true) => Some(Verdict::Right),
+            _ => None,
+        })
+        .collect();
+    let mut drawn = Change::default();
+    let mut faults = Vec::new();
+    while let Some(first) = verdicts.iter().position(Option::is_none) {
+        let judge = Judge { case, drawn: &drawn, verdicts: &verdicts, first };
+        let (mistakes, change) = judge.explain();
+        verdicts[first] = Some(Verdict::Wrong);
+        faults.push(Fault { first, mistakes });
+        drawn = drawn.and(&change);
+        // What follows rightly from the fault.
+        let Some(sketch) = case.drawn(&drawn, None) else { continue };
+        let seen = case.seen(&sketch, &drawn);
+        let tolerances = case.tolerances_of(&drawn, &seen, FEW);
+        for (index, verdict) in verdicts.iter_mut().enumerate() {
+            let allowed = tolerances[index].max(case.tolerances[index]);
+            if verdict.is_none() && case.miss(index, &seen[index]) <= EXPLAINED * allowed {
+                *verdict = Some(Verdict::Consistent);
+            }
+        }
+    }
+    let verdicts = verdicts.into_iter().map(|v| v.unwrap_or(Verdict::NotChecked)).collect();
+    Judgement { verdicts, faults }
+}
+
+struct Judge<'j, 's> {
+    case: &'j Case<'s>,
+    /// What is known of the drawing so far.
+    drawn: &'j Change,
+    verdicts: &'j [Option<Verdict>],
+    /// The answer to be explained.
+    first: usize,
+}
+
+impl Judge<'_, '_> {
+    /// The mistakes that explain the answer, ranked, and what the student is taken to have drawn.
+    fn explain(&self) -> (Vec<Mistake>, Change) {
+        let Some(base) = self.case.drawn(self.drawn, None) else { return (Vec::new(), Change::default()) };
+        let hypotheses = mistakes::all(self.case, &base);
+        let unknown = self.unknown(&base);
+        let price = unknown.as_ref().map_or(UNKNOWN + MOST, |tried| tried.cost);
+        let mut tried = self.weighed(self.tried(&base, &hypotheses, self.drawn));
+        tried.retain(|t| t.cost < price);
+        if tried.is_empty() {
+            tried = self.pairs(&base, &hypotheses, price);
+        }
+        let Some(best) = tried.first() else {
+            return (Vec::new(), unknown.map(|tried| tried.change).unwrap_or_default());
+        };
+        let change = best.change.clone();
+        let mut mistakes: Vec<Mistake> = Vec::new();
+        for tried in &tried {
+            let mistake = self.mistake(tried);
+            let known = mistakes.iter().any(|m| m.kind == mistake.kind && m.at == mistake.at);
+            if !known && mistakes.len() < NAMED {
+                mistakes.push(mistake);
+            }
+        }
+        (mistakes, change)
+    }
+
+    fn mistake(&self, tried: &Tried) -> Mistake {
+        let Hypothesis { kind, at, step, .. } = &tried.hypothesis;
+        let explained: Vec<f64> = (0..tried.misses.len())
+            .filter(|&i| self.verdicts[i].is_none() && tried.misses[i] <= EXPLAINED)
+            .map(|i| tried.misses[i])
+            .collect();
+        #[expect(clippy::cast_precision_loss, reason = "answers are few")]
+        let count = explained.len().max(1) as f64;
+        let residual = (explained.iter().map(|m| m * m).sum::<f64>() / count).sqrt();
+        Mistake {
+            kind: *kind,
+            at: at.clone(),
+            step: step.map(|s| s + 1),
+            residual,
+            explains: explained.len(),
+        }
+    }
+
+    /// Every hypothesis that explains the first answer, with tolerances taken from the right drawing; the best
+    /// first.
+    fn tried(&self, base: &Sketch, hypotheses: &[Hypothesis], before: &Change) -> Vec<Tried> {
+        let mut tried: Vec<Tried> = Vec::new();
+        for hypothesis in hypotheses {
+            let change = before.and(&hypothesis.change);
+            let sketch = if hypothesis.change.redraws() { self.case.drawn(&change, None) } else { None };
+            if hypothesis.change.redraws() && sketch.is_none() {
+                continue;
+            }
+            let seen = self.case.seen(sketch.as_ref().unwrap_or(base), &change);
+            let tolerances: Vec<f64> = (0..seen.len())
+                .map(|i| {
+                    let [now, right] =
+                        [&seen[i], &self.case.truth[i]].map(|n| n.as_deref().map_or(0.0, size));
+                    let larger = if right > 0.0 { (now / right).max(1.0) } else { 1.0 };
+                    self.case.tolerances[i] * if larger.is_finite() { larger } else { 1.0 }
+                })
+                .collect();
+            let tried_one = self.counted(hypothesis.clone(), change, &seen, &tolerances);
+            if tried_one.misses[self.first] <= 2.0 * EXPLAINED {
+                tried.push(tried_one);
+            }
+        }
+        tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        tried
+    }
+
+    /// The best of them again, with tolerances of their own.
+    fn weighed(&self, tried: Vec<Tried>) -> Vec<Tried> {
+        let mut weighed: Vec<Tried> = Vec::new();
+        for one in tried.into_iter().take(WEIGHED) {
+            let Some(sketch) = self.case.drawn(&one.change, None) else { continue };
+            let seen = self.case.seen(&sketch, &one.change);
+            let tolerances = self.case.tolerances_of(&one.change, &seen, FEW);
+            let again = self.counted(one.hypothesis, one.change, &seen, &tolerances);
+            if again.misses[self.first] <= EXPLAINED {
+                weighed.push(again);
+            }
+        }
+        weighed.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        weighed
+    }
+
+    /// Counts how badly a hypothesis fits: as the logarithm of how likely the answers are, if it is true.
+    fn counted(
+        &self,
+        hypothesis: Hypothesis,
+        change: Change,
+        seen: &[Option<Vec<f64>>],
+        tolerances: &[f64],
+    ) -> Tried {
+        let mut cost = hypothesis.price;
+        let mut misses = Vec::with_capacity(seen.len());
+        for (index, numbers) in seen.iter().enumerate() {
+            let settled = matches!(self.verdicts[index], Some(Verdict::NotChecked));
+            let miss = if settled { 0.0 } else { self.case.miss(index, numbers) / tolerances[index] };
+            misses.push(miss);
+            let square = (USUAL * miss) * (USUAL * miss);
+            if square >= MOST || !square.is_finite() {
+                cost += MOST;
+                continue;
+            }
+            // Where more is allowed, a fit says less.
+            let wider = tolerances[index] / self.case.tolerances[index];
+            let parts =
+                if matches!(self.case.observations[index].given, Given::Vector(_)) { 4.0 } else { 2.0 };
+            cost += (square + parts * libm::log(wider).clamp(-3.0, 3.0)).min(MOST);
+        }
+        Tried { hypothesis, change, cost, misses }
+    }
+
+    /// Two mistakes at once.
+    fn pairs(&self, base: &Sketch, hypotheses: &[Hypothesis], price: f64) -> Vec<Tried> {
+        // The first of the two is one that explains something by itself, or changes what the answer hangs on.
+        let mut singles: Vec<Tried> = hypotheses
+            .iter()
+            .filter_map(|hypothesis| {
+                let change = self.drawn.and(&hypothesis.change);
+                let sketch =
+                    if hypothesis.change.redraws() { Some(self.case.drawn(&change, None)?) } else { None };
+                let seen = self.case.seen(sketch.as_ref().unwrap_or(base), &change);
+                Some(self.counted(hypothesis.clone(), change, &seen, &self.case.tolerances))
+            })
+            .collect();
+        singles.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let mut all = Vec::new();
+        for single in singles.into_iter().take(PAIRED) {
+            let Some(sketch) = self.case.drawn(&single.change, None) else { continue };
+            for mut pair in self.tried(&sketch, hypotheses, &single.change) {
+                pair.cost += SECOND + single.hypothesis.price;
+                if pair.cost < price {
+                    all.push((single.hypothesis.clone(), pair));
+                }
+            }
+        }
+        all.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
+        // Both are named, the one that comes first in the solution before the other.
+        let Some((first, pair)) = all.into_iter().next() else { return Vec::new() };
+        let other = Tried { hypothesis: first, ..pair.clone() };
+        if pair.hypothesis.kind == other.hypothesis.kind && pair.hypothesis.at == other.hypothesis.at {
+            return Vec::new();
+        }
+        vec![other, pair]
+    }
+
+    /// The student's own value in the place of the right one, in the way that explains the later answers best.
+    fn unknown(&self, base: &Sketch) -> Option<Tried> {
+        let seen = self.case.seen(base, self.drawn);
+        let observation = &self.case.observations[self.first];
+        let before = seen[self.first].as_deref();
+        let mut ways = own_values(self.case, base, observation, before);
+        ways.push(Change::default());
+        let mut best: Option<Tried> = None;
+        for way in ways {
+            let change = self.drawn.and(&way);
+            let Some(sketch) = self.case.drawn(&change, None) else { continue };
+            let seen = self.case.seen(&sketch, &change);
+            let hypothesis = Hypothesis {
+                // Never shown: it has no name.
+                kind: Kind::SenseReversed,
+                at: String::new(),
+                step: None,
+                price: UNKNOWN,
+                change: way,
+            };
+            let mut tried = self.counted(hypothesis, change, &seen, &self.case.tolerances);
+            // The answer itself is what it is.
+            let miss = USUAL * tried.misses[self.first];
+            tried.cost -= (miss * miss).min(MOST);
+            if best.as_ref().is_none_or(|b| tried.cost < b.cost) {
+                best = Some(tried);
+            }
+        }
+        best
+    }
+}
+
+/// How a construction can go on from a student's own value.
+fn own_values(
+    case: &Case<'_>,
+    base: &Sketch,
+    observation: &Observation,
+    before: Option<&[f64]>,
+) -> Vec<Change> {
+    let mut ways = Vec::new();
+    let Some(before) = before else { return ways };
+    let length = size(before);
+    // The value as numbers; what is not said of sense and direction is as it would be.
+    let own: Vec<f64> = match observation.given {
+        Given::Magnitude(given) | Given::Drawn(given) if length > 0.0 => {
+            before.iter().map(|n| n / length * given).collect()
+        }
+        Given::Magnitude(_) | Given::Drawn(_) => return ways,
+        Given::Signed(given) => vec![given],
+        Given::Vector(given) => given.to_vec(),
+    };
+    let factor = if length > 0.0 { size(&own) / length } else { 1.0 };
+    let twist = match (before, &own[..]) {
+        ([x, y], [a, b]) if length > 0.0 => Twist { factor, turn: libm::atan2(x * b - y * a, x * a + y * b) },
+        _ => Twist::scaled(factor),
+    };
+    match (observation.target, observation.quantity) {
+        (Target::Image(order, label), _) => {
+            let si = case.si_per_mm(order);
+            match (label, &own[..]) {
+                (Label::Image { point, .. }, &[x, y]) => {
+                    ways.push(Change::drawn(vec![Departure::Image { order, point, at: [x / si, y / si] }]));
+                }
+                (Label::Foot { .. }, &[x, y]) => {
+                    ways.extend(moved_foot(base, order, label, [x / si, y / si]))
+                }
+                _ => {}
+            }
+        }
+        (_, Some(quantity)) => own_quantity(case, base, quantity, &own, (factor, twist), &mut ways),
+        _ => {}
+    }
+    ways
+}
+
+/// The vector that leads to a foot, laid off to where the student has it.
+fn moved_foot(base: &Sketch, order: Order, label: Label, at: [f64; 2]) -> Option<Change> {
+    let vectors = &super::case::polygon(&base.construction, order)?.vectors;
+    let vector = vectors.iter().find(|v| v.head == label)?;
+    let old = [vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]];
+    let new = [at[0] - vector.from[0], at[1] - vector.from[1]];
+    let length = size(&old);
+    let turn = libm::atan2(old[0] * new[1] - old[1] * new[0], old[0] * new[0] + old[1] * new[1]);
+    let twist = Twist { factor: size(&new) / length, turn };
+    let departure = Departure::LaidOff { quantity: vector.quantity, twist };
+    (length > 0.0).then(|| Change::drawn(vec![departure]))
+}
+
+fn own_quantity(
+    case: &Case<'_>,
+    base: &Sketch,
+    quantity: Quantity,
+    own: &[f64],
+    (factor, twist): (f64, Twist),
+    ways: &mut Vec<Change>,
+) {
+    let order = quantity.order();
+    let si = case.si_per_mm(order);
+    let read = Departure::Read { quantity, factor };
+    let vector = match *own {
+        [x, y] => Some([x, y]),
+        _ => None,
+    };
+    match (quantity, vector) {
+        (Quantity::Omega(link), None) => {
+            let rate = Departure::RateIs { order, link, value: own[0] };
+            ways.push(Change::drawn(vec![rate]));
+            // A = ω² l, from the student's ω.
+            let mut departures = vec![rate];
+            for step in &base.construction.steps {
+                for act in &step.acts {
+                    if let Act::Calculate(Calculation::Normal { quantity, ends, .. }) = *act
+                        && ends.iter().all(|p| case.mechanism.link(link).points.contains(p))
+                    {
+                        let twist = Twist::scaled(factor * factor);
+                        departures.push(Departure::LaidOff { quantity, twist });
+                    }
+                }
+            }
+            ways.push(Change::drawn(departures));
+        }
+        (Quantity::Alpha(link), None) => {
+            ways.push(Change::drawn(vec![Departure::RateIs { order, link, value: own[0] }]));
+        }
+        (Quantity::Velocity(point) | Quantity::Acceleration(point), Some([x, y])) => {
+            ways.push(Change::drawn(vec![Departure::Image { order, point, at: [x / si, y / si] }]));
+            ways.push(Change::drawn(vec![read]));
+        }
+        (Quantity::RelativeVelocity(b, _) | Quantity::RelativeAcceleration(b, _), Some([x, y])) => {
+            ways.push(Change::drawn(vec![read]));
+            if let Some(vector) = vector_of(&base.construction, &quantity) {
+                let at = [vector.from[0] + x / si, vector.from[1] + y / si];
+                ways.push(Change::drawn(vec![Departure::Image { order, point: b, at }]));
+            }
+        }
+        (_, Some(_)) => {
+            ways.push(Change::drawn(vec![Departure::LaidOff { quantity, twist }]));
+            ways.push(Change::drawn(vec![read]));
+        }
+        _ => {}
+    }
+    // The value was written down wrongly, and nothing was drawn with it.
+    ways.push(Change::read(Misreading::Twisted { of: Which::One(quantity), twist }));
+}

@@ -1,0 +1,726 @@
+//! Every typical mistake that can be made in a construction, as what it changes.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::case::{Case, Target, polygon, size};
+use super::change::{Change, InputChange, Misreading, Which};
+use super::kind::Kind;
+use crate::graphical::construction::{Act, Calculation, Construction, Vector};
+use crate::graphical::{Departure, Sketch, Twist};
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::{Input, LinkId, PointId};
+
+/// A mistake that may have been made.
+#[derive(Debug, Clone)]
+pub(super) struct Hypothesis {
+    pub(super) kind: Kind,
+    /// What it is about: a quantity or a link, or nothing for what is given.
+    pub(super) at: String,
+    /// The number of the step, from 1, in which it is made, where there is one.
+    pub(super) step: Option<usize>,
+    /// How far-fetched it is, as the squares of misses are counted.
+    pub(super) price: f64,
+    pub(super) change: Change,
+}
+
+/// A slip that is made as a whole, in the way that the textbook warns of.
+const PLAIN: f64 = 0.0;
+/// A less usual form of it.
+const UNUSUAL: f64 = 2.0;
+/// A far-fetched form.
+const FAR: f64 = 4.0;
+
+/// What may be wrong with a construction, as it stands after `so_far`.
+pub(super) fn all(case: &Case<'_>, so_far: &Sketch) -> Vec<Hypothesis> {
+    let mut list = List { case, construction: &so_far.construction, found: Vec::new() };
+    list.given();
+    list.assemblies();
+    list.laid_off();
+    list.rays();
+    list.rates();
+    list.images();
+    list.readings();
+    list.scales();
+    list.poles(so_far);
+    list.units();
+    list.found
+}
+
+struct List<'c, 's> {
+    case: &'c Case<'s>,
+    construction: &'c Construction,
+    found: Vec<Hypothesis>,
+}
+
+/// A link as its own calculation knows it.
+#[derive(Clone, Copy)]
+struct Turning {
+    link: LinkId,
+    omega: f64,
+    length: f64,
+    /// From the base to the point, radians.
+    angle: f64,
+}
+
+impl<'c> List<'c, '_> {
+    fn add(&mut self, kind: Kind, at: &str, step: Option<usize>, price: f64, change: Change) {
+        self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change });
+    }
+
+    fn name(&self, quantity: &Quantity) -> String {
+        name_of(self.case, quantity)
+    }
+
+    fn number(&self, link: LinkId) -> u32 {
+        self.case.mechanism.link(link).number
+    }
+
+    // --- what was given ------------------------------------------------------------------------
+
+    fn given(&mut self) {
+        let inputs = &self.case.mechanism.inputs;
+        let seconds = inputs.iter().any(|input| match input {
+            Input::Angle { alpha, .. } | Input::Speed { alpha, .. } => alpha.value != 0.0,
+            Input::Slide { acceleration, .. } => acceleration.value != 0.0,
+        });
+        let rates = |omega: f64, alpha: f64| Change::of_inputs(InputChange::Rates { omega, alpha });
+        self.add(Kind::SenseReversed, "the input", None, PLAIN, rates(-1.0, 1.0));
+        if seconds {
+            self.add(Kind::SenseReversed, "the input", None, UNUSUAL, rates(-1.0, -1.0));
+            self.add(Kind::AlphaIgnored, "the input", None, PLAIN, rates(1.0, 0.0));
+            self.add(Kind::AlphaSign, "the input", None, PLAIN, rates(1.0, -1.0));
+        }
+        for units in &self.case.scene.input_units {
+            let Some(rate) = &units.rate else { continue };
+            let per_minute = rate.symbol == "rpm" || rate.symbol.ends_with("/min");
+            if per_minute {
+                self.add(Kind::RpmAsRad, "the input", None, PLAIN, rates(1.0 / rate.si, 1.0));
+                // Turned into revolutions per second only, or only by 2π.
+                self.add(Kind::RpmAsRad, "the input", None, UNUSUAL, rates(1.0 / (2.0 * PI), 1.0));
+                self.add(Kind::RpmAsRad, "the input", None, UNUSUAL, rates(60.0, 1.0));
+            }
+        }
+    }
+
+    /// Lengths in the wrong unit.
+    fn units(&mut self) {
+        let symbol = self.case.scene.units.length.symbol.as_str();
+        let (kind, factors) = match symbol {
+            "in" => (Kind::InchAsFoot, [12.0, 1.0 / 12.0]),
+            "ft" => (Kind::InchAsFoot, [1.0 / 12.0, 12.0]),
+            "mm" => (Kind::CmAsMm, [10.0, 0.1]),
+            _ => (Kind::CmAsMm, [0.1, 10.0]),
+        };
+        let given_speeds = self.case.mechanism.inputs.iter().any(|i| !matches!(i, Input::Angle { .. }));
+        for (factor, price) in factors.into_iter().zip([PLAIN, 1.0]) {
+            for speeds in [true, false] {
+                if speeds || given_speeds {
+                    let change = InputChange::Lengths { factor, speeds };
+                    self.add(kind, "all lengths", None, price, Change::of_inputs(change));
+                }
+            }
+            // The lengths by which velocities and accelerations are divided, and no others.
+            let rates = self.calculated_rates();
+            let departures =
+                rates.iter().map(|&(order, link, _)| Departure::Rate { order, link, factor: 1.0 / factor });
+            let change = Change::drawn(departures.collect());
+            self.add(kind, "the lengths by which is divided", None, price + UNUSUAL, change);
+            for &(order, link, step) in &rates {
+                let departure = Departure::Rate { order, link, factor: 1.0 / factor };
+                let at = format!("the length of link {}", self.number(link));
+                self.add(kind, &at, Some(step), price + UNUSUAL, Change::drawn(vec![departure]));
+            }
+            for which in
+                [Which::AllLinear, Which::Vectors(Order::Velocity), Which::Vectors(Order::Acceleration)]
+            {
+                let reading = Misreading::Twisted { of: which, twist: Twist::scaled(factor) };
+                self.add(kind, "the answers' unit", None, price + UNUSUAL, Change::read(reading));
+            }
+            self.driven_length(kind, factor, price + UNUSUAL);
+            for quantity in self.observed() {
+                let reading = Misreading::Twisted { of: Which::One(quantity), twist: Twist::scaled(factor) };
+                let name = self.name(&quantity);
+                self.add(kind, &name, None, price + FAR, Change::read(reading));
+            }
+        }
+    }
+
+    /// The length of a driven link in the wrong unit, where V = ω l and A = ω² l are calculated.
+    fn driven_length(&mut self, kind: Kind, factor: f64, price: f64) {
+        let driven: Vec<LinkId> = self.driven();
+        for link in driven {
+            let mut departures = Vec::new();
+            for (_, act) in self.acts() {
+                let (quantity, own, by) = match *act {
+                    Act::Calculate(Calculation::Speed { quantity, link: own, .. }) => (quantity, own, factor),
+                    // From V² / l: V is too long already.
+                    Act::Calculate(Calculation::Normal { quantity, ends, .. }) => {
+                        (quantity, self.link_of(ends), 1.0 / factor)
+                    }
+                    Act::Calculate(Calculation::Tangential { quantity, link: own, .. }) => {
+                        (quantity, own, factor)
+                    }
+                    _ => continue,
+                };
+                if own == link {
+                    departures.push(Departure::LaidOff { quantity, twist: Twist::scaled(by) });
+                }
+            }
+            if !departures.is_empty() {
+                let at = format!("the length of link {}", self.number(link));
+                self.add(kind, &at, None, price, Change::drawn(departures));
+            }
+        }
+    }
+
+    // --- the skeleton --------------------------------------------------------------------------
+
+    fn assemblies(&mut self) {
+        let mut others = Vec::new();
+        for (step, act) in self.acts() {
+            if let Act::MarkIntersection { point, .. } = *act {
+                others.push((
+                    step,
+                    Departure::OtherSide(point),
+                    self.case.mechanism.point(point).name.clone(),
+                ));
+            }
+        }
+        for link in self.case.mechanism.moving() {
+            let carries = self.case.mechanism.slides.iter().any(|slide| slide.guide.link == link);
+            if carries {
+                others.push((0, Departure::OtherPose(link), format!("link {}", self.number(link))));
+            }
+        }
+        if others.len() > 1 {
+            let all = others.iter().map(|(_, departure, _)| *departure).collect();
+            self.add(Kind::WrongAssembly, "the skeleton", None, UNUSUAL, Change::drawn(all));
+        }
+        for (step, departure, at) in others {
+            self.add(Kind::WrongAssembly, &at, Some(step), PLAIN, Change::drawn(vec![departure]));
+        }
+    }
+
+    // --- vectors of known length ---------------------------------------------------------------
+
+    fn laid_off(&mut self) {
+        let turning = self.turning();
+        let lengths = self.lengths();
+        for (step, act) in self.acts() {
+            match *act {
+                Act::Calculate(Calculation::Speed { quantity, .. }) => {
+                    let kind = match quantity {
+                        Quantity::RelativeVelocity(..) => Kind::RelativeReversed,
+                        _ => Kind::SenseReversed,
+                    };
+                    self.twisted(kind, &quantity, step, PLAIN, Twist::scaled(-1.0));
+                    self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
+                }
+                Act::Calculate(Calculation::Normal { quantity, ends, speed, length, value, .. }) => {
+                    self.twisted(Kind::NormalAwayFromCentre, &quantity, step, PLAIN, Twist::scaled(-1.0));
+                    self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
+                    if value > 0.0 {
+                        self.normals_of_others(&quantity, step, ends, [speed, length, value], &turning);
+                    }
+                }
+                Act::Calculate(Calculation::Tangential { quantity, link, length, value, .. }) => {
+                    let kind = match self.driven().contains(&link) {
+                        true => Kind::AlphaSign,
+                        false => Kind::SenseReversed,
+                    };
+                    self.twisted(kind, &quantity, step, 1.0, Twist::scaled(-1.0));
+                    self.twisted(Kind::AlphaIgnored, &quantity, step, 1.0, Twist::scaled(0.0));
+                    self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
+                    if value > 0.0 {
+                        for &other in &lengths {
+                            let twist = Twist::scaled(other / length);
+                            self.twisted(Kind::TangentialWrongLength, &quantity, step, PLAIN, twist);
+                        }
+                    }
+                }
+                Act::Calculate(Calculation::SlipNormal { quantity, .. }) => {
+                    self.twisted(Kind::NormalAwayFromCentre, &quantity, step, PLAIN, Twist::scaled(-1.0));
+                    self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
+                }
+                Act::Calculate(Calculation::Coriolis { quantity, omega, link, .. }) => {
+                    self.twisted(Kind::CoriolisMissing, &quantity, step, PLAIN, Twist::scaled(0.0));
+                    self.twisted(Kind::CoriolisWithoutTwo, &quantity, step, PLAIN, Twist::scaled(0.5));
+                    self.twisted(Kind::CoriolisWrongTurn, &quantity, step, PLAIN, Twist::scaled(-1.0));
+                    self.quarters(Kind::CoriolisWrongTurn, &quantity, step, UNUSUAL);
+                    if omega != 0.0 {
+                        for other in self.omegas() {
+                            if other.0 != link && other.1 != 0.0 {
+                                let twist = Twist::scaled(other.1 / omega);
+                                self.twisted(Kind::CoriolisWrongOmega, &quantity, step, PLAIN, twist);
+                                let kept = Twist::scaled((other.1 / omega).abs());
+                                self.twisted(Kind::CoriolisWrongOmega, &quantity, step, 1.0, kept);
+                            }
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn twisted(&mut self, kind: Kind, quantity: &Quantity, step: usize, price: f64, twist: Twist) {
+        let departure = Departure::LaidOff { quantity: *quantity, twist };
+        let name = self.name(quantity);
+        self.add(kind, &name, Some(step), price, Change::drawn(vec![departure]));
+    }
+
+    fn quarters(&mut self, kind: Kind, quantity: &Quantity, step: usize, price: f64) {
+        for turn in [FRAC_PI_2, -FRAC_PI_2] {
+            self.twisted(kind, quantity, step, price, Twist { factor: 1.0, turn });
+        }
+    }
+
+    /// ω² l, V² / l or the direction of another link in the place of the own one.
+    fn normals_of_others(
+        &mut self,
+        quantity: &Quantity,
+        step: usize,
+        ends: [PointId; 2],
+        [speed, length, value]: [f64; 3],
+        turning: &[Turning],
+    ) {
+        let own = self.link_of(ends);
+        let Some(angle) = self.angle(ends) else { return };
+        for other in turning.iter().filter(|other| other.link != own) {
+            let other_speed = other.omega * other.length;
+            let sizes = [
+                (other.omega * other.omega * length, PLAIN),
+                (other_speed * other_speed / other.length, PLAIN),
+                (other_speed * other_speed / length, PLAIN),
+                (speed * speed / other.length, PLAIN),
+            ];
+            for (size, price) in sizes {
+                let factor = size / value;
+                self.twisted(Kind::NormalOfWrongLink, quantity, step, price, Twist::scaled(factor));
+            }
+            let whole = other_speed * other_speed / other.length / value;
+            for turn in [other.angle - angle, other.angle - angle + PI] {
+                self.twisted(Kind::NormalOfWrongLink, quantity, step, 1.0, Twist { factor: 1.0, turn });
+                self.twisted(Kind::NormalOfWrongLink, quantity, step, 1.0, Twist { factor: whole, turn });
+            }
+        }
+    }
+
+    // --- lines of unknown length ---------------------------------------------------------------
+
+    fn rays(&mut self) {
+        let mut all: Vec<(usize, Order, Departure)> = Vec::new();
+        for (number, step) in self.construction.steps.iter().enumerate() {
+            for act in &step.acts {
+                if let Act::DrawRay { claim, .. } = *act {
+                    let ray = Departure::Ray { order: step.order, claim };
+                    if !all.iter().any(|(_, _, known)| *known == ray) {
+                        all.push((number, step.order, ray));
+                    }
+                }
+            }
+        }
+        for &(step, order, ray) in &all {
+            let at = self.sought(step, order);
+            self.add(Kind::PerpendicularForParallel, &at, Some(step), PLAIN, Change::drawn(vec![ray]));
+            let both: Vec<Departure> = all.iter().filter(|r| r.0 == step).map(|r| r.2).collect();
+            if both.len() > 1 && both[0] == ray {
+                self.add(Kind::PerpendicularForParallel, &at, Some(step), UNUSUAL, Change::drawn(both));
+            }
+        }
+        for order in [Order::Velocity, Order::Acceleration] {
+            let whole: Vec<Departure> = all.iter().filter(|r| r.1 == order).map(|r| r.2).collect();
+            if whole.len() > 2 {
+                self.add(Kind::PerpendicularForParallel, "every line", None, FAR, Change::drawn(whole));
+            }
+        }
+    }
+
+    /// What the lines of a step lead to.
+    fn sought(&self, step: usize, order: Order) -> String {
+        let acts = &self.construction.steps[step].acts;
+        let label = acts.iter().find_map(|act| match act {
+            Act::MarkMeet { label, .. } => Some(*label),
+            _ => None,
+        });
+        label.map_or_else(String::new, |label| crate::sheet::image_name(self.case.scene, label, order))
+    }
+
+    // --- calculated rates ----------------------------------------------------------------------
+
+    fn rates(&mut self) {
+        let lengths = self.lengths();
+        for (step, act) in self.acts() {
+            match *act {
+                Act::Calculate(Calculation::Omega { link, quantity, .. }) => {
+                    let rate = |factor| Departure::Rate { order: Order::Velocity, link, factor };
+                    let at = format!("omega({})", self.number(link));
+                    self.add(Kind::SenseReversed, &at, Some(step), PLAIN, Change::drawn(vec![rate(-1.0)]));
+                    if matches!(quantity, Quantity::RelativeVelocity(..)) {
+                        self.taken_back(quantity, vec![rate(-1.0)], step);
+                    }
+                }
+                Act::Calculate(Calculation::Alpha { link, quantity, length, .. }) => {
+                    let rate = |factor| Departure::Rate { order: Order::Acceleration, link, factor };
+                    let at = format!("alpha({})", self.number(link));
+                    self.add(Kind::AlphaSign, &at, Some(step), 1.0, Change::drawn(vec![rate(-1.0)]));
+                    self.add(Kind::SenseReversed, &at, Some(step), 0.5, Change::drawn(vec![rate(-1.0)]));
+                    self.add(Kind::AlphaIgnored, &at, Some(step), UNUSUAL, Change::drawn(vec![rate(0.0)]));
+                    if matches!(quantity, Quantity::RelativeTangential(..)) {
+                        self.taken_back(quantity, vec![rate(-1.0)], step);
+                    }
+                    for &other in &lengths {
+                        let change = Change::drawn(vec![rate(length / other)]);
+                        self.add(Kind::TangentialWrongLength, &at, Some(step), PLAIN, change);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// A relative vector the wrong way round, and what was calculated from it.
+    fn taken_back(&mut self, quantity: Quantity, departures: Vec<Departure>, step: usize) {
+        let twist = Twist::scaled(-1.0);
+        let reading = Misreading::Twisted { of: Which::One(quantity), twist };
+        let name = self.name(&quantity);
+        let change = Change { departures, readings: vec![reading], ..Change::default() };
+        self.add(Kind::RelativeReversed, &name, Some(step), PLAIN, change);
+    }
+
+    // --- images --------------------------------------------------------------------------------
+
+    fn images(&mut self) {
+        let mut further: Vec<(LinkId, PointId)> = Vec::new();
+        for step in self.case.plan.velocity.iter().chain(&self.case.plan.acceleration) {
+            further.extend(&step.points);
+        }
+        further.sort_unstable();
+        further.dedup();
+        for (link, point) in further {
+            let others = &self.case.mechanism.link(link).points;
+            let others: Vec<PointId> = others.iter().copied().filter(|p| *p != point).collect();
+            for (index, &first) in others.iter().enumerate() {
+                for &second in &others[index + 1..] {
+                    let mirrored = |order| Departure::Mirrored { order, point, about: [first, second] };
+                    let at = format!("the image of link {}", self.number(link));
+                    let both = vec![mirrored(Order::Velocity), mirrored(Order::Acceleration)];
+                    self.add(Kind::ImageMirrored, &at, None, PLAIN, Change::drawn(both));
+                    for order in [Order::Velocity, Order::Acceleration] {
+                        let change = Change::drawn(vec![mirrored(order)]);
+                        self.add(Kind::ImageMirrored, &at, None, PLAIN, change);
+                    }
+                }
+            }
+        }
+    }
+
+    // --- readings ------------------------------------------------------------------------------
+
+    /// A sense that was written down wrongly.
+    fn readings(&mut self) {
+        let twist = Twist::scaled(-1.0);
+        for quantity in self.observed() {
+            let relative = matches!(
+                quantity,
+                Quantity::RelativeVelocity(..)
+                    | Quantity::RelativeAcceleration(..)
+                    | Quantity::RelativeOmega(..)
+                    | Quantity::RelativeAlpha(..)
+                    | Quantity::Slip(..)
+                    | Quantity::SlipAcceleration(..)
+                    | Quantity::RelativeNormal(..)
+                    | Quantity::RelativeTangential(..)
+            );
+            let name = self.name(&quantity);
+            let reading = || Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
+            let (first, second) = match quantity {
+                Quantity::RelativeNormal(..) | Quantity::Normal(_) | Quantity::CoincidentNormal(..) => {
+                    (Kind::NormalAwayFromCentre, Kind::SenseReversed)
+                }
+                Quantity::Coriolis(..) => (Kind::CoriolisWrongTurn, Kind::SenseReversed),
+                _ if relative => (Kind::RelativeReversed, Kind::SenseReversed),
+                _ => (Kind::SenseReversed, Kind::SenseReversed),
+            };
+            self.add(first, &name, None, PLAIN, reading());
+            if second != first {
+                self.add(second, &name, None, UNUSUAL, reading());
+            }
+            if relative && quantity.order() == Order::Velocity {
+                // What is calculated from it has the other sense as well.
+                let departure = Departure::Read { quantity, factor: -1.0 };
+                let change = reading().and(&Change::drawn(vec![departure]));
+                self.add(Kind::RelativeReversed, &name, None, PLAIN, change);
+            }
+        }
+    }
+
+    /// Scale factors forgotten or inverted: of one answer, of a polygon, of all.
+    fn scales(&mut self) {
+        let mut scopes: Vec<(Which, String, f64)> = vec![
+            (Which::Vectors(Order::Velocity), "the velocities".to_owned(), PLAIN),
+            (Which::Vectors(Order::Acceleration), "the accelerations".to_owned(), PLAIN),
+            (Which::AllVectors, "every reading".to_owned(), 1.0),
+        ];
+        for quantity in self.observed() {
+            if super::answers::is_vector(&quantity) {
+                scopes.push((Which::One(quantity), self.name(&quantity), PLAIN));
+            }
+        }
+        for (of, at, price) in scopes {
+            for (factor, more) in [(1.0, 0.0), (0.1, 0.5)] {
+                let forgotten = Change::read(Misreading::Unscaled { of, factor });
+                self.add(Kind::ScaleForgotten, &at, None, price + more, forgotten.clone());
+                self.follow(Kind::ScaleForgotten, of, &at, price + more, &forgotten, false, factor);
+            }
+            // Millimetres over units per millimetre; the same in centimetres; and mixed.
+            for (factor, more) in [(1.0, 0.0), (0.01, 0.0), (0.1, 1.0)] {
+                let inverted = Change::read(Misreading::Divided { of, factor });
+                self.add(Kind::ScaleInverted, &at, None, price + more, inverted.clone());
+                self.follow(Kind::ScaleInverted, of, &at, price + more, &inverted, true, factor);
+            }
+        }
+    }
+
+    /// The same, and what was calculated from the misread lengths.
+    #[expect(clippy::too_many_arguments, reason = "one call site; a struct would only rename them")]
+    fn follow(
+        &mut self,
+        kind: Kind,
+        of: Which,
+        at: &str,
+        price: f64,
+        read: &Change,
+        divided: bool,
+        factor: f64,
+    ) {
+        let units = &self.case.scene.units;
+        let factor_of = |order: Order| {
+            let time =
+                if order == Order::Acceleration { units.time.si * units.time.si } else { units.time.si };
+            let mm = units.length.si / time / self.case.si_per_mm(order);
+            if divided { mm * mm * factor } else { mm * factor }
+        };
+        let departures = match of {
+            Which::One(quantity) => {
+                vec![Departure::Read { quantity, factor: factor_of(quantity.order()) }]
+            }
+            Which::Vectors(order) => vec![Departure::ReadAll { order, factor: factor_of(order) }],
+            Which::AllVectors | Which::AllLinear => [Order::Velocity, Order::Acceleration]
+                .map(|order| Departure::ReadAll { order, factor: factor_of(order) })
+                .to_vec(),
+        };
+        self.add(kind, at, None, price + 0.5, read.and(&Change::drawn(departures)));
+    }
+
+    /// Vectors measured from another point of the polygon.
+    fn poles(&mut self, so_far: &Sketch) {
+        for quantity in self.observed() {
+            let order = quantity.order();
+            let usual = matches!(
+                quantity,
+                Quantity::Velocity(_)
+                    | Quantity::RelativeVelocity(..)
+                    | Quantity::Acceleration(_)
+                    | Quantity::RelativeAcceleration(..)
+                    | Quantity::CoincidentVelocity(..)
+                    | Quantity::CoincidentAcceleration(..)
+                    | Quantity::Slip(..)
+                    | Quantity::Tangential(_)
+                    | Quantity::RelativeTangential(..)
+            );
+            let Some(polygon) = polygon(&so_far.construction, order).filter(|_| usual) else { continue };
+            let Some(vector) = polygon.vectors.iter().find(|v| v.quantity == quantity).copied() else {
+                continue;
+            };
+            let length = size(&difference(vector.to, vector.from));
+            let mut tails: Vec<[f64; 2]> = vec![[0.0; 2]];
+            tails.extend(polygon.images.iter().map(|image| image.at));
+            let name = self.name(&quantity);
+            let step = Some(vector.step);
+            let mut tried: Vec<[f64; 2]> = vec![vector.from, vector.to];
+            for tail in tails {
+                if tried.iter().any(|t| size(&difference(*t, tail)) < 1.0) {
+                    continue;
+                }
+                tried.push(tail);
+                let si = self.case.si_per_mm(order);
+                let read = difference(vector.to, tail);
+                let is = Misreading::Is { of: quantity, vector: read.map(|mm| mm * si) };
+                self.add(Kind::WrongPole, &name, step, 0.5, Change::read(is));
+                if length > 0.0 {
+                    let departure = Departure::Read { quantity, factor: size(&read) / length };
+                    let change =
+                        Change { departures: vec![departure], readings: vec![is], ..Change::default() };
+                    self.add(Kind::WrongPole, &name, step, 1.0, change);
+                }
+            }
+        }
+    }
+
+    // --- what stands in the construction -------------------------------------------------------
+
+    fn acts(&self) -> Vec<(usize, &'c Act)> {
+        let construction: &'c Construction = self.construction;
+        let steps = construction.steps.iter().enumerate();
+        steps.flat_map(|(number, step)| step.acts.iter().map(move |act| (number, act))).collect()
+    }
+
+    /// The quantities that were answered by value.
+    fn observed(&self) -> Vec<Quantity> {
+        self.case
+            .observations
+            .iter()
+            .filter(|o| !matches!(o.target, Target::Image(..) | Target::Place(_)))
+            .filter_map(|o| o.quantity)
+            .collect()
+    }
+
+    fn driven(&self) -> Vec<LinkId> {
+        let inputs = self.case.mechanism.inputs.iter();
+        inputs
+            .filter_map(|input| match *input {
+                Input::Angle { link, .. } | Input::Speed { link, .. } => Some(link),
+                Input::Slide { .. } => None,
+            })
+            .collect()
+    }
+
+    fn calculated_rates(&self) -> Vec<(Order, LinkId, usize)> {
+        let rate = |(step, act): (usize, &Act)| match *act {
+            Act::Calculate(Calculation::Omega { link, .. }) => Some((Order::Velocity, link, step)),
+            Act::Calculate(Calculation::Alpha { link, .. }) => Some((Order::Acceleration, link, step)),
+            _ => None,
+        };
+        self.acts().into_iter().filter_map(rate).collect()
+    }
+
+    /// ω of every link of which one is calculated or given.
+    fn omegas(&self) -> Vec<(LinkId, f64)> {
+        let mut omegas: Vec<(LinkId, f64)> = Vec::new();
+        for (_, act) in self.acts() {
+            let found = match *act {
+                Act::Calculate(Calculation::Omega { link, value, .. }) => (link, value),
+                Act::Calculate(Calculation::Speed { link, omega, .. }) => (link, omega),
+                _ => continue,
+            };
+            if !omegas.iter().any(|(link, _)| *link == found.0) {
+                omegas.push(found);
+            }
+        }
+        for input in &self.case.mechanism.inputs {
+            if let Input::Angle { link, omega, .. } = *input
+                && !omegas.iter().any(|(known, _)| *known == link)
+            {
+                omegas.push((link, omega.value));
+            }
+        }
+        omegas
+    }
+
+    /// Every link with its ω, by the length with which it was calculated.
+    fn turning(&self) -> Vec<Turning> {
+        let mut turning: Vec<Turning> = Vec::new();
+        for (_, act) in self.acts() {
+            let (link, omega, length, ends) = match *act {
+                Act::Calculate(Calculation::Omega { link, value, length, ends, .. }) => {
+                    (link, value, length, ends)
+                }
+                Act::Calculate(Calculation::Speed { link, omega, length, ends, .. }) => {
+                    (link, omega, length, ends)
+                }
+                _ => continue,
+            };
+            let known = turning.iter().any(|t| t.link == link && (t.length - length).abs() <= 1e-9 * length);
+            if let (Some(angle), false) = (self.angle(ends), known) {
+                turning.push(Turning { link, omega, length, angle });
+            }
+        }
+        turning
+    }
+
+    /// The lengths between any two points of a link.
+    fn lengths(&self) -> Vec<f64> {
+        let mut lengths: Vec<f64> = Vec::new();
+        let mechanism = &self.case.mechanism;
+        for link in mechanism.moving() {
+            let points = &mechanism.link(link).points;
+            for (index, &p) in points.iter().enumerate() {
+                for &q in &points[index + 1..] {
+                    let places = &self.construction.space.places;
+                    let (Some(a), Some(b)) = (places[p.0], places[q.0]) else { continue };
+                    let length = size(&difference(a, b)) * self.construction.space.metres_per_mm;
+                    let known = lengths.iter().any(|l| (l - length).abs() <= SAME_LENGTH * length);
+                    if length > 0.0 && !known {
+                        lengths.push(length);
+                    }
+                }
+            }
+        }
+        lengths
+    }
+
+    fn angle(&self, [from, to]: [PointId; 2]) -> Option<f64> {
+        let places = &self.construction.space.places;
+        let [x, y] = difference(places[to.0]?, places[from.0]?);
+        Some(libm::atan2(y, x))
+    }
+
+    /// The moving link of which two points are the ends of a length.
+    fn link_of(&self, [a, b]: [PointId; 2]) -> LinkId {
+        let mechanism = &self.case.mechanism;
+        let both = |link: &LinkId| [a, b].iter().all(|p| mechanism.link(*link).points.contains(p));
+        mechanism.moving().find(both).unwrap_or(LinkId::FRAME)
+    }
+}
+
+/// Two lengths that differ by less than this part are one.
+const SAME_LENGTH: f64 = 1e-6;
+
+fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// The vectors of a construction that represent a quantity.
+pub(super) fn vector_of<'c>(construction: &'c Construction, quantity: &Quantity) -> Option<&'c Vector> {
+    polygon(construction, quantity.order())?.vectors.iter().find(|v| v.quantity == *quantity)
+}
+
+/// A quantity as a scene names it.
+pub(super) fn name_of(case: &Case<'_>, quantity: &Quantity) -> String {
+    let mechanism = &case.mechanism;
+    let point = |p: PointId| mechanism.point(p).name.as_str();
+    let link = |l: LinkId| mechanism.link(l).number;
+    match *quantity {
+        Quantity::Velocity(p) => format!("v({})", point(p)),
+        Quantity::RelativeVelocity(b, a) => format!("v({}/{})", point(b), point(a)),
+        Quantity::Acceleration(p) => format!("a({})", point(p)),
+        Quantity::RelativeAcceleration(b, a) => format!("a({}/{})", point(b), point(a)),
+        Quantity::RelativeNormal(b, a) => format!("an({}/{})", point(b), point(a)),
+        Quantity::RelativeTangential(b, a) => format!("at({}/{})", point(b), point(a)),
+        Quantity::Normal(p) => format!("an({})", point(p)),
+        Quantity::Tangential(p) => format!("at({})", point(p)),
+        Quantity::Omega(l) => format!("omega({})", link(l)),
+        Quantity::RelativeOmega(i, j) => format!("omega({}/{})", link(i), link(j)),
+        Quantity::Ratio(i, j) => format!("ratio({}/{})", link(i), link(j)),
+        Quantity::Advantage(i, j) => format!("advantage({}/{})", link(i), link(j)),
+        Quantity::Alpha(l) => format!("alpha({})", link(l)),
+        Quantity::RelativeAlpha(i, j) => format!("alpha({}/{})", link(i), link(j)),
+        Quantity::Slip(p, l) => format!("slip({}/{})", point(p), link(l)),
+        Quantity::SlipAcceleration(p, l) => format!("aslip({}/{})", point(p), link(l)),
+        Quantity::SlipNormal(p, l) => format!("aslipn({}/{})", point(p), link(l)),
+        Quantity::SlipTangential(p, l) => format!("aslipt({}/{})", point(p), link(l)),
+        Quantity::Coriolis(p, l) => format!("coriolis({}/{})", point(p), link(l)),
+        Quantity::CoincidentVelocity(p, l) => format!("v({}@{})", point(p), link(l)),
+        Quantity::CoincidentAcceleration(p, l) => format!("a({}@{})", point(p), link(l)),
+        Quantity::CoincidentNormal(p, l) => format!("an({}@{})", point(p), link(l)),
+        Quantity::CoincidentTangential(p, l) => format!("at({}@{})", point(p), link(l)),
+        Quantity::ContactNormal(p, i, j) => format!("an({}@{}/{})", point(p), link(i), link(j)),
+        Quantity::Centre(i, j) => format!("I({},{})", link(i), link(j)),
+        Quantity::Rub(p, i, j) => format!("rub({},{}/{})", point(p), link(i), link(j)),
+        Quantity::PathRadius(p) => format!("rho({})", point(p)),
+        Quantity::Position(p) => format!("x({})", point(p)),
+        Quantity::Angle(l) => format!("angle({})", link(l)),
+        Quantity::Transmission(i, j) => format!("transmission({}/{})", link(i), link(j)),
+    }
+}

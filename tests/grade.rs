@@ -1,0 +1,174 @@
+//! Grading: published values are right, and every known misprint is found; answers in every form that may be
+//! handed in, on a slider-crank with closed-form answers.
+
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
+use std::path::{Path, PathBuf};
+
+use linkgram::grade::{GradeSettings, Kind, Report, Verdict, grade, read_answers};
+use linkgram::scene::{self, Scene};
+use serde_json::{Value, json};
+
+fn scenes_in(folder: &str) -> Vec<(PathBuf, Scene, Value)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    paths.sort();
+    let read = |path: PathBuf| {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let scene = scene::read(&text, &path.display().to_string()).unwrap();
+        let value = serde_json::from_str(&text).unwrap();
+        (path, scene, value)
+    };
+    paths.into_iter().filter(|p| p.extension().is_some_and(|e| e == "json")).map(read).collect()
+}
+
+/// The published values of a scene as answers, with the deviations that the scene allows.
+fn published(scene: &Value) -> Option<Value> {
+    let published = scene.get("published")?.as_object()?;
+    let mut values = serde_json::Map::new();
+    let mut tolerances = serde_json::Map::new();
+    for (name, value) in published {
+        let stated = value.get("value").unwrap_or(value);
+        values.insert(name.clone(), stated.clone());
+        let within = value.get("within").cloned().unwrap_or(json!("5 %"));
+        let within = within.as_f64().map_or(within, |part| json!(format!("{} %", 100.0 * part)));
+        tolerances.insert(name.clone(), within);
+    }
+    Some(json!({ "values": values, "tolerance": tolerances }))
+}
+
+fn graded(scene: &Scene, answers: &Value) -> Report {
+    let answers = read_answers(&answers.to_string(), scene).unwrap();
+    grade(scene, &answers, &GradeSettings::default()).unwrap()
+}
+
+#[test]
+fn published_values_are_right() {
+    let mut answers = 0;
+    for folder in ["examples", "examples/pairs", "examples/centres", "examples/constructions"] {
+        for (path, scene, value) in scenes_in(folder) {
+            let Some(handed_in) = published(&value) else { continue };
+            let report = graded(&scene, &handed_in);
+            for graded in &report.quantities {
+                answers += 1;
+                assert_eq!(graded.verdict, Verdict::Right, "{}: {}: {graded:?}", path.display(), graded.name);
+            }
+        }
+    }
+    assert!(answers > 200, "{answers} published values");
+}
+
+#[test]
+fn every_misprint_is_found() {
+    let mut found = 0;
+    for (path, scene, value) in scenes_in("examples/errata") {
+        let Some(handed_in) = published(&value) else { continue };
+        let report = graded(&scene, &handed_in);
+        for graded in &report.quantities {
+            let misprint = scene.errata.contains(&graded.name);
+            let right = graded.verdict == Verdict::Right;
+            assert_eq!(right, !misprint, "{}: {}: {graded:?}", path.display(), graded.name);
+            found += usize::from(misprint);
+        }
+        let fault = report.first_fault().unwrap_or_else(|| panic!("{}: no fault", path.display()));
+        assert!(scene.errata.iter().any(|name| name == fault.name), "{}: {fault:?}", path.display());
+    }
+    assert!(found >= 12, "{found} misprints");
+}
+
+/// Crank 30 cm upright, rod 50 cm, 10 rad/s counter-clockwise: the rod only translates. V = 300 cm/s to the left;
+/// with A = 3000 cm/s² downward at the crank pin, ε of the rod is 3000/40 and A of the slider 30 · 75 = 2250 to the
+/// right.
+fn slider_crank() -> Scene {
+    let text = r#"{
+        "units": { "length": "cm" },
+        "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 30 }, "3": { "joins": ["A", "B"], "length": 50 } },
+        "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } }],
+        "near": { "B": [40, 0] },
+        "input": { "link": 2, "angle": 90, "omega": "10 rad/s ccw" },
+        "find": ["v(B)", "a(B)", "alpha(3)"],
+        "sheet": { "length": "1:10", "velocity": "50 cm/s per cm", "acceleration": "500 cm/s^2 per cm",
+                   "marks": { "alpha(3)": 3 } }
+    }"#;
+    scene::read(text, "slider.json").unwrap()
+}
+
+#[test]
+fn answers_in_every_form() {
+    let scene = slider_crank();
+    let right = [
+        json!({ "values": { "v(B)": "300 cm/s", "a(B)": "22.5 m/s^2", "alpha(3)": "75 rad/s^2 ccw" } }),
+        json!({ "units": { "length": "mm" }, "values": { "v(B)": 3000, "alpha(3)": 75 } }),
+        json!({ "values": { "v(B)": { "magnitude": "3 m/s", "direction": "180 deg" },
+                            "a(B)": { "components": [2250, 0] }, "x(B)": [40, 0] } }),
+        json!({ "lengths": { "v(B)": 60.1, "a(B)": 45, "an(A)": 60 } }),
+        json!({ "points": { "velocity": { "o": [10, 10], "a": [-50, 10], "b": [-50.1, 10] },
+                            "acceleration": { "o'": [0, 0], "a'": [0, -60], "b'": [45, 0] },
+                            "skeleton": { "O2": [100, 100], "A": [100, 130], "B": [140, 100] } } }),
+        json!({ "points": { "velocity": { "o": [100, 100], "b": [100, 700] } },
+                "scan": { "velocity": { "pixels": [[0, 0], [0, 1000]], "mm": [[0, 0], [-100, 0]] } } }),
+    ];
+    for answers in right {
+        let report = graded(&scene, &answers);
+        assert!(!report.quantities.is_empty());
+        assert!(report.quantities.iter().all(|q| q.verdict == Verdict::Right), "{}", report.to_text());
+    }
+    let csv = "quantity,value,unit,sense,direction\nv(B),3,m/s,,180\na(B),45,mm,,\nalpha(3),75,rad/s^2,ccw,\n\
+               figure,point,x,y\nvelocity,o,0,0\nvelocity,b,-60,0\n";
+    let answers = read_answers(csv, &scene).unwrap();
+    let report = grade(&scene, &answers, &GradeSettings::default()).unwrap();
+    assert_eq!(report.quantities.len(), 4);
+    assert!(report.holds() && report.sum() == (6.0, 6.0), "{}", report.to_text());
+}
+
+#[test]
+fn what_follows_rightly_is_consistent() {
+    let scene = slider_crank();
+    // Twice the speed by a slip that no list foresees, and everything from it: A = V²/l.
+    let answers = json!({ "values": { "v(A)": "390 cm/s", "v(B)": "390 cm/s", "a(A)": "5070 cm/s^2",
+                                      "a(B)": "3802.5 cm/s^2", "alpha(3)": "126.75 rad/s^2" } });
+    let report = graded(&scene, &answers);
+    let verdicts: Vec<Verdict> = report.quantities.iter().map(|q| q.verdict).collect();
+    assert_eq!(verdicts[0], Verdict::Wrong, "{}", report.to_text());
+    assert!(verdicts[1..].iter().all(|v| *v == Verdict::Consistent), "{}", report.to_text());
+    assert!(report.first_fault().unwrap().mistakes.is_empty(), "{}", report.to_text());
+}
+
+#[test]
+fn a_reversed_sense_is_named() {
+    let scene = slider_crank();
+    let answers = json!({ "values": { "v(B)": "300 cm/s", "a(B)": { "components": [2250, 0] },
+                                      "alpha(3)": "75 rad/s^2 cw" } });
+    let report = graded(&scene, &answers);
+    let fault = report.first_fault().unwrap();
+    assert_eq!((fault.name, fault.mistakes[0].kind), ("alpha(3)", Kind::SenseReversed));
+    assert_eq!(report.sum(), (2.0, 5.0));
+}
+
+#[test]
+fn bad_answers_are_refused_with_place_and_mend() {
+    let scene = slider_crank();
+    let refusal = |text: &str| match read_answers(text, &scene) {
+        Err(diagnostic) => diagnostic.to_string(),
+        Ok(answers) => match grade(&scene, &answers, &GradeSettings::default()) {
+            Err(error) => error.to_string(),
+            Ok(report) => report.to_text(),
+        },
+    };
+    let cases = [
+        (r#"{ "value": {} }"#, "answers:1:3: value: unknown key `value`; help: did you mean `values`?"),
+        (r#"{ "values": { "v(Q)": 3 } }"#, "`v(Q)`: there is no point `Q`"),
+        (r#"{ "values": { "v(B)": "3 cm" } }"#, "`cm` measures a length, but a velocity is expected here"),
+        (r#"{ "values": { "v(B)": 3, "v( B )": 4 } }"#, "`v( B )` is answered twice"),
+        (r#"{ "values": { "omega(3)": [1, 2] } }"#, "is a number, not a vector"),
+        (r#"{ "points": { "velocity": { "b": [1, 2] } } }"#, "the pole is missing"),
+        (r#"{ "points": { "velocity": { "o": [0, 0], "q": [1, 2] } } }"#, "has no point `q`"),
+        ("v(B);3", "answers:1:1: neither JSON nor a table with a known header"),
+        ("quantity,value\nv(B),fast", "answers:2:6: `fast` does not begin with a number"),
+    ];
+    for (text, expected) in cases {
+        let told = refusal(text);
+        assert!(told.contains(expected), "{text}\n{told}");
+    }
+}
