@@ -9,6 +9,7 @@ pub mod check;
 pub mod cli;
 pub mod double_double;
 pub mod drawing;
+pub mod exam;
 mod files;
 pub mod given;
 pub mod grade;

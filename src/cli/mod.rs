@@ -8,6 +8,7 @@
 
 mod check;
 mod draw;
+mod exam;
 mod grade;
 mod new;
 mod solve;
@@ -171,6 +172,38 @@ enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
+    /// Draw variants of a scene for an examination: questions, solutions, a key and question banks
+    Exam {
+        /// The scene file, whose `vary` says what may change
+        scene: PathBuf,
+        /// How many variants
+        #[arg(long, value_name = "N")]
+        variants: usize,
+        /// The seed: the same seed gives the same variants
+        #[arg(long, value_name = "S", default_value_t = 1)]
+        seed: u64,
+        /// The folder to write into; a run that was interrupted is taken up again
+        #[arg(short, long, value_name = "DIR")]
+        output: PathBuf,
+        /// No lines or arcs of a solution cross at a smaller angle
+        #[arg(long, value_name = "ANGLE", default_value = "15deg", value_parser = parse_crossing)]
+        flattest: f64,
+        /// The students' hand, by which tolerances are found: slips in millimetres and degrees
+        #[arg(long, value_name = "MM,DEG", default_value = "0.2mm,0.3deg", value_parser = parse_hand)]
+        hand: Hand,
+        /// Format of the sheets: svg or pdf
+        #[arg(long, value_name = "FORMAT")]
+        format: Option<String>,
+        /// Text of SVG sheets and of the banks' figures: live, outline (paths) or embed (with its typefaces)
+        #[arg(long, value_name = "KIND")]
+        text: Option<String>,
+        /// Languages: en, ar, ar-x-ajala, fa; several with commas
+        #[arg(long, value_name = "LANG")]
+        lang: Vec<String>,
+        /// How many variants are worked on at once; all processors where it is left out. It changes nothing else
+        #[arg(long, value_name = "N")]
+        jobs: Option<usize>,
+    },
     /// List the mechanism catalogue, or write a ready scene of a kind
     New {
         /// The kind
@@ -239,6 +272,15 @@ fn parse_hand(text: &str) -> Result<Hand, String> {
     Ok(Hand { length: part(length, "mm", 10.0)?, angle: part(angle, "deg", 10.0)?.to_radians() })
 }
 
+/// `15deg`, with or without the unit; radians.
+fn parse_crossing(text: &str) -> Result<f64, String> {
+    match text.trim().trim_end_matches("deg").trim_end().parse::<f64>() {
+        // Beyond it hardly a scene has all its crossings.
+        Ok(degrees) if (0.0..=60.0).contains(&degrees) => Ok(degrees.to_radians()),
+        _ => Err("expected an angle from 0deg to 60deg, such as 15deg".to_owned()),
+    }
+}
+
 fn parse_percent(text: &str) -> Result<f64, String> {
     let (number, factor) = match text.trim().strip_suffix('%') {
         Some(number) => (number, 0.01),
@@ -303,6 +345,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
         Command::Tradeoff { paths, passes, json, output } => {
             tradeoff::run(&tradeoff::Job { paths, passes, json, output })
+        }
+        Command::Exam { scene, variants, seed, output, flattest, hand, format, text, lang, jobs } => {
+            exam::run(&exam::Job { scene, variants, seed, output, flattest, hand, format, text, lang, jobs })
         }
         Command::New { kind } => new::run(kind.as_deref()),
         Command::Schema { of } => schema(of),

@@ -65,6 +65,10 @@ pub struct Space {
     pub places: Vec<Option<Mm2>>,
     /// Arcs, rays and guide lines by which places were found.
     pub lines: Vec<ConstructionLine>,
+    /// How it is assembled: which of the possible places was taken at each choice, in the order of drawing.
+    /// Two skeletons of one mechanism, with other dimensions or in another position, are assembled alike
+    /// where these are equal.
+    pub choices: Vec<usize>,
 }
 
 /// The instant centres that were found, and in which order.

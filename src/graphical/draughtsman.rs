@@ -137,7 +137,12 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             departures: &[],
             reasons: Vec::new(),
             record: Construction {
-                space: Space { metres_per_mm: scales.length, places: vec![None; points], lines: Vec::new() },
+                space: Space {
+                    metres_per_mm: scales.length,
+                    places: vec![None; points],
+                    lines: Vec::new(),
+                    choices: Vec::new(),
+                },
                 velocity: None,
                 acceleration: None,
                 circle: None,
@@ -500,6 +505,13 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     pub(super) fn prescribed_side(&mut self) -> Option<Side> {
         let sides = self.sides.as_mut()?;
         if sides.is_empty() { None } else { Some(sides.remove(0)) }
+    }
+
+    /// Notes which of the possible places was taken.
+    pub(super) fn chosen(&mut self, which: usize) {
+        if !self.silent {
+            self.record.space.choices.push(which);
+        }
     }
 
     /// Reads a vector off its polygon, for the step list.

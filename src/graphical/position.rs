@@ -239,7 +239,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let reason = self.reason(&[rod, wheel]);
             let mut met = Vec::new();
             for track in self.centre_tracks(roll, wheel) {
-                met.extend(match track {
+                met.push(match track {
                     Track::Straight(line) => self.board.meet_line_circle(line, circle, reason),
                     Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
                 });
@@ -250,10 +250,12 @@ impl<B: Bench> Draughtsman<'_, B> {
                 misses.into_iter().flatten().fold(f64::INFINITY, f64::min)
             };
             // The hint also chooses the side of the line on which the wheel rolls.
-            let Some(pair) = met.into_iter().min_by(|a, b| nearest(self, a).total_cmp(&nearest(self, b)))
+            let met = met.into_iter().enumerate().filter_map(|(track, met)| Some((track, met.ok()?)));
+            let Some((track, pair)) = met.min_by(|a, b| nearest(self, &a.1).total_cmp(&nearest(self, &b.1)))
             else {
                 return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
             };
+            self.chosen(track);
             let radius = circle.radius.value() * self.scales.length;
             self.act(Act::StrikeArc { centre: base, to: centre, radius });
             self.take_hinted(&main, None, centre, pair)?;
@@ -697,7 +699,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             let (own_along, _) = self.board.toward(own_anchor, own_pin, reason);
             Pose { own_anchor, anchor, own_along, along }
         });
-        self.choose_pose(lever, poses, pin)
+        let side = self.choose_pose(lever, poses, pin)?;
+        self.chosen(usize::from(side == Side::Second));
+        Ok(side)
     }
 
     /// Chooses between two poses of a link by the hints for its points.
@@ -913,6 +917,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                     Pose { own_anchor, anchor, own_along, along: rides }
                 });
                 let side = if pair.tangent { Side::First } else { self.choose_pose(link, poses, pin)? };
+                self.chosen(usize::from(side == Side::Second));
                 self.poses[link.0] = Some(poses[usize::from(side == Side::Second)]);
             }
         }
@@ -939,6 +944,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         if self.takes_other_side(pin) {
             side = side.other();
         }
+        self.chosen(usize::from(side == Side::Second));
         let at = self.board.take(pair, side);
         self.place(pin, at);
         self.act(Act::MarkIntersection { point: pin, crossing });

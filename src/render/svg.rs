@@ -121,7 +121,7 @@ fn document(figure: &Figure, theme: Theme, lettered: &Lettered, style: Option<St
 }
 
 /// The FNV-1a hash: short, and the same everywhere.
-fn fnv(bytes: &[u8]) -> u64 {
+pub(crate) fn fnv(bytes: &[u8]) -> u64 {
     bytes
         .iter()
         .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))

@@ -86,7 +86,7 @@ impl Fault {
 /// One line whatever the names of a scene contain: control characters are escaped, and a name of
 /// thousands of letters is cut.
 fn printable(text: &str) -> String {
-    let longest = 400;
+    let longest = 300;
     let mut line: String = text
         .chars()
         .take(longest)

@@ -20,6 +20,7 @@ pub(super) const SCENE: &[&str] = &[
     "errata",
     "expect",
     "sheet",
+    "vary",
 ];
 pub(super) const UNITS: &[&str] = &["length", "angle", "time"];
 pub(super) const LINK: &[&str] = &["joins", "length", "line", "sides", "turn", "shape", "arms"];
@@ -48,3 +49,4 @@ pub(super) const SHEET: &[&str] = &[
     "marks",
 ];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];
+pub(super) const RANGE: &[&str] = &["from", "to", "step"];

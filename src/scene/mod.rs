@@ -20,12 +20,14 @@ mod source;
 #[cfg(test)]
 mod tests;
 pub(crate) mod units;
+mod vary;
 
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
 pub use sheet::paper_size;
 pub use source::{Source, Subject};
 pub use units::si_of;
+pub use vary::{Range, Varied, variant};
 
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Unit;
@@ -90,6 +92,8 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let expect = published::expect(fields.get("expect"))?;
     draft.anchors.sheet = fields.get("sheet").map(|value| value.at);
     let sheet = sheet::read(fields.get("sheet"), &scales)?;
+    draft.anchors.vary = fields.get("vary").map(|value| value.at);
+    let vary = vary::read(root, fields.get("vary"))?;
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
     let mut mechanism = draft.mechanism;
     rolls::name_contacts(&mut mechanism);
@@ -103,6 +107,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
         expect,
         input_units,
         sheet,
+        vary,
         source,
     })
 }
@@ -126,6 +131,8 @@ pub struct Scene {
     pub input_units: Vec<InputUnits>,
     /// How to draw.
     pub sheet: SheetOptions,
+    /// What exam variants may change, in the order of the file; never looked at in a solution.
+    pub vary: Vec<Varied>,
     /// Where everything stands in the file.
     pub source: Source,
 }

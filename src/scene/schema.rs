@@ -96,6 +96,16 @@ fn scene() -> Value {
                 "description": "The refusal that this scene must get.",
             },
             "sheet": reference("sheet"),
+            "vary": {
+                "type": "object", "additionalProperties": reference("range"),
+                "propertyNames": { "pattern": "^(fixed|placed|links|slides|rolls|inputs?|pins)[.\\[]" },
+                "description": "What the variants of an exam may change: the path of a given number, and its range.",
+                "examples": [{
+                    "links.2.length": { "from": 12, "to": 18, "step": 0.5 },
+                    "fixed.O4[0]": { "from": 40, "to": 50, "step": 1 },
+                    "slides[0].on.angle": { "from": -10, "to": 10, "step": 5 },
+                }],
+            },
         }),
     );
     schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
@@ -343,6 +353,11 @@ fn sheet() -> Value {
         "scales": object("Scales by diagram.", &[], json!({
             "length": length, "velocity": velocity, "acceleration": acceleration,
         })),
+        "range": object("Numbers in equal steps, in the unit of the number that varies.", &["from", "to", "step"], json!({
+            "from": { "type": "number", "description": "The first one." },
+            "to": { "type": "number", "description": "The last one, a whole number of steps away." },
+            "step": { "type": "number", "exclusiveMinimum": 0, "description": "By how much neighbours differ." },
+        })),
         "sheet": object("How to draw.", &[], json!({
             "paper": {
                 "type": "string", "pattern": format!("^\\s*({})(\\s+(portrait|landscape))?\\s*$", PAPERS.join("|")),
@@ -380,7 +395,7 @@ mod tests {
     #[test]
     fn same_keys_as_the_reader() {
         let schema = schema();
-        let tables: [(&str, &[&str]); 12] = [
+        let tables: [(&str, &[&str]); 13] = [
             ("", keys::SCENE),
             ("/$defs/units", keys::UNITS),
             ("/$defs/link", keys::LINK),
@@ -393,6 +408,7 @@ mod tests {
             ("/$defs/publishedValue", keys::PUBLISHED),
             ("/$defs/sheet", keys::SHEET),
             ("/$defs/scales", keys::SCALES),
+            ("/$defs/range", keys::RANGE),
         ];
         for (place, keys) in tables {
             let object = schema.pointer(place).unwrap();

@@ -39,6 +39,8 @@ pub enum Subject {
     Published(usize),
     /// How to draw; the whole scene where it is left out.
     Sheet,
+    /// What variants may change; the whole scene where it is left out.
+    Vary,
 }
 
 /// Byte offsets of all parts.
@@ -56,6 +58,7 @@ pub(super) struct Anchors {
     pub(super) asked: Vec<usize>,
     pub(super) published: Vec<usize>,
     pub(super) sheet: Option<usize>,
+    pub(super) vary: Option<usize>,
 }
 
 impl Anchors {
@@ -74,6 +77,7 @@ impl Anchors {
             asked: Vec::new(),
             published: Vec::new(),
             sheet: None,
+            vary: None,
         }
     }
 
@@ -108,6 +112,7 @@ impl Anchors {
             Subject::Asked(index) => self.asked.get(index),
             Subject::Published(index) => self.published.get(index),
             Subject::Sheet => self.sheet.as_ref(),
+            Subject::Vary => self.vary.as_ref(),
         };
         found.copied().unwrap_or(self.root)
     }
@@ -118,6 +123,12 @@ impl Source {
     #[must_use]
     pub fn file(&self) -> &str {
         &self.file
+    }
+
+    /// The text, as it was read.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// What is wrong with a part of the scene, with its line, column and path.

@@ -112,10 +112,36 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
 /// finds but the position in which the skeleton is drawn.
 #[must_use]
 pub fn question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    question_on(paper(scene), scene, construction, language)
+}
+
+/// The same as a card, for a screen: one page as high as it needs, without a page number.
+#[must_use]
+pub fn question_card(scene: &Scene, construction: &Construction, language: Language) -> Figure {
+    /// Higher than any question: then it has one page.
+    const HIGH: f64 = 20.0;
+    let (width, height) = paper(scene);
+    let mut figure = question_on((width, HIGH * height), scene, construction, language);
+    for page in &mut figure.root.children {
+        if let Node::Group(page) = page {
+            page.children.retain(|node| !matches!(node, Node::Text(text) if text.class == "page-number"));
+        }
+    }
+    if let Some(ink) = figure.root.bounds() {
+        figure.height = figure.height.min(ink.y1 + MARGIN);
+    }
+    figure
+}
+
+fn question_on(
+    (width, height): (f64, f64),
+    scene: &Scene,
+    construction: &Construction,
+    language: Language,
+) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
     let skeleton = asked_skeleton(construction, &notation);
-    let (width, height) = paper(scene);
     let width = width.max(skeleton.width + 2.0 * MARGIN);
     let height = height.max(skeleton.height + 4.0 * MARGIN);
     let mut pager = Pager::new(width, height, title(scene, words), words);

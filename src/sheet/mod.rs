@@ -5,6 +5,7 @@
 //! [`Construction`](crate::graphical::construction::Construction). The offset on the page is added here
 //! and nowhere else.
 
+mod answers;
 mod auxiliary;
 mod bidi;
 mod centres;
@@ -39,7 +40,11 @@ mod transfer;
 mod wanted;
 mod words;
 
-pub use compose::{figure_names, film, question, single, single_of_question, solution, stack, step_by_step};
+pub use answers::{Part, prompt};
+pub use compose::{
+    figure_names, film, paper, question, question_card, single, single_of_question, solution, stack,
+    step_by_step,
+};
 pub use figure::Figure;
 pub use wanted::{auxiliary, figure_head};
 pub use words::Language;

@@ -234,6 +234,30 @@ impl Rich {
         out.up(rest)
     }
 
+    /// The same for a page of hypertext: subscripts, superscripts and italics as elements. Ticks and gaps, which
+    /// no symbol of a quantity has, are left out.
+    #[must_use]
+    pub fn html(&self) -> String {
+        let run = |text: &str, face: Face| {
+            let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+            if face == Face::Italic { format!("<i>{text}</i>") } else { text }
+        };
+        let runs = |name: &str, runs: &[(String, Face)]| match runs {
+            [] => String::new(),
+            runs => {
+                let inside: String = runs.iter().map(|(text, face)| run(text, *face)).collect();
+                format!("<{name}>{inside}</{name}>")
+            }
+        };
+        let piece = |item: &Item| match &item.piece {
+            Piece::Run(text, face) => run(text, *face),
+            Piece::Vector(letter) => run(letter, Face::Italic),
+            Piece::Scripts { sup, sub } => runs("sup", sup) + &runs("sub", sub),
+            Piece::Tick | Piece::Gap(_) => String::new(),
+        };
+        self.items.iter().map(piece).collect()
+    }
+
     /// The same squared: the 2 stands over the last subscript.
     #[must_use]
     pub fn squared(mut self) -> Self {

@@ -399,7 +399,12 @@ fn placed(json: &str) -> (Scene, Construction) {
         Some([0, 1].map(|i| (at[i].value - origin[i].value) / per_mm))
     };
     let places = scene.mechanism.points.iter().map(mm).collect();
-    let space = crate::graphical::construction::Space { metres_per_mm: per_mm, places, lines: vec![] };
+    let space = crate::graphical::construction::Space {
+        metres_per_mm: per_mm,
+        places,
+        lines: vec![],
+        choices: vec![],
+    };
     let construction = Construction {
         space,
         velocity: None,

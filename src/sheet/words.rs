@@ -107,6 +107,13 @@ pub struct Words {
     pub asked_accelerations: &'static str,
     pub asked_alphas: &'static str,
 
+    // What an answer is to be entered as.
+    pub by_drawing: &'static str,
+    pub answer_rotation: &'static str,
+    pub answer_magnitude: &'static str,
+    pub answer_direction: &'static str,
+    pub answer_coordinate: &'static str,
+
     // Heads of tables, senses and places.
     pub quantity: &'static str,
     pub value: &'static str,
@@ -283,6 +290,12 @@ const ENGLISH: Words = Words {
     asked_accelerations: "the accelerations",
     asked_alphas: "the angular accelerations",
 
+    by_drawing: "Solve by drawing; the error of a careful hand is allowed for.",
+    answer_rotation: "{symbol}, counter-clockwise positive",
+    answer_magnitude: "magnitude of {symbol}",
+    answer_direction: "direction of {symbol}, counter-clockwise from the x-axis",
+    answer_coordinate: "{symbol}, coordinate {axis}",
+
     quantity: "quantity",
     value: "value",
     sense: "sense, direction",
@@ -450,6 +463,12 @@ const ARABIC: Words = Words {
     asked_rubbing: "سرعات التحاك",
     asked_accelerations: "التسارعات",
     asked_alphas: "التسارعات الزاوية",
+
+    by_drawing: "الحل بالرسم، ويُسمح بخطأ الرسم المتقن باليد.",
+    answer_rotation: "{symbol}، موجبة بعكس عقارب الساعة",
+    answer_magnitude: "قيمة {symbol}",
+    answer_direction: "منحى {symbol}، بعكس عقارب الساعة من المحور x",
+    answer_coordinate: "{symbol}، الإحداثي {axis}",
 
     quantity: "الكمية",
     value: "القيمة",
@@ -621,6 +640,12 @@ const ARABIC_AJALA: Words = Words {
     asked_accelerations: "العجلات",
     asked_alphas: "العجلات الزاوية",
 
+    by_drawing: "الحل بالرسم، ويُسمح بخطأ الرسم المتقن باليد.",
+    answer_rotation: "{symbol}، موجبة عكس عقارب الساعة",
+    answer_magnitude: "قيمة {symbol}",
+    answer_direction: "اتجاه {symbol}، عكس عقارب الساعة من المحور x",
+    answer_coordinate: "{symbol}، الإحداثي {axis}",
+
     quantity: "الكمية",
     value: "القيمة",
     sense: "الاتجاه",
@@ -789,6 +814,12 @@ const PERSIAN: Words = Words {
     asked_rubbing: "سرعت‌های مالش",
     asked_accelerations: "شتاب‌های",
     asked_alphas: "شتاب‌های زاویه‌ای",
+
+    by_drawing: "با رسم حل کنید؛ خطای رسمِ دقیق با دست پذیرفته است.",
+    answer_rotation: "{symbol}، پادساعتگرد مثبت",
+    answer_magnitude: "مقدار {symbol}",
+    answer_direction: "راستای {symbol}، پادساعتگرد از محور x",
+    answer_coordinate: "{symbol}، مختص {axis}",
 
     quantity: "کمیت",
     value: "مقدار",

@@ -1,5 +1,6 @@
 //! `linkgram grade` as its users meet it: a scene file, an answer file, a report.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -40,6 +41,8 @@ pub(crate) struct Judgement {
     pub(crate) verdicts: Vec<(String, String)>,
     /// Quantity at which the first fault stands, and the mistakes by which it is explained, best first.
     pub(crate) fault: Option<(String, Vec<String>)>,
+    /// Kinds of the mistakes that are given for any wrong answer.
+    pub(crate) named: BTreeSet<String>,
 }
 
 impl Judgement {
@@ -53,7 +56,9 @@ impl Judgement {
                 .map_or_else(Vec::new, |all| all.iter().map(|m| text(&m["kind"])).collect());
             (text(&fault["name"]), mistakes)
         });
-        Self { verdicts, fault }
+        let given = quantities.iter().filter_map(|q| q["mistakes"].as_array()).flatten();
+        let named = given.map(|m| text(&m["kind"])).collect();
+        Self { verdicts, fault, named }
     }
 
     /// The diagnosis that is ranked first.

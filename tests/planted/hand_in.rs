@@ -77,10 +77,7 @@ fn scales_for(student: &Student<'_>, mechanism: &Mechanism) -> Scales {
 }
 
 /// The student at scales of his own choice, his pencil not slipping.
-pub(crate) fn steady<'a>(
-    mechanism: &'a Mechanism,
-    planted: Option<&'a Mistake>,
-) -> Result<Student<'a>, Stuck> {
+pub(crate) fn steady<'a>(mechanism: &'a Mechanism, planted: &'a [Mistake]) -> Result<Student<'a>, Stuck> {
     let mut scales = Scales { length: 1.0, velocity: 1.0, acceleration: 1.0 };
     for _ in 0..4 {
         let student = solve(mechanism, planted, None, scales)?;
@@ -100,12 +97,12 @@ impl HandIn {
         student: &Student<'_>,
         mechanism: &Mechanism,
         style: Style,
-        planted: Option<&Mistake>,
+        planted: &[Mistake],
         askew: &mut Chance,
     ) -> Self {
         // Whoever draws v(A@4) along the slot cannot tell which way the guide turns, nor go on to accelerations.
         let velocities_only =
-            planted.is_some_and(|m| m.kind == Kind::PerpendicularForParallel && m.at.starts_with("slip"));
+            planted.iter().any(|m| m.kind == Kind::PerpendicularForParallel && m.at.starts_with("slip"));
         let unit = mechanism.unit.symbol();
         let mut answers = Vec::new();
         let mut values = Map::new();

@@ -88,10 +88,11 @@ impl Xy {
     }
 }
 
-/// Where the line through `p` along `d` meets the line through `q` along `e`; none where they are nearly parallel.
+/// Where the line through `p` along `d` meets the line through `q` along `e`; none where they cross flatter than 20°:
+/// no pencil finds that point, and a mistake that leads there is found by its maker.
 pub(crate) fn meet(p: Xy, d: Xy, q: Xy, e: Xy) -> Option<Xy> {
     let sine = d.unit().cross(e.unit());
-    (sine.abs() > 0.02).then(|| p + d * ((q - p).cross(e) / d.cross(e)))
+    (sine.abs() > 0.34).then(|| p + d * ((q - p).cross(e) / d.cross(e)))
 }
 
 /// Third corner of the triangle with sides `from_a` and `from_b` over `a` and `b`, to the left of a→b for +1.

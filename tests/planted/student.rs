@@ -79,7 +79,7 @@ struct Neighbour {
 #[derive(Debug)]
 pub(crate) struct Student<'a> {
     mechanism: &'a Mechanism,
-    planted: Option<&'a Mistake>,
+    planted: &'a [Mistake],
     pencil: Option<Chance>,
     pub(crate) scales: Scales,
     /// Every mistake that could have been made.
@@ -94,10 +94,10 @@ pub(crate) struct Student<'a> {
     lengths: BTreeMap<&'static str, f64>,
 }
 
-/// Solves the mechanism, with one mistake or none, with a slipping pencil or none.
+/// Solves the mechanism, with these mistakes or none, with a slipping pencil or none.
 pub(crate) fn solve<'a>(
     mechanism: &'a Mechanism,
-    planted: Option<&'a Mistake>,
+    planted: &'a [Mistake],
     pencil: Option<Chance>,
     scales: Scales,
 ) -> Result<Student<'a>, Stuck> {
@@ -125,10 +125,10 @@ fn lower(point: &str) -> String {
 }
 
 impl Student<'_> {
-    /// Offers a mistake; true where it is the one to be made.
+    /// Offers a mistake; true where it is to be made.
     fn slips(&mut self, kind: Kind, at: &str, how: &'static str) -> bool {
         let mistake = Mistake { kind, at: at.to_owned(), how };
-        let made = self.planted == Some(&mistake);
+        let made = self.planted.contains(&mistake);
         if !self.offered.contains(&mistake) {
             self.offered.push(mistake);
         }
@@ -258,7 +258,7 @@ impl Student<'_> {
     /// ω of the crank as this student took it.
     fn crank_omega(&self) -> f64 {
         let m = self.mechanism;
-        let is = |kind| self.planted.is_some_and(|p| p.kind == kind && p.at == "omega(2)");
+        let is = |kind| self.planted.iter().any(|p| p.kind == kind && p.at == "omega(2)");
         let w = if m.rpm && !is(Kind::RpmAsRad) { m.omega * std::f64::consts::TAU / 60.0 } else { m.omega };
         if is(Kind::SenseReversed) { -w } else { w }
     }

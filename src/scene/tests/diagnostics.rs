@@ -44,6 +44,31 @@ const CASES: &[Case] = &[
     ("\"angle\": \"deg\"", "\"angle\": \"degrees\"", "units.angle", &["unit of angle", "`deg`"]),
     ("\"time\": \"s\"", "\"time\": \"cm\"", "units.time", &["unit of time"]),
     ("[45, 15]", "[45, 15, 0]", "fixed.O4", &["[x, y]", "3"]),
+    // What variants change.
+    (
+        "\"near\":",
+        "\"vary\": { \"links.2.lenght\": { \"from\": 1, \"to\": 2, \"step\": 1 } }, \"near\":",
+        "vary.links.2.lenght",
+        &["not a given number", "did you mean `links.2.length`"],
+    ),
+    (
+        "\"near\":",
+        "\"vary\": { \"near.B[0]\": { \"from\": 1, \"to\": 2, \"step\": 1 } }, \"near\":",
+        "vary.near.B[0]",
+        &["not a given number"],
+    ),
+    (
+        "\"near\":",
+        "\"vary\": { \"slides[0].block\": { \"from\": 1, \"to\": 2, \"step\": 1 } }, \"near\":",
+        "vary.slides[0].block",
+        &["not a given number"],
+    ),
+    (
+        "\"near\":",
+        "\"vary\": { \"input.omega\": { \"from\": 8, \"to\": 12, \"step\": 3 } }, \"near\":",
+        "vary.input.omega.to",
+        &["no whole number of steps", "end at 11 or at 14"],
+    ),
     // Points and links.
     ("\"O4\": [45, 15]", "\"4\": [45, 15]", "fixed.4", &["cannot name a point", "begins with a letter"]),
     ("\"O4\": [45, 15]", "\"O/4\": [45, 15]", "fixed.O/4", &["cannot name a point"]),

@@ -359,3 +359,14 @@ fn later_complaints_know_the_place() {
     assert_eq!(of(Subject::Scene), "");
     assert_eq!(of(Subject::Asked(99)), "");
 }
+
+#[test]
+fn an_input_angle_keeps_its_whole_turns_and_half_a_turn_its_sign() {
+    for (stated, degrees) in
+        [("30", 30.0), ("210", 210.0), ("180", 180.0), ("-90", -90.0), ("\"400 deg\"", 400.0)]
+    {
+        let scene = good(&example_with("\"angle\": 30", &format!("\"angle\": {stated}")));
+        let angle = scene.input_units[0].angle.unwrap().to_degrees();
+        assert!((angle - degrees).abs() < 1e-9, "{stated}: {angle}");
+    }
+}

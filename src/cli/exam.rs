@@ -1,0 +1,337 @@
+//! `linkgram exam`.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::{Value, json};
+
+use super::{Ending, Failure, failure, print, read_scene};
+use crate::exam::{self, Bank, ExamError, Terms, Variant};
+use crate::files;
+use crate::parallel;
+use crate::render::{self, Format, Lettering, Options};
+use crate::scene::{Scene, Subject};
+use crate::sheet::Language;
+use crate::solve::Hand;
+
+/// Version of the manifest's form.
+const FORM: u64 = 1;
+/// The manifest: what exam a folder holds.
+const MANIFEST: &str = "exam.json";
+/// Folders of one file per variant.
+const FOLDERS: [&str; 3] = ["scenes", "questions", "solutions"];
+
+/// What is to be made, and where.
+pub(super) struct Job {
+    pub(super) scene: PathBuf,
+    pub(super) variants: usize,
+    pub(super) seed: u64,
+    pub(super) output: PathBuf,
+    pub(super) flattest: f64,
+    pub(super) hand: Hand,
+    pub(super) format: Option<String>,
+    pub(super) text: Option<String>,
+    pub(super) lang: Vec<String>,
+    pub(super) jobs: Option<usize>,
+}
+
+pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
+    let format = format(job)?;
+    let options = Options { lettering: lettering(job)?, ..Options::default() };
+    let languages = languages(job)?;
+    if job.variants == 0 {
+        return Err(Failure("--variants: one at least".to_owned()));
+    }
+    let (_, scene) = read_scene(&job.scene)?;
+    let languages = match (languages.is_empty(), scene.sheet.language.as_deref()) {
+        (false, _) => languages,
+        (true, stated) => vec![stated.and_then(Language::from_tag).unwrap_or_default()],
+    };
+    let workers = job.jobs.unwrap_or_else(parallel::processors);
+    let terms = Terms { variants: job.variants, seed: job.seed, flattest: job.flattest, hand: job.hand };
+    let text = scene.source.text();
+    let folder =
+        Folder { path: &job.output, exam: identity(text.as_bytes(), &terms, format, &options, &languages) };
+    let known = folder.known_attempts(job.variants)?;
+    let work =
+        Work { scene: &scene, terms, workers, format, options, languages: &languages, folder: &folder };
+    let (variants, told) = work.variants(known.as_deref())?;
+    folder.begin(&variants)?;
+    let written = work.sheets(&variants)?;
+    work.banks(&variants)?;
+    print(&format!("{told}{written}{}: {} variants\n", job.output.display(), variants.len()))?;
+    Ok(Ending::Fine)
+}
+
+fn format(job: &Job) -> Result<Format, Failure> {
+    match job.format.as_deref() {
+        None => Ok(Format::Svg),
+        Some(name) => match Format::from_name(name) {
+            Some(format @ (Format::Svg | Format::Pdf)) => Ok(format),
+            _ => Err(Failure(format!("--format {name}: an exam is written as svg or pdf"))),
+        },
+    }
+}
+
+fn lettering(job: &Job) -> Result<Lettering, Failure> {
+    let Some(name) = &job.text else { return Ok(Lettering::default()) };
+    Lettering::from_name(name).ok_or_else(|| {
+        Failure(format!("--text {name}: choose {}", Lettering::ALL.map(Lettering::name).join(", ")))
+    })
+}
+
+fn languages(job: &Job) -> Result<Vec<Language>, Failure> {
+    let mut languages: Vec<Language> = Vec::new();
+    for tag in job.lang.iter().flat_map(|tags| tags.split(',')).map(str::trim) {
+        let language = Language::from_tag(tag).ok_or_else(|| {
+            Failure(format!("language {tag} is not available; known: {}", Language::tags().join(", ")))
+        })?;
+        if !languages.contains(&language) {
+            languages.push(language);
+        }
+    }
+    Ok(languages)
+}
+
+/// What must be the same for two runs to make the same exam.
+fn identity(text: &[u8], terms: &Terms, format: Format, options: &Options, languages: &[Language]) -> Value {
+    let tags: Vec<&str> = languages.iter().map(|l| l.words().tag).collect();
+    json!({
+        "form": FORM,
+        "linkgram": env!("CARGO_PKG_VERSION"),
+        "scene": format!("{:016x}", render::svg::fnv(text)),
+        "seed": terms.seed,
+        "flattest_deg": terms.flattest.to_degrees(),
+        "hand": { "length_mm": terms.hand.length, "angle_deg": terms.hand.angle.to_degrees() },
+        "format": format.name(),
+        "text": options.lettering.name(),
+        "languages": tags,
+    })
+}
+
+/// The folder of an exam.
+struct Folder<'a> {
+    path: &'a Path,
+    exam: Value,
+}
+
+impl Folder<'_> {
+    fn manifest(&self) -> PathBuf {
+        self.path.join(MANIFEST)
+    }
+
+    /// The tries that an earlier run found, if it found enough; a folder that holds anything else is refused.
+    fn known_attempts(&self, wanted: usize) -> Result<Option<Vec<u64>>, Failure> {
+        let shown = self.path.display();
+        let failed = |error: std::io::Error| Failure(format!("{shown}: {error}"));
+        if !self.path.exists() {
+            return Ok(None);
+        }
+        if !self.path.is_dir() {
+            return Err(Failure(format!("{shown}: is no folder; an exam is written into one")));
+        }
+        if !self.manifest().exists() {
+            return match fs::read_dir(self.path).map_err(failed)?.next() {
+                None => Ok(None),
+                Some(_) => Err(Failure(format!(
+                    "{shown}: holds other files and no {MANIFEST}; choose an empty folder or a new one"
+                ))),
+            };
+        }
+        let text = fs::read_to_string(self.manifest()).map_err(failed)?;
+        let damaged =
+            || Failure(format!("{shown}/{MANIFEST}: not the manifest of an exam; choose another folder"));
+        let mut held: Value = serde_json::from_str(&text).map_err(|_| damaged())?;
+        let attempts = held.as_object_mut().and_then(|map| map.remove("tries")).ok_or_else(damaged)?;
+        let attempts: Vec<u64> = serde_json::from_value(attempts).map_err(|_| damaged())?;
+        if let Some(key) = difference(&held, &self.exam) {
+            return Err(Failure(format!(
+                "{shown}: holds another exam ({key}: {} there, {} here); choose another folder",
+                held[key.as_str()],
+                self.exam[key.as_str()]
+            )));
+        }
+        if attempts.len() > wanted {
+            return Err(Failure(format!(
+                "{shown}: holds {} variants of this exam; ask for as many or more, or choose another folder",
+                attempts.len()
+            )));
+        }
+        Ok((attempts.len() == wanted).then_some(attempts))
+    }
+
+    /// Makes the folders, clears away what an interrupted run left beside its files, and says what exam this is
+    /// before the first file of it is written.
+    fn begin(&self, variants: &[Variant]) -> Result<(), Failure> {
+        let failed = |path: &Path, error: &std::io::Error| Failure(format!("{}: {error}", path.display()));
+        let folders = FOLDERS.map(|name| self.path.join(name));
+        for folder in folders.iter().map(PathBuf::as_path).chain([self.path]) {
+            fs::create_dir_all(folder).map_err(|error| failed(folder, &error))?;
+            for entry in fs::read_dir(folder).map_err(|error| failed(folder, &error))?.flatten() {
+                let name = entry.file_name();
+                let name = name.to_string_lossy();
+                if name.starts_with('.') && name.ends_with(".part") {
+                    fs::remove_file(entry.path()).map_err(|error| failed(&entry.path(), &error))?;
+                }
+            }
+        }
+        let mut manifest = self.exam.clone();
+        manifest["tries"] = variants.iter().map(|v| v.attempt).collect();
+        Ok(files::write_all(&[(self.manifest(), pretty(&manifest)?)])?)
+    }
+}
+
+/// The first key in which two objects differ.
+fn difference(one: &Value, other: &Value) -> Option<String> {
+    let keys = |value: &Value| -> Vec<String> {
+        value.as_object().map(|map| map.keys().cloned().collect()).unwrap_or_default()
+    };
+    let all: BTreeSet<String> = keys(one).into_iter().chain(keys(other)).collect();
+    all.into_iter().find(|key| one.get(key) != other.get(key))
+}
+
+fn pretty(value: &Value) -> Result<Vec<u8>, Failure> {
+    let text = serde_json::to_string_pretty(value).map_err(|error| Failure(error.to_string()))?;
+    Ok((text + "\n").into_bytes())
+}
+
+/// A bar on a terminal, nothing elsewhere.
+fn bar(length: usize, template: &str) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(length as u64).with_style(style)
+}
+
+/// The work of one run.
+struct Work<'a> {
+    scene: &'a Scene,
+    terms: Terms,
+    workers: usize,
+    format: Format,
+    options: Options,
+    languages: &'a [Language],
+    folder: &'a Folder<'a>,
+}
+
+impl Work<'_> {
+    /// The variants, and what is told of the search.
+    fn variants(&self, known: Option<&[u64]>) -> Result<(Vec<Variant>, String), Failure> {
+        let bar = bar(self.terms.variants, "{bar:40} {pos}/{len} variants drawn, {eta} left");
+        let refused = |error: &ExamError| refused(self.scene, error);
+        let variants = if let Some(attempts) = known {
+            let again = exam::redraw(self.scene, &self.terms, attempts, self.workers, &|| bar.inc(1));
+            again.map_err(|error| refused(&error))?.map(|variants| (variants, String::new())).ok_or_else(
+                || {
+                    let path = self.folder.manifest();
+                    Failure(format!("{}: its tries give no variants; choose another folder", path.display()))
+                },
+            )
+        } else {
+            let set = |found: usize| bar.set_position(found as u64);
+            let drawn =
+                exam::draw(self.scene, &self.terms, self.workers, &set).map_err(|error| refused(&error))?;
+            let passed = if drawn.tally.flaws.is_empty() {
+                String::new()
+            } else {
+                format!("{} tries: {}\n", drawn.tries, drawn.tally)
+            };
+            Ok((drawn.variants, passed))
+        };
+        bar.finish_and_clear();
+        variants
+    }
+
+    fn path(&self, folder: &str, variant: &Variant, language: Language) -> PathBuf {
+        let name = format!("{}.{}.{}", variant.name(), language.words().tag, self.format.name());
+        self.folder.path.join(folder).join(name)
+    }
+
+    /// Writes what is missing of each variant: all its files at once, or none.
+    fn sheets(&self, variants: &[Variant]) -> Result<String, Failure> {
+        let missing: Vec<&Variant> = variants.iter().filter(|v| !self.is_there(v)).collect();
+        let told = match variants.len() - missing.len() {
+            0 => String::new(),
+            there => format!("{there} variants are there already\n"),
+        };
+        let bar = bar(missing.len(), "{bar:40} {pos}/{len} sheets, {eta} left");
+        let written = parallel::map_with(self.workers, &missing, |variant| {
+            let result = self.write(variant);
+            bar.inc(1);
+            result
+        });
+        bar.finish_and_clear();
+        written.into_iter().collect::<Result<(), Failure>>()?;
+        Ok(told)
+    }
+
+    fn scene_path(&self, variant: &Variant) -> PathBuf {
+        self.folder.path.join("scenes").join(format!("{}.json", variant.name()))
+    }
+
+    fn is_there(&self, variant: &Variant) -> bool {
+        let sheet = |folder| self.languages.iter().all(|l| self.path(folder, variant, *l).exists());
+        self.scene_path(variant).exists() && sheet("questions") && sheet("solutions")
+    }
+
+    fn write(&self, variant: &Variant) -> Result<(), Failure> {
+        let scene = &variant.scene;
+        let mut all = vec![(self.scene_path(variant), variant.text.clone().into_bytes())];
+        for &language in self.languages {
+            let question = exam::question(scene, language).map_err(|error| failure(scene, &error))?;
+            let solution = exam::solution(scene, language).map_err(|error| failure(scene, &error))?;
+            for (folder, figure) in [("questions", question), ("solutions", solution)] {
+                let bytes = render::render(&figure, self.format, &self.options);
+                let bytes = bytes.map_err(|error| Failure(error.to_string()))?;
+                all.push((self.path(folder, variant, language), bytes));
+            }
+        }
+        Ok(files::write_all(&all)?)
+    }
+
+    /// Writes the key and the banks: all of them, or none.
+    fn banks(&self, variants: &[Variant]) -> Result<(), Failure> {
+        let root = self.folder.path;
+        let key = exam::json(self.scene, &self.terms, variants);
+        let mut all = vec![
+            (root.join("key.csv"), exam::csv(variants).into_bytes()),
+            (root.join("key.json"), pretty(&key)?),
+        ];
+        for &language in self.languages {
+            let figures = parallel::map_with(self.workers, variants, |variant| {
+                exam::card(&variant.scene, language).map_err(|error| failure(&variant.scene, &error))
+            });
+            let figures: Vec<_> = figures.into_iter().collect::<Result<_, _>>()?;
+            let bank = Bank::new(self.scene, language, variants.iter().zip(figures).collect(), &self.options)
+                .map_err(|error| Failure(error.to_string()))?;
+            let tag = language.words().tag;
+            for (number, text) in (1..).zip(exam::numerical(&bank)) {
+                let name = format!("moodle-numerical.{tag}.{number:02}.xml");
+                all.push((root.join(name), text.into_bytes()));
+            }
+            all.push((root.join(format!("moodle-cloze.{tag}.xml")), exam::cloze(&bank).into_bytes()));
+            let package = exam::package(&bank).map_err(|error| Failure(error.to_string()))?;
+            all.push((root.join(format!("qti.{tag}.zip")), package));
+        }
+        Ok(files::write_all(&all)?)
+    }
+}
+
+/// Why there is no exam, at the place in the scene that it is about.
+fn refused(scene: &Scene, error: &ExamError) -> Failure {
+    let at_vary = |mend: &str| -> Failure {
+        scene.source.complain(Subject::Vary, error.to_string(), Some(mend.to_owned())).into()
+    };
+    match error {
+        ExamError::Scene(error) => failure(scene, error),
+        ExamError::NothingVaries => at_vary(
+            "say what variants may change, such as \"vary\": {\"links.2.length\": {\"from\": 12, \"to\": 18, \"step\": 0.5}}",
+        ),
+        ExamError::TooFew { .. } => at_vary("widen the ranges, take finer steps, or vary more numbers"),
+        ExamError::Exhausted { .. } => at_vary("change the ranges that cause what most tries failed on"),
+    }
+}

@@ -1,0 +1,259 @@
+//! Whether a scene with drawn numbers may become a variant, and the places by which it is assembled as the
+//! scene is.
+
+use super::answer::{self, KeyAnswer};
+use super::{Flaw, Terms, Variant};
+use crate::check::Outcome;
+use crate::graphical::construction::{Act, Construction};
+use crate::graphical::{Draughtsmen, DrawError};
+use crate::mechanism::{Mechanism, Place, PointId};
+use crate::plan::Extent;
+use crate::scene::{self, Scene};
+use crate::sheet::{self, Figure, Language};
+use crate::solve::{SolveError, Solved, by_hand, solve};
+
+/// So many draughtsmen draw each variant: nineteen of twenty are then known to a tenth.
+const DRAUGHTSMEN: u64 = 200;
+/// An answer must be this many times larger than the slip of a careful hand, or the drawing does not tell it.
+const CLEAR: f64 = 4.0;
+/// Published values play no part in a variant; the check wants a tolerance for them all the same.
+const NO_MATTER: f64 = 1.0;
+/// On the way from the scene to a variant no step is finer than this part of it.
+const FINEST_STEP: f64 = 1.0 / 256.0;
+/// A group of higher class may close in several ways that no choice of sides tells apart: it is led there in
+/// steps of this part of the way.
+const SMALL_STEP: f64 = 1.0 / 32.0;
+/// A place that chooses the assembly is written to this part of the mechanism's size.
+const ROUGH: f64 = 1e-3;
+
+/// Places of all points, metres.
+type Places = Vec<Option<[f64; 2]>>;
+
+/// The scene itself, to which every variant is compared.
+pub(super) struct Base<'a> {
+    scene: &'a Scene,
+    choices: Vec<usize>,
+    places: Places,
+    /// Length of the first step on the way to a variant.
+    step: f64,
+    /// Which of its own answers are clear of a hand's slip.
+    clear: Vec<bool>,
+}
+
+/// A try that may become a variant.
+#[derive(Debug, Clone)]
+pub(super) struct Candidate {
+    places: Places,
+    scene: Scene,
+    pub(super) answers: Vec<KeyAnswer>,
+}
+
+impl<'a> Base<'a> {
+    pub(super) fn new(scene: &'a Scene, terms: &Terms) -> Result<Self, SolveError> {
+        let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)?;
+        let construction = &solved.solution.construction;
+        let hand = by_hand(scene, &solved, draughtsmen(terms))?;
+        let clear = construction.answers.iter().zip(&hand).map(|(reading, hand)| {
+            hand.tolerance().is_some_and(|slip| answer::size(&reading.answer) >= CLEAR * slip)
+        });
+        let several = !solved.structure.trials.is_empty();
+        Ok(Self {
+            scene,
+            choices: construction.space.choices.clone(),
+            places: places(&scene.mechanism, construction),
+            step: if several { SMALL_STEP } else { 1.0 },
+            clear: clear.collect(),
+        })
+    }
+
+    /// The variant with these numbers, or why it cannot be one.
+    pub(super) fn admit(&self, numbers: &[String], terms: &Terms) -> Result<Candidate, Flaw> {
+        let places = self.led_to(numbers)?;
+        let scene = read(&self.text(numbers, &places, ""))?;
+        let solved = solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).map_err(refused)?;
+        let construction = &solved.solution.construction;
+        if construction.space.choices != self.choices {
+            return Err(Flaw::OtherAssembly);
+        }
+        if let Some(angle) = flattest(construction).filter(|angle| *angle < terms.flattest) {
+            return Err(Flaw::Flat { degrees: angle.to_degrees() });
+        }
+        match crate::check::check(&scene, NO_MATTER).outcome {
+            Outcome::Solved { agreement, .. } if agreement.ok() => {}
+            Outcome::Solved { .. } => return Err(Flaw::Disagrees),
+            Outcome::Refused { error, .. } => return Err(refused(error)),
+        }
+        let hand = by_hand(&scene, &solved, draughtsmen(terms)).map_err(refused)?;
+        let mut answers = Vec::new();
+        for (index, (asked, reading)) in scene.mechanism.asked.iter().zip(&construction.answers).enumerate() {
+            let Some(hand) = hand.get(index) else { continue };
+            let numbers = answer::numbers(index, asked, &reading.answer, hand);
+            if numbers.is_empty() {
+                return Err(Flaw::Undetermined { name: asked.name.clone() });
+            }
+            let slip = hand.tolerance().unwrap_or(f64::INFINITY);
+            if hand.failed > 0 {
+                return Err(Flaw::NotByHand { name: asked.name.clone() });
+            }
+            if self.clear.get(index) == Some(&true) && answer::size(&reading.answer) < CLEAR * slip {
+                return Err(Flaw::Drowned { name: asked.name.clone() });
+            }
+            answers.extend(numbers);
+        }
+        fits(&scene, &solved)?;
+        Ok(Candidate { places, scene, answers })
+    }
+
+    /// A candidate as a variant, with its number after its title.
+    pub(super) fn named(
+        &self,
+        numbers: Vec<String>,
+        number: usize,
+        attempt: u64,
+        candidate: Candidate,
+    ) -> Variant {
+        let text = self.text(&numbers, &candidate.places, &super::name(number));
+        // Only the title has changed since it was read.
+        let scene = read(&text).unwrap_or(candidate.scene);
+        Variant { number, attempt, numbers, text, scene, answers: candidate.answers }
+    }
+
+    /// Leads the mechanism from the scene's numbers to these: the places of its points, assembled as the scene is.
+    fn led_to(&self, numbers: &[String]) -> Result<Places, Flaw> {
+        let own = self.scene.vary.iter().map(|v| v.own);
+        let ends: Vec<(f64, f64)> =
+            own.zip(numbers).map(|(own, number)| (own, number.parse().unwrap_or(own))).collect();
+        let mut places = self.places.clone();
+        let (mut at, mut step) = (0.0, self.step);
+        while at < 1.0 {
+            let to = f64::min(at + step, 1.0);
+            let between = |(own, end): &(f64, f64)| format!("{}", own + (end - own) * to);
+            let numbers: Vec<String> =
+                if to < 1.0 { ends.iter().map(between).collect() } else { numbers.to_vec() };
+            match assembled(&self.text(&numbers, &places, "")) {
+                Ok((choices, found)) if choices == self.choices => {
+                    places = found;
+                    at = to;
+                    continue;
+                }
+                // At its own place a chain closes or not, from wherever it is led there.
+                Err(flaw @ (Flaw::CannotAssemble | Flaw::NoScene { .. })) if to == 1.0 => return Err(flaw),
+                _ => step /= 2.0,
+            }
+            if step < FINEST_STEP {
+                return Err(Flaw::OtherAssembly);
+            }
+        }
+        Ok(places)
+    }
+
+    fn text(&self, numbers: &[String], places: &Places, name: &str) -> String {
+        let mechanism = &self.scene.mechanism;
+        let unit = self.scene.units.length.si;
+        let size = extent(places) / unit;
+        let decimals =
+            if size > 0.0 { (-libm::floor(libm::log10(size * ROUGH))).clamp(0.0, 17.0) } else { 0.0 };
+        let moving = mechanism.points.iter().enumerate().filter(|(index, point)| {
+            point.place.exact().is_none() && mechanism.roll_at(PointId(*index)).is_none()
+        });
+        let near: Vec<(&str, [String; 2])> = moving
+            .filter_map(|(index, point)| {
+                let place = (*places.get(index)?)?;
+                let rough = place.map(|x| format!("{:.*}", decimals as usize, x / unit + 0.0));
+                Some((point.name.as_str(), rough))
+            })
+            .collect();
+        scene::variant(self.scene, numbers, &near, name)
+    }
+}
+
+fn draughtsmen(terms: &Terms) -> Draughtsmen {
+    Draughtsmen { hand: terms.hand, number: DRAUGHTSMEN }
+}
+
+fn read(text: &str) -> Result<Scene, Flaw> {
+    scene::read(text, "variant").map_err(|diagnostic| Flaw::NoScene { what: diagnostic.what })
+}
+
+/// What a solver's refusal is for a variant.
+fn refused(error: SolveError) -> Flaw {
+    match error {
+        SolveError::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. }) => {
+            Flaw::CannotAssemble
+        }
+        SolveError::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Flaw::OtherAssembly,
+        SolveError::Indeterminate { name, .. } | SolveError::Unanswered { name, .. } => {
+            Flaw::Undetermined { name }
+        }
+        SolveError::Draw(DrawError::NoConstruction { .. }) | SolveError::Structure(_) => {
+            Flaw::NoScene { what: error.to_string() }
+        }
+    }
+}
+
+/// How a scene stands: its choices and the places of its points; nothing else is drawn.
+fn assembled(text: &str) -> Result<(Vec<usize>, Places), Flaw> {
+    let mut scene = read(text)?;
+    scene.mechanism.asked.clear();
+    let solved = solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).map_err(refused)?;
+    let construction = &solved.solution.construction;
+    Ok((construction.space.choices.clone(), places(&scene.mechanism, construction)))
+}
+
+/// The places of all points in the world: the skeleton has its own origin, at a point of known place.
+fn places(mechanism: &Mechanism, construction: &Construction) -> Places {
+    let space = &construction.space;
+    let drawn: Places =
+        space.places.iter().map(|at| at.map(|at| at.map(|mm| mm * space.metres_per_mm))).collect();
+    let known = |fixed: bool| {
+        mechanism.points.iter().zip(&drawn).find_map(|(point, drawn)| {
+            let exact = point.place.exact().filter(|_| !fixed || matches!(point.place, Place::Fixed(_)))?;
+            let drawn = (*drawn)?;
+            Some([0, 1].map(|k| exact[k].value - drawn[k]))
+        })
+    };
+    let origin = known(true).or_else(|| known(false)).unwrap_or([0.0; 2]);
+    drawn.into_iter().map(|at| at.map(|at| [0, 1].map(|k| at[k] + origin[k]))).collect()
+}
+
+/// Width or height of all points, whichever is larger.
+fn extent(places: &Places) -> f64 {
+    let along = |axis: usize| {
+        let all = places.iter().flatten().map(|p| p[axis]);
+        let (least, most) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        most - least
+    };
+    f64::max(along(0), along(1)).max(0.0)
+}
+
+/// The flattest crossing of arcs and lines of a drawing, radians.
+fn flattest(construction: &Construction) -> Option<f64> {
+    let acts = construction.steps.iter().flat_map(|step| &step.acts);
+    let crossings = acts.filter_map(|act| match act {
+        Act::MarkIntersection { crossing, .. } | Act::MarkMeet { crossing, .. } => Some(*crossing),
+        _ => None,
+    });
+    crossings.reduce(f64::min)
+}
+
+/// Refuses what does not fit the page. Scales that the sheet chooses are chosen to fit; only where the scene
+/// states one can a variant outgrow its paper.
+fn fits(scene: &Scene, solved: &Solved) -> Result<(), Flaw> {
+    let stated = &scene.sheet;
+    let any = [stated.length_scale, stated.velocity_scale, stated.acceleration_scale];
+    if any.iter().all(Option::is_none) {
+        return Ok(());
+    }
+    let (width, height) = sheet::paper(scene);
+    let question = solve(scene, Extent::WholeSkeleton, sheet::scale::for_question).map_err(refused)?;
+    let figures = [
+        sheet::question(scene, &question.solution.construction, Language::English),
+        sheet::solution(scene, &solved.solution.construction, Language::English),
+    ];
+    let too_large = |figure: &Figure| {
+        let pages = crate::render::pages::of(figure);
+        // Paper is measured to a tenth of a millimetre.
+        pages.iter().any(|page| page.width > width + 0.1 || page.height > height + 0.1)
+    };
+    if figures.iter().any(too_large) { Err(Flaw::OffPage) } else { Ok(()) }
+}

@@ -1,0 +1,92 @@
+//! What the question banks have in common: the questions in one language with their figures, and XML.
+
+use super::Variant;
+use crate::render::{self, Format, Options, RenderError};
+use crate::scene::Scene;
+use crate::sheet::{Figure, Language, prompt};
+
+/// The variants of a scene as questions in one language.
+#[derive(Debug, Clone)]
+pub struct Bank<'a> {
+    /// The title of the scene.
+    pub title: String,
+    /// The language of all words.
+    pub language: Language,
+    /// The questions.
+    pub items: Vec<Item<'a>>,
+}
+
+/// One question.
+#[derive(Debug, Clone)]
+pub struct Item<'a> {
+    /// The variant that it asks for.
+    pub variant: &'a Variant,
+    /// Its figure, an SVG that states what is given and what is asked.
+    pub figure: String,
+    /// What each number of the answer is, as hypertext.
+    pub prompts: Vec<String>,
+}
+
+impl<'a> Bank<'a> {
+    /// The questions of `scene` with their figures; `figures` are the [cards](super::card) of the variants.
+    ///
+    /// # Errors
+    /// Where this build cannot write an SVG of these options.
+    pub fn new(
+        scene: &Scene,
+        language: Language,
+        figures: Vec<(&'a Variant, Figure)>,
+        options: &Options,
+    ) -> Result<Self, RenderError> {
+        let words = language.words();
+        let title = scene.title.in_language(words.tag).unwrap_or(words.untitled).to_owned();
+        let item = |(variant, figure): (&'a Variant, Figure)| {
+            let bytes = render::render(&figure, Format::Svg, options)?;
+            let asked = &variant.scene.mechanism.asked;
+            let prompts = variant
+                .answers
+                .iter()
+                .map(|answer| prompt(&variant.scene, &asked[answer.asked], answer.part, language))
+                .collect();
+            Ok::<_, RenderError>(Item {
+                variant,
+                figure: String::from_utf8_lossy(&bytes).into_owned(),
+                prompts,
+            })
+        };
+        let items = figures.into_iter().map(item).collect::<Result<_, _>>()?;
+        Ok(Self { title, language, items })
+    }
+
+    /// The name of a question.
+    pub(super) fn name(&self, item: &Item<'_>) -> String {
+        format!("{} · {}", self.title, item.variant.name())
+    }
+
+    /// The attributes of an element that holds text of this language.
+    pub(super) fn direction(&self) -> &'static str {
+        if self.language.words().right_to_left { "rtl" } else { "ltr" }
+    }
+}
+
+/// Text inside an element or an attribute.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            // XML has no other control characters.
+            c if c.is_control() && !"\n\t".contains(c) => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// A unit as people write it.
+pub(super) fn unit(symbol: &str) -> String {
+    escaped(&symbol.replace("^2", "²").replace('*', "·").replace("deg", "°"))
+}

@@ -1,0 +1,348 @@
+//! Variants of a scene for an examination: the same question with other numbers, its answers with their
+//! tolerances, and question banks.
+//!
+//! Tries are numbered. What a try draws hangs on the seed and its number, whether it may become a variant on
+//! nothing but itself, and the variants are the first tries that may and that differ from every variant before
+//! them: neither the number of workers nor how many variants are wanted changes any of them.
+//!
+//! **Architecture Invariant:** no number is reckoned here. Variants are scenes, solved as every scene is; what an
+//! answer may be off is the error of the draughtsman's hand.
+
+mod admission;
+mod answer;
+mod bank;
+mod dice;
+mod key;
+mod moodle;
+mod qti;
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+pub use answer::KeyAnswer;
+pub use bank::Bank;
+pub use key::{csv, json};
+pub use moodle::{cloze, numerical};
+pub use qti::{QtiError, package};
+
+use crate::board::Hand;
+use crate::parallel;
+use crate::plan::Extent;
+use crate::scene::Scene;
+use crate::sheet::{self, Figure, Language};
+use crate::solve::{SolveError, solve};
+use admission::{Base, Candidate};
+use dice::Tries;
+
+/// So many tries without a new variant, and no more are looked for.
+const PATIENCE: u64 = 1000;
+/// So many tries are looked at together; a fixed number, so that the same tries are made by any number of
+/// workers.
+const TOGETHER: u64 = 32;
+
+/// What variants are wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Terms {
+    /// How many.
+    pub variants: usize,
+    /// The seed of the dice.
+    pub seed: u64,
+    /// No two lines or arcs of a variant's solution cross at a smaller angle, radians.
+    pub flattest: f64,
+    /// The hand of the students, by which the tolerances are found.
+    pub hand: Hand,
+}
+
+/// A variant of the scene.
+#[derive(Debug, Clone)]
+pub struct Variant {
+    /// Its number, from 1.
+    pub number: usize,
+    /// The number of the try that it came from.
+    pub attempt: u64,
+    /// The numbers that it has, in the order of [`Scene::vary`].
+    pub numbers: Vec<String>,
+    /// Its text, a scene of its own.
+    pub text: String,
+    /// The same, read.
+    pub scene: Scene,
+    /// The numbers to be handed in, in the order of what is asked.
+    pub answers: Vec<KeyAnswer>,
+}
+
+impl Variant {
+    /// Its number as files and titles have it: `007`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        name(self.number)
+    }
+}
+
+fn name(number: usize) -> String {
+    format!("{number:03}")
+}
+
+/// Why a try did not become a variant.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Flaw {
+    /// The numbers contradict each other or the scene's rules.
+    NoScene {
+        /// What the reader said.
+        what: String,
+    },
+    /// The chain does not close.
+    CannotAssemble,
+    /// It cannot be led from the scene's position into this one without passing a dead centre.
+    OtherAssembly,
+    /// Two construction lines or arcs cross too flatly; at a dead centre they touch.
+    Flat {
+        /// Angle of the flattest crossing.
+        degrees: f64,
+    },
+    /// An asked quantity has no number here.
+    Undetermined {
+        /// Its name.
+        name: String,
+    },
+    /// Not every careful draughtsman gets an answer: some lines or arcs miss each other.
+    NotByHand {
+        /// The name of the quantity.
+        name: String,
+    },
+    /// An answer is not clear of the slip of a careful hand, though that of the scene is.
+    Drowned {
+        /// The name of the quantity.
+        name: String,
+    },
+    /// At the stated scales it is larger than the paper.
+    OffPage,
+    /// The two solvers do not agree within their bounds.
+    Disagrees,
+    /// All its answers lie within the tolerance of another variant's.
+    Alike {
+        /// The number of the other variant.
+        variant: usize,
+    },
+}
+
+impl Flaw {
+    /// The kind of it, as a tally counts it.
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::NoScene { .. } => "are no scene",
+            Self::CannotAssemble => "cannot be assembled",
+            Self::OtherAssembly => "are assembled in another way, or lie behind a dead centre",
+            Self::Flat { .. } => "have too flat a crossing",
+            Self::Undetermined { .. } => "leave an asked quantity undetermined",
+            Self::NotByHand { .. } => "cannot be drawn by every careful hand",
+            Self::Drowned { .. } => "have an answer within the slip of a careful hand",
+            Self::OffPage => "do not fit the page at the stated scales",
+            Self::Disagrees => "are not confirmed by the analytic solver",
+            Self::Alike { .. } => "have the answers of another variant, within tolerance",
+        }
+    }
+
+    /// What it was in this case, where the kind does not say all.
+    fn detail(&self) -> Option<String> {
+        match self {
+            Self::NoScene { what } => Some(what.clone()),
+            Self::Flat { degrees } => Some(format!("{degrees:.1}°")),
+            Self::Undetermined { name } | Self::NotByHand { name } | Self::Drowned { name } => {
+                Some(name.clone())
+            }
+            Self::Alike { variant } => Some(format!("variant {}", name(*variant))),
+            Self::CannotAssemble | Self::OtherAssembly | Self::OffPage | Self::Disagrees => None,
+        }
+    }
+}
+
+/// How many tries failed on what, with the first case of each.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Tally {
+    /// Number of failed tries and the first flaw, by kind.
+    pub flaws: BTreeMap<&'static str, (u64, Flaw)>,
+}
+
+impl Tally {
+    fn count(&mut self, flaw: Flaw) {
+        self.flaws.entry(flaw.kind()).or_insert((0, flaw)).0 += 1;
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut flaws: Vec<_> = self.flaws.iter().collect();
+        flaws.sort_by_key(|(_, (count, _))| std::cmp::Reverse(*count));
+        for (index, (kind, (count, flaw))) in flaws.into_iter().enumerate() {
+            let between = if index > 0 { ", " } else { "" };
+            write!(f, "{between}{count} {kind}")?;
+            if let Some(detail) = flaw.detail() {
+                write!(f, " (first: {detail})")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The variants, and what was passed over on the way to the last of them.
+#[derive(Debug, Clone)]
+pub struct Drawn {
+    /// The variants, in the order of their numbers.
+    pub variants: Vec<Variant>,
+    /// How many tries it took.
+    pub tries: u64,
+    /// What the others failed on.
+    pub tally: Tally,
+}
+
+/// Why there are no variants.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ExamError {
+    /// The scene has no `vary`.
+    #[error("nothing varies")]
+    NothingVaries,
+    /// The scene itself cannot be solved.
+    #[error(transparent)]
+    Scene(#[from] SolveError),
+    /// The ranges give fewer scenes than there should be variants.
+    #[error("the ranges give {possible} different scenes, fewer than the {wanted} variants wanted")]
+    TooFew {
+        /// How many they give.
+        possible: u64,
+        /// How many are wanted.
+        wanted: usize,
+    },
+    /// Too few of the tries may become variants.
+    #[error("{found} of {wanted} variants after {tries} tries{}: {tally}", if *.all { ", which are all that the ranges give" } else { "" })]
+    Exhausted {
+        /// Variants found.
+        found: usize,
+        /// Variants wanted.
+        wanted: usize,
+        /// Tries made.
+        tries: u64,
+        /// Whether these were all different scenes that the ranges give.
+        all: bool,
+        /// What the others failed on.
+        tally: Tally,
+    },
+}
+
+/// Draws the variants of a scene. `progress` is told how many there are, whenever there are more.
+///
+/// # Errors
+/// See [`ExamError`].
+pub fn draw(
+    scene: &Scene,
+    terms: &Terms,
+    workers: usize,
+    progress: &dyn Fn(usize),
+) -> Result<Drawn, ExamError> {
+    if scene.vary.is_empty() {
+        return Err(ExamError::NothingVaries);
+    }
+    let tries = Tries::new(&scene.vary, terms.seed);
+    if let Some(possible) = tries.all().filter(|all| usize::try_from(*all).is_ok_and(|n| n < terms.variants))
+    {
+        return Err(ExamError::TooFew { possible, wanted: terms.variants });
+    }
+    let base = Base::new(scene, terms)?;
+    let mut drawn = Drawn { variants: Vec::new(), tries: 0, tally: Tally::default() };
+    let mut last_success = 0;
+    loop {
+        let batch: Vec<Vec<String>> = (drawn.tries..drawn.tries + TOGETHER)
+            .map_while(|attempt| tries.indices(attempt))
+            .map(|indices| scene.vary.iter().zip(indices).map(|(v, i)| v.range.number(i)).collect())
+            .collect();
+        let all = batch.is_empty();
+        let judged = parallel::map_with(workers, &batch, |numbers| base.admit(numbers, terms));
+        for (numbers, judged) in batch.into_iter().zip(judged) {
+            if drawn.variants.len() == terms.variants {
+                break;
+            }
+            let attempt = drawn.tries;
+            drawn.tries += 1;
+            match judged.and_then(|candidate| unlike(&drawn.variants, candidate)) {
+                Err(flaw) => drawn.tally.count(flaw),
+                Ok(candidate) => {
+                    let number = drawn.variants.len() + 1;
+                    drawn.variants.push(base.named(numbers, number, attempt, candidate));
+                    last_success = drawn.tries;
+                    progress(number);
+                }
+            }
+        }
+        let (found, wanted) = (drawn.variants.len(), terms.variants);
+        if found == wanted {
+            return Ok(drawn);
+        }
+        if all || drawn.tries - last_success >= PATIENCE {
+            let all = tries.all() == Some(drawn.tries);
+            return Err(ExamError::Exhausted { found, wanted, tries: drawn.tries, all, tally: drawn.tally });
+        }
+    }
+}
+
+/// The variants that came from these tries of an earlier [`draw`] by the same terms.
+///
+/// # Errors
+/// The scene's own refusal. `None` in the place of the variants where one of the tries does not give a variant:
+/// then they are not those of such a draw.
+pub fn redraw(
+    scene: &Scene,
+    terms: &Terms,
+    attempts: &[u64],
+    workers: usize,
+    progress: &(dyn Fn() + Sync),
+) -> Result<Option<Vec<Variant>>, ExamError> {
+    let tries = Tries::new(&scene.vary, terms.seed);
+    let base = Base::new(scene, terms)?;
+    let numbered: Vec<(usize, u64)> = (1..).zip(attempts.iter().copied()).collect();
+    let variants = parallel::map_with(workers, &numbered, |(number, attempt)| {
+        let indices = tries.indices(*attempt)?;
+        let numbers: Vec<String> = scene.vary.iter().zip(indices).map(|(v, i)| v.range.number(i)).collect();
+        let candidate = base.admit(&numbers, terms).ok()?;
+        progress();
+        Some(base.named(numbers, *number, *attempt, candidate))
+    });
+    Ok(variants.into_iter().collect())
+}
+
+/// A candidate that differs from every variant by more than the tolerance in one answer at least.
+fn unlike(variants: &[Variant], candidate: Candidate) -> Result<Candidate, Flaw> {
+    let same = |variant: &&Variant| {
+        let pairs = variant.answers.iter().zip(&candidate.answers);
+        variant.answers.len() == candidate.answers.len() && pairs.clone().all(|(a, b)| a.alike(b))
+    };
+    match variants.iter().find(same) {
+        Some(variant) => Err(Flaw::Alike { variant: variant.number }),
+        None => Ok(candidate),
+    }
+}
+
+/// The question of a variant: what is given, the dimensioned skeleton, what is asked.
+///
+/// # Errors
+/// None for a scene that was drawn as a variant.
+pub fn question(scene: &Scene, language: Language) -> Result<Figure, SolveError> {
+    let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_question)?;
+    Ok(sheet::question(scene, &solved.solution.construction, language))
+}
+
+/// The same as a card, for the figure of a question on a screen.
+///
+/// # Errors
+/// None for a scene that was drawn as a variant.
+pub fn card(scene: &Scene, language: Language) -> Result<Figure, SolveError> {
+    let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_question)?;
+    Ok(sheet::question_card(scene, &solved.solution.construction, language))
+}
+
+/// The solution of a variant.
+///
+/// # Errors
+/// None for a scene that was drawn as a variant.
+pub fn solution(scene: &Scene, language: Language) -> Result<Figure, SolveError> {
+    let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)?;
+    Ok(sheet::solution(scene, &solved.solution.construction, language))
+}

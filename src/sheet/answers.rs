@@ -1,0 +1,88 @@
+//! What is to be entered for an asked quantity where answers are numbers: in examinations that a machine marks.
+
+use super::notation::Notation;
+use super::words::Language;
+use crate::mechanism::quantity::{Asked, Quantity};
+use crate::scene::Scene;
+
+/// One number of an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// A scalar; of rotations counter-clockwise positive.
+    Value,
+    /// Size of a vector.
+    Magnitude,
+    /// Direction of a vector, degrees counter-clockwise from +x.
+    Direction,
+    /// x of a place.
+    X,
+    /// y of a place.
+    Y,
+}
+
+impl Part {
+    /// Its name in tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Value => "value",
+            Self::Magnitude => "magnitude",
+            Self::Direction => "direction",
+            Self::X => "x",
+            Self::Y => "y",
+        }
+    }
+}
+
+/// What one number of an answer is, in words and with the symbol of the sheet, as hypertext.
+#[must_use]
+pub fn prompt(scene: &Scene, asked: &Asked, part: Part, language: Language) -> String {
+    let words = language.words();
+    let notation = Notation::new(scene, words);
+    let symbol = notation.symbol(asked.quantity, false).html();
+    let symbol = format!("<bdi dir=\"ltr\">{symbol}</bdi>");
+    let turns = matches!(
+        asked.quantity,
+        Quantity::Omega(_)
+            | Quantity::RelativeOmega(..)
+            | Quantity::Alpha(_)
+            | Quantity::RelativeAlpha(..)
+            | Quantity::Angle(_)
+    );
+    let template = match part {
+        Part::Value if turns => words.answer_rotation,
+        Part::Value => "{symbol}",
+        Part::Magnitude => words.answer_magnitude,
+        Part::Direction => words.answer_direction,
+        Part::X | Part::Y => words.answer_coordinate,
+    };
+    template.replace("{symbol}", &symbol).replace("{axis}", part.name())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn symbols_are_those_of_the_sheet() {
+        let text = r#"{ "fixed": { "O": [0, 0] }, "links": { "2": { "joins": ["O", "A"], "length": 1 } },
+            "input": { "link": 2, "angle": 0, "omega": 1 }, "find": ["v(A)", "omega(2)", "x(A)"] }"#;
+        let scene = crate::scene::read(text, "crank.json").unwrap();
+        let told = |index: usize, part| {
+            prompt(&scene, &scene.mechanism.asked[index], part, Language::English)
+                .replace("<bdi dir=\"ltr\">", "")
+                .replace("</bdi>", "")
+        };
+        assert_eq!(told(0, Part::Magnitude), "magnitude of <i>V</i><sub>A</sub>");
+        assert_eq!(
+            told(0, Part::Direction),
+            "direction of <i>V</i><sub>A</sub>, counter-clockwise from the x-axis"
+        );
+        assert!(
+            told(1, Part::Value).ends_with("</sub>, counter-clockwise positive"),
+            "{}",
+            told(1, Part::Value)
+        );
+        assert!(told(2, Part::Y).ends_with(", coordinate y"));
+    }
+}

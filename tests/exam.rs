@@ -1,0 +1,459 @@
+//! Exam variants: laws of the draw, the key against an independent solution, the banks as other programs read
+//! them, and a folder that is never half-written.
+
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
+mod common;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use base64::Engine;
+use linkgram::check::{Outcome, check};
+use linkgram::exam::{self, Drawn, ExamError, Flaw, Terms};
+use linkgram::mechanism::quantity::Answer;
+use linkgram::scene::Scene;
+use linkgram::sheet::Language;
+use linkgram::solve::{Hand, solve_analytically};
+use roxmltree::{Document, Node};
+
+const SCENES: [&str; 3] = ["exam/s000-ch3a-1", "exam/slider-crank", "exam/whitworth"];
+
+fn terms(variants: usize) -> Terms {
+    let hand = Hand { length: 0.2, angle: 0.3_f64.to_radians() };
+    Terms { variants, seed: 7, flattest: 15.0_f64.to_radians(), hand }
+}
+
+fn drawn(scene: &Scene, variants: usize, workers: usize) -> Drawn {
+    exam::draw(scene, &terms(variants), workers, &|_| {}).unwrap()
+}
+
+/// Letters and attributes of an SVG that a reader or a program could see, without places on the paper.
+fn told(svg: &str) -> String {
+    let document = Document::parse(svg).unwrap();
+    let mut told = String::new();
+    for node in document.descendants() {
+        let data = node.attributes().filter(|a| a.name().starts_with("data-")).map(|a| a.value());
+        told.extend(data.flat_map(|value| [value, " "]));
+        told.push_str(node.text().unwrap_or_default());
+    }
+    told
+}
+
+#[test]
+fn variants_differ_hold_and_are_assembled_alike() {
+    for name in SCENES {
+        let scene = common::read(&common::example_text(name));
+        let drawn = drawn(&scene, 12, 2);
+        let side = |scene: &Scene| {
+            let extent = linkgram::plan::Extent::WholeSkeleton;
+            let solved = linkgram::solve::solve(scene, extent, linkgram::sheet::scale::for_scene).unwrap();
+            solved.solution.construction.space.choices
+        };
+        let own = side(&scene);
+        for variant in &drawn.variants {
+            // The text is a scene by itself, of which nothing is left of the first one's results.
+            let read = common::read(&variant.text);
+            assert!(check(&read, 0.01).ok, "{name} {}", variant.name());
+            assert!(read.published.is_empty() && read.vary.is_empty());
+            assert_eq!(side(&read), own, "{name} {}", variant.name());
+            // The key is what the other solver finds.
+            let state = solve_analytically(&read).unwrap();
+            for answer in &variant.answers {
+                let asked = &read.mechanism.asked[answer.asked];
+                let value = match (state.answer(&asked.quantity), answer.part.name()) {
+                    (Answer::Scalar { value, .. }, "value") => value / asked.unit.si,
+                    (Answer::Vector { value: [x, y], .. }, "magnitude") => libm::hypot(x, y) / asked.unit.si,
+                    (Answer::Vector { value: [x, y], .. }, "direction") => libm::atan2(y, x).to_degrees(),
+                    other => panic!("{name}: {other:?}"),
+                };
+                let apart = (value - answer.value).abs();
+                let turned = if answer.part.name() == "direction" { (360.0 - apart).abs() } else { apart };
+                assert!(apart.min(turned) <= 1e-9 * value.abs().max(1.0), "{name}: {value} {answer:?}");
+                let printed: f64 = answer.printed().parse().unwrap();
+                assert!((printed - answer.value).abs() <= answer.tolerance / 10.0, "{answer:?}");
+            }
+        }
+        // Of any two, one answer at least tells them apart by more than both tolerances.
+        for (index, one) in drawn.variants.iter().enumerate() {
+            for other in &drawn.variants[..index] {
+                let apart = one.answers.iter().zip(&other.answers).any(|(a, b)| {
+                    let apart = (a.value - b.value).abs();
+                    let turn = if a.part.name() == "direction" { (360.0 - apart).abs() } else { apart };
+                    apart.min(turn) > a.tolerance.max(b.tolerance)
+                });
+                assert!(apart, "{name}: {} and {}", one.name(), other.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn neither_workers_nor_their_number_change_a_variant() {
+    let scene = common::read(&common::example_text("exam/slider-crank"));
+    let texts = |drawn: &Drawn| -> Vec<String> { drawn.variants.iter().map(|v| v.text.clone()).collect() };
+    let one = drawn(&scene, 8, 1);
+    let many = drawn(&scene, 8, 5);
+    assert_eq!(texts(&one), texts(&many));
+    assert_eq!((one.tries, &one.tally), (many.tries, &many.tally));
+    // Who asks for fewer gets the first of them.
+    assert_eq!(texts(&drawn(&scene, 5, 3)), texts(&one)[..5]);
+    let attempts: Vec<u64> = one.variants.iter().map(|v| v.attempt).collect();
+    let again = exam::redraw(&scene, &terms(8), &attempts, 2, &|| {}).unwrap().unwrap();
+    assert_eq!(again.iter().map(|v| v.text.clone()).collect::<Vec<_>>(), texts(&one));
+    let other = exam::draw(&scene, &Terms { seed: 8, ..terms(8) }, 2, &|_| {}).unwrap();
+    assert_ne!(texts(&other), texts(&one));
+}
+
+/// A crank of 60 on a rod of 100 that cannot pass 90° of an eccentric guide.
+const TIGHT: &str = r#"{
+    "units": { "length": "mm" }, "fixed": { "O": [0, 0] },
+    "links": { "2": { "joins": ["O", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 100 } },
+    "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": [0, -30], "angle": 0 } }],
+    "near": { "B": [110, -30] },
+    "input": { "link": 2, "angle": 20, "omega": "5 rad/s ccw" }, "find": ["v(B)"],
+    "vary": VARY }"#;
+
+fn refused(vary: &str, variants: usize) -> ExamError {
+    let scene = common::read(&TIGHT.replace("VARY", vary));
+    exam::draw(&scene, &terms(variants), 2, &|_| {}).unwrap_err()
+}
+
+#[test]
+fn impossible_ranges_are_refused_with_what_the_tries_failed_on() {
+    // The crank carries A more than 100 mm above the guide: 60 sin θ + 30 < 100 holds always; with a rod of
+    // 40 it does not where sin θ > 1/6.
+    let error = refused(
+        r#"{ "links.3.length": { "from": 30, "to": 40, "step": 5 }, "input.angle": { "from": 40, "to": 140, "step": 20 } }"#,
+        5,
+    );
+    let ExamError::Exhausted { found: 0, wanted: 5, tries: 18, all: true, tally } = &error else {
+        panic!("{error:?}")
+    };
+    assert_eq!(tally.flaws["cannot be assembled"], (18, Flaw::CannotAssemble));
+    assert!(
+        error
+            .to_string()
+            .ends_with("after 18 tries, which are all that the ranges give: 18 cannot be assembled"),
+        "{error}"
+    );
+    // With a rod of 92 and the crank upright the rod crosses its guide square: sin φ = 90/92, a crossing of 12°.
+    let error = refused(
+        r#"{ "links.3.length": { "from": 91.5, "to": 92, "step": 0.5 }, "input.angle": { "from": 89, "to": 91, "step": 1 } }"#,
+        2,
+    );
+    let ExamError::Exhausted { tally, .. } = &error else { panic!("{error:?}") };
+    let (count, Flaw::Flat { degrees }) = tally.flaws["have too flat a crossing"] else { panic!("{tally}") };
+    assert_eq!(count, 6);
+    let [least, most] = [91.5_f64, 92.0].map(|rod| libm::acos(90.0 / rod).to_degrees());
+    assert!(degrees > least - 0.1 && degrees < most + 0.1, "{degrees}");
+    // Two hundred variants of six scenes.
+    let error = refused(r#"{ "input.angle": { "from": 10, "to": 60, "step": 10 } }"#, 200);
+    assert_eq!(error, ExamError::TooFew { possible: 6, wanted: 200 });
+    // Steps finer than a hand can draw: all answers are the same.
+    let error = refused(r#"{ "input.angle": { "from": 30, "to": 30.01, "step": 0.001 } }"#, 2);
+    let ExamError::Exhausted { found: 1, tally, .. } = &error else { panic!("{error:?}") };
+    assert_eq!(
+        tally.flaws["have the answers of another variant, within tolerance"],
+        (10, Flaw::Alike { variant: 1 })
+    );
+    assert_eq!(refused("{}", 3), ExamError::NothingVaries);
+}
+
+/// A folder that goes away with the test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("linkgram-exam-{}-{name}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&path);
+        Self(path)
+    }
+
+    fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.0.join(name)).unwrap()
+    }
+
+    /// Every file with its bytes.
+    fn contents(&self) -> BTreeMap<PathBuf, Vec<u8>> {
+        fn walk(folder: &Path, into: &mut BTreeMap<PathBuf, Vec<u8>>) {
+            for entry in std::fs::read_dir(folder).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    walk(&path, into);
+                } else {
+                    into.insert(path.clone(), std::fs::read(&path).unwrap());
+                }
+            }
+        }
+        let mut all = BTreeMap::new();
+        walk(&self.0, &mut all);
+        all.into_iter().map(|(path, bytes)| (path.strip_prefix(&self.0).unwrap().to_owned(), bytes)).collect()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Runs `linkgram exam` on an example; exit status, standard output, standard error.
+fn run(scene: &str, folder: &Folder, more: &[&str]) -> (i32, String, String) {
+    run_on(&common::root().join(format!("examples/{scene}.json")), folder, more)
+}
+
+fn run_on(scene: &Path, folder: &Folder, more: &[&str]) -> (i32, String, String) {
+    let ran = Command::new(env!("CARGO_BIN_EXE_linkgram"))
+        .arg("exam")
+        .arg(scene)
+        .arg("-o")
+        .arg(&folder.0)
+        .args(more)
+        .output()
+        .unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (ran.status.code().unwrap(), text(ran.stdout), text(ran.stderr))
+}
+
+#[test]
+fn an_interrupted_run_is_taken_up_and_no_other_exam_is_mixed_in() {
+    let folder = Folder::new("resumed");
+    let (code, _, err) =
+        run("exam/slider-crank", &folder, &["--variants", "4", "--seed", "3", "--jobs", "1"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let whole = folder.contents();
+    let names: BTreeSet<&str> = whole.keys().map(|path| path.to_str().unwrap()).collect();
+    for name in [
+        "exam.json",
+        "key.csv",
+        "key.json",
+        "moodle-cloze.en.xml",
+        "moodle-numerical.en.01.xml",
+        "qti.en.zip",
+    ] {
+        assert!(names.contains(name), "{names:?}");
+    }
+    assert_eq!(names.iter().filter(|name| name.starts_with("questions")).count(), 4);
+    // As if it had been killed: some files are missing, one was left beside its place.
+    std::fs::remove_file(folder.0.join("solutions/002.en.svg")).unwrap();
+    std::fs::remove_file(folder.0.join("key.csv")).unwrap();
+    std::fs::write(folder.0.join("questions/.003.en.svg.1.part"), "<svg").unwrap();
+    let (code, out, err) =
+        run("exam/slider-crank", &folder, &["--variants", "4", "--seed", "3", "--jobs", "3"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("3 variants are there already"), "{out}");
+    assert!(folder.contents() == whole, "the second run gives other bytes");
+    // More of the same exam: the first ones stay.
+    let (code, ..) = run("exam/slider-crank", &folder, &["--variants", "5", "--seed", "3"]);
+    assert_eq!(code, 0);
+    let more = folder.contents();
+    assert!(
+        whole
+            .iter()
+            .filter(|(path, _)| path.components().count() > 1)
+            .all(|(path, bytes)| more[path] == *bytes)
+    );
+    // Another exam, or fewer of this one.
+    for (scene, arguments, complaint) in [
+        ("exam/slider-crank", ["--variants", "5", "--seed", "4"], "seed: 3 there, 4 here"),
+        ("exam/whitworth", ["--variants", "5", "--seed", "3"], "holds another exam (scene:"),
+        ("exam/slider-crank", ["--variants", "2", "--seed", "3"], "holds 5 variants of this exam"),
+    ] {
+        let (code, _, err) = run(scene, &folder, &arguments);
+        assert!(code == 2 && err.contains(complaint), "{err}");
+    }
+    assert!(folder.contents() == more, "a refused run changed something");
+    let other = Folder::new("other");
+    std::fs::create_dir_all(&other.0).unwrap();
+    std::fs::write(other.0.join("notes.txt"), "mine").unwrap();
+    let (code, _, err) = run("exam/slider-crank", &other, &["--variants", "2"]);
+    assert!(code == 2 && err.contains("holds other files and no exam.json"), "{err}");
+    assert_eq!(other.contents().len(), 1);
+}
+
+#[test]
+fn a_refused_exam_writes_nothing_and_names_the_place() {
+    let folder = Folder::new("refused");
+    let scene = std::env::temp_dir().join(format!("linkgram-exam-{}-tight.json", std::process::id()));
+    let range = r#"{ "links.3.length": { "from": 30, "to": 40, "step": 5 }, "input.angle": { "from": 40, "to": 140, "step": 20 } }"#;
+    std::fs::write(&scene, TIGHT.replace("VARY", range)).unwrap();
+    let (code, _, err) = run_on(&scene, &folder, &["--variants", "5"]);
+    std::fs::remove_file(&scene).unwrap();
+    assert_eq!(code, 2);
+    let said = "tight.json:7:13: vary: 0 of 5 variants after 18 tries, which are all that the ranges give: 18 cannot be \
+                assembled; help: change the ranges that cause what most tries failed on";
+    assert!(err.contains(said), "{err}");
+    let (code, _, err) = run("s000-ch3a-1", &folder, &["--variants", "2"]);
+    assert!(code == 2 && err.contains("nothing varies; help: say what variants may change"), "{err}");
+    assert!(!folder.0.exists());
+}
+
+fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Node<'a, 'i> {
+    node.children().find(|n| n.has_tag_name(name)).unwrap()
+}
+
+fn text_of(node: Node<'_, '_>) -> String {
+    child(node, "text").text().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn the_banks_say_what_the_key_says_and_their_figures_open() {
+    let folder = Folder::new("banks");
+    let (code, _, err) = run("exam/whitworth", &folder, &["--variants", "3", "--lang", "en,ar"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let key: Vec<Vec<String>> =
+        folder.read("key.csv").lines().skip(1).map(|l| l.split(',').map(str::to_owned).collect()).collect();
+    let of_variant = |name: &str| key.iter().filter(|line| line[0] == name).cloned().collect::<Vec<_>>();
+    for language in ["en", "ar"] {
+        // One numerical bank per number.
+        let numbers = of_variant("001").len();
+        for number in 1..=numbers {
+            let text = folder.read(&format!("moodle-numerical.{language}.{number:02}.xml"));
+            let quiz = Document::parse(&text).unwrap();
+            let questions: Vec<Node> =
+                quiz.root_element().children().filter(|n| n.attribute("type") == Some("numerical")).collect();
+            assert_eq!(questions.len(), 3);
+            for (index, question) in questions.into_iter().enumerate() {
+                let line = &of_variant(&format!("{:03}", index + 1))[number - 1];
+                let answer = child(question, "answer");
+                assert_eq!(
+                    (text_of(answer), child(answer, "tolerance").text().unwrap()),
+                    (line[4].clone(), line[5].as_str())
+                );
+                opens(child(question, "questiontext"), language, &folder);
+            }
+        }
+        assert!(!folder.0.join(format!("moodle-numerical.{language}.{:02}.xml", numbers + 1)).exists());
+        let text = folder.read(&format!("moodle-cloze.{language}.xml"));
+        let quiz = Document::parse(&text).unwrap();
+        let questions = quiz.root_element().children().filter(|n| n.attribute("type") == Some("cloze"));
+        for (index, question) in questions.enumerate() {
+            let body = text_of(child(question, "questiontext"));
+            let fields: Vec<&str> = body.split("{1:NUMERICAL:=").skip(1).collect();
+            let lines = of_variant(&format!("{:03}", index + 1));
+            assert_eq!(fields.len(), lines.len());
+            for (field, line) in fields.iter().zip(lines) {
+                assert!(field.starts_with(&format!("{}:{}", line[4], line[5])), "{field} {line:?}");
+            }
+            opens(child(question, "questiontext"), language, &folder);
+        }
+        packaged(&folder, language, &of_variant);
+    }
+}
+
+/// The figure of a question is there, is named in its text, and is an SVG that tells no answer.
+fn opens(question: Node<'_, '_>, language: &str, folder: &Folder) {
+    let file = child(question, "file");
+    let name = file.attribute("name").unwrap();
+    assert!(text_of(question).contains(&format!("src=\"@@PLUGINFILE@@/{name}\"")));
+    let bytes = base64::engine::general_purpose::STANDARD.decode(file.text().unwrap()).unwrap();
+    tells_no_answer(&String::from_utf8(bytes).unwrap(), &name[..3], language, folder);
+}
+
+/// What stands on a question: the numbers of its scene and no number of its key.
+fn tells_no_answer(svg: &str, variant: &str, language: &str, folder: &Folder) {
+    let document = Document::parse(svg).unwrap();
+    assert_eq!(document.root_element().attribute("lang"), Some(language));
+    let told = told(svg);
+    let number = |c: char| c.is_ascii_digit() || c == '.';
+    let tokens: BTreeSet<&str> = told.split(|c| !number(c)).map(|t| t.trim_matches('.')).collect();
+    let scene = common::read(&folder.read(&format!("scenes/{variant}.json")));
+    let state = solve_analytically(&scene).unwrap();
+    for asked in &scene.mechanism.asked {
+        let sizes: Vec<f64> = match state.answer(&asked.quantity) {
+            Answer::Scalar { value, .. } => vec![value],
+            Answer::Vector { value: [x, y], .. } => vec![x, y, libm::hypot(x, y)],
+            other => panic!("{other:?}"),
+        };
+        for size in sizes.into_iter().map(|size| (size / asked.unit.si).abs()).filter(|size| *size > 1e-6) {
+            // As the sheet writes numbers, with three figures; a round one may be given by chance.
+            let written = format!("{:.2e}", size).parse::<f64>().unwrap().to_string();
+            let figures = written.trim_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
+            assert!(
+                figures < 3 || !tokens.contains(written.as_str()),
+                "{}: {written} stands in {told}",
+                asked.name
+            );
+        }
+    }
+}
+
+/// The QTI package has what its manifest lists, and its items ask for and mark what the key says.
+fn packaged(folder: &Folder, language: &str, key: &dyn Fn(&str) -> Vec<Vec<String>>) {
+    let bytes = std::fs::read(folder.0.join(format!("qti.{language}.zip"))).unwrap();
+    let mut zip = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
+    let mut files: BTreeMap<String, String> = BTreeMap::new();
+    for index in 0..zip.len() {
+        let mut file = zip.by_index(index).unwrap();
+        let name = file.name().unwrap().into_owned();
+        let mut text = String::new();
+        file.read_to_string(&mut text).unwrap();
+        files.insert(name, text);
+    }
+    let manifest = Document::parse(&files["imsmanifest.xml"]).unwrap();
+    let listed: BTreeSet<&str> = manifest
+        .descendants()
+        .filter(|n| n.has_tag_name(("http://www.imsglobal.org/xsd/imscp_v1p1", "file")))
+        .map(|n| n.attribute("href").unwrap())
+        .collect();
+    assert_eq!(listed.len() + 1, files.len());
+    assert!(listed.iter().all(|name| files.contains_key(*name)));
+    for (name, text) in files.iter().filter(|(name, _)| name.starts_with("items/")) {
+        let item = Document::parse(text).unwrap();
+        let qti = |local: &'static str| ("http://www.imsglobal.org/xsd/imsqti_v2p1", local);
+        let all = |local: &'static str| item.descendants().filter(move |n| n.has_tag_name(qti(local)));
+        // The order of the schema's sequence.
+        let order = ["responseDeclaration", "outcomeDeclaration", "itemBody", "responseProcessing"];
+        let parts = item.root_element().children().filter(Node::is_element);
+        let places: Vec<usize> =
+            parts.map(|part| order.iter().position(|o| *o == part.tag_name().name()).unwrap()).collect();
+        assert!(places.is_sorted() && places.ends_with(&[1, 2, 3]), "{places:?}");
+        let variant = &name[6..9];
+        let lines = key(variant);
+        assert_eq!(all("textEntryInteraction").count(), lines.len());
+        for ((declared, line), entry) in
+            all("responseDeclaration").zip(&lines).zip(all("textEntryInteraction"))
+        {
+            let id = declared.attribute("identifier").unwrap();
+            assert_eq!(entry.attribute("responseIdentifier"), Some(id));
+            let right = declared.descendants().find(|n| n.has_tag_name(qti("value"))).unwrap();
+            assert_eq!(right.text().unwrap(), line[4]);
+            let tests: Vec<Node> = all("equal")
+                .filter(|e| e.descendants().any(|n| n.attribute("identifier") == Some(id)))
+                .collect();
+            assert_eq!(tests.len(), if line[2] == "direction" { 2 } else { 1 });
+            for test in tests {
+                assert_eq!(test.attribute("toleranceMode"), Some("absolute"));
+                assert_eq!(test.attribute("tolerance").unwrap(), format!("{0} {0}", line[5]));
+            }
+        }
+        let figure = all("img").next().unwrap().attribute("src").unwrap();
+        tells_no_answer(&files[figure.strip_prefix("../").unwrap()], variant, language, folder);
+    }
+}
+
+#[test]
+fn the_sheets_of_an_exam_are_those_that_draw_draws() {
+    let folder = Folder::new("sheets");
+    assert_eq!(run("exam/s000-ch3a-1", &folder, &["--variants", "2"]).0, 0);
+    for variant in ["001", "002"] {
+        let scene = common::read(&folder.read(&format!("scenes/{variant}.json")));
+        assert!(matches!(check(&scene, 0.01).outcome, Outcome::Solved { .. }));
+        let question = linkgram::exam::question(&scene, Language::English).unwrap();
+        assert_eq!(
+            linkgram::render::svg::write(&question),
+            folder.read(&format!("questions/{variant}.en.svg"))
+        );
+        tells_no_answer(&folder.read(&format!("questions/{variant}.en.svg")), variant, "en", &folder);
+        let solution = linkgram::exam::solution(&scene, Language::English).unwrap();
+        let written = folder.read(&format!("solutions/{variant}.en.svg"));
+        assert_eq!(linkgram::render::svg::write(&solution), written);
+        let title = Document::parse(&written).unwrap();
+        let title =
+            title.descendants().find(|n| n.has_tag_name(("http://www.w3.org/2000/svg", "title"))).unwrap();
+        assert!(title.text().unwrap().ends_with(&format!(" · {variant}")));
+    }
+}
