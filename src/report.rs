@@ -1,11 +1,12 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
 use crate::graphical::DrawError;
-use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::{Answer, Asked};
 use crate::mechanism::structure::{Joint, StructureError};
+use crate::mechanism::{Input, Mechanism};
 use crate::scene::{Diagnostic, Scene, Subject};
 use crate::solve::SolveError;
+use crate::sweep::PositionError;
 
 /// The diagnostic of an error that was found after reading, at the place in the file that it is about.
 #[must_use]
@@ -13,6 +14,7 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
     let (subject, what, mend) = match error {
         SolveError::Structure(error) => structure(&scene.mechanism, error),
         SolveError::Draw(error) => draw(scene, error),
+        SolveError::Position(error) => position(scene, error),
         SolveError::Unanswered { .. } => {
             (Subject::Asked(0), error.to_string(), "ask for something else beside it".to_owned())
         }
@@ -23,6 +25,30 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
         ),
     };
     scene.source.complain(subject, what, Some(mend))
+}
+
+fn position(scene: &Scene, error: &PositionError) -> (Subject, String, String) {
+    let place = |at: f64| match scene.mechanism.inputs.first() {
+        Some(Input::Slide { .. }) => {
+            format!("{} {}", short(at / scene.units.length.si), scene.units.length.symbol)
+        }
+        _ => format!("{} {}", short(at / scene.units.angle.si), scene.units.angle.symbol),
+    };
+    match error {
+        PositionError::Range(at) | PositionError::Far(at) => (
+            Subject::Sheet,
+            format!("the position with the input at {}: {error}", place(*at)),
+            "`linkgram sweep` tells from where to where the input goes".to_owned(),
+        ),
+        PositionError::NoOtherAssembly => {
+            (Subject::Sheet, error.to_string(), "leave `other_assembly` out".to_owned())
+        }
+        PositionError::Sweep(_) => (
+            Subject::Sheet,
+            format!("other positions cannot be drawn: {error}"),
+            "leave `positions` and `other_assembly` out".to_owned(),
+        ),
+    }
 }
 
 fn structure(mechanism: &Mechanism, error: &StructureError) -> (Subject, String, String) {

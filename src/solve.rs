@@ -8,6 +8,7 @@ use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
+use crate::sweep::{self, PositionError};
 
 /// How to solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -38,6 +39,9 @@ pub enum SolveError {
     /// The skeleton cannot be drawn.
     #[error(transparent)]
     Draw(#[from] DrawError),
+    /// Another position that the sheet is to show cannot be drawn.
+    #[error(transparent)]
+    Position(#[from] PositionError),
     /// Nothing that was asked has a meaning here, or a construction.
     #[error("{name}: {why}")]
     Unanswered {
@@ -66,9 +70,10 @@ impl SolveError {
             }
             Self::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Some(Refusal::Ambiguous),
             Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
-            Self::Unanswered { .. } | Self::Structure(_) | Self::Draw(DrawError::NoConstruction { .. }) => {
-                None
-            }
+            Self::Unanswered { .. }
+            | Self::Structure(_)
+            | Self::Position(_)
+            | Self::Draw(DrawError::NoConstruction { .. }) => None,
         }
     }
 }
@@ -99,8 +104,15 @@ pub fn solve_with(
     choose: impl Fn(&Scene, Extents) -> Scales,
 ) -> Result<Solved, SolveError> {
     let structure = Structure::of(&scene.mechanism)?;
+    // Other positions are for figures.
+    let (inputs, assembly): (&[f64], bool) = match extent {
+        Extent::Asked => (&[], false),
+        _ => (&scene.sheet.positions, scene.sheet.other_assembly),
+    };
+    let others = sweep::other_positions(&scene.mechanism, inputs, assembly)?;
     let draw = |plan: &Plan| {
-        let scales = choose(scene, graphical::extents(&scene.mechanism, &structure, plan)?);
+        let extents = graphical::extents(&scene.mechanism, &structure, plan)?.with(&others);
+        let scales = choose(scene, extents);
         let drawn = graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales);
         drawn.map(|solution| (scales, solution))
     };
@@ -112,6 +124,7 @@ pub fn solve_with(
         (scales, solution) = draw(&plan)?;
     }
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
+    solution.construction.others = others;
     Ok(Solved { structure, plan, scales, solution })
 }
 

@@ -502,12 +502,43 @@ fn the_ending_or_the_option_chooses_the_format() {
 #[test]
 fn what_latex_cannot_set_is_refused_and_nothing_is_written() {
     let folder = Folder::new("latex");
-    let text = common::example_text("s000-ch3a-1").replacen("Problem", "\u{633}\u{631}\u{639}\u{629}", 1);
+    let text = common::example_text("s000-ch3a-1").replacen("Problem", "\u{5e9}", 1);
     folder.write("scene.json", &text);
     let ran = run_in(&folder.0, &["draw", "scene.json", "-o", "a.svg", "-o", "a.tex"], None);
     assert_eq!(ran.code, 2);
-    assert!(ran.err.contains("U+0633") && ran.err.contains(".svg, .png or .pdf"), "{}", ran.err);
+    assert!(ran.err.contains("U+05E9") && ran.err.contains(".svg, .png or .pdf"), "{}", ran.err);
     assert_eq!(folder.contents().len(), 1);
+}
+
+/// Other positions are drawn where they are wished; a question asks for them and shows none.
+#[test]
+fn other_positions_are_for_the_solution() {
+    let text = common::example_text("other-positions");
+    let draw = |arguments: &[&str]| {
+        let ran = run_in(common::root(), &[&["draw", "-"], arguments].concat(), Some(text.as_bytes()));
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        ran.out
+    };
+    let numbers = |svg: &str, of: &str| svg.matches(&format!("data-number=\"{of}\"")).count();
+    let all = draw(&[]);
+    assert_eq!(["I", "II", "III", "IV", "assembly", "V"].map(|of| numbers(&all, of)), [1, 1, 1, 1, 1, 0]);
+    let stated = draw(&["--figure", "skeleton", "--positions", "30,-1 rad,390"]);
+    assert_eq!(["I", "II", "III", "IV"].map(|of| numbers(&stated, of)), [1, 1, 1, 0]);
+    assert!(!stated.contains("velocity"));
+    let question = draw(&["--as", "question"]);
+    assert!(!question.contains("other-position") && question.contains("120"), "asked for, not drawn");
+    let bad = [
+        (["--positions", "60,left"], "--positions: `left` is not"),
+        (["--positions", "60,2 mm"], "--positions: `2 mm` is not"),
+        (["--positions", "1e6"], "more than 20 turns"),
+    ];
+    for (arguments, says) in bad {
+        let ran = run_in(common::root(), &[&["draw", "-"][..], &arguments].concat(), Some(text.as_bytes()));
+        assert!(ran.code == 2 && ran.err.contains(says) && ran.out.is_empty(), "{arguments:?}: {}", ran.err);
+    }
+    let wrong = text.replace("\"150 deg\"", "\"150 mm\"");
+    let ran = run_in(common::root(), &["draw", "-"], Some(wrong.as_bytes()));
+    assert!(ran.code == 2 && ran.err.contains("sheet.positions"), "{}", ran.err);
 }
 
 #[test]

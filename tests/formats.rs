@@ -216,6 +216,48 @@ fn every_sheet_can_be_written_for_latex() {
     }
 }
 
+/// Words of Arabic script are outlines: nothing but ASCII is left for LaTeX, and no word is lost.
+#[test]
+fn arabic_and_persian_can_be_written_for_latex() {
+    for language in [Language::Arabic, Language::ArabicAjala, Language::Persian] {
+        let path = sheets::root().join("examples/s000-ch3a-1.json");
+        let scene = linkgram::scene::read(&std::fs::read_to_string(path).unwrap(), "x").unwrap();
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+        let figure = sheet::solution(&scene, &solved.solution.construction, language);
+        let text = tex::write(&figure, Theme::Mono).unwrap();
+        let body: Vec<&str> = text.lines().filter(|line| !line.starts_with('%')).collect();
+        assert!(body.iter().all(|line| line.is_ascii()), "{language:?}");
+        let mut words = 0;
+        figure.root.walk(&mut |node| {
+            if let sheet::figure::Node::Text(text) = node {
+                words += text
+                    .runs
+                    .iter()
+                    .filter(|run| run.face.is_arabic() && !run.text.trim().is_empty())
+                    .count();
+            }
+        });
+        let set = body.iter().filter(|line| line.starts_with("\\linkgramword{")).count();
+        assert!(words > 100 && set == words, "{language:?}: {set} of {words} words");
+        let (open, close) = (text.matches("\\begin{scope}").count(), text.matches("\\end{scope}").count());
+        assert_eq!(open, close);
+    }
+}
+
+/// The text of a line of Arabic script for programs: words apart, brackets as they are written.
+#[test]
+fn arabic_lines_are_told_with_their_blanks() {
+    let path = sheets::root().join("examples/s000-ch3a-1.json");
+    let scene = linkgram::scene::read(&std::fs::read_to_string(path).unwrap(), "x").unwrap();
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+    let json = json::value(&sheet::solution(&scene, &solved.solution.construction, Language::Arabic));
+    assert_eq!(json["pages"][0]["panels"][0]["caption"], "(a) المخطط الحركي، مقياس الرسم 1\u{a0}:\u{a0}10");
+    let pages = json["pages"].as_array().unwrap();
+    let lines = pages.iter().flat_map(|page| list(page, "texts")).map(|t| t["text"].as_str().unwrap());
+    let sentence = "نختار القطب o، وهو خيال الهيكل كله.";
+    assert!(lines.into_iter().any(|line| line == sentence));
+}
+
 #[test]
 fn formats_have_their_names() {
     for format in Format::ALL {
@@ -269,6 +311,96 @@ mod pdf {
         figure.width = 6000.0;
         let error = render(&figure, Theme::Mono).unwrap_err().to_string();
         assert!(error.contains("6000 mm") && error.contains("5080 mm"), "{error}");
+    }
+}
+
+/// Every scene that has a sheet, in every language, as question and as solution, in every format. Takes half an hour on
+/// one core: `cargo test --test formats -- --ignored`; with `LINKGRAM_SHEETS=FOLDER` the PNGs are kept there, to be
+/// looked at.
+#[cfg(all(feature = "png", feature = "pdf"))]
+mod acceptance {
+    use super::*;
+    use linkgram::render::{self, Options};
+    use linkgram::sheet::figure::Node as Ink;
+    use linkgram::sheet::overlap::overlaps;
+    use std::path::PathBuf;
+    use std::sync::Mutex;
+
+    fn scenes() -> Vec<PathBuf> {
+        let folders =
+            ["examples", "examples/centres", "examples/constructions", "examples/errata", "examples/pairs"];
+        let folders = folders.into_iter().chain(["src/catalogue", "src/sheet/tests"]);
+        let files = folders.flat_map(|folder| std::fs::read_dir(sheets::root().join(folder)).unwrap());
+        let mut all: Vec<PathBuf> = files.map(|entry| entry.unwrap().path()).collect();
+        all.retain(|path| path.extension().is_some_and(|e| e == "json"));
+        all.sort();
+        all
+    }
+
+    /// What is wrong with the sheets of a scene.
+    fn faults(path: &std::path::Path, keep: Option<&PathBuf>) -> Vec<String> {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let scene = linkgram::scene::read(&std::fs::read_to_string(path).unwrap(), &name).unwrap();
+        let mut bad = Vec::new();
+        for question in [true, false] {
+            let scales = if question { sheet::scale::for_question } else { sheet::scale::for_scene };
+            let solved = match linkgram::solve::solve(&scene, Extent::WholeSkeleton, scales) {
+                Ok(solved) => solved,
+                Err(error) => return vec![format!("{name}: {error}")],
+            };
+            let construction = &solved.solution.construction;
+            for language in Language::ALL {
+                let figure = match question {
+                    true => sheet::question(&scene, construction, language),
+                    false => sheet::solution(&scene, construction, language),
+                };
+                let which =
+                    format!("{name}.{}.{}", if question { "question" } else { "solution" }, figure.language);
+                bad.extend(overlaps(&figure).into_iter().map(|overlap| format!("{which}: {overlap:?}")));
+                figure.root.walk(&mut |node| {
+                    let Ink::Text(text) = node else { return };
+                    for run in &text.runs {
+                        let lacking = run.text.chars().filter(|c| !run.face.has(*c) && *c != '\u{200c}');
+                        bad.extend(lacking.map(|c| format!("{which}: no glyph for {c:?} in {:?}", run.text)));
+                    }
+                });
+                for format in Format::ALL {
+                    let options = Options { dpi: 70.0, ..Options::default() };
+                    match render::render(&figure, format, &options) {
+                        Err(error) => bad.push(format!("{which}: {error}")),
+                        Ok(bytes) => {
+                            if let (Format::Png, Some(folder)) = (format, keep) {
+                                std::fs::write(folder.join(format!("{which}.png")), bytes).unwrap();
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        bad
+    }
+
+    #[test]
+    #[ignore = "half an hour; see the module"]
+    fn every_scene_in_every_language_and_format() {
+        let keep = std::env::var_os("LINKGRAM_SHEETS").map(PathBuf::from);
+        if let Some(folder) = &keep {
+            std::fs::create_dir_all(folder).unwrap();
+        }
+        let (rest, found) = (Mutex::new(scenes()), Mutex::new(Vec::new()));
+        std::thread::scope(|scope| {
+            for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+                scope.spawn(|| {
+                    while let Some(path) = { rest.lock().unwrap().pop() } {
+                        let bad = faults(&path, keep.as_ref());
+                        found.lock().unwrap().extend(bad);
+                    }
+                });
+            }
+        });
+        let mut found = found.into_inner().unwrap();
+        found.sort();
+        assert!(found.is_empty(), "{} faults\n{}", found.len(), found.join("\n"));
     }
 }
 

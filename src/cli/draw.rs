@@ -25,6 +25,8 @@ pub(super) struct Job {
     pub(super) theme: Option<String>,
     pub(super) text: Option<String>,
     pub(super) format: Option<String>,
+    pub(super) positions: Vec<String>,
+    pub(super) other_assembly: bool,
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
@@ -43,6 +45,16 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             Failure(format!("--paper {paper}: choose A0 to A6, letter or legal, such as \"A3 landscape\""))
         })?);
     }
+    if job.positions.len() > crate::scene::MOST_POSITIONS {
+        let most = crate::scene::MOST_POSITIONS;
+        return Err(Failure(format!("--positions: {most} at most can be told apart")));
+    }
+    if !job.positions.is_empty() {
+        let places = job.positions.iter().map(|text| crate::scene::input_place(text, &scene));
+        let places = places.collect::<Result<Vec<f64>, String>>();
+        scene.sheet.positions = places.map_err(|why| Failure(format!("--positions: {why}")))?;
+    }
+    scene.sheet.other_assembly |= job.other_assembly;
     let scene = &scene;
     let wish = Wish {
         kind: job.kind,

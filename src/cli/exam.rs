@@ -59,6 +59,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let work =
         Work { scene: &scene, terms, workers, format, options, languages: &languages, folder: &folder };
     let (variants, told) = work.variants(known.as_deref())?;
+    work.can_be_written(&variants)?;
     folder.begin(&variants)?;
     let written = work.sheets(&variants)?;
     work.banks(&variants)?;
@@ -244,6 +245,18 @@ impl Work<'_> {
         };
         bar.finish_and_clear();
         variants
+    }
+
+    /// Refuses what this build cannot write, before there is a folder.
+    fn can_be_written(&self, variants: &[Variant]) -> Result<(), Failure> {
+        for (variant, language) in variants.iter().zip(self.languages) {
+            let figure =
+                exam::question(&variant.scene, *language).map_err(|error| failure(&variant.scene, &error))?;
+            for format in [self.format, Format::Svg] {
+                render::render(&figure, format, &self.options).map_err(|error| Failure(error.to_string()))?;
+            }
+        }
+        Ok(())
     }
 
     fn path(&self, folder: &str, variant: &Variant, language: Language) -> PathBuf {

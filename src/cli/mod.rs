@@ -76,6 +76,12 @@ enum Command {
         /// Format on standard output: svg, png, pdf, tex or json
         #[arg(long, value_name = "FORMAT")]
         format: Option<String>,
+        /// Other positions, dashed on the skeleton: places of the input, such as 60,90 or "1 rad,2 rad"
+        #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
+        positions: Vec<String>,
+        /// The other assembly, dashed on the skeleton
+        #[arg(long)]
+        other_assembly: bool,
     },
     /// Print the asked quantities, graphical beside analytic
     Solve {
@@ -312,7 +318,22 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let ending = match arguments.command {
-        Command::Draw { scene, output, figure, kind, play, paper, lang, dpi, theme, text, format, arith } => {
+        Command::Draw {
+            scene,
+            output,
+            figure,
+            kind,
+            play,
+            paper,
+            lang,
+            dpi,
+            theme,
+            text,
+            format,
+            positions,
+            other_assembly,
+            arith,
+        } => {
             let settings = Settings { arithmetic: arith };
             draw::run(&draw::Job {
                 scene,
@@ -326,6 +347,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
                 theme,
                 text,
                 format,
+                positions,
+                other_assembly,
                 settings,
             })
         }

@@ -178,9 +178,9 @@ fn read(text: &str) -> Result<Scene, Flaw> {
 /// What a solver's refusal is for a variant.
 fn refused(error: SolveError) -> Flaw {
     match error {
-        SolveError::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. }) => {
-            Flaw::CannotAssemble
-        }
+        // A position that the sheet is to show and that the variant does not come to is as bad as its own.
+        SolveError::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. })
+        | SolveError::Position(_) => Flaw::CannotAssemble,
         SolveError::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Flaw::OtherAssembly,
         SolveError::Indeterminate { name, .. } | SolveError::Unanswered { name, .. } => {
             Flaw::Undetermined { name }

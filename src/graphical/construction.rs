@@ -30,6 +30,8 @@ pub struct Construction {
     pub circle: Option<CircleDiagram>,
     /// The other constructions on the skeleton, in the order of the plan.
     pub auxiliary: Vec<AuxiliaryDrawing>,
+    /// Other positions of the mechanism that the skeleton shows, in the order in which they were wished.
+    pub others: Vec<OtherPosition>,
     /// The numbered steps, in the order in which they were drawn.
     pub steps: Vec<Step>,
     /// One answer per asked quantity, in order.
@@ -54,6 +56,24 @@ pub struct Fine {
     pub value: Vec<DoubleDouble>,
     /// How far it may be from the truth.
     pub bound: f64,
+}
+
+/// The mechanism in another position than the scene's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OtherPosition {
+    /// In what it is another.
+    pub kind: OtherKind,
+    /// Places by [`PointId`], metres from the skeleton's origin.
+    pub places: Vec<Option<[f64; 2]>>,
+}
+
+/// In what a position differs from the scene's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OtherKind {
+    /// The first input stands elsewhere: rad, or m for a slide.
+    Input(f64),
+    /// The same input in another assembly.
+    Assembly,
 }
 
 /// The skeleton as drawn.

@@ -147,6 +147,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 acceleration: None,
                 circle: None,
                 auxiliary: Vec::new(),
+                others: Vec::new(),
                 steps: Vec::new(),
                 answers: Vec::new(),
             },

@@ -34,7 +34,7 @@ use crate::given::Given;
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::Plan;
-use construction::{Construction, ConstructionLine, Polygon, TransferInk};
+use construction::{Construction, ConstructionLine, OtherPosition, Polygon, TransferInk};
 use draughtsman::Draughtsman;
 
 /// The scale factors of a solution.
@@ -53,10 +53,28 @@ pub struct Scales {
 pub struct Extents {
     /// Width and height of the skeleton, m.
     pub space: [f64; 2],
+    /// Where the skeleton's lower left corner lies, from its origin, m.
+    pub least: [f64; 2],
+    /// Width and height of the skeleton with the other positions that it shows, m.
+    pub positions: [f64; 2],
     /// Width and height of the velocity polygon, m/s; where there is none, of the arrows on the skeleton.
     pub velocity: [f64; 2],
     /// Width and height of the acceleration polygon, m/s²; zero where there is none.
     pub acceleration: [f64; 2],
+}
+
+impl Extents {
+    /// The same where the skeleton shows these positions as well.
+    #[must_use]
+    pub fn with(mut self, others: &[OtherPosition]) -> Self {
+        let all = || others.iter().flat_map(|other| other.places.iter().flatten());
+        for axis in 0..2 {
+            let least = all().map(|at| at[axis]).fold(self.least[axis], f64::min);
+            let most = all().map(|at| at[axis]).fold(self.least[axis] + self.space[axis], f64::max);
+            self.positions[axis] = most - least;
+        }
+        self
+    }
 }
 
 /// A finished drawing and the tape behind it.
@@ -304,6 +322,27 @@ pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Res
     bare().or_else(|_| taped()).map_err(|error| with_range(error, mechanism, structure, plan))
 }
 
+/// The places of all points that a plan finds, metres in the world, drawn on a board without a tape.
+///
+/// # Errors
+/// See [`DrawError`].
+pub(crate) fn places(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+) -> Result<Vec<Option<[f64; 2]>>, DrawError> {
+    let scales = provisional_scales(mechanism);
+    let origin = origin(mechanism);
+    let world = |at: [f64; 2]| [0, 1].map(|axis| origin[axis] + at[axis] * scales.length);
+    let drawn = draw(Board::<Trial>::new(crate::board::Blank), mechanism, structure, plan, scales)?;
+    Ok(drawn.record().space.places.iter().map(|at| at.map(world)).collect())
+}
+
+/// World coordinates of the skeleton's origin, m.
+pub(crate) fn origin(mechanism: &Mechanism) -> [f64; 2] {
+    position::origin_of_space(mechanism).map(|given| given.value)
+}
+
 fn draw<'m, B: Bench>(
     board: Board<B>,
     mechanism: &'m Mechanism,
@@ -415,8 +454,14 @@ fn measure(record: &Construction, scales: Scales) -> Extents {
             _ => None,
         });
     let longest = arrows.fold(0.0, f64::max);
+    let places = || record.space.places.iter().flatten().copied();
+    let space = extent(&mut places(), None, scales.length);
+    let least = [0, 1].map(|axis| places().map(|at| at[axis] * scales.length).fold(f64::INFINITY, f64::min));
+    let least = least.map(|x| if x.is_finite() { x } else { 0.0 });
     Extents {
-        space: extent(&mut record.space.places.iter().flatten().copied(), None, scales.length),
+        space,
+        least,
+        positions: space,
         velocity: match &record.velocity {
             None => [longest; 2],
             drawn => polygon(drawn, scales.velocity),

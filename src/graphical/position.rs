@@ -13,6 +13,16 @@ use super::draughtsman::Draughtsman;
 use super::pose::{Pose, Track};
 use super::{DrawError, Misfit};
 
+/// Where the skeleton's own frame begins: the first fixed point, else the first placed one.
+pub(super) fn origin_of_space(mechanism: &crate::mechanism::Mechanism) -> [Given; 2] {
+    let exact = |fixed: bool| {
+        let points = mechanism.points.iter();
+        let mut points = points.filter(|p| !fixed || matches!(p.place, crate::mechanism::Place::Fixed(_)));
+        points.find_map(|p| p.place.exact())
+    };
+    exact(true).or_else(|| exact(false)).unwrap_or([Given::exact(0.0); 2])
+}
+
 /// Draws the steps of the skeleton.
 pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<(), DrawError> {
     d.step(Order::Position, &[], Vec::new());
@@ -74,14 +84,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// Where the skeleton's own frame begins: the first fixed point, else the first placed one.
     pub(super) fn origin_of_space(&self) -> [Given; 2] {
-        let exact = |fixed: bool| {
-            self.mechanism
-                .points
-                .iter()
-                .filter(|p| !fixed || matches!(p.place, crate::mechanism::Place::Fixed(_)))
-                .find_map(|p| p.place.exact())
-        };
-        exact(true).or_else(|| exact(false)).unwrap_or([Given::exact(0.0); 2])
+        origin_of_space(self.mechanism)
     }
 
     /// Pricks world coordinates onto the skeleton.

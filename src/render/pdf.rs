@@ -5,6 +5,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use krilla::SerializeSettings;
 use krilla::color::{luma, rgb};
 use krilla::document::Document;
 use krilla::geom::{PathBuilder, Point as PdfPoint, Transform};
@@ -52,12 +53,26 @@ pub enum PdfError {
 /// # Errors
 /// When a page is larger than PDF allows.
 pub fn render(figure: &Figure, theme: Theme) -> Result<Vec<u8>, PdfError> {
+    write(figure, theme, SerializeSettings::default())
+}
+
+/// The same with nothing compressed, for tests that look for numbers in its bytes.
+#[cfg(test)]
+pub(crate) fn render_plainly(figure: &Figure, theme: Theme) -> Result<Vec<u8>, PdfError> {
+    write(
+        figure,
+        theme,
+        SerializeSettings { compress_content_streams: false, ..SerializeSettings::default() },
+    )
+}
+
+fn write(figure: &Figure, theme: Theme, how: SerializeSettings) -> Result<Vec<u8>, PdfError> {
     let mut fonts = Vec::new();
     for face in Face::ALL {
         let font = Font::new(face.bytes().into(), 0);
         fonts.push((face, font.ok_or_else(|| PdfError::Writer(format!("no font for {face:?}")))?));
     }
-    let mut document = Document::new();
+    let mut document = Document::new_with(how);
     let mut tags = TagTree::new().with_lang(Some(figure.language.to_owned()));
     for page in pages::of(figure) {
         let settings = settings(&page)?;

@@ -46,6 +46,8 @@ pub(super) const SHEET: &[&str] = &[
     "notation",
     "decimal",
     "theme",
+    "positions",
+    "other_assembly",
     "marks",
 ];
 pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];

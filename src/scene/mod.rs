@@ -24,7 +24,7 @@ mod vary;
 
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
-pub use sheet::paper_size;
+pub use sheet::{MOST_POSITIONS, input_place, paper_size};
 pub use source::{Source, Subject};
 pub use units::si_of;
 pub use vary::{Range, Varied, variant};
@@ -91,7 +91,8 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let errata = published::errata(fields.get("errata"), &published)?;
     let expect = published::expect(fields.get("expect"))?;
     draft.anchors.sheet = fields.get("sheet").map(|value| value.at);
-    let sheet = sheet::read(fields.get("sheet"), &scales)?;
+    let input = sheet::input_measure(&draft.mechanism);
+    let sheet = sheet::read(fields.get("sheet"), &scales, input)?;
     draft.anchors.vary = fields.get("vary").map(|value| value.at);
     let vary = vary::read(root, fields.get("vary"))?;
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
@@ -239,6 +240,10 @@ pub struct SheetOptions {
     pub marks: Vec<(String, f64)>,
     /// Figures wanted, by name; all where empty.
     pub figures: Vec<String>,
+    /// Where the first input stands in the other positions that the skeleton shows dashed: rad, or m for a slide.
+    pub positions: Vec<f64>,
+    /// The skeleton shows the other assembly dashed.
+    pub other_assembly: bool,
 }
 
 /// Which letter stands for angular acceleration.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::sheet::{LANGUAGES, NOTATIONS, PAPERS, THEMES};
+use super::sheet::{LANGUAGES, MOST_POSITIONS, NOTATIONS, PAPERS, THEMES};
 use super::units::names;
 use crate::mechanism::quantity::Method;
 
@@ -376,6 +376,15 @@ fn sheet() -> Value {
                 "description": "How vectors are written: the usual way, or as in the textbook of this author.",
             },
             "decimal": { "enum": ["point", "comma"], "default": "point", "description": "Decimal sign." },
+            "positions": {
+                "type": "array", "items": { "anyOf": [reference("angle"), reference("length")] }, "maxItems": MOST_POSITIONS,
+                "description": "Other positions of the mechanism, drawn dashed on the skeleton: places of the first input, angles or for a slide lengths.",
+                "examples": [[60, "90 deg"]],
+            },
+            "other_assembly": {
+                "type": "boolean", "default": false,
+                "description": "Draw the other assembly of the mechanism dashed on the skeleton.",
+            },
             "scales": described("scales", "Scales; chosen where they are left out."),
             "length": length, "velocity": velocity, "acceleration": acceleration,
             "figures": {

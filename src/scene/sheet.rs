@@ -2,8 +2,9 @@
 
 use super::diagnostic::{Fault, Res};
 use super::json::{Entry, Fields, Kind, Value};
-use super::units::{Measure, Scales, drawing_scale, number};
-use super::{AngularAcceleration, SheetOptions, Title, keys};
+use super::units::{Measure, Scale, Scales, Words, drawing_scale, number};
+use super::{AngularAcceleration, Scene, SheetOptions, Title, keys};
+use crate::mechanism::{Input, Mechanism, Sense};
 
 /// Languages of the sheet.
 pub(super) const LANGUAGES: [&str; 4] = ["en", "ar", "ar-x-ajala", "fa"];
@@ -40,8 +41,19 @@ pub(super) fn title(value: Option<&Value<'_>>) -> Res<Title> {
     }
 }
 
-/// Reads `sheet`.
-pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales) -> Res<SheetOptions> {
+/// More positions than this on one skeleton cannot be told apart.
+pub const MOST_POSITIONS: usize = 24;
+
+/// What the first input measures.
+pub(super) fn input_measure(mechanism: &Mechanism) -> Measure {
+    match mechanism.inputs.first() {
+        Some(Input::Slide { .. }) => Measure::Length,
+        _ => Measure::Angle,
+    }
+}
+
+/// Reads `sheet`; `input` is what the first input measures.
+pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales, input: Measure) -> Res<SheetOptions> {
     let mut sheet = SheetOptions::default();
     let Some(value) = value else { return Ok(sheet) };
     let fields = Fields::of(value, keys::SHEET, "how to draw the sheet")?;
@@ -89,7 +101,51 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales) -> Res<SheetOptio
             sheet.figures.push(item.text("the name of a figure")?.to_owned());
         }
     }
+    if let Some(positions) = fields.get("positions") {
+        let all = positions.list("a list of places of the input, such as [60, \"90 deg\"]")?;
+        if all.len() > MOST_POSITIONS {
+            let what = format!("{} positions cannot be told apart", all.len());
+            return Err(Fault::new(positions.at, what).mend(format!("list {MOST_POSITIONS} at most")));
+        }
+        for item in all {
+            let stated = scales.stated(item, input, input.turns(), scales.bare(input))?;
+            let words = match &item.kind {
+                Kind::Number(digits) => Some(Words { digits, unit: "", sense: None }),
+                Kind::Text(text) => Words::split(text),
+                _ => None,
+            };
+            let place = words.and_then(|words| whole_turns(&words, &stated.scale));
+            sheet.positions.push(place.unwrap_or(stated.given.value));
+        }
+    }
+    if let Some(other) = fields.get("other_assembly") {
+        sheet.other_assembly = other.bool()?;
+    }
     Ok(sheet)
+}
+
+/// The place of the first input that `text` states, in the scene's unit where it names none: rad, or m for a slide.
+///
+/// # Errors
+/// One clause that says what is wrong with it.
+pub fn input_place(text: &str, scene: &Scene) -> Result<f64, String> {
+    let measure = input_measure(&scene.mechanism);
+    let unit = if measure == Measure::Length { &scene.units.length } else { &scene.units.angle };
+    let read = || {
+        let words = Words::split(text)?;
+        let name = if words.unit.is_empty() { unit.symbol.as_str() } else { words.unit };
+        let scale = Scale::parse(name, 0).and_then(|scale| scale.must_be(measure, 0)).ok()?;
+        whole_turns(&words, &scale).filter(|_| words.sense.is_none() || measure.turns())
+    };
+    read().ok_or_else(|| format!("`{text}` is not {}", measure.noun()))
+}
+
+/// A place in SI units with all its turns: an angle that is only a direction has them taken off.
+fn whole_turns(words: &Words<'_>, scale: &Scale) -> Option<f64> {
+    let place = number(words.digits, 0).ok()?.value * scale.si();
+    let turned = if words.sense == Some(Sense::Cw) { -place } else { place };
+    // A negative zero would print as one.
+    turned.is_finite().then_some(turned + 0.0)
 }
 
 fn one_of(value: &Value<'_>, known: &[&str], what: &str) -> Res<String> {

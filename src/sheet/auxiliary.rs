@@ -59,6 +59,7 @@ pub fn draw(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &
     // The arcs by which the skeleton was drawn belong to its own figure.
     let mut bare = construction.clone();
     bare.space.lines.clear();
+    bare.others.clear();
     skeleton::draw_under(&bare, notation, Arrows::Inputs, |ink, places| {
         let plate = Plate { drawing, notation: *notation, places, window: window(drawing, ink) };
         Overlay { ink: plate.strokes(), labels: plate.labels() }

@@ -10,7 +10,9 @@ use super::rich::Rich;
 use super::steps::{self, Item};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{auxiliary, centres, circle, given, growth, human, polygon, results, skeleton, transfer, wanted};
+use super::{
+    auxiliary, centres, circle, given, growth, human, polygon, positions, results, skeleton, transfer, wanted,
+};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Order;
@@ -30,6 +32,8 @@ const ARABIC_LEADING: f64 = 5.5;
 const BETWEEN_LINES: f64 = 0.3;
 /// The result table stands beside the skeleton if it is no taller than this.
 const TALLEST_BESIDE: f64 = 112.0;
+/// The lines of a legend below a drawing may be as wide as this.
+const LEGEND: f64 = 80.0;
 /// Everything.
 const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.
@@ -149,6 +153,7 @@ fn question_on(
     pager.rows(&[skeleton]);
     let mut items = vec![Item::Head(Rich::bold(words.required))];
     items.extend(given::asked(&notation).into_iter().map(Item::Sentence));
+    items.extend(positions::asked(&notation).into_iter().map(Item::Sentence));
     if let Some(scales) = results::stated_scales(&notation) {
         items.push(Item::Sentence(scales));
     }
@@ -187,7 +192,7 @@ fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> Block
         .then(&Rich::fill(words.dimensions_in, &[("unit", unit)]))
         .up(&comma)
         .then(&Rich::fill(words.scale, &[("scale", scale)]));
-    captioned(skeleton::question(construction, notation), &caption)
+    captioned(skeleton::question(construction, notation), &[caption])
 }
 
 /// The steps one by one: beside what is said of each, its drawing as it stands after it.
@@ -341,7 +346,10 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
 fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
     let mut description = String::new();
     block.group.walk(&mut |node| match node {
-        Node::Text(text) if text.class == "caption" => description.push_str(&text.content()),
+        Node::Text(text) if text.class == "caption" => {
+            description.push_str(if description.is_empty() { "" } else { "; " });
+            description.push_str(&text.content());
+        }
         _ => {}
     });
     let title = format!("{}: {heading}", title(scene, words));
@@ -508,6 +516,10 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
         let scale = Rich::fill(words.scale, &[("scale", scale)]);
         caption = caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale);
     }
+    let mut caption = vec![caption];
+    if matches!(name, Name::Skeleton) {
+        caption.extend(positions::legend(construction, notation));
+    }
     Some(captioned(drawing(name, construction, notation)?, &caption))
 }
 
@@ -529,7 +541,7 @@ fn auxiliary_panel(
     let scale = Rich::fill(words.scale, &[("scale", scale)]);
     let ink = auxiliary::draw(drawing, construction, notation);
     let caption = Rich::bold(format!("({letter})")).up(" ").then(&auxiliary::title(&drawing.kind, notation));
-    captioned(ink, &caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale))
+    captioned(ink, &[caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale)])
 }
 
 /// Which panel of the solution it is, counted from zero.
@@ -547,16 +559,37 @@ fn letter(name: Name, construction: &Construction) -> usize {
 }
 
 /// A drawing with its caption below, upper left corner at the origin.
-fn captioned(drawing: Group, caption: &Rich) -> Block {
+/// A drawing with its caption below it: lines that are no wider than the drawing or the first of them.
+fn captioned(drawing: Group, caption: &[Rich]) -> Block {
     let mut group = Group::new("panel");
     group.group(drawing);
     let ink = group.bounds().unwrap_or(Rect::ZERO);
-    let line = caption.set(TEXT);
-    let width = ink.width().max(line.width);
+    let first = caption.first().map_or(0.0, |line| line.width(TEXT));
+    let width = ink.width().max(first);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
-    let base = ink.height() + 7.0;
-    line.put(&mut group, Point::new((width - line.width) / 2.0, base), "caption");
-    Block { group, width, height: base + 1.5 }
+    let mut base = ink.height() + 7.0;
+    let mut widest = width;
+    let mut above: Vec<Rect> = Vec::new();
+    for (i, text) in caption.iter().enumerate() {
+        // What is said first stays in one line.
+        let lines = if i == 0 { vec![text.clone()] } else { text.wrap(TEXT, width.max(LEGEND)) };
+        for (k, line) in lines.iter().enumerate() {
+            let line = line.set(TEXT);
+            let left = (width - line.width) / 2.0;
+            let own = line.boxes_at(Point::new(left, 0.0));
+            if i + k > 0 {
+                base += ARABIC_LEADING.max(clear_of(&above, &own));
+            }
+            above = own;
+            widest = widest.max(line.width);
+            line.put(&mut group, Point::new(left, base), "caption");
+        }
+    }
+    // A legend may be wider than a small drawing.
+    if widest > width {
+        group.translate(Vec2::new((widest - width) / 2.0, 0.0));
+    }
+    Block { group, width: widest, height: base + 1.5 }
 }
 
 fn leading(words: &Words) -> f64 {

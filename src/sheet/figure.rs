@@ -141,6 +141,9 @@ pub enum Tone {
     Tint,
 }
 
+/// Runs further apart than this part of their size have a blank between them.
+const BLANK: f64 = 0.12;
+
 /// A line of text: runs placed one by one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Text {
@@ -376,10 +379,52 @@ impl Text {
         self.runs.iter().filter_map(Run::bounds).collect()
     }
 
-    /// Its characters.
+    /// Its characters. In a line with words of Arabic script the blanks between the runs are places only, and are
+    /// told by them; brackets that were turned round for a line from right to left are turned back.
     #[must_use]
     pub fn content(&self) -> String {
-        self.runs.iter().map(|run| run.text.as_str()).collect()
+        let pieces = self.pieces();
+        let leftward = pieces.windows(2).any(|pair| pair[1].1[0] < pair[0].1[0]);
+        let mut out = String::new();
+        for (i, (runs, [low, high])) in pieces.iter().enumerate() {
+            let size = runs.iter().map(|run| run.size).fold(0.0, f64::max);
+            let before = i.checked_sub(1).and_then(|i| pieces.get(i));
+            let apart =
+                before.is_some_and(|(_, before)| f64::max(before[0] - high, low - before[1]) > BLANK * size);
+            if leftward && apart && !out.ends_with(char::is_whitespace) {
+                out.push(' ');
+            }
+            match runs {
+                [run] if leftward => match run.text.trim() {
+                    "(" => out.push(')'),
+                    ")" => out.push('('),
+                    "[" => out.push(']'),
+                    "]" => out.push('['),
+                    _ => out.push_str(&run.text),
+                },
+                runs => runs.iter().for_each(|run| out.push_str(&run.text)),
+            }
+        }
+        out
+    }
+
+    /// The runs in pieces that run from left to right, with the left and the right end of each.
+    fn pieces(&self) -> Vec<(&[Run], [f64; 2])> {
+        let end = |run: &Run| run.at.x + run.face.advance(run.text.trim_end(), run.size);
+        let mut pieces: Vec<(&[Run], [f64; 2])> = Vec::new();
+        let mut from = 0;
+        while let Some(first) = self.runs.get(from) {
+            let low = first.at.x;
+            let mut to = from + 1;
+            if !first.face.is_arabic() {
+                let joins = |run: &&Run| run.at.x >= low && !run.face.is_arabic();
+                to += self.runs[to..].iter().take_while(joins).count();
+            }
+            let own = &self.runs[from..to];
+            pieces.push((own, [low, own.iter().map(end).fold(low, f64::max)]));
+            from = to;
+        }
+        pieces
     }
 }
 

@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
-use kurbo::{Rect, Vec2};
+use kurbo::{BezPath, Point, Rect, Vec2};
 use rustybuzz::Direction;
 use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::{GlyphId, Tag};
@@ -115,6 +115,24 @@ impl Face {
         ink
     }
 
+    /// The outline of the glyphs at a size of 1, y down, origin at the pen's start on the base line; to be filled by
+    /// the non-zero rule.
+    #[must_use]
+    pub fn outline(self, text: &str) -> BezPath {
+        let mut path = BezPath::new();
+        let Some(m) = metrics(self) else { return path };
+        let k = 1.0 / m.em;
+        let mut trace = |glyph: GlyphId, at: Vec2| {
+            m.face.outline_glyph(glyph, &mut Pencil { path: &mut path, at, k });
+        };
+        if self.is_arabic() {
+            shape_with(self, text, &mut trace);
+        } else {
+            self.walk(text, m.em, |glyph, pen| trace(glyph, Vec2::new(pen, 0.0)));
+        }
+        path
+    }
+
     fn walk(self, text: &str, size: f64, mut visit: impl FnMut(GlyphId, f64)) -> f64 {
         let Some(m) = metrics(self) else {
             return 0.55 * size * text.chars().count() as f64;
@@ -137,6 +155,41 @@ impl Face {
             last = Some(glyph);
         }
         pen
+    }
+}
+
+/// Writes down the outline of a glyph that stands at `at`, in font units.
+struct Pencil<'a> {
+    path: &'a mut BezPath,
+    at: Vec2,
+    k: f64,
+}
+
+impl Pencil<'_> {
+    fn point(&self, x: f32, y: f32) -> Point {
+        Point::new((f64::from(x) + self.at.x) * self.k, (self.at.y - f64::from(y)) * self.k)
+    }
+}
+
+impl ttf_parser::OutlineBuilder for Pencil<'_> {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.path.move_to(self.point(x, y));
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.path.line_to(self.point(x, y));
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.path.quad_to(self.point(x1, y1), self.point(x, y));
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        self.path.curve_to(self.point(x1, y1), self.point(x2, y2), self.point(x, y));
+    }
+
+    fn close(&mut self) {
+        self.path.close_path();
     }
 }
 
@@ -228,11 +281,26 @@ fn shaped(face: Face, text: &str) -> Option<Shaped> {
 }
 
 fn shape(face: Face, text: &str) -> Option<Shaped> {
+    let m = metrics(face)?;
+    let mut ink: Option<Rect> = None;
+    let pen = shape_with(face, text, |glyph, at| {
+        if let Some(own) = m.glyph_box(glyph) {
+            let own = own + at;
+            ink = Some(ink.map_or(own, |r| r.union(own)));
+        }
+    })?;
+    let k = 1.0 / m.em;
+    let ink = ink.map(|r| Rect::new(r.x0 * k, r.y0 * k, r.x1 * k, r.y1 * k));
+    Some(Shaped { advance: pen * k, ink })
+}
+
+/// Calls `visit` for every glyph of a text of the Arabic script with its place in font units, y down; how far the pen
+/// has moved at the end.
+fn shape_with(face: Face, text: &str, mut visit: impl FnMut(GlyphId, Vec2)) -> Option<f64> {
     static READ: OnceLock<[Option<rustybuzz::Face<'static>>; 2]> = OnceLock::new();
     let read = |face: Face| rustybuzz::Face::from_slice(face.bytes(), 0);
     let faces = READ.get_or_init(|| [Face::Arabic, Face::ArabicBold].map(read));
     let shaper = faces[usize::from(face == Face::ArabicBold)].as_ref()?;
-    let m = metrics(face)?;
     let mut buffer = rustybuzz::UnicodeBuffer::new();
     buffer.push_str(text);
     let number = text.chars().all(is_arabic_digit);
@@ -240,19 +308,12 @@ fn shape(face: Face, text: &str) -> Option<Shaped> {
     buffer.set_script(rustybuzz::script::ARABIC);
     let glyphs = rustybuzz::shape(shaper, &[], buffer);
     let mut pen = 0.0;
-    let mut ink: Option<Rect> = None;
     for (glyph, position) in glyphs.glyph_infos().iter().zip(glyphs.glyph_positions()) {
         let id = u16::try_from(glyph.glyph_id).map_or(GlyphId(0), GlyphId);
-        if let Some(own) = m.glyph_box(id) {
-            let at = Vec2::new(pen + f64::from(position.x_offset), -f64::from(position.y_offset));
-            let own = own + at;
-            ink = Some(ink.map_or(own, |r| r.union(own)));
-        }
+        visit(id, Vec2::new(pen + f64::from(position.x_offset), -f64::from(position.y_offset)));
         pen += f64::from(position.x_advance);
     }
-    let k = 1.0 / m.em;
-    let ink = ink.map(|r| Rect::new(r.x0 * k, r.y0 * k, r.x1 * k, r.y1 * k));
-    Some(Shaped { advance: pen * k, ink })
+    Some(pen)
 }
 
 fn metrics(face: Face) -> Option<&'static Metrics> {

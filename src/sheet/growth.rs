@@ -12,6 +12,7 @@ pub fn after(construction: &Construction, mechanism: &Mechanism, last: usize) ->
     let mut all = construction.clone();
     all.steps = steps.to_vec();
     all.answers.clear();
+    all.others.clear();
     let drawn = |line: &ConstructionLine| match line {
         ConstructionLine::Ray { step, .. } | ConstructionLine::Arc { step, .. } => *step <= last,
     };

@@ -17,7 +17,7 @@ const TOUCH: f64 = 1000.0;
 const PASSES: usize = 8;
 /// Moves by which a crowd is untangled: where so many do not suffice there is no room.
 const MOVES: usize = 1500;
-/// More labels than this that touch something are past untangling.
+/// More labels than this that touch something are past repair.
 const MOST_TOUCHING: usize = 100;
 
 /// Where a label may stand.
@@ -254,7 +254,7 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
         for &i in &order {
             moved |= standing.settle(i, &candidates, requests[i].optional);
         }
-        if pass > 0 && !moved {
+        if pass > 0 && (!moved || standing.touching(&order, &candidates) > MOST_TOUCHING) {
             break;
         }
     }
@@ -324,6 +324,11 @@ impl Standing {
                 self.choose(i, None, all);
             }
         }
+    }
+
+    /// How many labels touch something.
+    fn touching(&self, order: &[usize], all: &[Vec<Candidate>]) -> usize {
+        order.iter().filter(|i| self.touches(**i, all)).count()
     }
 
     fn choose(&mut self, i: usize, choice: Option<usize>, all: &[Vec<Candidate>]) {

@@ -27,6 +27,7 @@ mod notation;
 pub mod overlap;
 mod polygon;
 mod pose;
+mod positions;
 mod profile;
 mod results;
 mod rich;

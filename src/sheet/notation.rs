@@ -6,7 +6,7 @@ use super::rich::Rich;
 use super::words::Words;
 use crate::graphical::construction::{Claim, Label, Reference};
 use crate::mechanism::quantity::{Order, Quantity, Unit};
-use crate::mechanism::{GuidePoint, LinkId, Mechanism, Path, PointId, Rider};
+use crate::mechanism::{Direction, GuidePoint, LinkId, Mechanism, Path, PointId, Rider};
 use crate::scene::{AngularAcceleration, Scene};
 use crate::sheet::font::Face;
 
@@ -77,7 +77,11 @@ impl<'a> Notation<'a> {
     #[must_use]
     pub fn links(&self, links: &[LinkId]) -> Rich {
         let numbers: Vec<Rich> = links.iter().map(|l| Rich::upright(self.number(*l))).collect();
-        let template = if links.len() == 1 { self.words.link } else { self.words.links };
+        let template = match links {
+            [_] => self.words.link,
+            [_, _] => self.words.two_links,
+            _ => self.words.links,
+        };
         let list = match numbers.split_last() {
             Some((last, rest)) if !rest.is_empty() => {
                 Rich::join(rest, &Rich::upright(self.words.comma)).up(self.words.and).then(last)
@@ -374,14 +378,36 @@ impl<'a> Notation<'a> {
     /// The guide of a sliding pair in words.
     #[must_use]
     pub fn guide(&self, slide: usize) -> Rich {
-        match self.mechanism().slides.get(slide).map(|s| s.rider) {
-            Some(Rider::Pin { point, .. }) => {
-                Rich::fill(self.words.guide_of, &[("point", self.point(point))])
-            }
-            Some(Rider::Link { link, .. }) => {
+        let Some(own) = self.mechanism().slides.get(slide) else { return Rich::default() };
+        let name = match own.rider {
+            Rider::Pin { point, .. } => Rich::fill(self.words.guide_of, &[("point", self.point(point))]),
+            Rider::Link { link, .. } => {
                 Rich::fill(self.words.guide_of_link, &[("link", Rich::upright(self.number(link)))])
             }
-            None => Rich::default(),
+        };
+        match self.which_guide(slide) {
+            Some(which) => name.up("\u{a0}(").then(&which).up(")"),
+            None => name,
+        }
+    }
+
+    /// What tells the guide from another of the same rider: its link, or its angle on the frame.
+    fn which_guide(&self, slide: usize) -> Option<Rich> {
+        let slides = &self.mechanism().slides;
+        let own = slides.get(slide)?;
+        let same = |rider: Rider| match (rider, own.rider) {
+            (Rider::Pin { point, .. }, Rider::Pin { point: own, .. }) => point == own,
+            (Rider::Link { link, .. }, Rider::Link { link: own, .. }) => link == own,
+            _ => false,
+        };
+        if slides.iter().filter(|other| same(other.rider)).count() < 2 {
+            return None;
+        }
+        match own.guide.path {
+            Path::Straight { direction: Direction::Angle(angle), .. } if own.guide.link == LinkId::FRAME => {
+                Some(human::degrees(angle.value))
+            }
+            _ => Some(self.links(&[own.guide.link])),
         }
     }
 

@@ -46,6 +46,8 @@ pub struct Rich {
     items: Vec<Item>,
     /// Runs from left to right although words of Arabic script stand in it.
     left_to_right: bool,
+    /// A line of a text that runs from right to left, though no word of Arabic script stands in it.
+    right_to_left: bool,
 }
 
 /// Formula text set at the origin: base line at y = 0, start at x = 0.
@@ -302,7 +304,7 @@ impl Rich {
     }
 
     fn run_through(&self, size: f64) -> Setter {
-        if self.is_arabic() {
+        if self.is_arabic() || self.right_to_left {
             return bidi::set(&self.items, !self.left_to_right, size);
         }
         let mut setter = Setter::new(size);
@@ -377,7 +379,11 @@ impl Rich {
             lines.push(line);
         }
         // A line of an Arabic text is set like the whole, also where only a formula stands in it.
-        lines.iter_mut().for_each(|line| line.left_to_right = self.left_to_right);
+        let right_to_left = !self.left_to_right && (self.right_to_left || self.is_arabic());
+        for line in &mut lines {
+            line.left_to_right = self.left_to_right;
+            line.right_to_left = right_to_left;
+        }
         lines
     }
 

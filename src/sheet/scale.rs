@@ -83,7 +83,7 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
     let time = scene.units.time.si;
     let units = [length / time, length / (time * time)];
     let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units, (wide, high));
-    let [w, h] = with_wheels(&scene.mechanism, extents.space);
+    let [w, h] = with_wheels(&scene.mechanism, extents.positions);
     let upright = choose_length(w, h, stretched(SKELETON));
     let long = choose_length(w, h, stretched(LONG_SKELETON));
     let skeleton = upright.zip(long).map(|(a, b)| a.min(b));

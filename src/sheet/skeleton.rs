@@ -14,8 +14,10 @@ use super::notation::Notation;
 use super::overlap::overlaps_in;
 use super::polygon::short_arc;
 use super::pose::{GuideLine, Pose};
+use super::positions;
 use super::rich::Rich;
 use super::slots::Slot;
+use super::steps;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll};
@@ -114,6 +116,11 @@ pub fn draw_under(
         .data("si-per-mm", format!("{}", space.metres_per_mm));
     group.title = Some(notation.words.skeleton.to_owned());
     let mut artist = Artist::new(construction, notation);
+    if !construction.others.is_empty() {
+        let (ink, names) = positions::draw(construction, notation);
+        group.group(ink);
+        artist.labels.extend(names);
+    }
     artist.links_and_joints(&mut group, true);
     let mut known = artist.known_rotations();
     if arrows == Arrows::Inputs {
@@ -177,7 +184,7 @@ pub(super) enum Body {
 }
 
 impl<'a> Artist<'a> {
-    fn new(construction: &'a Construction, notation: &Notation<'a>) -> Self {
+    pub(super) fn new(construction: &'a Construction, notation: &Notation<'a>) -> Self {
         let mut artist = Self {
             construction,
             notation: *notation,
@@ -601,7 +608,7 @@ impl Artist<'_> {
         all
     }
 
-    fn outward(&self, at: Point) -> Option<f64> {
+    pub(super) fn outward(&self, at: Point) -> Option<f64> {
         let sum: Vec2 = self
             .bars
             .iter()
@@ -663,15 +670,16 @@ impl Artist<'_> {
     fn known_rotations(&self) -> BTreeMap<(LinkId, bool), f64> {
         let mut known = self.stated_rotations();
         for act in self.construction.steps.iter().flat_map(|s| &s.acts) {
-            match act {
-                Act::Calculate(Calculation::Omega { link, value, .. }) => {
-                    known.insert((*link, false), *value);
+            let Act::Calculate(calculation) = act else { continue };
+            match steps::without_noise(calculation, self.construction) {
+                Calculation::Omega { link, value, .. } => {
+                    known.insert((link, false), value);
                 }
-                Act::Calculate(Calculation::Alpha { link, value, .. }) => {
-                    known.insert((*link, true), *value);
+                Calculation::Alpha { link, value, .. } => {
+                    known.insert((link, true), value);
                 }
-                Act::Calculate(Calculation::Speed { link, omega, .. }) => {
-                    known.insert((*link, false), *omega);
+                Calculation::Speed { link, omega, .. } => {
+                    known.insert((link, false), omega);
                 }
                 _ => {}
             }

@@ -30,6 +30,18 @@ pub(super) struct Slot {
     form: SlotForm,
 }
 
+impl Slot {
+    /// Its middle line.
+    pub(super) fn middle_line(&self) -> Shape {
+        match self.form {
+            SlotForm::Straight(_) => Shape::Line(self.ends.0, self.ends.1),
+            SlotForm::Curved { centre, radius, from, to } => {
+                Shape::Arc { centre, radius, start: from, sweep: to - from }
+            }
+        }
+    }
+}
+
 #[derive(Debug, Clone, Copy)]
 enum SlotForm {
     /// Along this direction.

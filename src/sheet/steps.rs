@@ -13,6 +13,8 @@ use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Closing;
 use crate::mechanism::{LinkId, PointId};
 
+/// What is shorter than this on paper, mm, is not there: the drawing is written down no finer.
+const NOISE: f64 = 1e-6;
 /// Flatter crossings than this are badly readable by hand.
 const FLAT: f64 = 3.0;
 
@@ -50,6 +52,7 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
     let mut all: Vec<Told> = Vec::new();
     let mut rubbing = false;
     let mut measured: Vec<[PointId; 2]> = Vec::new();
+    let mut marked = false;
     for (i, step) in construction.steps.iter().enumerate() {
         let teller = Teller { construction, notation, step };
         // Rubbing speeds of several pins stand under one head.
@@ -61,13 +64,16 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             told.step = i;
             continue;
         }
-        let head = Rich::bold(format!("{}.", i + 1)).up("\u{a0}\u{a0}").then(&teller.head());
+        let head = Rich::bold(format!("{}.", all.len() + 1)).up("\u{a0}\u{a0}").then(&teller.head());
         let mut items = vec![Item::Head(head)];
         for equation in &step.equations {
             items.push(Item::Terms(teller.terms(equation)));
         }
         for act in &step.acts {
             // What was measured once is known.
+            if matches!(act, Act::MarkPlaces) && std::mem::replace(&mut marked, true) {
+                continue;
+            }
             if let Act::MeasureLength { from, to, .. } = act {
                 if measured.contains(&[*from, *to]) {
                     continue;
@@ -76,7 +82,10 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             }
             items.extend(teller.act(act).map(Item::Sentence));
         }
-        all.push(Told { step: i, drawn: (!rubs).then_some(step.order), items });
+        // What was marked at the beginning needs no step of its own.
+        if items.len() > 1 {
+            all.push(Told { step: i, drawn: (!rubs).then_some(step.order), items });
+        }
     }
     // Constructions of their own follow the steps.
     let step = construction.steps.len().saturating_sub(1);
@@ -115,6 +124,50 @@ pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
     }
     let angle = ("angle", human::degrees(crossing));
     sentence.up(" ").then(&Rich::fill(notation.words.flat_crossing, &[angle]))
+}
+
+/// The value, or zero where its vector on paper is no longer than what a drawing writes down: the roundings of lines
+/// that meet in one point.
+fn quiet(si: f64, order: Order, construction: &Construction) -> f64 {
+    let polygon = match order {
+        Order::Acceleration => &construction.acceleration,
+        _ => &construction.velocity,
+    };
+    let least = polygon.as_ref().map_or(0.0, |p| p.si_per_mm * NOISE);
+    if si.abs() < least { 0.0 } else { si }
+}
+
+/// A calculation without what comes of such a zero.
+#[must_use]
+pub fn without_noise(calculation: &Calculation, construction: &Construction) -> Calculation {
+    let mut calculation = *calculation;
+    let clear = |order: Order, read: &mut f64, value: &mut f64| {
+        if quiet(*read, order, construction) == 0.0 {
+            (*read, *value) = (0.0, 0.0);
+        }
+    };
+    match &mut calculation {
+        Calculation::Omega { speed, value, .. }
+        | Calculation::Normal { speed, value, .. }
+        | Calculation::SlipNormal { speed, value, .. } => clear(Order::Velocity, speed, value),
+        Calculation::Alpha { tangential, value, .. } => clear(Order::Acceleration, tangential, value),
+        // Of a short link the speed is small, not the rotation.
+        Calculation::Speed { omega, value, length, .. } if *length > construction.space.metres_per_mm => {
+            clear(Order::Velocity, value, omega);
+        }
+        Calculation::Tangential { alpha, value, length, .. }
+            if *length > construction.space.metres_per_mm =>
+        {
+            clear(Order::Acceleration, value, alpha);
+        }
+        Calculation::Speed { .. } | Calculation::Tangential { .. } => {}
+        Calculation::Coriolis { speed, value, .. } => {
+            clear(Order::Velocity, speed, value);
+            *value = quiet(*value, Order::Acceleration, construction);
+        }
+        Calculation::Translation { .. } | Calculation::Rub { .. } => {}
+    }
+    calculation
 }
 
 fn only_rubs(step: &Step) -> bool {
@@ -193,7 +246,10 @@ impl Teller<'_> {
     fn term(&self, term: &Term, unit: f64) -> (Rich, Rich) {
         let unknown = || Rich::upright(self.notation.words.unknown);
         let magnitude = match term.magnitude {
-            Some(value) => Rich::tick().gap(0.15).then(&human::number(value / unit)),
+            Some(value) => {
+                let value = quiet(value, self.step.order, self.construction);
+                Rich::tick().gap(0.15).then(&human::number(value / unit))
+            }
             None => unknown(),
         };
         let direction = match term.direction {
@@ -239,6 +295,9 @@ impl Teller<'_> {
                     .filter(|p| n.mechanism().point(*p).place.exact().is_some())
                     .map(|p| n.point(p))
                     .collect();
+                if points.is_empty() {
+                    return None;
+                }
                 Rich::fill(
                     words.mark_places,
                     &[
@@ -376,7 +435,7 @@ impl Teller<'_> {
                     .up("\u{a0}×\u{a0}")
                     .then(&human::stated(factor))
                     .up("\u{a0}=\u{a0}")
-                    .then(&human::quantity(*value, &unit));
+                    .then(&human::quantity(quiet(*value, order, self.construction), &unit));
                 Rich::fill(
                     words.read_vector,
                     &[
@@ -390,12 +449,19 @@ impl Teller<'_> {
         Some(sentence)
     }
 
+    /// Whether a vector ends in a known point and begins in a new one.
+    fn is_drawn_backwards(&self, vector: &Vector) -> bool {
+        let earlier = self.polygon().into_iter().flat_map(|p| &p.vectors).take_while(|v| *v != vector);
+        let mut ends = earlier.flat_map(|v| [v.tail, v.head]);
+        matches!(vector.tail, Label::Foot { .. }) && !ends.any(|end| end == vector.tail)
+    }
+
     /// The direction in which a vector is laid off, with its sense.
     fn direction_of(&self, vector: &Vector) -> Rich {
         let n = self.notation;
         let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.aside(n.words.comma, &b) };
         let Some(claim) = vector.claim else { return Rich::default() };
-        if vector.kind == VectorKind::Coriolis {
+        if vector.kind == VectorKind::Coriolis && self.is_drawn_backwards(vector) {
             let head = ("head", n.image(vector.head, self.step.order));
             return comma(n.claim(claim), Rich::fill(n.words.head_first, &[head]));
         }
@@ -442,6 +508,7 @@ impl Teller<'_> {
 
     fn calculation(&self, calculation: &Calculation) -> Option<Rich> {
         let n = self.notation;
+        let calculation = &without_noise(calculation, self.construction);
         let equals = "\u{a0}= ";
         let length = &n.scene.units.length;
         let (v, a) = (n.unit(Order::Velocity), n.unit(Order::Acceleration));

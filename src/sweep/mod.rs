@@ -13,6 +13,7 @@
 
 mod course;
 mod curve;
+mod positions;
 mod prepare;
 
 use crate::board::{LANES, Lane, Moving, Place};
@@ -24,6 +25,7 @@ use crate::plan::{Extent, Plan};
 
 pub use course::{Event, EventKind, Stretch};
 pub use curve::Track;
+pub use positions::{PositionError, other_positions};
 
 /// What the input of a sweep measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

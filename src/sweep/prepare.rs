@@ -97,8 +97,8 @@ pub(super) fn refuse_rolled_points(mechanism: &Mechanism, structure: &Structure)
         {
             let number = mechanism.link(wheel).number;
             return Err(SweepError::Instant(format!(
-                "where the points of wheel {number} go follows from how far it has rolled, which a sweep does \
-                 not know"
+                "where the points of wheel {number} go follows from how far it has rolled, which a \
+                 drawing of one position does not tell"
             )));
         }
     }
