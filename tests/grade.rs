@@ -80,7 +80,11 @@ fn every_misprint_is_found() {
 /// with A = 3000 cm/s² downward at the crank pin, ε of the rod is 3000/40 and A of the slider 30 · 75 = 2250 to the
 /// right.
 fn slider_crank() -> Scene {
-    let text = r#"{
+    scene::read(scene_text(), "slider.json").unwrap()
+}
+
+fn scene_text() -> &'static str {
+    r#"{
         "units": { "length": "cm" },
         "fixed": { "O2": [0, 0] },
         "links": { "2": { "joins": ["O2", "A"], "length": 30 }, "3": { "joins": ["A", "B"], "length": 50 } },
@@ -90,8 +94,7 @@ fn slider_crank() -> Scene {
         "find": ["v(B)", "a(B)", "alpha(3)"],
         "sheet": { "length": "1:10", "velocity": "50 cm/s per cm", "acceleration": "500 cm/s^2 per cm",
                    "marks": { "alpha(3)": 3 } }
-    }"#;
-    scene::read(text, "slider.json").unwrap()
+    }"#
 }
 
 #[test]
@@ -171,4 +174,54 @@ fn bad_answers_are_refused_with_place_and_mend() {
         let told = refusal(text);
         assert!(told.contains(expected), "{text}\n{told}");
     }
+}
+
+#[test]
+fn the_overlay_circles_the_first_fault() {
+    let scene = slider_crank();
+    // Coriolis is not at stake here: the normal part of the crank pin points away from O2.
+    let answers = json!({ "values": { "an(A)": { "magnitude": "3000 cm/s^2", "direction": "90 deg" },
+                                      "a(B)": { "components": [-2250, 0] }, "alpha(3)": "75 rad/s^2 cw" } });
+    let answers = read_answers(&answers.to_string(), &scene).unwrap();
+    let (report, figure) =
+        linkgram::grade::grade_with_overlay(&scene, &answers, &GradeSettings::default()).unwrap();
+    assert_eq!(report.first_fault().unwrap().mistakes[0].kind, Kind::NormalAwayFromCentre);
+    let verdicts: Vec<Verdict> = report.quantities.iter().map(|q| q.verdict).collect();
+    assert_eq!(verdicts, [Verdict::Wrong, Verdict::Consistent, Verdict::Consistent]);
+    let figure = figure.unwrap();
+    let (mut dashed, mut circles) = (0, 0);
+    figure.root.walk(&mut |node| {
+        if let linkgram::sheet::figure::Node::Mark(mark) = node {
+            dashed += usize::from(mark.class == "student");
+            circles += usize::from(mark.class == "fault");
+        }
+    });
+    assert!(dashed > 0 && circles == 1);
+    assert!(figure.description.contains("an(A) points away from its centre"), "{}", figure.description);
+}
+
+#[test]
+fn the_command_tells_by_its_exit_status() {
+    let folder = std::env::temp_dir().join(format!("linkgram-grade-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("scene.json"), scene_text()).unwrap();
+    let cases = [
+        (r#"{ "values": { "v(B)": 300 } }"#, 0),
+        (r#"{ "values": { "v(B)": 200 } }"#, 1),
+        (r#"{ "values": { "v(X)": 200 } }"#, 2),
+        ("{}", 2),
+    ];
+    for (answers, status) in cases {
+        std::fs::write(folder.join("answers.json"), answers).unwrap();
+        let _ = std::fs::remove_file(folder.join("overlay.svg"));
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_linkgram"))
+            .args(["grade", "scene.json", "answers.json", "-o", "overlay.svg"])
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(status), "{answers}: {output:?}");
+        assert_eq!(folder.join("overlay.svg").exists(), status < 2, "{answers}");
+        assert_eq!(output.stdout.is_empty(), status == 2);
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
 }

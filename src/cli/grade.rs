@@ -1,10 +1,11 @@
 //! `linkgram grade`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::{Ending, Failure, failure, print, read_scene};
 use crate::files;
 use crate::grade::{self, GradeError, GradeSettings};
+use crate::render::{self, Format};
 use crate::solve::Hand;
 
 /// What is to be graded, and how.
@@ -13,6 +14,7 @@ pub(super) struct Job {
     pub(super) answers: PathBuf,
     pub(super) json: bool,
     pub(super) hand: Option<Hand>,
+    pub(super) output: Option<PathBuf>,
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
@@ -26,10 +28,23 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if let Some(hand) = job.hand {
         settings.hand = hand;
     }
-    let report = grade::grade(&scene, &answers, &settings).map_err(|error| match error {
+    let format = job.output.as_deref().map(overlay_format).transpose()?;
+    let graded = grade::grade_with_overlay(&scene, &answers, &settings);
+    let (report, figure) = graded.map_err(|error| match error {
         GradeError::Solve(error) => failure(&scene, &error),
         GradeError::Answers(diagnostic) => diagnostic.into(),
     })?;
+    if let (Some(path), Some(format)) = (&job.output, format) {
+        let Some(figure) = figure else {
+            return Err(Failure(format!(
+                "{}: no answer needs a polygon, so there is nothing to lay over",
+                path.display()
+            )));
+        };
+        let bytes = render::render(&figure, format, &render::Options::default())
+            .map_err(|error| Failure(error.to_string()))?;
+        files::write_all(&[(path.clone(), bytes)])?;
+    }
     if job.json {
         let text =
             serde_json::to_string_pretty(&report.to_json()).map_err(|error| Failure(error.to_string()))?;
@@ -38,4 +53,10 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         print(&report.to_text())?;
     }
     Ok(if report.holds() { Ending::Fine } else { Ending::DoesNotHold })
+}
+
+/// The format of the overlay, by the ending of its name.
+fn overlay_format(path: &Path) -> Result<Format, Failure> {
+    let ending = path.extension().and_then(|e| e.to_str()).and_then(Format::from_name);
+    ending.ok_or_else(|| Failure(format!("{}: unknown format; end the name in .svg", path.display())))
 }

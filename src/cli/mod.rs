@@ -130,6 +130,10 @@ enum Command {
         /// 0.2mm,0.3deg where neither this nor the answers say it
         #[arg(long, value_name = "MM,DEG", value_parser = parse_hand)]
         hand: Option<Hand>,
+        /// Where to write the student's polygons over the right ones, the first fault circled; the ending chooses
+        /// the format
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
     },
     /// Report links, pairs, mobility, groups, Grashof class and dead positions
     Structure {
@@ -359,8 +363,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith })
         }
-        Command::Grade { scene, answers, json, hand } => {
-            grade::run(&grade::Job { scene, answers, json, hand })
+        Command::Grade { scene, answers, json, hand, output } => {
+            grade::run(&grade::Job { scene, answers, json, hand, output })
         }
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep { scene, steps, tolerance, from, to, output } => {

@@ -10,7 +10,7 @@ use crate::scene::units::{Measure, Scale, Scales, Words, drawing_scale, number};
 use crate::scene::{Diagnostic, Scene};
 
 const ANSWERS: &[&str] =
-    &["$schema", "student", "units", "values", "scales", "lengths", "points", "scan", "drawing", "tolerance"];
+    &["$schema", "student", "units", "values", "scales", "lengths", "points", "scan", "tolerance"];
 const SCALES: &[&str] = &["length", "velocity", "acceleration"];
 const FIGURES: &[&str] = &["velocity", "acceleration", "skeleton"];
 const VALUE: &[&str] = &["value", "magnitude", "direction", "sense", "components", "unit"];
@@ -27,8 +27,6 @@ pub struct Answers {
     pub scales: StatedScales,
     /// Points of the drawing.
     pub figures: Vec<FigurePoints>,
-    /// The file of a drawing whose labels name its points.
-    pub drawing: Option<String>,
     /// How exact the student's hand is taken to be, millimetres and radians, where the file says it.
     pub hand: (Option<f64>, Option<f64>),
     /// Tolerances that the file states, by the name of the quantity.
@@ -127,7 +125,6 @@ pub fn read_named(text: &str, file: &str, scene: &Scene) -> Result<Answers, Diag
         items: Vec::new(),
         scales: StatedScales::default(),
         figures: Vec::new(),
-        drawing: None,
         hand: (None, None),
         tolerances: Vec::new(),
         file: file.to_owned(),
@@ -147,7 +144,6 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
         |key: &str, what: &str| fields.get(key).map(|value| value.text(what).map(str::to_owned)).transpose();
     text("$schema", "the address of the schema")?;
     answers.student = text("student", "a name, as text")?;
-    answers.drawing = text("drawing", "the name of an SVG file")?;
     let scales = Scales::read(fields.get("units"), Some(&scene.units))?;
     for (index, entry) in entries(&fields, "values", "values, by name of the quantity")?.iter().enumerate() {
         let item = value(entry, scene, &scales)?;

@@ -3,8 +3,8 @@
 
 use std::f64::consts::PI;
 
-use super::answers::{Answers, FigurePoints, Given, Tolerance, is_vector};
-use super::change::{Change, Misreading};
+use super::answers::{Answers, FigurePoints, Given, StatedScales, Tolerance, is_vector};
+use super::change::{Change, Misreading, Which};
 use super::{GradeError, GradeSettings};
 use crate::board::Hand;
 use crate::graphical::construction::{Act, Calculation, Construction, Label};
@@ -57,6 +57,8 @@ pub(super) struct Case<'s> {
     pub(super) structure: Structure,
     pub(super) plan: Plan,
     pub(super) scales: Scales,
+    /// Those of them that the student states.
+    pub(super) stated: StatedScales,
     pub(super) hand: Hand,
     pub(super) draughtsmen: u64,
     /// The right drawing.
@@ -111,6 +113,7 @@ impl<'s> Case<'s> {
             structure,
             plan,
             scales,
+            stated: answers.scales,
             hand,
             draughtsmen: settings.draughtsmen,
             right,
@@ -256,6 +259,9 @@ impl<'s> Case<'s> {
             let name = crate::sheet::image_name(self.scene, image.label, order);
             names.push((plain_name(&name, order), Target::Image(order, image.label)));
         }
+        for (name, label) in crate::sheet::image_names(self.scene, &self.right.construction, order) {
+            names.push((plain_name(&name, order), Target::Image(order, label)));
+        }
         // Where no other point has that name, an image goes by its letter alone.
         for image in &polygon.images {
             if let Label::Image { point, link: Some(_) } = image.label {
@@ -266,6 +272,17 @@ impl<'s> Case<'s> {
             }
         }
         names
+    }
+
+    /// Whether the student says at which scale a vector was drawn.
+    pub(super) fn states_scale(&self, of: Which) -> bool {
+        match of {
+            Which::One(quantity) if quantity.order() == Order::Velocity => self.stated.velocity.is_some(),
+            Which::One(quantity) if quantity.order() == Order::Acceleration => {
+                self.stated.acceleration.is_some()
+            }
+            _ => true,
+        }
     }
 
     /// SI units per millimetre of a figure.
@@ -297,6 +314,34 @@ impl<'s> Case<'s> {
         let mechanism = change.mechanism(&self.mechanism);
         let by = draughtsman.map(|seed| (self.hand, seed));
         sketch(&mechanism, &self.structure, &self.plan, self.scales, &change.departures, by).ok()
+    }
+
+    /// Where in a polygon an answer stands: the head of its vector, or of that from which it is calculated.
+    pub(super) fn place_of(&self, index: usize, sketch: &Sketch) -> Option<(Order, [f64; 2])> {
+        let observation = &self.observations[index];
+        let construction = &sketch.construction;
+        if let Target::Image(order, label) = observation.target {
+            let image = polygon(construction, order)?.images.iter().rev().find(|i| i.label == label)?;
+            return Some((order, image.at));
+        }
+        let quantity = observation.quantity?;
+        let calculated = construction.steps.iter().flat_map(|s| &s.acts).find_map(|act| match *act {
+            Act::Calculate(Calculation::Omega { link, quantity: of, .. })
+                if quantity == Quantity::Omega(link) =>
+            {
+                Some(of)
+            }
+            Act::Calculate(Calculation::Alpha { link, quantity: of, .. })
+                if quantity == Quantity::Alpha(link) =>
+            {
+                Some(of)
+            }
+            _ => None,
+        });
+        let quantity = calculated.unwrap_or(quantity);
+        let order = quantity.order();
+        let vector = polygon(construction, order)?.vectors.iter().find(|v| v.quantity == quantity)?;
+        Some((order, vector.to))
     }
 
     /// What a student would answer who drew this and misread it so.
@@ -388,13 +433,16 @@ impl<'s> Case<'s> {
             }
         }
         let factors = self.enlarged(change);
-        self.observations
-            .iter()
-            .enumerate()
-            .map(|(index, observation)| {
-                self.allowed(observation, worst[index], factors[index], seen[index].as_deref())
-            })
-            .collect()
+        let allowed = |index: usize| {
+            let seen = seen[index].as_deref();
+            let own = self.allowed(&self.observations[index], worst[index], factors[index], seen);
+            // Where lines cross so flatly that the result is no number, only an exact hand would prove anything.
+            match self.tolerances.get(index) {
+                Some(&usual) if own > WIDE * usual && own > TELLS * seen.map_or(0.0, size) => usual,
+                _ => own,
+            }
+        };
+        (0..self.observations.len()).map(allowed).collect()
     }
 
     fn allowed(&self, observation: &Observation, worst: f64, factor: f64, seen: Option<&[f64]>) -> f64 {
@@ -438,6 +486,10 @@ impl<'s> Case<'s> {
 
 /// The worst of the draughtsmen is not the worst of all.
 const SAFETY: f64 = 1.3;
+/// A tolerance that is not wider than this, against that of the right drawing, is the same.
+pub(super) const WIDE: f64 = 2.0;
+/// A number of which more than this part is open tells nothing.
+const TELLS: f64 = 0.5;
 /// What a student rounds away at most, as a part of the value.
 const ROUNDED: f64 = 0.01;
 /// What is lost in the conversion of units, as a part of the value.

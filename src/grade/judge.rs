@@ -6,7 +6,7 @@
 //! its place in the construction, and it is seen what follows from it.
 
 use super::answers::Given;
-use super::case::{Case, Observation, Target, size};
+use super::case::{Case, Observation, Target, WIDE, size};
 use super::change::{Change, Misreading, Which};
 use super::kind::Kind;
 use super::mistakes::{self, Hypothesis, vector_of};
@@ -56,6 +56,8 @@ pub(super) struct Fault {
 pub(super) struct Judgement {
     pub(super) verdicts: Vec<Verdict>,
     pub(super) faults: Vec<Fault>,
+    /// What the student drew, as far as it is known.
+    pub(super) drawn: Change,
 }
 
 /// A miss of one tolerance is so many times its usual size.
@@ -76,6 +78,11 @@ const NAMED: usize = 5;
 const PAIRED: usize = 6;
 /// What a second mistake costs.
 const SECOND: f64 = 8.0;
+
+/// How much a miss, in tolerances, counts.
+fn square(miss: f64) -> f64 {
+    (USUAL * miss) * (USUAL * miss)
+}
 
 /// A tried explanation.
 #[derive(Clone)]
@@ -117,7 +124,7 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
         }
     }
     let verdicts = verdicts.into_iter().map(|v| v.unwrap_or(Verdict::NotChecked)).collect();
-    Judgement { verdicts, faults }
+    Judgement { verdicts, faults, drawn }
 }
 
 struct Judge<'j, 's> {
@@ -232,16 +239,16 @@ impl Judge<'_, '_> {
             let settled = matches!(self.verdicts[index], Some(Verdict::NotChecked));
             let miss = if settled { 0.0 } else { self.case.miss(index, numbers) / tolerances[index] };
             misses.push(miss);
-            let square = (USUAL * miss) * (USUAL * miss);
-            if square >= MOST || !square.is_finite() {
-                cost += MOST;
-                continue;
-            }
-            // Where more is allowed, a fit says less.
+            // Whoever draws better than his tolerance has lost nothing.
             let wider = tolerances[index] / self.case.tolerances[index];
-            let parts =
-                if matches!(self.case.observations[index].given, Given::Vector(_)) { 4.0 } else { 2.0 };
-            cost += (square + parts * libm::log(wider).clamp(-3.0, 3.0)).min(MOST);
+            let counted = square(miss).min(square(miss * wider));
+            cost += if counted.is_finite() { counted.min(MOST) } else { MOST };
+            if index == self.first {
+                // Where much more is allowed than of the right drawing, a fit says less.
+                let parts =
+                    if matches!(self.case.observations[index].given, Given::Vector(_)) { 4.0 } else { 2.0 };
+                cost += parts * libm::log(wider / WIDE).clamp(0.0, 1.5);
+            }
         }
         Tried { hypothesis, change, cost, misses }
     }
@@ -300,10 +307,10 @@ impl Judge<'_, '_> {
                 price: UNKNOWN,
                 change: way,
             };
-            let mut tried = self.counted(hypothesis, change, &seen, &self.case.tolerances);
+            let tolerances = self.case.tolerances_of(&change, &seen, FEW);
+            let mut tried = self.counted(hypothesis, change, &seen, &tolerances);
             // The answer itself is what it is.
-            let miss = USUAL * tried.misses[self.first];
-            tried.cost -= (miss * miss).min(MOST);
+            tried.cost -= square(tried.misses[self.first]).min(MOST);
             if best.as_ref().is_none_or(|b| tried.cost < b.cost) {
                 best = Some(tried);
             }

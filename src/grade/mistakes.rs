@@ -136,7 +136,7 @@ impl<'c> List<'c, '_> {
                 let reading = Misreading::Twisted { of: which, twist: Twist::scaled(factor) };
                 self.add(kind, "the answers' unit", None, price + UNUSUAL, Change::read(reading));
             }
-            self.driven_length(kind, factor, price + UNUSUAL);
+            self.single_lengths(kind, factor, price);
             for quantity in self.observed() {
                 let reading = Misreading::Twisted { of: Which::One(quantity), twist: Twist::scaled(factor) };
                 let name = self.name(&quantity);
@@ -145,32 +145,90 @@ impl<'c> List<'c, '_> {
         }
     }
 
-    /// The length of a driven link in the wrong unit, where V = ω l and A = ω² l are calculated.
-    fn driven_length(&mut self, kind: Kind, factor: f64, price: f64) {
-        let driven: Vec<LinkId> = self.driven();
-        for link in driven {
-            let mut departures = Vec::new();
-            for (_, act) in self.acts() {
-                let (quantity, own, by) = match *act {
-                    Act::Calculate(Calculation::Speed { quantity, link: own, .. }) => (quantity, own, factor),
-                    // From V² / l: V is too long already.
-                    Act::Calculate(Calculation::Normal { quantity, ends, .. }) => {
-                        (quantity, self.link_of(ends), 1.0 / factor)
-                    }
-                    Act::Calculate(Calculation::Tangential { quantity, link: own, .. }) => {
-                        (quantity, own, factor)
-                    }
-                    _ => continue,
-                };
-                if own == link {
-                    departures.push(Departure::LaidOff { quantity, twist: Twist::scaled(by) });
+    /// One length in the wrong unit, in every calculation in which it stands; the figure is drawn rightly.
+    fn single_lengths(&mut self, kind: Kind, factor: f64, price: f64) {
+        let mut ends: Vec<([PointId; 2], LinkId)> = Vec::new();
+        for (_, act) in self.acts() {
+            let found = match *act {
+                Act::Calculate(
+                    Calculation::Speed { ends, link, .. }
+                    | Calculation::Omega { ends, link, .. }
+                    | Calculation::Tangential { ends, link, .. }
+                    | Calculation::Alpha { ends, link, .. },
+                ) => (ends, link),
+                Act::Calculate(Calculation::Normal { quantity, ends, .. }) => {
+                    (ends, self.link_of(&quantity, ends))
                 }
-            }
-            if !departures.is_empty() {
-                let at = format!("the length of link {}", self.number(link));
-                self.add(kind, &at, None, price, Change::drawn(departures));
+                _ => continue,
+            };
+            if !ends.contains(&found) {
+                ends.push(found);
             }
         }
+        let mut tried: Vec<Vec<Departure>> = Vec::new();
+        for &(pair, link) in &ends {
+            let [a, b] = pair.map(|p| self.case.mechanism.point(p).name.clone());
+            let at = format!("the length {a}{b}");
+            let alone = self.misused(factor, |ends, of| (ends, of) == (pair, link));
+            let whole = self.misused(factor, |_, of| of == link);
+            for departures in [alone, whole] {
+                if departures.is_empty() || tried.contains(&departures) {
+                    continue;
+                }
+                tried.push(departures.clone());
+                // Only the rates are written down wrongly, and nothing follows from them.
+                let readings = departures.iter().filter_map(|departure| match *departure {
+                    Departure::Rate { order, link, factor } => {
+                        let rate = match order {
+                            Order::Velocity => Quantity::Omega(link),
+                            _ => Quantity::Alpha(link),
+                        };
+                        Some(Misreading::Twisted { of: Which::One(rate), twist: Twist::scaled(factor) })
+                    }
+                    _ => None,
+                });
+                let readings: Vec<Misreading> = readings.collect();
+                self.add(kind, &at, None, price + 1.0, Change::drawn(departures));
+                if !readings.is_empty() {
+                    let change = Change { readings, ..Change::default() };
+                    self.add(kind, &at, None, price + UNUSUAL, change);
+                }
+            }
+        }
+    }
+
+    /// What becomes of every calculation with certain lengths if these are multiplied.
+    fn misused(&self, factor: f64, among: impl Fn([PointId; 2], LinkId) -> bool) -> Vec<Departure> {
+        let mut departures = Vec::new();
+        let mut misuse = |departure: Departure| {
+            if !departures.contains(&departure) {
+                departures.push(departure);
+            }
+        };
+        for (_, act) in self.acts() {
+            match *act {
+                Act::Calculate(
+                    Calculation::Speed { quantity, ends, link, .. }
+                    | Calculation::Tangential { quantity, ends, link, .. },
+                ) if among(ends, link) => {
+                    misuse(Departure::LaidOff { quantity, twist: Twist::scaled(factor) });
+                }
+                // From V² / l.
+                Act::Calculate(Calculation::Normal { quantity, ends, .. })
+                    if among(ends, self.link_of(&quantity, ends)) =>
+                {
+                    misuse(Departure::LaidOff { quantity, twist: Twist::scaled(1.0 / factor) });
+                }
+                Act::Calculate(Calculation::Omega { link, ends, .. }) if among(ends, link) => {
+                    misuse(Departure::Rate { order: Order::Velocity, link, factor: 1.0 / factor });
+                }
+                Act::Calculate(Calculation::Alpha { link, ends, .. }) if among(ends, link) => {
+                    misuse(Departure::Rate { order: Order::Acceleration, link, factor: 1.0 / factor });
+                }
+                _ => {}
+            }
+        }
+        departures
     }
 
     // --- the skeleton --------------------------------------------------------------------------
@@ -232,9 +290,10 @@ impl<'c> List<'c, '_> {
                     self.twisted(Kind::AlphaIgnored, &quantity, step, 1.0, Twist::scaled(0.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
                     if value > 0.0 {
+                        let price = one_of(lengths.len());
                         for &other in &lengths {
                             let twist = Twist::scaled(other / length);
-                            self.twisted(Kind::TangentialWrongLength, &quantity, step, PLAIN, twist);
+                            self.twisted(Kind::TangentialWrongLength, &quantity, step, price, twist);
                         }
                     }
                 }
@@ -284,24 +343,37 @@ impl<'c> List<'c, '_> {
         [speed, length, value]: [f64; 3],
         turning: &[Turning],
     ) {
-        let own = self.link_of(ends);
+        let own = self.link_of(quantity, ends);
         let Some(angle) = self.angle(ends) else { return };
+        let price = one_of(turning.len());
         for other in turning.iter().filter(|other| other.link != own) {
             let other_speed = other.omega * other.length;
             let sizes = [
-                (other.omega * other.omega * length, PLAIN),
-                (other_speed * other_speed / other.length, PLAIN),
-                (other_speed * other_speed / length, PLAIN),
-                (speed * speed / other.length, PLAIN),
+                other.omega * other.omega * length,
+                other_speed * other_speed / other.length,
+                other_speed * other_speed / length,
+                speed * speed / other.length,
             ];
-            for (size, price) in sizes {
+            for size in sizes {
                 let factor = size / value;
                 self.twisted(Kind::NormalOfWrongLink, quantity, step, price, Twist::scaled(factor));
             }
             let whole = other_speed * other_speed / other.length / value;
             for turn in [other.angle - angle, other.angle - angle + PI] {
-                self.twisted(Kind::NormalOfWrongLink, quantity, step, 1.0, Twist { factor: 1.0, turn });
-                self.twisted(Kind::NormalOfWrongLink, quantity, step, 1.0, Twist { factor: whole, turn });
+                self.twisted(
+                    Kind::NormalOfWrongLink,
+                    quantity,
+                    step,
+                    1.0 + price,
+                    Twist { factor: 1.0, turn },
+                );
+                self.twisted(
+                    Kind::NormalOfWrongLink,
+                    quantity,
+                    step,
+                    1.0 + price,
+                    Twist { factor: whole, turn },
+                );
             }
         }
     }
@@ -369,9 +441,14 @@ impl<'c> List<'c, '_> {
                     if matches!(quantity, Quantity::RelativeTangential(..)) {
                         self.taken_back(quantity, vec![rate(-1.0)], step);
                     }
+                    let price = one_of(lengths.len());
                     for &other in &lengths {
                         let change = Change::drawn(vec![rate(length / other)]);
-                        self.add(Kind::TangentialWrongLength, &at, Some(step), PLAIN, change);
+                        self.add(Kind::TangentialWrongLength, &at, Some(step), price, change);
+                        // Further points by the image: nothing follows from the number.
+                        let (of, twist) = (Which::One(Quantity::Alpha(link)), Twist::scaled(length / other));
+                        let change = Change::read(Misreading::Twisted { of, twist });
+                        self.add(Kind::TangentialWrongLength, &at, Some(step), price, change);
                     }
                 }
                 _ => {}
@@ -385,7 +462,9 @@ impl<'c> List<'c, '_> {
         let reading = Misreading::Twisted { of: Which::One(quantity), twist };
         let name = self.name(&quantity);
         let change = Change { departures, readings: vec![reading], ..Change::default() };
-        self.add(Kind::RelativeReversed, &name, Some(step), PLAIN, change);
+        // Where the vector was not handed in, the sense of what was is the nearer name.
+        let price = if self.observed().contains(&quantity) { PLAIN } else { 1.0 };
+        self.add(Kind::RelativeReversed, &name, Some(step), price, change);
     }
 
     // --- images --------------------------------------------------------------------------------
@@ -462,7 +541,7 @@ impl<'c> List<'c, '_> {
             (Which::Vectors(Order::Acceleration), "the accelerations".to_owned(), PLAIN),
             (Which::AllVectors, "every reading".to_owned(), 1.0),
         ];
-        for quantity in self.observed() {
+        for quantity in self.read() {
             if super::answers::is_vector(&quantity) {
                 scopes.push((Which::One(quantity), self.name(&quantity), PLAIN));
             }
@@ -472,6 +551,14 @@ impl<'c> List<'c, '_> {
                 let forgotten = Change::read(Misreading::Unscaled { of, factor });
                 self.add(Kind::ScaleForgotten, &at, None, price + more, forgotten.clone());
                 self.follow(Kind::ScaleForgotten, of, &at, price + more, &forgotten, false, factor);
+            }
+            // Where the scale is not stated, it may be another round one.
+            if let (Which::One(quantity), false) = (of, self.case.states_scale(of)) {
+                for other in OTHER_SCALES {
+                    let forgotten =
+                        Change::read(Misreading::Unscaled { of: Which::One(quantity), factor: other });
+                    self.add(Kind::ScaleForgotten, &at, None, price + UNUSUAL, forgotten);
+                }
             }
             // Millimetres over units per millimetre; the same in centimetres; and mixed.
             for (factor, more) in [(1.0, 0.0), (0.01, 0.0), (0.1, 1.0)] {
@@ -515,7 +602,7 @@ impl<'c> List<'c, '_> {
 
     /// Vectors measured from another point of the polygon.
     fn poles(&mut self, so_far: &Sketch) {
-        for quantity in self.observed() {
+        for quantity in self.read() {
             let order = quantity.order();
             let usual = matches!(
                 quantity,
@@ -574,6 +661,27 @@ impl<'c> List<'c, '_> {
             .filter(|o| !matches!(o.target, Target::Image(..) | Target::Place(_)))
             .filter_map(|o| o.quantity)
             .collect()
+    }
+
+    /// The same, and those from which something is calculated.
+    fn read(&self) -> Vec<Quantity> {
+        let mut read = self.observed();
+        for (_, act) in self.acts() {
+            let quantity = match *act {
+                Act::Calculate(Calculation::Omega { quantity, .. } | Calculation::Alpha { quantity, .. }) => {
+                    quantity
+                }
+                Act::Calculate(Calculation::Normal { velocity, .. }) => velocity,
+                Act::Calculate(Calculation::Coriolis { slip, .. } | Calculation::SlipNormal { slip, .. }) => {
+                    slip
+                }
+                _ => continue,
+            };
+            if !read.contains(&quantity) {
+                read.push(quantity);
+            }
+        }
+        read
     }
 
     fn driven(&self) -> Vec<LinkId> {
@@ -643,6 +751,19 @@ impl<'c> List<'c, '_> {
     fn lengths(&self) -> Vec<f64> {
         let mut lengths: Vec<f64> = Vec::new();
         let mechanism = &self.case.mechanism;
+        for (_, act) in self.acts() {
+            if let Act::Calculate(
+                Calculation::Omega { length, .. }
+                | Calculation::Speed { length, .. }
+                | Calculation::Normal { length, .. }
+                | Calculation::Tangential { length, .. }
+                | Calculation::Alpha { length, .. },
+            ) = *act
+                && !lengths.iter().any(|l| (l - length).abs() <= SAME_LENGTH * length)
+            {
+                lengths.push(length);
+            }
+        }
         for link in mechanism.moving() {
             let points = &mechanism.link(link).points;
             for (index, &p) in points.iter().enumerate() {
@@ -666,12 +787,25 @@ impl<'c> List<'c, '_> {
         Some(libm::atan2(y, x))
     }
 
-    /// The moving link of which two points are the ends of a length.
-    fn link_of(&self, [a, b]: [PointId; 2]) -> LinkId {
+    /// The link of a normal part: that under the point, or the one of which its ends are points.
+    fn link_of(&self, normal: &Quantity, [a, b]: [PointId; 2]) -> LinkId {
+        if let Quantity::CoincidentNormal(_, link) = *normal {
+            return link;
+        }
         let mechanism = &self.case.mechanism;
         let both = |link: &LinkId| [a, b].iter().all(|p| mechanism.link(*link).points.contains(p));
         mechanism.moving().find(both).unwrap_or(LinkId::FRAME)
     }
+}
+
+/// A scale in millimetres or centimetres that is one of its round neighbours.
+const OTHER_SCALES: [f64; 8] = [0.5, 0.4, 2.0, 2.5, 0.05, 0.04, 0.2, 0.25];
+
+/// The price of one of several that would do as well: the more there are, the sooner one fits by chance.
+fn one_of(count: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "links and lengths are few")]
+    let count = count.max(1) as f64;
+    2.0 * libm::log(count)
 }
 
 /// Two lengths that differ by less than this part are one.

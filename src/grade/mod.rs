@@ -41,6 +41,7 @@ pub use schema::schema;
 
 use crate::board::Hand;
 use crate::scene::{Diagnostic, Scene};
+use crate::sheet::Figure;
 use crate::solve::SolveError;
 
 /// How to grade.
@@ -77,4 +78,29 @@ pub fn grade(scene: &Scene, answers: &Answers, settings: &GradeSettings) -> Resu
     let case = case::Case::new(scene, answers, settings)?;
     let judgement = judge::judge(&case);
     Ok(report::report(&case, answers, &judgement))
+}
+
+/// As [`grade`], with the student's polygons, as far as the answers tell of them, thin over the right ones; the
+/// first fault is circled and named. No figure where nothing that was answered needs a polygon.
+///
+/// # Errors
+/// See [`GradeError`].
+pub fn grade_with_overlay(
+    scene: &Scene,
+    answers: &Answers,
+    settings: &GradeSettings,
+) -> Result<(Report, Option<Figure>), GradeError> {
+    let case = case::Case::new(scene, answers, settings)?;
+    let judgement = judge::judge(&case);
+    let report = report::report(&case, answers, &judgement);
+    let student = case.drawn(&judgement.drawn, None);
+    let student = student.as_ref().unwrap_or(&case.right);
+    let text = report.first_fault().map(|fault| {
+        let what = fault.mistakes.first().map_or("no known mistake fits".to_owned(), Mistake::text);
+        format!("First fault, {}: {what}", fault.name)
+    });
+    let place = judgement.faults.first().and_then(|fault| case.place_of(fault.first, student));
+    let fault = text.as_deref().zip(place).map(|(text, (order, at))| crate::sheet::Fault { order, at, text });
+    let figure = crate::sheet::overlay(scene, &case.right.construction, &student.construction, fault);
+    Ok((report, figure))
 }

@@ -82,7 +82,6 @@ pub fn schema() -> Value {
                 &points,
             ),
             "scan": by_figure("The points of that figure are pixels of a scan; two reference points give scale and rotation.", &reference),
-            "drawing": { "type": "string", "description": "An SVG whose labels name the points, beside this file." },
             "tolerance": {
                 "type": "object", "additionalProperties": { "type": ["number", "string"] },
                 "description": "`length` and `angle`: how exact the hand is (0.2 mm, 0.3 deg). By the name of a quantity: its own tolerance.",

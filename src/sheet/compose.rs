@@ -357,7 +357,7 @@ fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
 }
 
 /// A drawing as a figure of its own, tight to its ink.
-fn cut(mut root: Group, title: String, description: String, words: &Words) -> Figure {
+pub(super) fn cut(mut root: Group, title: String, description: String, words: &Words) -> Figure {
     let ink = root.bounds().unwrap_or(Rect::ZERO);
     root.translate(Vec2::new(EDGE - ink.x0, EDGE - ink.y0));
     Figure {
@@ -384,7 +384,7 @@ fn with_steps(drawing: &AuxiliaryDrawing, construction: &Construction, notation:
 }
 
 /// The decimal sign that the scene wishes, in everything that is set but what the scene's own title says.
-fn localised(mut figure: Figure, scene: &Scene) -> Figure {
+pub(super) fn localised(mut figure: Figure, scene: &Scene) -> Figure {
     if scene.sheet.decimal_comma {
         commas(&mut figure.root);
     }

@@ -25,6 +25,7 @@ mod ink;
 mod labels;
 mod notation;
 pub mod overlap;
+mod overlay;
 mod polygon;
 mod pose;
 mod positions;
@@ -47,8 +48,29 @@ pub use compose::{
     step_by_step,
 };
 pub use figure::Figure;
+pub use overlay::{Fault, overlay};
 pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
+
+/// The points of a polygon with their names as the sheet prints them, as plain characters.
+#[must_use]
+pub fn image_names(
+    scene: &crate::scene::Scene,
+    construction: &crate::graphical::construction::Construction,
+    order: crate::mechanism::quantity::Order,
+) -> Vec<(String, crate::graphical::construction::Label)> {
+    use crate::mechanism::quantity::Order;
+    let notation = notation::Notation::new(scene, Language::English.words());
+    let printed = feet::told_apart(construction, &notation);
+    let polygons = match order {
+        Order::Velocity => [&construction.velocity, &printed.velocity],
+        Order::Acceleration => [&construction.acceleration, &printed.acceleration],
+        Order::Position => return Vec::new(),
+    };
+    let [Some(drawn), Some(printed)] = polygons else { return Vec::new() };
+    let pairs = printed.images.iter().zip(&drawn.images);
+    pairs.map(|(name, image)| (notation.image_name(name.label, order), image.label)).collect()
+}
 
 /// The name of a polygon's point as plain characters: o, b, a4, b'1.
 #[must_use]
