@@ -24,3 +24,5 @@ pub mod scene;
 pub mod sheet;
 pub mod solve;
 pub mod sweep;
+pub mod tradeoff;
+pub mod wide;

@@ -12,6 +12,7 @@ use linkgram::double_double::DoubleDouble;
 use linkgram::mechanism::quantity::Answer;
 use linkgram::plan::Extent;
 use linkgram::solve::{Settings, solve_with};
+use linkgram::wide::Wide;
 use proptest::prelude::*;
 
 /// |value − truth| / |truth|.
@@ -81,6 +82,59 @@ proptest! {
         let written = Exact::decimal(&read.decimals(31));
         prop_assert!(relative(read, &written) <= 1e-29, "{text}: {}", read.decimals(31));
     }
+}
+
+/// Numbers of about 150 bits: products of them are cut off.
+fn wide() -> impl Strategy<Value = Wide> {
+    let double = || (-1.0..1.0_f64, -20..20_i32).prop_map(|(m, e)| m * libm::pow(2.0, f64::from(e)));
+    (double(), double(), double()).prop_map(|(a, b, c)| {
+        Wide::of(a) + Wide::of(b * 1e-16) * Wide::of(0.1) + Wide::of(c * 1e-32) / Wide::of(3.0)
+    })
+}
+
+proptest! {
+    #![proptest_config(common::fixed(1000))]
+
+    #[test]
+    fn the_reference_holds_to_seventy_five_digits(a in wide(), b in wide()) {
+        let (x, y) = (Exact::wide(a), Exact::wide(b));
+        let off = |value: Wide, truth: &Exact| {
+            let error = (Exact::wide(value) - truth).abs().near();
+            if truth.abs().near() > 0.0 { error / truth.abs().near() } else { error }
+        };
+        prop_assert!(off(a + b, &(&x + &y)) <= Wide::ROUNDOFF);
+        prop_assert!(off(a - b, &(&x - &y)) <= Wide::ROUNDOFF);
+        prop_assert!(off(a * b, &(&x * &y)) <= Wide::ROUNDOFF);
+        prop_assert!(off(a / b, &(&x / &y)) <= Wide::ROUNDOFF);
+        prop_assert!(off(a.abs().sqrt(), &x.abs().sqrt()) <= Wide::ROUNDOFF);
+        prop_assert_eq!(a < b, x < y);
+        prop_assert!((a - a) == Wide::ZERO);
+    }
+
+    #[test]
+    fn the_references_angles_hold_to_seventy_five_digits(turns in -3.0..3.0_f64, tail in wide()) {
+        let angle = Wide::of(turns) + tail * Wide::of(1e-20);
+        let [true_cos, true_sin] = Exact::wide(angle).cos_sin();
+        let (sin, cos) = angle.sin_cos();
+        prop_assert!((Exact::wide(sin) - &true_sin).abs().near() <= 8.0 * Wide::ROUNDOFF);
+        prop_assert!((Exact::wide(cos) - &true_cos).abs().near() <= 8.0 * Wide::ROUNDOFF);
+        let back = sin.atan2(cos);
+        prop_assert!((back - angle).abs().to_f64() <= 16.0 * Wide::ROUNDOFF, "{turns}: {back:?}");
+    }
+}
+
+#[test]
+fn the_reference_at_its_corners() {
+    assert!((Exact::wide(Wide::PI) - Exact::pi()).abs().near() <= 4.0 * Wide::ROUNDOFF);
+    assert!((Wide::of(1.0) / Wide::ZERO).to_f64().is_nan());
+    assert!(Wide::of(f64::NAN).to_f64().is_nan());
+    assert_eq!(Wide::of(-2.0).sqrt(), Wide::ZERO);
+    assert_eq!(Wide::ZERO.atan2(Wide::of(-1.0)), Wide::PI);
+    assert_eq!(Wide::ZERO.sin_cos(), (Wide::ZERO, Wide::of(1.0)));
+    assert_eq!(Wide::of(1e300) * Wide::of(1e300) / Wide::of(1e300), Wide::of(1e300));
+    let third = Wide::of(1.0) / Wide::of(3.0);
+    assert_eq!(third.to_double_double(), DoubleDouble::of(1.0) / DoubleDouble::of(3.0));
+    assert_eq!(third.partial_cmp(&(Wide::ZERO / Wide::ZERO)), None);
 }
 
 #[test]

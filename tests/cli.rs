@@ -840,3 +840,40 @@ fn a_folder_that_links_to_itself_is_walked_once() {
     let ran = run_in(&folder.0, &["check", "."], None);
     assert!(ran.code == 0 && ran.out.ends_with("1 of 1 scenes hold\n"), "{}", ran.out);
 }
+
+#[test]
+fn a_tradeoff_tells_error_and_time_of_every_setting() {
+    let folder = Folder::new("tradeoff");
+    let path = common::root().join("examples/s000-ch3a-1.json");
+    let path = path.to_str().unwrap();
+    let ran = run_in(&folder.0, &["tradeoff", path, "--passes", "1", "--json", "-o", "t.svg"], None);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let told: Value = serde_json::from_str(&ran.out).unwrap();
+    let settings = told["settings"].as_array().unwrap();
+    let of = |name: &str| settings.iter().find(|s| s["setting"] == name).unwrap();
+    // The order of the arithmetics' roundoffs, and of a line between two rows of a table: a tenth of the step is
+    // a hundredth of the error.
+    let error = |name: &str| of(name)["error"]["greatest"].as_f64().unwrap();
+    assert!((1e-9..1e-5).contains(&error("drawn, f32, recorded")));
+    assert!((1e-17..1e-14).contains(&error("drawn, f64, recorded")));
+    assert!((1e-33..1e-29).contains(&error("drawn, dd, recorded")));
+    let ratio = error("sweep, 36 steps") / error("sweep, 360 steps");
+    assert!((80.0..125.0).contains(&ratio), "{ratio}");
+    assert!(error("hand, 0.5 mm 1.0\u{b0}") > error("hand, 0.05 mm 0.1\u{b0}"));
+    assert!(error("analytic, Newton to 1e-3") > error("analytic, to rounding"));
+    for setting in settings {
+        assert_eq!(setting["beyond_bound"], 0, "{setting}");
+        assert_eq!(setting["no_answer"], 0, "{setting}");
+        assert!(setting["seconds"]["median"].as_f64().unwrap() > 0.0, "{setting}");
+    }
+    let svg = std::fs::read_to_string(folder.0.join("t.svg")).unwrap();
+    assert!(svg.contains("data-name=\"drawn, dd, recorded\""));
+
+    let before = folder.contents();
+    let bad = run_in(&folder.0, &["tradeoff", path, "-o", "t.csv"], None);
+    assert_eq!((bad.code, bad.out.as_str()), (2, ""), "{}", bad.err);
+    let refused = common::root().join("examples/refusals");
+    let none = run_in(&folder.0, &["tradeoff", refused.to_str().unwrap(), "-o", "u.svg"], None);
+    assert_eq!((none.code, none.out.as_str()), (2, ""), "{}", none.err);
+    assert_eq!(folder.contents(), before);
+}

@@ -12,6 +12,7 @@ use super::AnalyticError;
 use super::constraints::{Motion, Num, Row, Site};
 use super::model::{Model, REPEATED};
 use super::ordering::{Group, Ordering, order};
+use super::slopes::{Here, MOST};
 use super::tape::{Leaf, Linear};
 use crate::mechanism::{Place, PointId};
 
@@ -27,6 +28,20 @@ const AT_ROUNDING: f64 = 64.0;
 /// Smallest residual worth improving.
 const FLOOR: f64 = 4e-15;
 const MOST_ITERATIONS: usize = 80;
+/// A start has led to the neighbourhood of a solution where no residual passes this and the last step has not
+/// halved it.
+const NEAR: f64 = 1e-12;
+/// A residual that nothing is left of.
+const VANISHED: f64 = 1e-16;
+/// A start that ends with a larger residual leads nowhere.
+const NEARLY: f64 = 1e-5;
+/// No more starts are made after so many that led to more than one solution, and to each so many times: a
+/// solution to which one start of four leads is missed once in a hundred groups, and the first start is made
+/// from the hints.
+const ENOUGH_STARTS: usize = 16;
+const ENOUGH_TIMES: usize = 5;
+/// Newton's own steps at the end.
+const POLISHINGS: usize = 4;
 const MOST_ASSEMBLIES: usize = 64;
 /// Groups solved in going back, beyond two rounds of all.
 const MOST_GROUPS: usize = 400;
@@ -49,6 +64,18 @@ struct Solution {
     miss: Option<f64>,
 }
 
+/// Residuals and Jacobian of a group at some place.
+struct Glance {
+    residuals: DVector<f64>,
+    jacobian: DMatrix<f64>,
+}
+
+impl Glance {
+    fn new(n: usize) -> Self {
+        Self { residuals: DVector::zeros(n), jacobian: DMatrix::zeros(n, n) }
+    }
+}
+
 struct Choice {
     group: usize,
     rest: Vec<Solution>,
@@ -63,10 +90,14 @@ struct Assembler<'a> {
     /// Points with a rough place, by the group that settles them.
     settled: Vec<Vec<(PointId, Site, [f64; 2])>>,
     slot: Vec<usize>,
+    /// What an equation may miss by.
+    coarsest: f64,
 }
 
 /// Finds the assembly nearest to the hints.
-pub(super) fn assemble(model: &Model) -> Result<Assembly, AnalyticError> {
+///
+/// No equation of it misses by more than `coarsest`, or than rounding where that is more.
+pub(super) fn assemble(model: &Model, coarsest: f64) -> Result<Assembly, AnalyticError> {
     let n = model.unknowns();
     let pattern = model.pattern(&model.position, 0)?;
     let ordering = order(&pattern, n);
@@ -74,7 +105,7 @@ pub(super) fn assemble(model: &Model) -> Result<Assembly, AnalyticError> {
     if !free.is_empty() {
         return Err(AnalyticError::Underdetermined { links: numbers(model, &free) });
     }
-    let assembler = Assembler::new(model, &ordering);
+    let assembler = Assembler::new(model, &ordering, coarsest);
     let pose = assembler.search(&ordering)?;
     Ok(Assembly { pose, ordering })
 }
@@ -111,7 +142,7 @@ fn tolerance(model: &Model, linear: &Linear) -> f64 {
 }
 
 impl<'a> Assembler<'a> {
-    fn new(model: &'a Model, ordering: &'a Ordering) -> Self {
+    fn new(model: &'a Model, ordering: &'a Ordering, coarsest: f64) -> Self {
         let groups = &ordering.groups;
         let mut ready = vec![0; model.bodies];
         let mut slot = vec![usize::MAX; model.unknowns()];
@@ -129,7 +160,7 @@ impl<'a> Assembler<'a> {
                 settled[ready[site.body]].push((PointId(index), *site, model.scaled(near)));
             }
         }
-        Self { model, groups, ready, settled, slot }
+        Self { model, groups, ready, settled, slot, coarsest }
     }
 
     fn value(&self, num: Num) -> f64 {
@@ -304,20 +335,41 @@ impl<'a> Assembler<'a> {
         let affordable = (WORK / (40.0 * (n * n * n + 300.0 * n))).max(2.0) as usize;
 
         let mut found: Vec<Solution> = Vec::new();
+        // Where the starts have led, and how many to each.
+        let mut ends: Vec<(Vec<f64>, usize)> = Vec::new();
         let mut least = f64::INFINITY;
         for start in 0..wanted.min(affordable) {
+            if start >= ENOUGH_STARTS && ends.len() > 1 && ends.iter().all(|end| end.1 >= ENOUGH_TIMES) {
+                break;
+            }
             self.start(index, start, pose);
+            let known = |ends: &[(Vec<f64>, usize)], pose: &[f64]| {
+                ends.iter().position(|(values, _)| {
+                    group.columns.iter().zip(values).all(|(column, value)| {
+                        let d = pose[*column] - value;
+                        let d = if column % 3 == 2 { wrapped(d) } else { d };
+                        d.abs() < SAME
+                    })
+                })
+            };
+            if let Some(residual) = self.approach(group, pose) {
+                least = least.min(residual);
+                continue;
+            }
+            if let Some(end) = known(&ends, pose) {
+                ends[end].1 += 1;
+                continue;
+            }
             match self.iterate(group, pose) {
                 Err(residual) => least = least.min(residual),
                 Ok(()) => {
+                    if let Some(end) = known(&ends, pose) {
+                        ends[end].1 += 1;
+                        continue;
+                    }
                     let values: Vec<f64> = group.columns.iter().map(|c| pose[*c]).collect();
-                    let known = found.iter().any(|s| {
-                        group.columns.iter().zip(s.values.iter().zip(&values)).all(|(column, (a, b))| {
-                            let d = if column % 3 == 2 { wrapped(a - b) } else { a - b };
-                            d.abs() < SAME
-                        })
-                    });
-                    if !known && self.faces_riders(index, pose) {
+                    ends.push((values.clone(), 1));
+                    if self.faces_riders(index, pose) {
                         let hints = &self.settled[index];
                         let miss = (!hints.is_empty())
                             .then(|| hints.iter().map(|h| self.square_miss(h, pose)).sum::<f64>().sqrt());
@@ -423,6 +475,80 @@ impl<'a> Assembler<'a> {
         }
     }
 
+    /// Residuals and Jacobian of a group without their errors; `None` where an equation has no value here or
+    /// binds more than two bodies.
+    fn glance(&self, group: &Group, pose: &[f64], at: &mut Glance) -> Option<()> {
+        at.jacobian.fill(0.0);
+        for (i, row) in group.rows.iter().enumerate() {
+            let row = &self.model.position[*row];
+            let slope = Here::evaluate(row, pose, &self.model.params)?;
+            at.residuals[i] = slope.value;
+            let [first, second] = row.bodies();
+            for k in 0..if first == second { 3 } else { MOST } {
+                let column = 3 * if k < 3 { first } else { second } + k % 3;
+                let j = self.slot[column];
+                if slope.by[k] != 0.0 && group.columns.get(j) == Some(&column) {
+                    at.jacobian[(i, j)] = slope.by[k];
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// Damped Newton iterations without a record, from a start to the neighbourhood of a solution; the largest
+    /// residual where they end elsewhere.
+    fn approach(&self, group: &Group, pose: &mut [f64]) -> Option<f64> {
+        let n = group.rows.len();
+        let (mut at, mut tried) = (Glance::new(n), Glance::new(n));
+        // What cannot be glanced at is left to the record.
+        self.glance(group, pose, &mut at)?;
+        let mut next = pose.to_vec();
+        let mut damping = 1e-3;
+        let mut idle = 0;
+        let mut halved = true;
+        for _ in 0..MOST_ITERATIONS {
+            let rest = at.residuals.amax();
+            // Towards a dead centre the residual goes on falling, and with it the distance from the solution.
+            if rest <= VANISHED.max(self.coarsest) || (rest <= NEAR && !halved) || idle > 12 {
+                break;
+            }
+            let mut normal = at.jacobian.tr_mul(&at.jacobian);
+            let largest = normal.diagonal().max();
+            for i in 0..n {
+                normal[(i, i)] += damping * normal[(i, i)].max(1e-14 * largest);
+            }
+            let mut step = at.jacobian.tr_mul(&at.residuals);
+            let better = normal.cholesky().is_some_and(|c| {
+                c.solve_mut(&mut step);
+                Self::move_by(group, pose, &step, &mut next);
+                self.glance(group, &next, &mut tried).is_some()
+                    && tried.residuals.norm() < at.residuals.norm()
+            });
+            if better {
+                halved = tried.residuals.norm() < 0.5 * at.residuals.norm();
+                let lazy = tried.residuals.norm() >= 0.999 * at.residuals.norm();
+                idle = if lazy { idle + 1 } else { 0 };
+                pose.copy_from_slice(&next);
+                std::mem::swap(&mut at, &mut tried);
+                damping = (damping * 0.1_f64).max(1e-15);
+            } else {
+                halved = false;
+                idle += 1;
+                damping = (damping * 6.0_f64).max(1e-12);
+            }
+        }
+        let rest = at.residuals.amax();
+        (rest > NEARLY.max(self.coarsest)).then_some(rest)
+    }
+
+    fn move_by(group: &Group, pose: &[f64], step: &DVector<f64>, next: &mut [f64]) {
+        next.copy_from_slice(pose);
+        for (column, d) in group.columns.iter().zip(step.iter()) {
+            let moved = next[*column] - d;
+            next[*column] = if column % 3 == 2 { wrapped(moved) } else { moved };
+        }
+    }
+
     /// Residuals, tolerances and Jacobian of a group; `None` where an equation has no value here.
     fn evaluate(&self, group: &Group, pose: &[f64]) -> Option<(DVector<f64>, Vec<f64>, DMatrix<f64>)> {
         let n = group.rows.len();
@@ -432,7 +558,7 @@ impl<'a> Assembler<'a> {
         for (i, row) in group.rows.iter().enumerate() {
             let linear = self.linear(&self.model.position[*row], pose)?;
             residuals[i] = linear.value;
-            tolerances[i] = tolerance(self.model, &linear);
+            tolerances[i] = tolerance(self.model, &linear).max(self.coarsest);
             for (leaf, value) in &linear.terms {
                 if let Leaf::Pose(column) = leaf {
                     let j = self.slot[*column];
@@ -447,10 +573,7 @@ impl<'a> Assembler<'a> {
 
     fn moved(group: &Group, pose: &[f64], step: &DVector<f64>) -> Vec<f64> {
         let mut next = pose.to_vec();
-        for (column, d) in group.columns.iter().zip(step.iter()) {
-            let moved = next[*column] - d;
-            next[*column] = if column % 3 == 2 { wrapped(moved) } else { moved };
-        }
+        Self::move_by(group, pose, step, &mut next);
         next
     }
 
@@ -490,7 +613,10 @@ impl<'a> Assembler<'a> {
             }
         }
         // Newton's own steps reach the rounding level, which the normal equations may not.
-        for _ in 0..4 {
+        for _ in 0..POLISHINGS {
+            if self.coarsest > 0.0 && solved(&residuals, &tolerances) {
+                break;
+            }
             let Some(step) = jacobian.clone().lu().solve(&residuals) else { break };
             if !step.iter().all(|d| d.is_finite()) {
                 break;

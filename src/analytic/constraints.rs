@@ -7,7 +7,7 @@
 //! that could disagree. Body coordinates and constraint forms follow Haug, *Computer Aided Kinematics
 //! and Dynamics of Mechanical Systems* (1989), chapter 3.
 
-use super::tape::{Jet, Leaf, Linear, Tape, Vector, dot, minus, plus, quarter, turned};
+use super::tape::{Calculus, Jet, Leaf, Linear, Tape, Vector, dot, minus, plus, quarter, turned};
 
 /// A number of the model: exact, or a parameter with an error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -133,50 +133,40 @@ pub(super) struct Scope<'t> {
     pub(super) motion: Motion<'t>,
 }
 
-impl<'t> Scope<'t> {
-    /// A number of the model.
-    pub(super) fn num(&self, num: Num) -> Jet<'t> {
-        self.tape.steady(match num {
-            Num::Exact(value) => self.tape.constant(value),
-            Num::Param(index) => {
-                self.tape.leaf(Leaf::Param(index), self.motion.params.get(index).map_or(0.0, |p| p.value))
-            }
-        })
-    }
+/// The equations of all pairs, over whatever numbers they are to be evaluated in.
+pub(super) trait Formulas {
+    /// The numbers.
+    type Number: Calculus;
 
-    fn pair(&self, nums: [Num; 2]) -> Vector<'t> {
+    /// A number of the model.
+    fn num(&self, num: Num) -> Self::Number;
+
+    /// An exact number.
+    fn exact(&self, value: f64) -> Self::Number;
+
+    /// A coordinate of a body: 0 x, 1 y, 2 θ.
+    fn coordinate(&self, body: usize, axis: usize) -> Self::Number;
+
+    /// A driving function.
+    fn drive(&self, drive: &Drive) -> Self::Number;
+
+    /// Two numbers of the model.
+    fn pair(&self, nums: [Num; 2]) -> [Self::Number; 2] {
         [self.num(nums[0]), self.num(nums[1])]
     }
 
-    /// A coordinate of a body: 0 x, 1 y, 2 θ.
-    pub(super) fn coordinate(&self, body: usize, axis: usize) -> Jet<'t> {
-        if body == 0 {
-            return self.tape.number(0.0);
-        }
-        let at = 3 * body + axis;
-        let or_zero = |values: &[f64], leaf: Leaf| match values.get(at) {
-            Some(value) => self.tape.leaf(leaf, *value),
-            None => self.tape.constant(0.0),
-        };
-        Jet {
-            v: or_zero(self.motion.pose, Leaf::Pose(at)),
-            d: or_zero(self.motion.rate, Leaf::Rate(at)),
-            a: or_zero(self.motion.accel, Leaf::Accel(at)),
-        }
-    }
-
     /// Angle of a body's x-axis.
-    pub(super) fn angle(&self, body: usize) -> Jet<'t> {
+    fn angle(&self, body: usize) -> Self::Number {
         self.coordinate(body, 2)
     }
 
     /// Place of a body's origin.
-    pub(super) fn origin(&self, body: usize) -> Vector<'t> {
+    fn origin(&self, body: usize) -> [Self::Number; 2] {
         [self.coordinate(body, 0), self.coordinate(body, 1)]
     }
 
     /// Place of a point of a body.
-    pub(super) fn site(&self, site: &Site) -> Vector<'t> {
+    fn site(&self, site: &Site) -> [Self::Number; 2] {
         let own = self.pair(site.own);
         if site.body == 0 {
             return own;
@@ -187,22 +177,8 @@ impl<'t> Scope<'t> {
         plus(self.origin(site.body), turned(own, self.angle(site.body)))
     }
 
-    /// Place of the material point of a body that is at a given place now: the body's velocity and
-    /// acceleration field at that place.
-    pub(super) fn carried(&self, body: usize, place: Vector<'t>) -> Vector<'t> {
-        if body == 0 {
-            return [self.tape.steady(place[0].v), self.tape.steady(place[1].v)];
-        }
-        // o(t) + R(θ(t) − θ₀)(p₀ − o₀): the turn since now is zero now, so cos = 1 and sin = 0 exactly.
-        let origin = self.origin(body);
-        let angle = self.angle(body);
-        let arm = [self.tape.steady(place[0].v - origin[0].v), self.tape.steady(place[1].v - origin[1].v)];
-        let turn = Jet { v: self.tape.constant(0.0), ..angle };
-        plus(origin, turned(arm, turn))
-    }
-
     /// Angle of a straight guide's direction in its body.
-    fn own_bearing(&self, guide: &Straight) -> Jet<'t> {
+    fn own_bearing(&self, guide: &Straight) -> Self::Number {
         let angle = match guide.bearing {
             Bearing::Angle(angle) => self.num(angle),
             Bearing::Toward(to) => {
@@ -214,13 +190,10 @@ impl<'t> Scope<'t> {
     }
 
     /// Unit vector of a straight guide's direction.
-    pub(super) fn direction(&self, guide: &Straight) -> Vector<'t> {
+    fn direction(&self, guide: &Straight) -> [Self::Number; 2] {
         let angle = self.angle(guide.through.body);
         match guide.bearing {
-            Bearing::Angle(own) => {
-                let total = angle + self.num(own) + self.num(guide.turned);
-                [total.cos(), total.sin()]
-            }
+            Bearing::Angle(own) => (angle + self.num(own) + self.num(guide.turned)).cos_sin(),
             Bearing::Toward(to) => {
                 let along = minus(self.pair(to), self.pair(guide.through.own));
                 let length = dot(along, along).sqrt();
@@ -229,22 +202,13 @@ impl<'t> Scope<'t> {
         }
     }
 
-    fn drive(&self, drive: &Drive) -> Jet<'t> {
-        let mut rate = self.num(drive.rate).v;
-        if let Some([from, to]) = drive.arm {
-            let arm = minus(self.pair(to), self.pair(from));
-            rate = rate / dot(arm, arm).sqrt().v;
-        }
-        Jet { v: self.num(drive.value).v, d: rate, a: self.num(drive.second).v }
-    }
-
-    fn distance_equation(&self, square: Jet<'t>, radius: Jet<'t>) -> Jet<'t> {
+    fn distance_equation(&self, square: Self::Number, radius: Self::Number) -> Self::Number {
         // (d² − r²) / 2r: smooth everywhere, and to first order d − r where it holds.
-        (square - radius * radius) / (radius * self.tape.number(2.0))
+        (square - radius * radius) / (radius * self.exact(2.0))
     }
 
     /// The equation as a function of time.
-    pub(super) fn row(&self, row: &Row) -> Jet<'t> {
+    fn row(&self, row: &Row) -> Self::Number {
         match row {
             Row::Coincide(a, b, axis) => self.site(a)[*axis] - self.site(b)[*axis],
             Row::OnLine(rider, guide) => {
@@ -275,7 +239,7 @@ impl<'t> Scope<'t> {
                 let from = minus(self.site(&centres[1]), self.site(&centres[0]));
                 let [first, second] = self.pair(*radii);
                 let sum = if *internal { first - second } else { first + second };
-                let sum = if sum.v.value < 0.0 { -sum } else { sum };
+                let sum = if sum.value() < 0.0 { -sum } else { sum };
                 self.distance_equation(dot(from, from), sum)
             }
             Row::TouchLine { centre, line, radius } => {
@@ -294,7 +258,7 @@ impl<'t> Scope<'t> {
                 let along = dot(self.direction(line), minus(self.site(centre), self.site(&line.through)));
                 let turn = self.angle(*wheel) - self.angle(line.through.body);
                 let rolled = self.num(*radius) * turn;
-                if self.above(centre, line).v.value < 0.0 { along - rolled } else { along + rolled }
+                if self.above(centre, line).value() < 0.0 { along - rolled } else { along + rolled }
             }
             Row::Turn(body, joints, drive) => {
                 let own = match joints {
@@ -302,7 +266,7 @@ impl<'t> Scope<'t> {
                         let line = minus(self.pair(*to), self.pair(*from));
                         line[1].atan2(line[0])
                     }
-                    None => self.tape.number(0.0),
+                    None => self.exact(0.0),
                 };
                 (self.angle(*body) + own - self.drive(drive)).wrapped()
             }
@@ -320,9 +284,69 @@ impl<'t> Scope<'t> {
     }
 
     /// Height of a point above a guide's line, to its left.
-    fn above(&self, point: &Site, line: &Straight) -> Jet<'t> {
+    fn above(&self, point: &Site, line: &Straight) -> Self::Number {
         let from = minus(self.site(point), self.site(&line.through));
         dot(quarter(self.direction(line)), from) - self.num(line.offset)
+    }
+}
+
+impl<'t> Formulas for Scope<'t> {
+    type Number = Jet<'t>;
+
+    /// A number of the model.
+    fn num(&self, num: Num) -> Jet<'t> {
+        self.tape.steady(match num {
+            Num::Exact(value) => self.tape.constant(value),
+            Num::Param(index) => {
+                self.tape.leaf(Leaf::Param(index), self.motion.params.get(index).map_or(0.0, |p| p.value))
+            }
+        })
+    }
+
+    fn exact(&self, value: f64) -> Jet<'t> {
+        self.tape.number(value)
+    }
+
+    /// A coordinate of a body: 0 x, 1 y, 2 θ.
+    fn coordinate(&self, body: usize, axis: usize) -> Jet<'t> {
+        if body == 0 {
+            return self.tape.number(0.0);
+        }
+        let at = 3 * body + axis;
+        let or_zero = |values: &[f64], leaf: Leaf| match values.get(at) {
+            Some(value) => self.tape.leaf(leaf, *value),
+            None => self.tape.constant(0.0),
+        };
+        Jet {
+            v: or_zero(self.motion.pose, Leaf::Pose(at)),
+            d: or_zero(self.motion.rate, Leaf::Rate(at)),
+            a: or_zero(self.motion.accel, Leaf::Accel(at)),
+        }
+    }
+
+    fn drive(&self, drive: &Drive) -> Jet<'t> {
+        let mut rate = self.num(drive.rate).v;
+        if let Some([from, to]) = drive.arm {
+            let arm = minus(self.pair(to), self.pair(from));
+            rate = rate / dot(arm, arm).sqrt().v;
+        }
+        Jet { v: self.num(drive.value).v, d: rate, a: self.num(drive.second).v }
+    }
+}
+
+impl<'t> Scope<'t> {
+    /// Place of the material point of a body that is at a given place now: the body's velocity and
+    /// acceleration field at that place.
+    pub(super) fn carried(&self, body: usize, place: Vector<'t>) -> Vector<'t> {
+        if body == 0 {
+            return [self.tape.steady(place[0].v), self.tape.steady(place[1].v)];
+        }
+        // o(t) + R(θ(t) − θ₀)(p₀ − o₀): the turn since now is zero now, so cos = 1 and sin = 0 exactly.
+        let origin = self.origin(body);
+        let angle = self.angle(body);
+        let arm = [self.tape.steady(place[0].v - origin[0].v), self.tape.steady(place[1].v - origin[1].v)];
+        let turn = Jet { v: self.tape.constant(0.0), ..angle };
+        plus(origin, turned(arm, turn))
     }
 }
 

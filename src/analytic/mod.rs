@@ -27,6 +27,7 @@ mod model;
 mod motion;
 mod ordering;
 mod quantities;
+mod slopes;
 mod state;
 mod tape;
 #[cfg(test)]
@@ -86,5 +87,14 @@ fn list(links: &[u32]) -> String {
 /// Where no position or more than one is found, or the mechanism contradicts itself: [`AnalyticError`]. A
 /// singular position is not an error: the quantities that depend on it are indeterminate.
 pub fn solve(mechanism: &Mechanism, order: Order) -> Result<State, AnalyticError> {
-    State::new(mechanism, order)
+    State::new(mechanism, order, 0.0)
+}
+
+/// As [`solve`], but Newton's iteration ends where no equation of the position misses by more than
+/// `tolerance` mechanism sizes (or radians): quicker and less exact, with bounds that say so.
+///
+/// # Errors
+/// See [`solve`].
+pub fn solve_within(mechanism: &Mechanism, order: Order, tolerance: f64) -> Result<State, AnalyticError> {
+    State::new(mechanism, order, tolerance)
 }

@@ -1,6 +1,6 @@
 //! Every asked quantity as a formula over the solved motion.
 
-use super::constraints::{Scope, Site};
+use super::constraints::{Formulas, Scope, Site};
 use super::model::Track;
 use super::motion::Solved;
 use super::state::{Measured, State};

@@ -44,10 +44,11 @@ pub(super) struct Measured {
 }
 
 impl State {
-    /// Solves a mechanism up to the given order.
-    pub(super) fn new(mechanism: &Mechanism, order: Order) -> Result<Self, AnalyticError> {
+    /// Solves a mechanism up to the given order, its position to `tolerance` where that is coarser than
+    /// rounding.
+    pub(super) fn new(mechanism: &Mechanism, order: Order, tolerance: f64) -> Result<Self, AnalyticError> {
         let model = Model::new(mechanism)?;
-        let assembly = assemble(&model)?;
+        let assembly = assemble(&model, tolerance)?;
         let located = locate(&model, assembly)?;
         let mut state = Self { model, located, order, solved: None, unit: None };
         if order >= Order::Velocity {

@@ -166,22 +166,14 @@ impl<'t> Var<'t> {
         self.tape.unary(root, self, 0.5 / root, U * root)
     }
 
-    /// Sine.
-    pub(super) fn sin(self) -> Self {
+    /// Cosine and sine.
+    pub(super) fn cos_sin(self) -> [Self; 2] {
         if self.is(0.0) {
-            return self;
+            return [self.tape.constant(1.0), self];
         }
         let (sin, cos) = libm::sincos(self.value);
-        self.tape.unary(sin, self, cos, LIBM * U * sin.abs())
-    }
-
-    /// Cosine.
-    pub(super) fn cos(self) -> Self {
-        if self.is(0.0) {
-            return self.tape.constant(1.0);
-        }
-        let (sin, cos) = libm::sincos(self.value);
-        self.tape.unary(cos, self, -sin, LIBM * U * cos.abs())
+        let error = |x: f64| LIBM * U * x.abs();
+        [self.tape.unary(cos, self, -sin, error(cos)), self.tape.unary(sin, self, cos, error(sin))]
     }
 
     /// Direction of the vector (x, `self`).
@@ -346,42 +338,6 @@ impl<'t> Jet<'t> {
             _ => self.a,
         }
     }
-
-    /// Sine.
-    pub(super) fn sin(self) -> Self {
-        let (sin, cos) = (self.v.sin(), self.v.cos());
-        Self::build(sin, || cos * self.d, |_| cos * self.a - sin * (self.d * self.d))
-    }
-
-    /// Cosine.
-    pub(super) fn cos(self) -> Self {
-        let (sin, cos) = (self.v.sin(), self.v.cos());
-        Self::build(cos, || -(sin * self.d), |_| -(sin * self.a) - cos * (self.d * self.d))
-    }
-
-    /// Square root.
-    pub(super) fn sqrt(self) -> Self {
-        let root = self.v.sqrt();
-        let twice = root * self.two();
-        Self::build(root, || self.d / twice, |d| (self.a - self.two() * (d * d)) / twice)
-    }
-
-    /// Direction of the vector (x, `self`).
-    pub(super) fn atan2(self, x: Self) -> Self {
-        let y = self;
-        let square = || x.v * x.v + y.v * y.v;
-        let half_rise = || x.v * x.d + y.v * y.d;
-        Self::build(
-            y.v.atan2(x.v),
-            || (x.v * y.d - y.v * x.d) / square(),
-            |d| (x.v * y.a - y.v * x.a - self.two() * d * half_rise()) / square(),
-        )
-    }
-
-    /// The same angle in (−π, π].
-    pub(super) fn wrapped(self) -> Self {
-        Self { v: self.v.wrapped(), ..self }
-    }
 }
 
 impl Add for Jet<'_> {
@@ -430,31 +386,82 @@ impl Div for Jet<'_> {
     }
 }
 
+/// Numbers that an equation can be written in: jets on a record, or values with their slopes.
+pub(super) trait Calculus:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// The number itself.
+    fn value(self) -> f64;
+    /// Cosine and sine.
+    fn cos_sin(self) -> [Self; 2];
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Direction of the vector (x, `self`).
+    fn atan2(self, x: Self) -> Self;
+    /// The same angle in (−π, π].
+    fn wrapped(self) -> Self;
+}
+
+impl Calculus for Jet<'_> {
+    fn value(self) -> f64 {
+        self.v.value
+    }
+
+    fn cos_sin(self) -> [Self; 2] {
+        let [cos, sin] = self.v.cos_sin();
+        [
+            Self::build(cos, || -(sin * self.d), |_| -(sin * self.a) - cos * (self.d * self.d)),
+            Self::build(sin, || cos * self.d, |_| cos * self.a - sin * (self.d * self.d)),
+        ]
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.v.sqrt();
+        let twice = root * self.two();
+        Self::build(root, || self.d / twice, |d| (self.a - self.two() * (d * d)) / twice)
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let y = self;
+        let square = || x.v * x.v + y.v * y.v;
+        let half_rise = || x.v * x.d + y.v * y.d;
+        Self::build(
+            y.v.atan2(x.v),
+            || (x.v * y.d - y.v * x.d) / square(),
+            |d| (x.v * y.a - y.v * x.a - self.two() * d * half_rise()) / square(),
+        )
+    }
+
+    fn wrapped(self) -> Self {
+        Self { v: self.v.wrapped(), ..self }
+    }
+}
+
 /// A plane vector of jets.
 pub(super) type Vector<'t> = [Jet<'t>; 2];
 
 /// Sum of two vectors.
-pub(super) fn plus<'t>(a: Vector<'t>, b: Vector<'t>) -> Vector<'t> {
+pub(super) fn plus<T: Calculus>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] + b[0], a[1] + b[1]]
 }
 
 /// Difference of two vectors.
-pub(super) fn minus<'t>(a: Vector<'t>, b: Vector<'t>) -> Vector<'t> {
+pub(super) fn minus<T: Calculus>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
 /// Scalar product.
-pub(super) fn dot<'t>(a: Vector<'t>, b: Vector<'t>) -> Jet<'t> {
+pub(super) fn dot<T: Calculus>(a: [T; 2], b: [T; 2]) -> T {
     a[0] * b[0] + a[1] * b[1]
 }
 
 /// A vector turned by a quarter turn, ccw.
-pub(super) fn quarter<'t>(a: Vector<'t>) -> Vector<'t> {
+pub(super) fn quarter<T: Calculus>(a: [T; 2]) -> [T; 2] {
     [-a[1], a[0]]
 }
 
 /// A vector turned by an angle, ccw.
-pub(super) fn turned<'t>(a: Vector<'t>, angle: Jet<'t>) -> Vector<'t> {
-    let (sin, cos) = (angle.sin(), angle.cos());
+pub(super) fn turned<T: Calculus>(a: [T; 2], angle: T) -> [T; 2] {
+    let [cos, sin] = angle.cos_sin();
     [cos * a[0] - sin * a[1], sin * a[0] + cos * a[1]]
 }

@@ -5,6 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::double_double::DoubleDouble;
 use crate::given::Given;
+use crate::wide::Wide;
 
 /// The arithmetics that a board can reckon in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -165,5 +166,43 @@ impl Real for DoubleDouble {
 
     fn atan2(self, x: Self) -> Self {
         DoubleDouble::atan2(self, x)
+    }
+}
+
+/// The reference: it takes a scene's numbers as the double-double arithmetic reads them, for exact.
+impl Real for Wide {
+    const UNIT_ROUNDOFF: f64 = Wide::ROUNDOFF;
+    const TRANSCENDENTAL_ULPS: f64 = 8.0;
+    const SINE_FLOOR: f64 = 1.0;
+    // The bounds themselves are doubles.
+    const SMALLEST: f64 = 0.0;
+    const UNDERFLOW: f64 = 0.0;
+
+    fn from_f64(value: f64) -> Self {
+        Self::of(value)
+    }
+
+    fn from_given(given: Given) -> (Self, f64) {
+        (Self::of(given.value) + Self::of(given.low), 0.0)
+    }
+
+    fn to_f64(self) -> f64 {
+        Wide::to_f64(self)
+    }
+
+    fn to_double_double(self) -> DoubleDouble {
+        Wide::to_double_double(self)
+    }
+
+    fn sqrt(self) -> Self {
+        Wide::sqrt(self)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        Wide::sin_cos(self)
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        Wide::atan2(self, x)
     }
 }

@@ -6,6 +6,7 @@
 //! every rounding and every uncertain number of the scene does to it, *with* the correlations that
 //! running error bounds lose: a chain of twenty dyads keeps its digits.
 
+use std::collections::BinaryHeap;
 use std::fmt::Debug;
 
 /// Which of the board's operations made a stroke.
@@ -171,6 +172,10 @@ struct Slot {
     rounding: f64,
     /// Running error: never below the first-order error, but without correlations often far above it.
     running: f64,
+    /// A coordinate of a point that was drawn.
+    is_point: bool,
+    /// The running error has been drawn in by a sweep of its own.
+    is_tight: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -178,6 +183,8 @@ struct Divisor {
     slot: u32,
     value: f64,
     reason: Reason,
+    /// Its error as a part of it, as far as that is known.
+    part: f64,
     weak: Option<bool>,
 }
 
@@ -199,7 +206,15 @@ pub struct Tape {
     nudge: Option<Nudge>,
     adjoint: Vec<f64>,
     reached: Vec<bool>,
+    /// Scratch of local sweeps: zero and `false` between them.
+    local: Vec<(f64, bool)>,
 }
+
+/// On a shorter tape nothing is drawn in: a divisor's own sweep costs less.
+const LONG: usize = 4000;
+
+/// From this part of a divisor its running error is drawn in.
+const DOUBTFUL: f64 = 1e-6;
 
 impl Recorder for Tape {
     type Mark = u32;
@@ -208,12 +223,26 @@ impl Recorder for Tape {
         self.push(&[], error)
     }
 
-    fn result(&mut self, _: Reckoning, parts: &[(u32, f64)], rounding: f64) -> u32 {
-        self.push(parts, rounding)
+    fn result(&mut self, step: Reckoning, parts: &[(u32, f64)], rounding: f64) -> u32 {
+        let products = match step {
+            Reckoning::Product | Reckoning::Dot | Reckoning::Cross => parts.chunks_exact(2),
+            _ => [].chunks_exact(2),
+        };
+        let lost: f64 = products.map(|pair| self.lost_in_product(pair)).sum();
+        self.push(parts, rounding + lost)
     }
 
     fn divisor(&mut self, mark: u32, value: f64, reason: Reason) {
-        self.divisors.push(Divisor { slot: mark, value, reason, weak: None });
+        let running = |tape: &Self| tape.slots.get(mark as usize).map_or(f64::INFINITY, |slot| slot.running);
+        let mut part = running(self) / value.abs();
+        // Written so that a not-a-number is neither.
+        let sure = part <= DOUBTFUL;
+        if self.slots.len() > LONG && !sure {
+            self.draw_in(mark);
+            part = running(self) / value.abs();
+        }
+        let weak = (part <= WEAK_DIVISOR).then_some(false);
+        self.divisors.push(Divisor { slot: mark, value, reason, part, weak });
     }
 
     fn error(&mut self, mark: u32) -> Option<f64> {
@@ -232,6 +261,11 @@ impl Recorder for Tape {
             _ => [0.0; 2],
         };
         let at = [at[0] + by[0], at[1] + by[1]];
+        for mark in marks {
+            if let Some(slot) = self.slots.get_mut(mark as usize) {
+                slot.is_point = true;
+            }
+        }
         self.strokes.push(Stroke { operation, at, slots: marks, purpose });
         by
     }
@@ -240,8 +274,15 @@ impl Recorder for Tape {
 /// A divisor is too weak to divide by when its first-order error passes this part of it.
 const WEAK_DIVISOR: f64 = 1.0 / 8.0;
 
-/// The first-order bound is doubled, to cover what a divisor's error adds in second order.
-const SECOND_ORDER: f64 = 2.0;
+/// A divisor that errs by a part p of itself changes the derivatives behind it by (1 − p)⁻² − 1: for a part up to
+/// an eighth less than this many p.
+const BEND: f64 = 4.0;
+
+/// What second order may add to a first-order bound, at most: all of it again.
+const MOST_SECOND_ORDER: f64 = 1.0;
+
+/// The bound is itself reckoned in doubles.
+const ROUNDED: f64 = 1e-9;
 
 impl Tape {
     /// A tape on which one stroke will be moved as it is drawn.
@@ -251,7 +292,14 @@ impl Tape {
     }
 
     pub(super) fn push(&mut self, parts: &[(u32, f64)], rounding: f64) -> u32 {
-        let mut slot = Slot { parts: [(0, 0.0); MOST_PARTS], count: 0, rounding, running: rounding };
+        let mut slot = Slot {
+            parts: [(0, 0.0); MOST_PARTS],
+            count: 0,
+            rounding,
+            running: rounding,
+            is_point: false,
+            is_tight: false,
+        };
         for (to, from) in slot.parts.iter_mut().zip(parts) {
             *to = *from;
             slot.count += 1;
@@ -272,19 +320,21 @@ impl Tape {
     /// Bound of a recorded result: |value − truth| ≤ bound, unless [`Tape::weakness`] says that it has
     /// none.
     pub fn bound(&mut self, mark: u32) -> f64 {
-        SECOND_ORDER * self.first_order_error(mark)
+        let parts: f64 = self.divisors.iter().map(|d| d.part.min(WEAK_DIVISOR)).sum();
+        let second_order = (BEND * parts).min(MOST_SECOND_ORDER);
+        (1.0 + second_order + ROUNDED) * self.first_order_error(mark)
     }
 
     /// The reason of the first divisor behind this result that does not stand clear of its own error.
     pub fn weakness(&mut self, mark: u32) -> Option<Reason> {
         for index in 0..self.divisors.len() {
             if self.divisors[index].weak.is_none() {
+                // The running error was too large to tell.
                 let Divisor { slot, value, .. } = self.divisors[index];
-                let running = self.slots.get(slot as usize).map_or(f64::INFINITY, |s| s.running);
-                // Written so that a not-a-number counts as weak. Where the running error is small enough
-                // already, nobody needs to sweep.
-                let within = |error: f64| error <= WEAK_DIVISOR * value.abs() && value != 0.0;
-                let clear = within(running) || within(self.first_order_error(slot));
+                let part = self.first_order_error(slot) / value.abs();
+                self.divisors[index].part = part;
+                // Written so that a not-a-number counts as weak.
+                let clear = part <= WEAK_DIVISOR;
                 self.divisors[index].weak = Some(!clear);
             }
         }
@@ -307,6 +357,83 @@ impl Tape {
     pub(super) fn first_order_error(&mut self, mark: u32) -> f64 {
         self.sweep_back(mark);
         self.adjoint.iter().zip(&self.slots).map(|(a, s)| a.abs() * s.rounding).sum()
+    }
+
+    /// The error of a product of which both factors are zero within their errors: first order says nothing of it.
+    /// Each factor stands beside the partial derivative by the other.
+    fn lost_in_product(&mut self, pair: &[(u32, f64)]) -> f64 {
+        let &[(a, value_of_b), (b, value_of_a)] = pair else { return 0.0 };
+        let running = |tape: &Self, mark: u32| tape.slots.get(mark as usize).map_or(0.0, |s| s.running);
+        let vanish = |[e, f]: [f64; 2]| e > 0.0 && f > 0.0 && e >= value_of_a.abs() && f >= value_of_b.abs();
+        if !vanish([running(self, a), running(self, b)]) {
+            return 0.0;
+        }
+        let errors = [self.local_error(a), self.local_error(b)];
+        if vanish(errors) { errors[0] * errors[1] } else { 0.0 }
+    }
+
+    /// Draws in the running errors behind a result: those of the nearest points behind it by sweeps that end at
+    /// points drawn in before, and with them those between. So the correlations within some ten groups count,
+    /// and a long chain costs no more for each of its links than a short one.
+    fn draw_in(&mut self, mark: u32) {
+        let mut points = Vec::new();
+        let mut between = Vec::new();
+        let mut heap = BinaryHeap::from([mark]);
+        while let Some(index) = heap.pop() {
+            // What is reached twice comes twice in a row.
+            if heap.peek() == Some(&index) {
+                continue;
+            }
+            let slot = &self.slots[index as usize];
+            if index != mark && slot.is_point {
+                points.push(index);
+            } else {
+                between.push(index);
+                heap.extend(slot.parts[..usize::from(slot.count)].iter().map(|part| part.0));
+            }
+        }
+        for &point in points.iter().rev() {
+            if !self.slots[point as usize].is_tight {
+                let error = self.local_error(point);
+                let slot = &mut self.slots[point as usize];
+                slot.running = slot.running.min(error);
+                slot.is_tight = true;
+            }
+        }
+        for &index in between.iter().rev() {
+            let slot = &self.slots[index as usize];
+            let parts = slot.parts[..usize::from(slot.count)].iter();
+            let running = parts
+                .fold(slot.rounding, |sum, (part, by)| sum + by.abs() * self.slots[*part as usize].running);
+            let slot = &mut self.slots[index as usize];
+            slot.running = slot.running.min(running);
+        }
+    }
+
+    /// A bound of the first-order error: a sweep back that ends at the points that are drawn in.
+    fn local_error(&mut self, mark: u32) -> f64 {
+        self.local.resize(self.slots.len(), (0.0, false));
+        self.local[mark as usize] = (1.0, true);
+        let mut heap = BinaryHeap::from([mark]);
+        let mut error = 0.0;
+        while let Some(index) = heap.pop() {
+            let slot = &self.slots[index as usize];
+            let (adjoint, _) = std::mem::take(&mut self.local[index as usize]);
+            if index != mark && slot.is_tight {
+                error += adjoint.abs() * slot.running;
+                continue;
+            }
+            error += adjoint.abs() * slot.rounding;
+            for &(part, partial) in &slot.parts[..usize::from(slot.count)] {
+                let (sum, reached) = &mut self.local[part as usize];
+                *sum += adjoint * partial;
+                if !*reached {
+                    *reached = true;
+                    heap.push(part);
+                }
+            }
+        }
+        error
     }
 
     /// Fills `adjoint` and `reached` for the slots up to `mark`.

@@ -15,6 +15,7 @@ mod new;
 mod solve;
 mod structure;
 mod sweep;
+mod tradeoff;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
@@ -171,6 +172,22 @@ enum Command {
     Golden {
         #[command(subcommand)]
         action: GoldenAction,
+    },
+    /// Speed against accuracy: error and time of scenes by every setting (arithmetic, record, sweeps, hand,
+    /// the independent solver), against a reference of 75 digits
+    Tradeoff {
+        /// Scene files, or folders of them; - for standard input
+        #[arg(required = true)]
+        paths: Vec<PathBuf>,
+        /// How often everything is measured
+        #[arg(long, value_name = "N", default_value_t = 21, value_parser = clap::value_parser!(u16).range(1..=10_000))]
+        passes: u16,
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+        /// A picture of error over time (.svg, .png or .pdf), besides the table on standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
     },
     /// Draw variants of a scene for an examination: questions, solutions, a key and question banks
     Exam {
@@ -397,6 +414,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
         Command::Golden { action: GoldenAction::Bless { folder, names } } => {
             golden::bless(&golden::Job { folder, names })
+        }
+        Command::Tradeoff { paths, passes, json, output } => {
+            tradeoff::run(&tradeoff::Job { paths, passes, json, output })
         }
         Command::Exam { scene, variants, seed, output, flattest, hand, format, text, lang, jobs } => {
             exam::run(&exam::Job { scene, variants, seed, output, flattest, hand, format, text, lang, jobs })

@@ -9,7 +9,7 @@ use crate::mechanism::quantity::Quantity;
 use crate::mechanism::structure::Structure;
 use crate::plan::Plan;
 
-use super::reading::{Numbers, read_all};
+use super::reading::{Marked, Numbers, numbers, read_all};
 use super::{DrawError, Scales, draw};
 
 type Perfect = Equipped<f64, PencilTape>;
@@ -99,10 +99,26 @@ pub fn by_hand(
     Ok(results)
 }
 
+/// What one draughtsman reads, whose slips follow from a seed.
+///
+/// # Errors
+/// See [`DrawError`]: lines or arcs that do not meet under this hand.
+pub fn by_one_hand(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+    (hand, seed): (Hand, u64),
+) -> Result<Vec<Option<Numbers<f64>>>, DrawError> {
+    let board = Board::<Trembling>::new(Tremor::new(hand, seed));
+    let mut drawn = draw(board, mechanism, structure, plan, scales)?;
+    Ok(numbers(&mut drawn, |_, ()| Some(None)))
+}
+
 /// Distance of an answer from the perfect one.
 fn apart<A: Bench<Real = f64>, B: Bench<Real = f64>>(
-    drawn: &Numbers<A>,
-    perfect: &Numbers<B>,
+    drawn: &Marked<A>,
+    perfect: &Marked<B>,
     turns: bool,
 ) -> Option<f64> {
     let (Ok(drawn), Ok(perfect)) = (drawn, perfect) else { return None };

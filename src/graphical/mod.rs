@@ -21,11 +21,14 @@ mod transcribe;
 mod trial;
 mod velocity;
 
-pub use by_hand::{Draughtsmen, HandError, Spread, by_hand};
+pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
+pub use reading::Numbers;
 pub use transcribe::{Transcribed, transcribe};
 
-use crate::board::{Arithmetic, Bench, Board, Real, Recorded, Recorder, Scale, Tape, Taped, Trial};
+use crate::board::{
+    Arithmetic, Bench, Blank, Board, Equipped, Real, Recorded, Recorder, Scale, Tape, Taped, Trial,
+};
 use crate::double_double::DoubleDouble;
 use crate::given::Given;
 use crate::mechanism::structure::{GroupKind, Structure};
@@ -253,6 +256,39 @@ pub fn construct_on(
     taped::<f64>(tape, mechanism, structure, plan, scales)
 }
 
+/// The asked quantities by a board that keeps no record: no bounds, no strokes.
+///
+/// # Errors
+/// See [`DrawError`]; without a record a tangency may read as a miss.
+pub fn unrecorded<R: Real>(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+) -> Result<Vec<Option<Numbers<R>>>, DrawError> {
+    let board = Board::<Equipped<R, Blank>>::new(Blank);
+    let mut drawn = draw(board, mechanism, structure, plan, scales)?;
+    Ok(reading::numbers(&mut drawn, |_, ()| Some(None)))
+}
+
+/// The asked quantities to all digits of an arithmetic, with their bounds: the reference in
+/// [`crate::wide::Wide`].
+///
+/// # Errors
+/// See [`DrawError`].
+pub fn recorded<R: Real>(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+) -> Result<Vec<Option<Numbers<R>>>, DrawError> {
+    let board = Board::<Taped<R>>::new(Tape::default());
+    let mut drawn = draw(board, mechanism, structure, plan, scales)?;
+    Ok(reading::numbers(&mut drawn, |tape, mark| {
+        if tape.weakness(mark).is_some() { None } else { Some(Some(tape.bound(mark))) }
+    }))
+}
+
 fn taped<R: Real>(
     tape: Tape,
     mechanism: &Mechanism,
@@ -276,7 +312,7 @@ pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Res
     let scales = provisional_scales(mechanism);
     // A tangency can only be told from a miss with a tape; it is rare, so try without one first.
     let bare = || {
-        draw(Board::<Trial>::new(crate::board::Blank), mechanism, structure, plan, scales)
+        draw(Board::<Trial>::new(Blank), mechanism, structure, plan, scales)
             .map(|d| measure(d.record(), scales))
     };
     let taped = || {
@@ -457,7 +493,7 @@ fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, pl
         if let Input::Angle { angle, .. } = &mut turned.inputs[input] {
             *angle = Some(Given::exact(at));
         }
-        let board = Board::<Trial>::new(crate::board::Blank);
+        let board = Board::<Trial>::new(Blank);
         !matches!(draw(board, &turned, structure, &positions, scales), Err(DrawError::CannotAssemble { .. }))
     };
     let angle_of = |trial: i32| std::f64::consts::PI * (2.0 * f64::from(trial) / f64::from(TRIALS) - 1.0);

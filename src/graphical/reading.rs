@@ -22,7 +22,7 @@ enum Read<B: Bench> {
 /// What was read off for an asked quantity.
 pub(super) struct ReadOff<B: Bench> {
     /// Marks and values, two for a vector; or why there are none.
-    pub(super) numbers: Numbers<B>,
+    pub(super) numbers: Marked<B>,
     /// The direction of a place at infinity; its angle is the number.
     toward: Option<[f64; 2]>,
     /// How long it was drawn.
@@ -30,7 +30,7 @@ pub(super) struct ReadOff<B: Bench> {
 }
 
 /// Marks and values of a read quantity, or why there are none.
-pub(super) type Numbers<B> = Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>;
+pub(super) type Marked<B> = Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>;
 
 /// Reads every asked quantity, with its bound from the tape.
 pub(super) fn answers<B: Bench<Recorder = Tape>>(
@@ -46,6 +46,34 @@ pub(super) fn answers<B: Bench<Recorder = Tape>>(
         })
         .collect();
     (readings, slots)
+}
+
+/// An asked quantity in the arithmetic of its board.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Numbers<R> {
+    /// One number, or the two coordinates of a vector; SI units.
+    pub value: Vec<R>,
+    /// The truth is no farther away; `None` from a board that keeps no record.
+    pub bound: Option<f64>,
+}
+
+/// What every asked quantity reads on a board of any arithmetic; `None` where it is not determined, or a
+/// direction instead of a place.
+pub(super) fn numbers<B: Bench>(
+    d: &mut Draughtsman<'_, B>,
+    bound: impl Fn(&mut B::Recorder, MarkOf<B>) -> Option<Option<f64>>,
+) -> Vec<Option<Numbers<B::Real>>> {
+    let read = read_all(d);
+    read.into_iter()
+        .map(|read| {
+            let numbers = read.numbers.ok().filter(|_| read.toward.is_none())?;
+            let recorder = d.board.recorder();
+            let bounds: Option<Vec<Option<f64>>> = numbers.iter().map(|(m, _)| bound(recorder, *m)).collect();
+            let together = |sum: f64, bound: f64| libm::hypot(sum, bound);
+            let bound = bounds?.into_iter().try_fold(0.0, |sum, bound| Some(together(sum, bound?)));
+            Some(Numbers { value: numbers.into_iter().map(|(_, real)| real).collect(), bound })
+        })
+        .collect()
 }
 
 /// Reads every asked quantity.

@@ -37,6 +37,7 @@ mod skeleton;
 mod slots;
 mod steps;
 mod table;
+pub mod tradeoff;
 mod transfer;
 mod wanted;
 mod words;

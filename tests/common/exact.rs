@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use linkgram::double_double::DoubleDouble;
+use linkgram::wide::Wide;
 use num_bigint::BigInt;
 
 /// Digits after the binary point.
@@ -41,6 +42,17 @@ impl Exact {
     /// A double-double as it stands.
     pub(crate) fn fine(value: DoubleDouble) -> Self {
         Self::of(value.hi()) + Self::of(value.lo())
+    }
+
+    /// A number of 75 digits as it stands.
+    pub(crate) fn wide(value: Wide) -> Self {
+        let (mut sum, mut rest) = (Self::zero(), value);
+        while rest != Wide::ZERO {
+            let part = rest.to_f64();
+            sum = sum + Self::of(part);
+            rest = rest - Wide::of(part);
+        }
+        sum
     }
 
     /// A number as written in decimals.

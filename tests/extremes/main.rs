@@ -8,7 +8,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
+#[path = "../common/mod.rs"]
 mod common;
+
+mod campaign;
 
 use std::fmt::Write;
 
@@ -119,7 +122,84 @@ fn cases() -> Vec<Case> {
             answers: Some(Arithmetic::Single),
         });
     }
+    // Gears of absurd ratio: the pitch circles roll on each other.
+    for n in [2, 4, 6] {
+        cases.push(gears(n));
+    }
+    // A slot tangent to the crank's circle, and next to it: the lever stands still and turns back.
+    for n in [1, 3, 5, 7, 9, 12, 14] {
+        cases.push(slot(n));
+    }
+    // Lines of centres ever nearer to parallel: the rocker of a parallelogram a little too long.
+    for n in 1..=12 {
+        let rocker = (Exact::ratio(1, 1) + Exact::decimal(&power(-n))).to_decimal(40);
+        let at = bar(["2", "1", "2", &rocker], "1.1");
+        let mut case = four_bar(format!("parallel-lines-of-centres-1e-{n}"), &at, finest_to(n, 4, 12, 12));
+        let asked = ["omega(3)", "omega(4)"].map(|q| format!(r#"{{ "name": "{q}", "method": "centres" }}"#));
+        case.scene =
+            case.scene.replace(&format!("{FOUR_BAR_QUANTITIES:?}"), &format!("[{}]", asked.join(", ")));
+        case.quantities = &["omega(3)", "omega(4)"];
+        case.truth = case.truth.map(|truth| truth[3..5].to_vec());
+        cases.push(case);
+    }
     cases
+}
+
+/// Two gears, the second 10^n times as large: ω and ε by the ratio of the radii alone.
+fn gears(n: i32) -> Case {
+    let large = format!("1e{n}");
+    let (w, e) = ("2", "3");
+    let ratio = Exact::decimal(&power(-n));
+    let [w3, e3] = [w, e].map(|x| -(Exact::decimal(x) * &ratio));
+    let far = (Exact::decimal(&large) + Exact::ratio(1, 1)).to_decimal(20);
+    Case {
+        name: format!("gears-1e{n}"),
+        scene: format!(
+            r#"{{ "units": {{ "angle": "rad" }}, "fixed": {{ "O2": [0, 0], "O3": [{far}, 0] }},
+                 "links": {{ "2": {{ "joins": ["O2", "A"], "length": 0.5 }}, "3": {{ "joins": ["O3", "C"] }} }},
+                 "placed": {{ "C": [{far}, 0.5] }},
+                 "rolls": [ {{ "links": [2, 3], "centres": ["O2", "O3"], "radii": [1, {large}] }} ],
+                 "input": {{ "link": 2, "angle": 0.3, "omega": "{w} rad/s", "alpha": "{e} rad/s^2" }},
+                 "find": ["omega(3)", "alpha(3)"] }}"#
+        ),
+        quantities: &["omega(3)", "alpha(3)"],
+        truth: Some(vec![vec![w3], vec![e3]]),
+        answers: Some(Arithmetic::Single),
+    }
+}
+
+/// A crank of 1 whose pin slides in a lever pivoted 2 below: the slot is tangent to the crank's circle where the
+/// cosine of the crank's angle from the line of pivots is −½; 10^−n rad from there.
+fn slot(n: i32) -> Case {
+    let angle = Exact::pi() / Exact::ratio(6, 1) - Exact::decimal(&power(-n));
+    // The crank's angle from +x is −30° there; the pin stands on the right.
+    let angle = (-angle).to_decimal(80);
+    let [cos, sin] = Exact::decimal(&angle).cos_sin();
+    let (w, e) = (Exact::ratio(2, 1), Exact::ratio(3, 1));
+    let arm = [cos.clone(), &sin + &Exact::ratio(2, 1)];
+    let v = [-(&w * &sin), &w * &cos];
+    let a = [-(&e * &sin) - &w * &w * &cos, &e * &cos - &w * &w * &sin];
+    let square = &arm[0] * &arm[0] + &arm[1] * &arm[1];
+    let cross = |p: &[Exact; 2], q: &[Exact; 2]| &p[0] * &q[1] - &p[1] * &q[0];
+    let w4 = cross(&arm, &v) / &square;
+    // d/dt of ω ρ² = ρ × v: ε = (ρ × a − 2 ω ρ·v) / ρ².
+    let rise = &arm[0] * &v[0] + &arm[1] * &v[1];
+    let e4 = (cross(&arm, &a) - Exact::ratio(2, 1) * &w4 * &rise) / &square;
+    Case {
+        name: format!("slot-tangent-1e-{n}"),
+        scene: format!(
+            r#"{{ "units": {{ "angle": "rad" }}, "fixed": {{ "O2": [0, 0], "O4": [0, -2] }},
+                 "links": {{ "2": {{ "joins": ["O2", "A"], "length": 1 }},
+                            "4": {{ "joins": ["O4", "B"], "length": 4 }} }},
+                 "slides": [ {{ "pin": "A", "block": 3, "on": {{ "link": 4, "through": "O4", "toward": "B" }} }} ],
+                 "near": {{ "B": [2, 1.5] }},
+                 "input": {{ "link": 2, "angle": {angle}, "omega": "2 rad/s", "alpha": "3 rad/s^2" }},
+                 "find": ["omega(4)", "alpha(4)"] }}"#
+        ),
+        quantities: &["omega(4)", "alpha(4)"],
+        truth: Some(vec![vec![w4], vec![e4]]),
+        answers: Some(Arithmetic::Single),
+    }
 }
 
 /// Forty digits.

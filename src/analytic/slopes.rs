@@ -1,0 +1,152 @@
+//! The equations with their slopes, without a record: what the search for assemblies iterates on.
+//!
+//! A pair binds two bodies, so an equation of the position hangs on at most six coordinates: a number carries
+//! its derivatives by these six beside it (Wengert 1964). No rounding is tracked; what the search has found
+//! is finished and judged on the record.
+
+use std::cell::Cell;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::constraints::{Drive, Formulas, Num, Param, Row};
+use super::tape::Calculus;
+
+/// Coordinates on which one equation may hang: x, y, θ of two bodies.
+pub(super) const MOST: usize = 6;
+
+/// A number with its derivatives.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slope {
+    /// The number.
+    pub(super) value: f64,
+    /// Its derivatives by the coordinates of [`Here::bodies`], three for each.
+    pub(super) by: [f64; MOST],
+}
+
+impl Slope {
+    /// `value`, changing as `factor` times this number and `other_factor` times the other.
+    fn blend(self, value: f64, factor: f64, other: Self, other_factor: f64) -> Self {
+        let mut by = self.by;
+        for (to, from) in by.iter_mut().zip(other.by) {
+            *to = *to * factor + from * other_factor;
+        }
+        Self { value, by }
+    }
+
+    fn through(self, value: f64, factor: f64) -> Self {
+        Self { value, by: self.by.map(|d| d * factor) }
+    }
+}
+
+impl Add for Slope {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.blend(self.value + other.value, 1.0, other, 1.0)
+    }
+}
+
+impl Sub for Slope {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.blend(self.value - other.value, 1.0, other, -1.0)
+    }
+}
+
+impl Neg for Slope {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.through(-self.value, -1.0)
+    }
+}
+
+impl Mul for Slope {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.blend(self.value * other.value, other.value, other, self.value)
+    }
+}
+
+impl Div for Slope {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let quotient = self.value / other.value;
+        self.blend(quotient, 1.0 / other.value, other, -quotient / other.value)
+    }
+}
+
+impl Calculus for Slope {
+    fn value(self) -> f64 {
+        self.value
+    }
+
+    fn cos_sin(self) -> [Self; 2] {
+        let (sin, cos) = libm::sincos(self.value);
+        [self.through(cos, -sin), self.through(sin, cos)]
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        self.through(root, 0.5 / root)
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        let square = self.value * self.value + x.value * x.value;
+        self.blend(libm::atan2(self.value, x.value), x.value / square, x, -self.value / square)
+    }
+
+    fn wrapped(self) -> Self {
+        let turns = (self.value / std::f64::consts::TAU).round();
+        Self { value: self.value - turns * std::f64::consts::TAU, ..self }
+    }
+}
+
+/// A place of all bodies.
+#[derive(Debug)]
+pub(super) struct Here<'a> {
+    pose: &'a [f64],
+    params: &'a [Param],
+    bodies: [usize; 2],
+    /// The equation has asked for a body besides the two.
+    strange: Cell<bool>,
+}
+
+impl<'a> Here<'a> {
+    /// An equation at a place: its value and its derivatives by the coordinates of [`Row::bodies`], three for each
+    /// (the first body's alone where both are one). `None` where it has no value here, or binds a third body.
+    pub(super) fn evaluate(row: &Row, pose: &'a [f64], params: &'a [Param]) -> Option<Slope> {
+        let here = Self { pose, params, bodies: row.bodies(), strange: Cell::new(false) };
+        let slope = here.row(row);
+        let sound = slope.value.is_finite() && slope.by.iter().all(|d| d.is_finite());
+        (sound && !here.strange.get()).then_some(slope)
+    }
+}
+
+impl Formulas for Here<'_> {
+    type Number = Slope;
+
+    fn num(&self, num: Num) -> Slope {
+        self.exact(match num {
+            Num::Exact(value) => value,
+            Num::Param(index) => self.params.get(index).map_or(0.0, |p| p.value),
+        })
+    }
+
+    fn exact(&self, value: f64) -> Slope {
+        Slope { value, by: [0.0; MOST] }
+    }
+
+    fn coordinate(&self, body: usize, axis: usize) -> Slope {
+        if body == 0 {
+            return self.exact(0.0);
+        }
+        let mut slope = self.exact(self.pose.get(3 * body + axis).copied().unwrap_or(0.0));
+        match self.bodies.iter().position(|b| *b == body) {
+            Some(index) => slope.by[3 * index + axis] = 1.0,
+            None => self.strange.set(true),
+        }
+        slope
+    }
+
+    fn drive(&self, drive: &Drive) -> Slope {
+        self.num(drive.value)
+    }
+}
