@@ -356,7 +356,9 @@ impl Tape {
 
     pub(super) fn first_order_error(&mut self, mark: u32) -> f64 {
         self.sweep_back(mark);
-        self.adjoint.iter().zip(&self.slots).map(|(a, s)| a.abs() * s.rounding).sum()
+        // What does not lead to the result may err without bound.
+        let moves = self.adjoint.iter().zip(&self.slots).filter(|(adjoint, _)| **adjoint != 0.0);
+        moves.map(|(adjoint, slot)| adjoint.abs() * slot.rounding).sum()
     }
 
     /// The error of a product of which both factors are zero within their errors: first order says nothing of it.

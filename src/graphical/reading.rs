@@ -115,14 +115,18 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
             Err(why) => return (undefined(why), None),
         };
         let weak = numbers.iter().find_map(|&(mark, _)| self.board.recorder().weakness(mark));
+        let too_large = || (undefined("a number on the way is too large for this arithmetic"), None);
         if weak == Some(TOO_LARGE) {
-            return (undefined("a number on the way is too large for this arithmetic"), None);
+            return too_large();
         }
         if let Some(reason) = weak {
             let links = self.links_of(reason);
             return (Answer::Indeterminate(Indeterminate::DeadCentre { links }), None);
         }
         let bounds: Vec<f64> = numbers.iter().map(|&(mark, _)| self.board.recorder().bound(mark)).collect();
+        if !bounds.iter().all(|bound| bound.is_finite()) {
+            return too_large();
+        }
         let values: Vec<f64> = numbers.iter().map(|(_, real)| real.to_f64()).collect();
         let low: Vec<f64> = numbers.iter().map(|(_, real)| real.to_double_double().lo()).collect();
         // The answer is rounded to a double: what that leaves belongs to its bound.
