@@ -225,3 +225,72 @@ fn the_command_tells_by_its_exit_status() {
     }
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+/// The three figures of the slider-crank as a vector editor saves them: a page in millimetres, a layer that is
+/// shifted and one that is scaled, arrows as lines with markers, styles, letters beside what they name. `b` is the
+/// velocity image of the slider, in the units of its layer.
+fn drawn_slider_crank(b: &str) -> String {
+    format!(
+        r##"<svg xmlns="http://www.w3.org/2000/svg" width="210mm" height="297mm" viewBox="0 0 210 297">
+  <defs><marker id="arrow"><path d="M 0,0 L 4,2 L 0,4 Z"/></marker></defs>
+  <g transform="translate(100,100)" style="font-size:4px">
+    <path d="M 0,0 V -30 L 40,0"/><text x="-5" y="5">O<tspan font-size="2.8" dy="1">2</tspan></text>
+    <text x="1" y="-31">A</text><text x="41" y="-1">B</text>
+    <text x="0" y="20">Velocities, 50 cm/s per cm</text>
+  </g>
+  <g transform="translate(100 150) scale(2)" style="font-size:2px">
+    <path d="m 0,0 h -30" marker-end="url(#arrow)"/><line x1="0" y1="0" x2="{b}" y2="0"/>
+    <text x="0.5" y="-0.5">o</text><text><tspan x="-31.5" y="-0.8">a</tspan></text>
+    <text x="{b}" y="2.6" text-anchor="middle">b</text>
+  </g>
+  <g transform="rotate(90 20 200) translate(20 200)">
+    <circle cx="0" cy="0" r="0.5"/><circle cx="60" cy="0" r="0.5"/><circle cx="0" cy="-45" r="0.5"/>
+    <text x="1" y="1" font-size="4">o'</text><text x="61" y="1" font-size="4">a′</text>
+    <text x="1" y="-46" font-size="4">b'</text>
+  </g>
+</svg>"##
+    )
+}
+
+#[test]
+fn a_drawing_of_a_vector_editor_is_read() {
+    let scene = slider_crank();
+    let judged = |svg: &str| {
+        let answers = read_answers(svg, &scene).unwrap();
+        grade(&scene, &answers, &GradeSettings::default()).unwrap()
+    };
+    let right = judged(&drawn_slider_crank("-30"));
+    let names: Vec<&str> = right.quantities.iter().map(|q| q.name.as_str()).collect();
+    assert_eq!(names.len(), 6, "{names:?}");
+    assert!(right.holds(), "{}", right.to_text());
+    let wrong = judged(&drawn_slider_crank("-22"));
+    assert_eq!(wrong.first_fault().unwrap().name, "velocity:b", "{}", wrong.to_text());
+    // The finished sheet of another program, this one, is a drawing too.
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |path: &str| std::fs::read_to_string(folder.join(path)).unwrap();
+    let scene = scene::read(&read("examples/s000-ch3a-1.json"), "six-link.json").unwrap();
+    let answers = read_answers(&read("golden/s000-ch3a-1.svg"), &scene).unwrap();
+    let report = grade(&scene, &answers, &GradeSettings::default()).unwrap();
+    assert!(report.quantities.len() > 12 && report.holds(), "{}", report.to_text());
+}
+
+#[test]
+fn a_drawing_that_cannot_be_read_says_why() {
+    let scene = slider_crank();
+    let refused = |svg: &str| read_answers(svg, &scene).unwrap_err().to_string();
+    let page = |inside: &str| {
+        format!(r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 99 99">{inside}</svg>"#)
+    };
+    assert!(refused("<svg").contains("answers:1:"), "{}", refused("<svg"));
+    assert!(refused("<html/>").contains("nor an SVG"));
+    assert!(refused(&page("<text>Given</text>")).contains("no letter of this drawing"));
+    let far = refused(&page(r#"<circle cx="0" cy="0" r="1"/><text x="400" y="90">A</text>"#));
+    assert!(far.contains("nothing is marked beside the letter `A`"), "{far}");
+    let twice =
+        r#"<circle cx="0" cy="0"/><circle cx="900" cy="0"/><text x="1">A</text><text x="901">A</text>"#;
+    assert!(refused(&page(twice)).contains("`A` names two points"));
+    let mut both =
+        read_answers(r#"{ "points": { "velocity": { "o": [0, 0] } }, "drawing": "d.svg" }"#, &scene).unwrap();
+    let clash = both.add_drawing(&drawn_slider_crank("-30"), "d.svg", &scene).unwrap_err().to_string();
+    assert!(clash.contains("in `points` and in the drawing"), "{clash}");
+}

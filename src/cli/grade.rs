@@ -20,9 +20,16 @@ pub(super) struct Job {
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let (_, scene) = read_scene(&job.scene)?;
     let (file, text) = files::read(&job.answers)?;
-    let answers = grade::read_named(&text, &file, &scene)?;
+    let mut answers = grade::read_named(&text, &file, &scene)?;
+    if let Some(drawing) = answers.drawing.clone() {
+        // Named as it lies beside the answers.
+        let (file, svg) = files::read(&job.answers.with_file_name(drawing))?;
+        answers.add_drawing(&svg, &file, &scene)?;
+    }
     if answers.is_empty() {
-        return Err(Failure(format!("{file}: no answers: give `values`, `lengths` or `points`")));
+        return Err(Failure(format!(
+            "{file}: no answers: give `values`, `lengths`, `points` or a `drawing`"
+        )));
     }
     let mut settings = GradeSettings::default();
     if let Some(hand) = job.hand {

@@ -1,5 +1,5 @@
-//! What a student handed in: values, lengths measured on the drawing, and points read off the paper, as JSON or
-//! as CSV.
+//! What a student handed in: values, lengths measured on the drawing, and points read off the paper, as JSON, as
+//! CSV, or as the drawing itself.
 
 use super::scan::Scan;
 use crate::mechanism::quantity::{Asked, Order, Quantity, Unit};
@@ -10,7 +10,7 @@ use crate::scene::units::{Measure, Scale, Scales, Words, drawing_scale, number};
 use crate::scene::{Diagnostic, Scene};
 
 const ANSWERS: &[&str] =
-    &["$schema", "student", "units", "values", "scales", "lengths", "points", "scan", "tolerance"];
+    &["$schema", "student", "units", "values", "scales", "lengths", "points", "scan", "drawing", "tolerance"];
 const SCALES: &[&str] = &["length", "velocity", "acceleration"];
 const FIGURES: &[&str] = &["velocity", "acceleration", "skeleton"];
 const VALUE: &[&str] = &["value", "magnitude", "direction", "sense", "components", "unit"];
@@ -31,6 +31,8 @@ pub struct Answers {
     pub hand: (Option<f64>, Option<f64>),
     /// Tolerances that the file states, by the name of the quantity.
     pub tolerances: Vec<(String, Tolerance)>,
+    /// The file of the drawing, where the answers name one: it is read by [`Answers::add_drawing`].
+    pub drawing: Option<String>,
     file: String,
     text: String,
 }
@@ -100,6 +102,26 @@ impl Answers {
         fault.locate(&self.file, &self.text, document.as_ref().map(|d| &d.root))
     }
 
+    /// Takes the points of a drawing (the SVG of a vector editor) beside what the answers say themselves; `file` is
+    /// named in diagnostics.
+    ///
+    /// # Errors
+    /// A text that is no SVG, a letter with nothing beside it, or a figure of which the answers have points already.
+    pub fn add_drawing(&mut self, svg: &str, file: &str, scene: &Scene) -> Result<(), Diagnostic> {
+        let figures = super::drawing::points(svg, scene).map_err(|fault| fault.locate(file, svg, None))?;
+        // What is wrong with a point of the drawing is told at the key that names the drawing.
+        let at = self.text.find("\"drawing\"").unwrap_or(0);
+        for mut figure in figures {
+            if self.figures.iter().any(|known| known.order == figure.order) {
+                let what = "the points of one figure stand in `points` and in the drawing";
+                return Err(self.complain(at, what, Some("keep one of the two".to_owned())));
+            }
+            figure.points.iter_mut().for_each(|(.., place)| *place = at);
+            self.figures.push(figure);
+        }
+        Ok(())
+    }
+
     /// Whether nothing was handed in.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -107,7 +129,7 @@ impl Answers {
     }
 }
 
-/// Reads the answers to a scene, as JSON or as CSV.
+/// Reads the answers to a scene, as JSON, as CSV, or as the SVG of a drawing.
 ///
 /// # Errors
 /// The first thing that is wrong with the text, with its place and its mend.
@@ -127,10 +149,15 @@ pub fn read_named(text: &str, file: &str, scene: &Scene) -> Result<Answers, Diag
         figures: Vec::new(),
         hand: (None, None),
         tolerances: Vec::new(),
+        drawing: None,
         file: file.to_owned(),
         text: text.to_owned(),
     };
-    if !text.trim_start_matches('\u{feff}').trim_start().starts_with('{') {
+    let begin = text.trim_start_matches('\u{feff}').trim_start();
+    if begin.starts_with('<') {
+        return super::drawing::read(text, scene, empty).map_err(|fault| fault.locate(file, text, None));
+    }
+    if !begin.starts_with('{') {
         return super::csv::read(text, scene, empty).map_err(|fault| fault.locate(file, text, None));
     }
     let json::Document { root, fault } = json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
@@ -144,6 +171,7 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
         |key: &str, what: &str| fields.get(key).map(|value| value.text(what).map(str::to_owned)).transpose();
     text("$schema", "the address of the schema")?;
     answers.student = text("student", "a name, as text")?;
+    answers.drawing = text("drawing", "the name of an SVG file")?;
     let scales = Scales::read(fields.get("units"), Some(&scene.units))?;
     for (index, entry) in entries(&fields, "values", "values, by name of the quantity")?.iter().enumerate() {
         let item = value(entry, scene, &scales)?;

@@ -25,6 +25,7 @@ mod answers;
 mod case;
 mod change;
 mod csv;
+mod drawing;
 mod judge;
 mod kind;
 mod mistakes;

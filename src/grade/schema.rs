@@ -82,6 +82,11 @@ pub fn schema() -> Value {
                 &points,
             ),
             "scan": by_figure("The points of that figure are pixels of a scan; two reference points give scale and rotation.", &reference),
+            "drawing": {
+                "type": "string",
+                "description": "An SVG of a vector editor, beside this file: a letter names the dot or line end next to it; A is a joint, a its velocity image, a′ its acceleration image, or layers named velocity, acceleration, skeleton tell the figures apart.",
+                "examples": ["student.svg"],
+            },
             "tolerance": {
                 "type": "object", "additionalProperties": { "type": ["number", "string"] },
                 "description": "`length` and `angle`: how exact the hand is (0.2 mm, 0.3 deg). By the name of a quantity: its own tolerance.",
