@@ -126,6 +126,13 @@ fn answers_in_every_form() {
 }
 
 #[test]
+fn marks_for_what_is_no_quantity_are_refused() {
+    let misspelt = scene_text().replace(r#""alpha(3)": 3"#, r#""alfa(3)": 3"#);
+    let refused = scene::read(&misspelt, "slider.json").unwrap_err().to_string();
+    assert!(refused.contains("sheet.marks") && refused.contains("`alpha`"), "{refused}");
+}
+
+#[test]
 fn what_follows_rightly_is_consistent() {
     let scene = slider_crank();
     // Twice the speed by a slip that no list foresees, and everything from it: A = V²/l.

@@ -96,10 +96,7 @@ pub fn grade_with_overlay(
     let report = report::report(&case, answers, &judgement);
     let student = case.drawn(&judgement.drawn, None);
     let student = student.as_ref().unwrap_or(&case.right);
-    let text = report.first_fault().map(|fault| {
-        let what = fault.mistakes.first().map_or("no known mistake fits".to_owned(), Mistake::text);
-        format!("First fault, {}: {what}", fault.name)
-    });
+    let text = report.first_fault().map(|fault| format!("First fault, {}", fault.text()));
     let place = judgement.faults.first().and_then(|fault| case.place_of(fault.first, student));
     let fault = text.as_deref().zip(place).map(|(text, (order, at))| crate::sheet::Fault { order, at, text });
     let figure = crate::sheet::overlay(scene, &case.right.construction, &student.construction, fault);

@@ -59,6 +59,19 @@ pub struct FirstFault<'r> {
     pub mistakes: &'r [Mistake],
 }
 
+impl FirstFault<'_> {
+    /// The answer and its likeliest mistake, in words.
+    #[must_use]
+    pub fn text(&self) -> String {
+        match self.mistakes.first() {
+            None => format!("{}: no known mistake fits", self.name),
+            // Most mistakes are made at the answer that shows them.
+            Some(mistake) if mistake.at == self.name => mistake.text(),
+            Some(mistake) => format!("{}: {}", self.name, mistake.text()),
+        }
+    }
+}
+
 /// Marks for the answers of one step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepMarks {
@@ -226,8 +239,7 @@ impl Report {
         }
         if let Some(fault) = self.first_fault() {
             let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));
-            let what = fault.mistakes.first().map_or("no known mistake fits".to_owned(), Mistake::text);
-            let _ = writeln!(text, "first fault{place}, {}: {what}", fault.name);
+            let _ = writeln!(text, "first fault{place}, {}", fault.text());
         }
         let (reached, of) = self.sum();
         let _ = writeln!(text, "marks: {} of {}", short(reached), short(of));
@@ -241,7 +253,7 @@ fn sentence(mistake: &Mistake) -> String {
         "{} (explains {} {answers}, off by {} of the tolerance)",
         mistake.text(),
         mistake.explains,
-        short(mistake.residual)
+        two(mistake.residual)
     )
 }
 

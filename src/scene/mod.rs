@@ -91,8 +91,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let errata = published::errata(fields.get("errata"), &published)?;
     let expect = published::expect(fields.get("expect"))?;
     draft.anchors.sheet = fields.get("sheet").map(|value| value.at);
-    let input = sheet::input_measure(&draft.mechanism);
-    let sheet = sheet::read(fields.get("sheet"), &scales, input)?;
+    let sheet = sheet::read(fields.get("sheet"), &scales, &draft.mechanism)?;
     draft.anchors.vary = fields.get("vary").map(|value| value.at);
     let vary = vary::read(root, fields.get("vary"))?;
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };

@@ -1,5 +1,6 @@
 //! How the sheet is to be drawn, and its title.
 
+use super::asked::named;
 use super::diagnostic::{Fault, Res};
 use super::json::{Entry, Fields, Kind, Value};
 use super::units::{Measure, Scale, Scales, Words, drawing_scale, number};
@@ -45,15 +46,16 @@ pub(super) fn title(value: Option<&Value<'_>>) -> Res<Title> {
 pub const MOST_POSITIONS: usize = 24;
 
 /// What the first input measures.
-pub(super) fn input_measure(mechanism: &Mechanism) -> Measure {
+fn input_measure(mechanism: &Mechanism) -> Measure {
     match mechanism.inputs.first() {
         Some(Input::Slide { .. }) => Measure::Length,
         _ => Measure::Angle,
     }
 }
 
-/// Reads `sheet`; `input` is what the first input measures.
-pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales, input: Measure) -> Res<SheetOptions> {
+/// Reads `sheet`.
+pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales, mechanism: &Mechanism) -> Res<SheetOptions> {
+    let input = input_measure(mechanism);
     let mut sheet = SheetOptions::default();
     let Some(value) = value else { return Ok(sheet) };
     let fields = Fields::of(value, keys::SHEET, "how to draw the sheet")?;
@@ -87,7 +89,11 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales, input: Measure) -
     sheet.velocity_scale = scale("velocity", Measure::Velocity)?.map(|s| s / 1000.0);
     sheet.acceleration_scale = scale("acceleration", Measure::Acceleration)?.map(|s| s / 1000.0);
     if let Some(marks) = fields.get("marks") {
-        for Entry { key, value, .. } in marks.object("marks, by name of the quantity")? {
+        for Entry { at, key, value } in marks.object("marks, by name of the quantity")? {
+            // Points of a figure, `velocity:b`, are named as the student's drawing names them.
+            if !key.contains(':') {
+                named(key, *at, mechanism, scales)?;
+            }
             let Kind::Number(digits) = value.kind else { return Err(value.unexpected("a number of marks")) };
             let weight = number(digits, value.at)?.value;
             if !(0.0..=MOST_MARKS).contains(&weight) {
