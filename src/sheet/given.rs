@@ -357,8 +357,8 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
     }
     let told = kinds.into_iter().zip(lists).filter(|(_, list)| !list.is_empty());
     told.map(|(what, list)| {
-        let list = ("list", Rich::join(&list, &Rich::upright(words.comma)));
-        Rich::fill(words.asked, &[("what", Rich::upright(what)), list])
+        let what = what[list.len().min(what.len()) - 1];
+        Rich::fill(words.asked, &[("what", Rich::upright(what)), ("list", notation.list(&list))])
     })
     .collect()
 }

@@ -13,6 +13,12 @@ const CLEARANCE: f64 = 0.55;
 const WORD: f64 = 1.6;
 /// Cost of touching ink or another label: more than any preference.
 const TOUCH: f64 = 1000.0;
+/// Cost of standing nearer to another named point: more than a leader that crosses two lines.
+const MISREAD: f64 = 75.0;
+/// Cost of standing a little nearer to another named line.
+const ACROSS: f64 = 15.0;
+/// Lines no further apart than this are named side by side.
+const TOGETHER: f64 = 0.8;
 /// Passes of repair; each label moves to its best place given all others.
 const PASSES: usize = 8;
 /// Moves by which a crowd is untangled: where so many do not suffice there is no room.
@@ -476,21 +482,25 @@ fn price(
             candidate.touches_ink = true;
         }
     }
-    if let (Site::Around { at, .. }, Some(own)) = (site, candidate.boxes.first()) {
-        let near = distance(*own, at);
+    let whole = candidate.boxes.iter().copied().reduce(|a, b| a.union(b));
+    if let (Site::Around { at, .. }, Some(own)) = (site, whole) {
+        let near = distance(own, at);
         let mut others = Vec::new();
         if candidate.leader.is_none() {
             strangers.point_grid.near(own.inflate(near + 1.0, near + 1.0), &mut others);
         }
         let others = others.into_iter().map(|i| strangers.points[i]);
         for (_, stranger) in others.filter(|(j, p)| *j != index && p.distance(at) > 0.2) {
-            let far = distance(*own, stranger);
+            let far = distance(own, stranger);
             if far < near + 1.0 {
                 candidate.cost += 25.0 + 10.0 * (near + 1.0 - far);
             }
+            if far < near {
+                candidate.cost += MISREAD;
+            }
         }
     }
-    if let (Site::Along { from, to }, Some(own)) = (site, candidate.boxes.first()) {
+    if let (Site::Along { from, to }, Some(own)) = (site, whole) {
         let near = to_line(own.center(), from, to);
         let mut others = Vec::new();
         let reach = Rect::from_center_size(own.center(), (2.0 * near + 4.0, 2.0 * near + 4.0));
@@ -500,6 +510,10 @@ fn price(
             let far = to_line(own.center(), a, b);
             if far < near + 2.0 {
                 candidate.cost += 4.0 + 6.0 * (near + 2.0 - far).min(4.0);
+            }
+            if far < near {
+                // Of two lines that nearly fall together the names stand beside both.
+                candidate.cost += if near - far > TOGETHER { MISREAD / 2.0 } else { ACROSS };
             }
         }
     }
@@ -662,6 +676,26 @@ mod tests {
         let mut texts = 0;
         ink.walk(&mut |node| texts += usize::from(matches!(node, Node::Text(_))));
         assert_eq!(texts, 12);
+    }
+
+    /// Two lines close to each other are named from outside, each on its own side.
+    #[test]
+    fn a_name_stands_nearer_to_its_own_line() {
+        let mut ink = Group::default();
+        let lines = [0.0, 1.2].map(|x| (Point::new(x, 0.0), Point::new(x, 13.0)));
+        for (from, to) in lines {
+            ink.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.25)));
+        }
+        let named =
+            |(from, to)| Request::new(Rich::italic("A").sub("DC"), 3.3, Site::Along { from, to }, "label");
+        let placed = place(&ink, &lines.map(named), None);
+        let mut centres = Vec::new();
+        placed.walk(&mut |node| {
+            if let Node::Text(text) = node {
+                centres.extend(text.boxes().into_iter().reduce(|a, b| a.union(b)).map(|own| own.center().x));
+            }
+        });
+        assert!(centres.len() == 2 && centres[0] < 0.0 && centres[1] > 1.2, "{centres:?}");
     }
 
     #[test]
