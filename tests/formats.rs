@@ -300,6 +300,25 @@ fn a_question_counts_what_it_asks() {
     }
 }
 
+/// What is asked by two methods is one quantity, and a ratio is no velocity.
+#[test]
+fn a_question_tells_methods_and_ratios_apart() {
+    let path = sheets::root().join("examples/centres/four-bar.json");
+    let scene = linkgram::scene::read(&std::fs::read_to_string(path).unwrap(), "x").unwrap();
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_question).unwrap();
+    let json = json::value(&sheet::question(&scene, &solved.solution.construction, Language::English));
+    let pages = json["pages"].as_array().unwrap();
+    let lines: Vec<&str> =
+        pages.iter().flat_map(|page| list(page, "texts")).map(|t| t["text"].as_str().unwrap()).collect();
+    for told in [
+        "the velocity VB\u{a0}(gauge line, link to link)",
+        "the angular velocity ω4\u{a0}(centres, line of centres)",
+        "the ratios ω4/ω2\u{a0}(centres) and T4/T2\u{a0}(centres)",
+    ] {
+        assert!(lines.contains(&told), "{told} is not among {lines:?}");
+    }
+}
+
 #[test]
 fn formats_have_their_names() {
     for format in Format::ALL {

@@ -15,8 +15,8 @@ const WORD: f64 = 1.6;
 const TOUCH: f64 = 1000.0;
 /// Cost of standing nearer to another named point: more than a leader that crosses two lines.
 const MISREAD: f64 = 75.0;
-/// Cost of standing a little nearer to another named line.
-const ACROSS: f64 = 15.0;
+/// Another named line is this much further away than a name's own, or the name might be its.
+const BESIDE: f64 = 1.0;
 /// Lines no further apart than this are named side by side.
 const TOGETHER: f64 = 0.8;
 /// Passes of repair; each label moves to its best place given all others.
@@ -501,19 +501,18 @@ fn price(
         }
     }
     if let (Site::Along { from, to }, Some(own)) = (site, whole) {
-        let near = to_line(own.center(), from, to);
+        let near = gap(own, from, to);
         let mut others = Vec::new();
-        let reach = Rect::from_center_size(own.center(), (2.0 * near + 4.0, 2.0 * near + 4.0));
-        strangers.line_grid.near(reach, &mut others);
+        strangers.line_grid.near(own.inflate(near + BESIDE, near + BESIDE), &mut others);
         let others = others.into_iter().map(|i| strangers.lines[i]);
-        for (_, a, b) in others.filter(|(j, ..)| *j != index) {
-            let far = to_line(own.center(), a, b);
-            if far < near + 2.0 {
-                candidate.cost += 4.0 + 6.0 * (near + 2.0 - far).min(4.0);
+        for (_, a, b) in others.filter(|(j, ..)| *j != index && candidate.leader.is_none()) {
+            let far = gap(own, a, b);
+            if far < near + BESIDE {
+                candidate.cost += 4.0 + 6.0 * (near + BESIDE - far);
             }
-            if far < near {
-                // Of two lines that nearly fall together the names stand beside both.
-                candidate.cost += if near - far > TOGETHER { MISREAD / 2.0 } else { ACROSS };
+            // Of two lines that nearly fall together the names stand beside both.
+            if far + TOGETHER < near {
+                candidate.cost += MISREAD;
             }
         }
     }
@@ -549,6 +548,16 @@ impl Strangers {
 enum Reach {
     Near,
     Far,
+}
+
+/// How far a box is from a stroke; zero where they meet.
+fn gap(own: Rect, a: Point, b: Point) -> f64 {
+    if clip(a, b, own).is_some() {
+        return 0.0;
+    }
+    let corners = [(own.x0, own.y0), (own.x1, own.y0), (own.x1, own.y1), (own.x0, own.y1)];
+    let corners = corners.into_iter().map(|corner| to_line(corner.into(), a, b));
+    corners.chain([distance(own, a), distance(own, b)]).fold(f64::INFINITY, f64::min)
 }
 
 fn to_line(p: Point, a: Point, b: Point) -> f64 {

@@ -5,7 +5,7 @@ use super::profile::{Profile, Relative};
 use super::rich::Rich;
 use super::words::Words;
 use crate::graphical::construction::{Claim, Label, Reference};
-use crate::mechanism::quantity::{Order, Quantity, Unit};
+use crate::mechanism::quantity::{Method, Order, Quantity, Unit};
 use crate::mechanism::{Direction, GuidePoint, LinkId, Mechanism, Path, PointId, Rider};
 use crate::scene::{AngularAcceleration, Scene};
 use crate::sheet::font::Face;
@@ -142,6 +142,19 @@ impl<'a> Notation<'a> {
     #[must_use]
     pub fn image_line(&self, from: Label, to: Label, order: Order) -> Rich {
         self.image(from, order).then(&self.image(to, order))
+    }
+
+    /// The method by which a quantity is asked, where it is not the usual one.
+    #[must_use]
+    pub const fn method(&self, method: Method) -> Option<&'static str> {
+        match method {
+            Method::Polygon => None,
+            Method::Centres => Some(self.words.method_centres),
+            Method::LineOfCentres => Some(self.words.method_line_of_centres),
+            Method::LinkToLink => Some(self.words.method_link_to_link),
+            Method::GaugeLine => Some(self.words.method_gauge_line),
+            Method::Klein => Some(self.words.method_klein),
+        }
     }
 
     /// Letter of angular acceleration.
