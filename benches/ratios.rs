@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 use std::time::Instant;
 
+use linkgram::board::Variable;
 use linkgram::graphical::transcribe;
 use linkgram::mechanism::structure::Structure;
 use linkgram::mechanism::{Given, Input, Mechanism};
@@ -255,7 +256,7 @@ fn lengths() {
             Err(error) => panic!("{error}"),
         };
         let plan = Plan::new(m, &structure, Extent::Asked);
-        let program = match transcribe(m, &structure, &plan, (0, m.asked.len())) {
+        let program = match transcribe(m, &structure, &plan, (Variable::Input(0), m.asked.len())) {
             Ok(transcribed) => transcribed.lean,
             Err(error) => panic!("{error}"),
         };

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use linkgram::mechanism::quantity::{Answer, Quantity};
 use linkgram::mechanism::{Given, Input, Mechanism, Place};
-use linkgram::sweep::{EventKind, Sweep, SweepError};
+use linkgram::sweep::{EventKind, InputKind, Over, Sweep, SweepError};
 
 fn four_bar(ground: f64, crank: f64, coupler: f64, rocker: f64, find: &str) -> Mechanism {
     let text = format!(
@@ -77,6 +77,29 @@ fn an_offset_slider_crank_has_its_stroke_and_time_ratio() {
     is_near(stroke.ends[1], out);
     is_near(stroke.ends[0], back);
     is_near(stroke.time_ratio, (back - out) / (2.0 * PI - (back - out)));
+}
+
+/// The stroke is found wherever in it the scene stands, at its very ends too, and over time as well.
+#[test]
+fn a_stroke_is_found_from_every_start() {
+    for start in [0.0, 90.0, 179.0, 180.0, 270.0, 360.0, -180.0, 720.0] {
+        let text = format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+                 "links": {{ "2": {{ "joins": ["O2", "A"], "length": 50 }},
+                            "3": {{ "joins": ["A", "B"], "length": 150 }} }},
+                 "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": [0, 0], "angle": 0 }} }} ],
+                 "near": {{ "B": [150, 0] }}, "input": {{ "link": 2, "angle": {start}, "omega": -2 }},
+                 "find": ["v(B)"] }}"#
+        );
+        let m = common::read(&text).mechanism;
+        for over in [Over::Input, Over::Time] {
+            let sweep = Sweep::over(over, &m, None).unwrap();
+            let strokes = sweep.strokes();
+            assert_eq!(strokes.len(), 1, "{over:?} from {start}: {:?}", sweep.events);
+            is_near(strokes[0].length, 0.1);
+            is_near(strokes[0].time_ratio, 1.0);
+        }
+    }
 }
 
 #[test]
@@ -353,7 +376,273 @@ fn every_example_is_swept_or_refused() {
         for event in &sweep.events {
             assert!(event.at.is_finite(), "{}", path.display());
         }
-        let _ = linkgram::sheet::diagrams::of_sweep(&scene, &sweep);
+        let _ = linkgram::sheet::diagrams::of_sweep(&scene, &sweep, linkgram::sheet::Language::English);
     }
     assert!(swept > 20, "only {swept} examples can be swept");
+}
+
+// --- over time ---------------------------------------------------------------------------------------------
+
+/// The scene with every input where constant acceleration has brought it after `t` seconds, and with the rate that
+/// it has then.
+fn after(scene: &linkgram::scene::Scene, t: f64) -> linkgram::scene::Scene {
+    let mut later = scene.clone();
+    let close = |x: f64| Given::within(x, 4.0 * f64::EPSILON * x.abs().max(1.0));
+    let moved = |place: Option<Given>, v: Given, a: Given| {
+        let place = place.unwrap().value + v.value * t + a.value * t * t / 2.0;
+        (Some(close(place)), close(v.value + a.value * t))
+    };
+    for input in &mut later.mechanism.inputs {
+        match input {
+            Input::Angle { angle, omega, alpha, .. } => (*angle, *omega) = moved(*angle, *omega, *alpha),
+            Input::Slide { at, velocity, acceleration, .. } => {
+                (*at, *velocity) = moved(*at, *velocity, *acceleration);
+            }
+            Input::Speed { .. } => panic!("the speed of a point is no law of motion"),
+        }
+    }
+    later
+}
+
+const FIVE_BAR: &str = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O5": [150, 0] },
+    "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "C"], "length": 120 },
+               "4": { "joins": ["B", "C"], "length": 110 }, "5": { "joins": ["O5", "B"], "length": 50 } },
+    "near": { "C": [80, 160] },
+    "inputs": [ { "link": 2, "angle": 100, "omega": 3, "alpha": -2 },
+                { "link": 5, "angle": 60, "omega": "2 rad/s cw", "alpha": 1 } ],
+    "find": ["x(C)", "v(C)", "a(C)", "omega(3)", "alpha(4)", "angle(3)"] }"#;
+
+const DRIVEN_SLIDE: &str = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+    "links": { "2": { "joins": ["O2", "A"], "length": 50 }, "3": { "joins": ["A", "B"], "length": 150 } },
+    "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": [0, 30], "angle": 0 } } ],
+    "near": { "A": [20, 45] }, "input": { "slide": "B", "at": 150, "velocity": 40, "acceleration": -30 },
+    "find": ["x(A)", "v(A)", "a(A)", "omega(2)", "alpha(2)"] }"#;
+
+const SLOWING: &str = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [180, 0] },
+    "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 140 },
+               "4": { "joins": ["O4", "B"], "length": 120 } },
+    "near": { "B": [100, 100] }, "input": { "link": 2, "angle": 40, "omega": "10 rad/s cw", "alpha": 3 },
+    "find": ["x(B)", "v(B)", "a(B)", "omega(4)", "alpha(3)"] }"#;
+
+/// Over time the position is that of the scene whose inputs have moved so far: by the independent solver.
+#[test]
+fn over_time_the_inputs_move_with_constant_acceleration() {
+    for (text, span) in [(FIVE_BAR, [-0.1, 0.19]), (DRIVEN_SLIDE, [-0.2, 0.4]), (SLOWING, [0.0, 0.5])] {
+        let scene = common::read(text);
+        let sweep = Sweep::over(Over::Time, &scene.mechanism, Some(span)).unwrap();
+        assert_eq!((sweep.input, sweep.start, sweep.stretches.len()), (InputKind::Time, 0.0, 1));
+        for i in 0..=20 {
+            let t = span[0] + (span[1] - span[0]) * f64::from(i) / 20.0;
+            let values = sweep.at(t).unwrap();
+            let mut later = after(&scene, t);
+            // The independent solver begins near the place that it should find.
+            for (c, column) in sweep.columns.iter().enumerate() {
+                if let (Quantity::Position(p), Some(0)) = (column.asked.quantity, column.axis) {
+                    later.mechanism.points[p.0].place =
+                        Place::Near([values[c].unwrap().value, values[c + 1].unwrap().value]);
+                }
+            }
+            let state = linkgram::solve::solve_analytically(&later).unwrap();
+            let mut next = values.iter().map(|v| v.unwrap());
+            for asked in &scene.mechanism.asked {
+                let (expected, bound) = match state.answer(&asked.quantity) {
+                    Answer::Scalar { value, bound } => (vec![value], bound),
+                    Answer::Vector { value, bound } => (value.to_vec(), bound),
+                    other => panic!("{}: {other:?}", asked.name),
+                };
+                for expected in expected {
+                    let swept = next.next().unwrap();
+                    let apart = (swept.value - expected).abs();
+                    assert!(
+                        apart <= bound + swept.error,
+                        "{} after {t} s: {apart:e} > {bound:e}",
+                        asked.name
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// What changes in time changes at the rate that the polygons say.
+#[test]
+fn over_time_derivatives_are_velocities_and_accelerations() {
+    for (text, span) in [(FIVE_BAR, [0.0, 0.19]), (DRIVEN_SLIDE, [0.0, 0.4]), (SLOWING, [0.0, 2.0])] {
+        let scene = common::read(text);
+        let sweep = Sweep::over(Over::Time, &scene.mechanism, Some(span)).unwrap();
+        for position in sweep.equal_steps(100) {
+            let values = sweep.at(position).unwrap();
+            let m = |c: usize| values[c].unwrap();
+            for c in 0..4 {
+                let (slope, rate) = (m(c).slope, m(c + 2).value);
+                assert!(
+                    (slope - rate).abs() < 1e-12 * (1.0 + rate.abs()),
+                    "{c} at {position}: {slope} {rate}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_span_of_time_is_a_turn_of_the_input() {
+    let with = |omega: f64, alpha: f64| {
+        let mut m = four_bar(180.0, 60.0, 140.0, 120.0, r#"["omega(4)"]"#);
+        if let Input::Angle { omega: v, alpha: a, .. } = &mut m.inputs[0] {
+            (*v, *a) = (Given::exact(omega), Given::exact(alpha));
+        }
+        m
+    };
+    let span = |omega, alpha| Sweep::over(Over::Time, &with(omega, alpha), None).unwrap().range[1];
+    is_near(span(-10.0, 0.0), 0.2 * PI);
+    // v t + a t²/2 = 2π.
+    is_near(span(3.0, 2.0), (-3.0 + (9.0 + 8.0 * PI).sqrt()) / 2.0);
+    is_near(span(0.0, 2.0), (2.0 * PI).sqrt());
+    // It slows down, stops and turns back: −2π is reached first.
+    is_near(span(2.0, -2.0), (2.0 + (4.0 + 8.0 * PI).sqrt()) / 2.0);
+    is_near(span(-2.0, 2.0), (2.0 + (4.0 + 8.0 * PI).sqrt()) / 2.0);
+    // A uniform turn has its stroke and its time ratio as over the angle.
+    let by_time = Sweep::over(Over::Time, &with(-4.0, 0.0), None).unwrap();
+    let by_angle = Sweep::new(&with(-4.0, 0.0), None).unwrap();
+    let (t, a) = (by_time.strokes()[0], by_angle.strokes()[0]);
+    is_near(t.length, a.length);
+    is_near(t.time_ratio, a.time_ratio);
+    assert!(matches!(Sweep::over(Over::Time, &with(0.0, 0.0), None), Err(SweepError::Instant(_))));
+    let elsewhere = Sweep::over(Over::Time, &with(1.0, 0.0), Some([1.0, 2.0]));
+    assert!(matches!(elsewhere, Err(SweepError::Range(_))));
+}
+
+/// Nothing moves on beyond a limit, in time; where nobody says how far to go, that is the end.
+#[test]
+fn a_range_that_nobody_stated_ends_where_the_mechanism_does() {
+    let five = Sweep::over(Over::Time, &common::read(FIVE_BAR).mechanism, None).unwrap();
+    assert_eq!(five.stretches.len(), 1);
+    assert_eq!(places(&five, |k| matches!(k, EventKind::Limit)), [five.range[1]]);
+    // There the couplers are in line: AB is as long as both.
+    let (t, at) = (five.range[1], |r: f64, place: f64| [r * libm::cos(place), r * libm::sin(place)]);
+    let a = at(60.0, 100.0 * PI / 180.0 + 3.0 * t - t * t);
+    let b = at(50.0, 60.0 * PI / 180.0 - 2.0 * t + t * t / 2.0);
+    is_near(libm::hypot(150.0 + b[0] - a[0], b[1] - a[1]), 230.0);
+    // A slide goes as far as crank and rod reach from O2, 30 mm beside the guide.
+    let slide = Sweep::new(&common::read(DRIVEN_SLIDE).mechanism, None).unwrap();
+    let reach = |l: f64| (l * l - 900.0_f64).sqrt() / 1000.0;
+    is_near(slide.range[0], reach(100.0));
+    is_near(slide.range[1], reach(200.0));
+    assert_eq!((slide.stretches.len(), slide.positions(&slide.equal_steps(10)).len()), (1, 11));
+}
+
+/// An input that is given by the speed of a pin turns on with the ω that this pin has now.
+#[test]
+fn the_speed_of_a_pin_is_a_law_of_motion_as_well() {
+    let by = |input: &str| {
+        common::read(&SLOWING.replace(r#""omega": "10 rad/s cw", "alpha": 3"#, input)).mechanism
+    };
+    let [speed, omega] = [r#""speed": { "A": "600 mm/s cw" }"#, r#""omega": "10 rad/s cw""#].map(by);
+    let [speed, omega] = [speed, omega].map(|m| Sweep::over(Over::Time, &m, None).unwrap());
+    is_near(speed.range[1], omega.range[1]);
+    for t in omega.equal_steps(24) {
+        let [a, b] = [&speed, &omega].map(|s| s.at(t).unwrap());
+        for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
+            assert!((a.value - b.value).abs() < 1e-12 * (1.0 + b.value.abs()), "{} {}", a.value, b.value);
+        }
+    }
+}
+
+// --- bounds ------------------------------------------------------------------------------------------------
+
+/// Every number of every position lies within its bound of a drawing of 75 digits, and the bound is no larger than
+/// it has to be: the tape's bound of the single drawing is of its size.
+#[test]
+fn every_position_is_within_its_bounds() {
+    use linkgram::plan::{Extent, Plan};
+    use linkgram::wide::Wide;
+    let mut ratios = Vec::new();
+    let mut to_tape = Vec::new();
+    for stem in ["s000-ch3a-1", "eight-link", "s000-ch4-7", "pairs/oblique-yoke", "s000-ch4-1"] {
+        let mut scene = common::example(stem);
+        scene.mechanism.asked.retain(|a| !matches!(a.quantity, Quantity::Centre(..)));
+        let sweep = Sweep::new(&scene.mechanism, None).unwrap_or_else(|e| panic!("{stem}: {e}"));
+        let bounded = sweep.with_bounds().unwrap();
+        let places: Vec<f64> = (-6..=6).map(|i| sweep.start + 0.004 * f64::from(i)).collect();
+        bounded.run(&places, |at, values, bounds| {
+            let mut turned = scene.clone();
+            match &mut turned.mechanism.inputs[0] {
+                Input::Angle { angle, .. } => *angle = Some(Given::exact(at)),
+                Input::Slide { at: place, .. } => *place = Some(Given::exact(at)),
+                Input::Speed { .. } => panic!("{stem}"),
+            }
+            let structure = linkgram::mechanism::structure::Structure::of(&turned.mechanism).unwrap();
+            let plan = Plan::new(&turned.mechanism, &structure, Extent::Asked);
+            let scales = common::scales_for(
+                linkgram::graphical::extents(&turned.mechanism, &structure, &plan).unwrap(),
+            );
+            let truth = linkgram::graphical::recorded::<Wide>(&turned.mechanism, &structure, &plan, scales);
+            let drawn = linkgram::graphical::recorded::<f64>(&turned.mechanism, &structure, &plan, scales);
+            let mut next = values.iter().zip(bounds);
+            for (truth, drawn) in truth.unwrap().iter().zip(drawn.unwrap()) {
+                let (Some(truth), Some(drawn)) = (truth, drawn) else { continue };
+                let mut together = 0.0;
+                for truth in &truth.value {
+                    let (value, bound) = next.next().unwrap();
+                    let apart = (Wide::of(*value) - *truth).to_f64().abs();
+                    assert!(apart <= *bound, "{stem} at {at}: {apart:e} > {bound:e}");
+                    if apart > 0.0 {
+                        ratios.push(bound / apart);
+                    }
+                    together = libm::hypot(together, *bound);
+                }
+                if let Some(bound) = drawn.bound.filter(|b| *b > 1e-18) {
+                    to_tape.push(together / bound);
+                }
+            }
+        });
+    }
+    for list in [&mut ratios, &mut to_tape] {
+        list.sort_by(f64::total_cmp);
+        assert!(list.len() > 500, "only {} numbers compared", list.len());
+    }
+    let middle = |list: &[f64]| list[list.len() / 2];
+    let (ratio, tape) = (middle(&ratios), middle(&to_tape));
+    assert!(ratio <= 100.0, "the median bound is {ratio} times the error");
+    println!("bound/error {ratio}, to tape {tape} {} {}", to_tape[5], to_tape[to_tape.len() - 6]);
+    assert!((0.25..4.0).contains(&tape), "the median bound is {tape} times that of the tape");
+}
+
+/// Two lengths that are equal by chance are not one number: each may be off on its own. (x of B over each of four
+/// lengths by the closed form of the parallelogram: the coupler turns by what the sides differ.)
+#[test]
+fn equal_numbers_of_a_scene_err_independently() {
+    let m = four_bar(100.0, 50.0, 100.0, 50.0, r#"["x(B)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    sweep.with_bounds().unwrap().run(&[sweep.start], |at, values, bounds| {
+        // ∂x_B/∂r₄ = 1 / tan θ · …: move one side alone by half a unit in its last place.
+        for side in 0..2 {
+            let mut other = [100.0, 50.0, 100.0, 50.0];
+            let nudge = 1e-9;
+            other[1 + 2 * side] += 1000.0 * nudge;
+            let moved = four_bar(other[0], other[1], other[2], other[3], r#"["x(B)"]"#);
+            let moved = Sweep::new(&moved, None).unwrap().at(at).unwrap()[0].unwrap().value;
+            let by = ((moved - values[0]) / nudge).abs() * 0.05 * f64::EPSILON / 2.0;
+            assert!(bounds[0] > by, "side {side}: {:e} {by:e}", bounds[0]);
+        }
+    });
+}
+
+/// At a change point nothing is determined; beside it bounds grow, until a number is no longer one.
+#[test]
+fn bounds_end_where_numbers_do() {
+    let m = four_bar(100.0, 50.0, 100.0, 50.0, r#"["x(B)", "omega(3)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    let bounded = sweep.with_bounds().unwrap();
+    let places: Vec<f64> = (0..16).rev().map(|i| PI - libm::exp2(-4.0 * f64::from(i))).rev().collect();
+    let mut ascending = places.clone();
+    ascending.sort_by(f64::total_cmp);
+    let mut last = 0.0;
+    bounded.run(&ascending, |at, values, bounds| {
+        assert!(bounds[2] >= last, "at {at}: {} after {last}", bounds[2]);
+        last = bounds[2];
+        // ω₃ of a parallelogram is zero.
+        assert!(values[2].abs() <= bounds[2] || !bounds[2].is_finite(), "at {at}");
+    });
+    assert!(!last.is_finite(), "next to the change point ω₃ is refused");
 }

@@ -9,6 +9,7 @@
 //!
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
+mod bounded;
 mod circles;
 mod hand;
 mod homogeneous;
@@ -20,9 +21,10 @@ mod tape;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
+pub use bounded::{BoundedBlock, BoundedProgram, FEW};
 pub use hand::{Hand, PencilTape, Tremor};
 pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
-pub use program::{Block, LANES, Lane, Moving, Place, Program, Transcript};
+pub use program::{Block, LANES, Lane, Law, Moving, Place, Program, Transcript, Variable};
 pub use reckon::TOO_LARGE;
 pub use scalar::{Arithmetic, Real};
 pub use tape::{Blank, Nudge, Operation, Pencil, Reason, Reckoning, Recorder, Stroke, Tape};
@@ -307,6 +309,11 @@ impl<B: Bench> Board<B> {
     /// The place of a driven slide, by the input's index: a sweep moves it.
     pub fn input_amount(&mut self, index: usize, given: crate::given::Given) -> Amount<B> {
         Amount(self.input(index, given))
+    }
+
+    /// The given rate of an input, by its index: rad/s of a link, m/s of a slide. A sweep over time changes it.
+    pub fn input_speed(&mut self, index: usize, given: crate::given::Given) -> Amount<B> {
+        Amount(self.input_rate(index, given))
     }
 
     // --- what the textbook calculates ----------------------------------------------------------

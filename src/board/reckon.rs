@@ -27,6 +27,15 @@ impl<B: Bench> Board<B> {
         Num { value, mark }
     }
 
+    /// The rate of an input, which changes in a sweep over time.
+    pub(super) fn input_rate(&mut self, index: usize, given: Given) -> Num<B> {
+        let (value, error) = B::Real::from_given(given);
+        let (value, finite) = finite(value);
+        let mark = self.recorder.input_rate(index, value.to_f64(), error);
+        self.in_range(mark, finite);
+        Num { value, mark }
+    }
+
     /// An exact number.
     pub fn exact(&mut self, value: f64) -> Num<B> {
         self.given(Given::exact(value))

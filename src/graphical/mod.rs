@@ -24,7 +24,7 @@ mod velocity;
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
 pub use reading::Numbers;
-pub use transcribe::{Transcribed, transcribe};
+pub use transcribe::{Transcribed, TranscribedWithBounds, transcribe, transcribe_with_bounds};
 
 use crate::board::{
     Arithmetic, Bench, Blank, Board, Equipped, Real, Recorded, Recorder, Scale, Tape, Taped, Trial,

@@ -1,6 +1,6 @@
 //! The course of a mechanism over its input: where it goes, where it stops, what is extreme on the way.
 
-use super::{Column, Sweep};
+use super::{Column, InputKind, Sweep};
 use crate::board::{Moving, Place, Reason};
 use crate::mechanism::quantity::Quantity;
 
@@ -172,6 +172,9 @@ impl Walker<'_> {
                     let (end, _) = halve(size, before.at, low, |x| self.view(x, &signs).closes());
                     close(begin, end, &signs, apart);
                     events.push(self.limit(end, &signs));
+                    if self.sweep.input == InputKind::Time {
+                        return;
+                    }
                     let (_, edge) = halve(size, low, next, |x| !self.view(x, &signs).closes());
                     events.push(self.limit(edge, &signs));
                     (begin, apart) = (edge, true);
@@ -200,6 +203,10 @@ impl Walker<'_> {
                 close(begin, end, &signs, apart);
                 events.push(self.limit(end, &signs));
                 inside = false;
+                if self.sweep.input == InputKind::Time {
+                    // What drives it has come to a stop.
+                    return;
+                }
             }
             before = now;
         }
@@ -257,7 +264,8 @@ impl Walker<'_> {
             let view = self.view(at, signs);
             let value = view.columns[index].value;
             let ascending = now.at > before.at;
-            let beyond = if ascending { a.slope > 0.0 } else { a.slope < 0.0 };
+            // Where the walk begins on the extreme itself its slope is zero: what comes after tells which it is.
+            let beyond = (a.slope < 0.0) != ascending;
             // Where a slope jumps, or passes through infinity, nothing is extreme.
             let vanishes = view.columns[index].slope.abs() <= STILL * a.slope.abs().max(b.slope.abs());
             let near = value.is_finite() && vanishes && view.is_clear();
@@ -289,7 +297,10 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         (stretches, events)
     };
     let (mut stretches, mut events);
-    if sweep.whole_turn {
+    if sweep.whole_turn && sweep.input == InputKind::Time {
+        // A period, from its beginning.
+        (stretches, events) = go(to);
+    } else if sweep.whole_turn {
         // Once round. Where the way up ends, the way down may still lead on, past the zero of the turn.
         (stretches, events) = go(start + (to - from));
         if stretches.iter().any(|s| s.apart) || stretches.last().is_none_or(|s| s.to < start + (to - from)) {
@@ -311,6 +322,9 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         stretches = down;
         stretches.extend(up);
     }
+    if sweep.whole_turn {
+        extremes_at_the_seam(sweep, start, looks, &stretches, &mut events);
+    }
     stretches.sort_by(|a, b| a.from.total_cmp(&b.from));
     stretches.dedup_by(|next, last| {
         let one = (last.to - next.from).abs() <= seam(sweep)
@@ -325,13 +339,64 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
     (stretches, events)
 }
 
+/// What is extreme just where the turn begins and ends has a slope of rounding at both ends of the walk: a look
+/// across finds it.
+fn extremes_at_the_seam(
+    sweep: &Sweep,
+    start: f64,
+    looks: u32,
+    stretches: &[Stretch],
+    events: &mut Vec<Event>,
+) {
+    let turn = sweep.range[1] - sweep.range[0];
+    let half = turn / f64::from(looks) / 2.0;
+    let home = |x: f64| {
+        let inside = x - turn * ((x - sweep.range[0]) / turn).floor();
+        if sweep.range[1] - inside < seam(sweep) { sweep.range[0] } else { inside }
+    };
+    let here = |x: f64| stretches.iter().find(|s| (s.from..=s.to).contains(&home(x)) && !s.apart);
+    let [Some(before), Some(after)] = [here(start - half), here(start + half)] else { return };
+    if before.signs != after.signs {
+        return;
+    }
+    let mut walker = Walker { sweep, place: Place::default() };
+    let mut found = Vec::new();
+    walker.go(&[start - half, start + half], before.signs.clone(), &mut Vec::new(), &mut found);
+    for event in found {
+        let (EventKind::Least { column, .. } | EventKind::Greatest { column, .. }) = event.kind else {
+            // Whatever else happens here was met on the way.
+            continue;
+        };
+        let same = |other: &Event| match other.kind {
+            EventKind::Least { column: of, .. } => {
+                of == column && matches!(event.kind, EventKind::Least { .. })
+            }
+            EventKind::Greatest { column: of, .. } => {
+                of == column && matches!(event.kind, EventKind::Greatest { .. })
+            }
+            _ => false,
+        };
+        let apart = |other: &Event| {
+            let way = (other.at - home(event.at)).abs();
+            way.min(turn - way)
+        };
+        if !events.iter().any(|other| same(other) && apart(other) < 2.0 * half) {
+            events.push(Event { at: home(event.at), ..event });
+        }
+    }
+}
+
 /// Places to look at, from `a` to `b`.
 fn nodes(a: f64, b: f64, looks: u32, whole: f64) -> Vec<f64> {
     if a == b {
         return Vec::new();
     }
     let count = (f64::from(looks) * ((b - a) / whole).abs()).ceil().max(1.0);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to LOOKS")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "1 to the looks of the sweep"
+    )]
     let count = count as u32;
     (0..=count)
         .map(|i| if i == count { b } else { a + (b - a) * (f64::from(i) / f64::from(count)) })
