@@ -288,6 +288,22 @@ fn sampling_to_a_tolerance_holds_it() {
     }
 }
 
+/// Towards a limit a place goes as the root of what is left: sampled as well as anywhere else.
+#[test]
+fn sampling_holds_its_tolerance_at_a_limit() {
+    let m = four_bar(100.0, 60.0, 70.0, 50.0, r#"["x(B)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    let places = sweep.adapted(1e-4);
+    assert!(places.len() < 2000, "{}", places.len());
+    let limit = sweep.stretches[0].to;
+    let y = |at: f64| sweep.at(at).unwrap()[1].unwrap().value;
+    for pair in places.windows(2).filter(|p| p[0] < limit && p[1] <= limit) {
+        let middle = f64::midpoint(pair[0], pair[1]);
+        let line = f64::midpoint(y(pair[0]), y(pair[1]));
+        assert!((y(middle) - line).abs() < 2e-4 * 0.1, "between {} and {}", pair[0], pair[1]);
+    }
+}
+
 #[test]
 fn fitted_curves_stay_within_their_accuracy() {
     use kurbo::{ParamCurveNearest, Point, Vec2};
@@ -431,8 +447,7 @@ fn over_time_the_inputs_move_with_constant_acceleration() {
         let scene = common::read(text);
         let sweep = Sweep::over(Over::Time, &scene.mechanism, Some(span)).unwrap();
         assert_eq!((sweep.input, sweep.start, sweep.stretches.len()), (InputKind::Time, 0.0, 1));
-        for i in 0..=20 {
-            let t = span[0] + (span[1] - span[0]) * f64::from(i) / 20.0;
+        for t in sweep.equal_steps(20) {
             let values = sweep.at(t).unwrap();
             let mut later = after(&scene, t);
             // The independent solver begins near the place that it should find.
@@ -645,4 +660,147 @@ fn bounds_end_where_numbers_do() {
         assert!(values[2].abs() <= bounds[2] || !bounds[2].is_finite(), "at {at}");
     });
     assert!(!last.is_finite(), "next to the change point ω₃ is refused");
+}
+
+// --- rolling wheels ----------------------------------------------------------------------------------------
+
+/// The place of a point, in millimetres.
+fn place_of(sweep: &Sweep, at: f64, name: &str) -> [f64; 2] {
+    let column = sweep.columns.iter().position(|c| c.asked.name == format!("x({name})")).unwrap();
+    let values = sweep.at(at).unwrap_or_else(|| panic!("not reached at {at}"));
+    [0, 1].map(|axis| 1000.0 * values[column + axis].unwrap_or_else(|| panic!("{name} at {at}")).value)
+}
+
+/// The pin of a planet in a fixed ring draws a hypotrochoid; over three turns, for 50 : 20 closes only after two.
+#[test]
+fn a_planet_carries_its_pin_along_a_hypotrochoid() {
+    let scene = common::read(&common::example_text("pairs/planet-and-rod").replace("\"v(B)\"", "\"x(B)\""));
+    let sweep = Sweep::new(&scene.mechanism, Some([-2.0 * PI, 6.0 * PI])).unwrap();
+    assert!(sweep.stretches.iter().all(|s| !s.apart));
+    for i in 0..=400 {
+        let at = -2.0 * PI + 8.0 * PI * f64::from(i) / 400.0;
+        // The planet turns by 1 − 50/20 of what its arm turns.
+        let (arm, own) = (libm::sincos(at), libm::sincos(PI / 2.0 + at * (1.0 - 2.5)));
+        let expected = [30.0 * arm.1 + 15.0 * own.1, 30.0 * arm.0 + 15.0 * own.0];
+        let found = place_of(&sweep, at, "B");
+        assert!(
+            libm::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-10,
+            "{found:?} {expected:?}"
+        );
+    }
+}
+
+/// A rim point of a wheel on a plane: turned by the way of the centre over the radius; its velocity is the
+/// derivative of its place.
+#[test]
+fn a_wheel_on_a_plane_turns_by_the_way_of_its_centre() {
+    let centre = |at: f64| {
+        let (sin, cos) = libm::sincos(at);
+        40.0 * cos + (120.0_f64 * 120.0 - (5.0 - 40.0 * sin) * (5.0 - 40.0 * sin)).sqrt()
+    };
+    let start = 70.0_f64.to_radians();
+    let c = centre(start);
+    let text = common::example_text("pairs/wheel-on-plane")
+        .replace(r#""joins": ["C"]"#, r#""joins": ["C", "R"]"#)
+        .replace(r#""near": { "C": [140, 5] }"#, &format!(r#""placed": {{ "C": [{c}, 5], "R": [{c}, 30] }}"#))
+        .replace(r#""x(C)""#, r#""x(R)", "v(R)""#)
+        .replace(r#""omega": "10 rad/s ccw", "alpha": 4"#, r#""omega": 1"#);
+    let sweep = Sweep::new(&common::read(&text).mechanism, None).unwrap();
+    let column = sweep.columns.iter().position(|c| c.asked.name == "x(R)").unwrap();
+    for i in 0..=180 {
+        let at = 2.0 * PI * f64::from(i) / 180.0;
+        let (sin, cos) = libm::sincos(PI / 2.0 - (centre(at) - c) / 25.0);
+        let found = place_of(&sweep, at, "R");
+        let expected = [centre(at) + 25.0 * cos, 5.0 + 25.0 * sin];
+        assert!(libm::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-9, "{found:?} {expected:?}");
+        let values = sweep.at(at).unwrap();
+        for axis in 0..2 {
+            let (slope, rate) =
+                (values[column + axis].unwrap().slope, values[column + 2 + axis].unwrap().value);
+            assert!((slope - rate).abs() < 1e-12, "at {at}: {slope} {rate}");
+        }
+    }
+}
+
+/// A gear on a fixed pivot carries its pin by the ratio of the radii: problem 3-4, whose chain closes in one place
+/// only; its gear 3 stands at 120° there.
+#[test]
+fn a_gear_carries_its_pin_by_the_ratio() {
+    let text = common::example_text("s000-ch3a-4").replace(r#""v(B)","#, r#""x(C)", "x(P3)","#);
+    let sweep = Sweep::new(&common::read(&text).mechanism, None).unwrap();
+    let mut compared = 0;
+    for i in 0..=720 {
+        let at = 2.0 * PI * f64::from(i) / 720.0;
+        if sweep.at(at).is_none() {
+            continue;
+        }
+        let turned = -0.75 * (at - PI / 2.0);
+        let own = PI / 3.0 + turned;
+        let expected = [-175.0 + 75.0 * libm::cos(own), 75.0 * libm::sin(own)];
+        let found = place_of(&sweep, at, "C");
+        assert!(libm::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-9, "{found:?} {expected:?}");
+        let own = own - PI / 3.0;
+        let expected = [-175.0 + 100.0 * libm::cos(own), 100.0 * libm::sin(own)];
+        let found = place_of(&sweep, at, "P3");
+        assert!(libm::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-9, "{found:?} {expected:?}");
+        compared += 1;
+    }
+    assert!(compared > 20, "{compared}");
+    assert!(matches!(sweep.with_bounds(), Err(SweepError::Instant(_))));
+}
+
+// --- instant centres ---------------------------------------------------------------------------------------
+
+/// The centre of the coupler lies on both cranks' lines, at the distance V / ω; where the coupler does not turn it is
+/// at infinity.
+#[test]
+fn a_centre_goes_through_infinity_where_its_link_does_not_turn() {
+    let m = four_bar(180.0, 60.0, 140.0, 120.0, r#"["I(1,3)", "x(A)", "x(B)", "omega(3)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    let infinite = places(&sweep, |k| matches!(k, EventKind::AtInfinity { .. }));
+    let mut turns_back = 0;
+    let mut last: Option<f64> = None;
+    for i in 0..=1440 {
+        let values = sweep.at(f64::from(i) * PI / 720.0).unwrap();
+        let value = |c: usize| values[c].unwrap().value;
+        let omega = value(6);
+        turns_back += usize::from(last.is_some_and(|last| (last < 0.0) != (omega < 0.0)));
+        last = Some(omega);
+        let [p, a, b] = [[value(0), value(1)], [value(2), value(3)], [value(4) - 0.18, value(5)]];
+        let q = [p[0] - 0.18, p[1]];
+        let size = libm::hypot(p[0], p[1]) + 0.1;
+        assert!((p[0] * a[1] - p[1] * a[0]).abs() < 1e-11 * size * size, "on O2A: {p:?}");
+        assert!((q[0] * b[1] - q[1] * b[0]).abs() < 1e-11 * size * size, "on O4B: {p:?}");
+        let away = libm::hypot(p[0] - a[0], p[1] - a[1]);
+        assert!((omega.abs() * away - 0.6).abs() < 1e-9 * size, "V = ω PA: {} {away}", omega.abs() * away);
+    }
+    assert_eq!((infinite.len(), turns_back), (2, 2));
+    for at in infinite {
+        let omega = sweep.at(at).unwrap()[6].unwrap();
+        assert!(omega.value.abs() < 1e-12, "the coupler turns with {} there", omega.value);
+    }
+}
+
+/// Whitworth's quick return and the crank-shaper, by the geometry that every textbook has of them.
+#[test]
+fn quick_returns_have_the_time_ratios_of_the_textbook() {
+    let stroke = |kind: &str, name: &str| {
+        let kind = linkgram::catalogue::KINDS.iter().find(|k| k.name == kind).unwrap();
+        let sweep = Sweep::new(&common::read(kind.scene).mechanism, None).unwrap();
+        let strokes = sweep.strokes();
+        let stroke = strokes.iter().find(|s| sweep.columns[s.column].asked.name.starts_with(name));
+        *stroke.unwrap_or_else(|| panic!("{}: {strokes:?}", kind.name))
+    };
+    // Crank 80, offset 40: the arm is along the guide where cos (α/2) = 40/80; the ram goes twice the arm of 60.
+    let whitworth = stroke("whitworth", "x(C)");
+    is_near(whitworth.length, 0.12);
+    is_near(whitworth.time_ratio, 2.0);
+    // Crank 50, pivots 120 apart: the lever of 220 swings by φ to either side, sin φ = 50/120.
+    let swing = libm::asin(50.0 / 120.0);
+    let shaper = stroke("crank-shaper", "x(D)");
+    is_near(shaper.length, 2.0 * 0.22 * libm::sin(swing));
+    is_near(shaper.time_ratio, (PI + 2.0 * swing) / (PI - 2.0 * swing));
+    let lever = stroke("crank-shaper", "angle(4)");
+    is_near(lever.length, 2.0 * swing);
+    is_near(lever.time_ratio, shaper.time_ratio);
 }

@@ -8,7 +8,7 @@
 //! Numbers that hang on nothing that is varied were reckoned before; each counts with its own error, as if it
 //! were independent of the others.
 
-use super::program::{Kind, Node, TRANSCENDENTAL, Transcript, U, operands};
+use super::program::{Kind, Node, TRANSCENDENTAL, Transcript, U};
 use super::tape::{BEND, MOST_SECOND_ORDER, ROUNDED, Reason, WEAK_DIVISOR};
 
 /// Positions that are bounded together: fewer than are reckoned, for four numbers stand for each.
@@ -80,20 +80,10 @@ impl BoundedProgram {
     pub(super) fn new(transcript: &Transcript, asked: &[u32]) -> Self {
         let nodes = &transcript.nodes;
         let mut needed = vec![false; nodes.len()];
-        let behind = |slot: u32, reached: &mut Vec<bool>| {
-            let mut open = vec![slot];
-            while let Some(slot) = open.pop() {
-                let Some(seen) = reached.get_mut(slot as usize) else { continue };
-                if std::mem::replace(seen, true) {
-                    continue;
-                }
-                if let Node::Made(kind, of) = nodes[slot as usize] {
-                    open.extend(&of[..operands(kind)]);
-                }
-            }
-        };
         for &slot in asked {
-            behind(slot, &mut needed);
+            for (needed, reached) in needed.iter_mut().zip(transcript.behind(slot)) {
+                *needed |= reached;
+            }
         }
         let mut program = Self {
             steps: Vec::new(),
@@ -128,8 +118,7 @@ impl BoundedProgram {
         divisors.sort_unstable();
         divisors.dedup_by_key(|d| d.0);
         for &slot in asked {
-            let mut reached = vec![false; nodes.len()];
-            behind(slot, &mut reached);
+            let reached = transcript.behind(slot);
             let of = (0_u32..).zip(&divisors).filter(|(_, d)| reached[d.0 as usize]).map(|(index, _)| index);
             program.asked.push(Target { row: rows[slot as usize], divisors: of.collect() });
         }
@@ -161,7 +150,7 @@ impl BoundedProgram {
         let to = self.row(Some(index));
         let second = match kind {
             Kind::Cosine | Kind::Sine => self.row(Some(index)),
-            Kind::Quotient | Kind::Root | Kind::HalfChord | Kind::Angle => self.row(None),
+            Kind::Quotient | Kind::Root | Kind::HalfChord | Kind::Angle | Kind::Turned => self.row(None),
             _ => 0,
         };
         // Sine and cosine are reckoned in one go, the cosine first.
@@ -328,7 +317,7 @@ impl BoundedProgram {
                     back.add(c, |i| sign * g[i] * w[i]);
                     back.add(d, |i| sign * g[i] * z[i]);
                 }
-                Kind::Angle => {
+                Kind::Angle | Kind::Turned => {
                     let (y, x, inverse) = (value(a), value(b), value(step.second));
                     back.add(a, |i| g[i] * x[i] * inverse[i]);
                     back.add(b, |i| -(g[i] * y[i] * inverse[i]));
@@ -465,7 +454,7 @@ fn forward(step: &Step, signs: &[f64], block: &mut BoundedBlock) {
             }
             values[second] = sines;
         }
-        Kind::Angle => {
+        Kind::Angle | Kind::Turned => {
             let (y, ey) = (&values[b], &running[b]);
             let mut inverse = [0.0; FEW];
             for i in 0..FEW {

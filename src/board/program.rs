@@ -8,7 +8,8 @@
 //! What a drawing decides by looking stays as it was in the drawing that was transcribed: which of two
 //! meeting points is taken (a sign of [`Program::chords`], which can be turned at a change point), whether a
 //! magnitude was taken of a negative number (the program then gives it with either sign), and that no
-//! divisor is zero ([`Program::divisors`]). Whoever runs the program watches them.
+//! divisor is zero ([`Program::divisors`]), and which turn an angle is in that goes on beyond half a turn
+//! ([`Program::turns`]). Whoever runs the program watches them.
 //!
 //! A transcript may know how uncertain its numbers are ([`Transcript::with_errors`]). Then two numbers of the
 //! scene that happen to be equal stay two, and nothing is left out because of what is zero or one only
@@ -47,9 +48,12 @@ pub(super) enum Kind {
     Cosine,
     Sine,
     Angle,
+    /// An angle and as many whole turns as the sign of that index says.
+    Turned,
 }
 
-/// The operands of a node: slots, unused ones zero. The second of a half chord is its index.
+/// The operands of a node: slots, unused ones zero. The second of a half chord is its index, the third of an angle
+/// that goes on.
 pub(super) type Operands = [u32; 4];
 
 #[derive(Debug, Clone, Copy)]
@@ -96,6 +100,8 @@ pub struct Transcript {
     pub(super) chords: Vec<u32>,
     chord_calls: Vec<Option<u32>>,
     pub(super) divisors: Vec<(u32, Reason)>,
+    /// The angles that go on.
+    turns: Vec<u32>,
 }
 
 impl Transcript {
@@ -303,6 +309,7 @@ impl Transcript {
             .copied()
             .chain(divisors.iter().map(|d| d.0))
             .chain(self.chords.iter().copied())
+            .chain(self.turns.iter().copied().filter(|_| watched))
             .collect();
         let last_use = self.last_uses(&kept);
         let mut slots = vec![0_u32; self.nodes.len()];
@@ -312,7 +319,9 @@ impl Transcript {
             rows: 1,
             asked: Vec::new(),
             chords: Vec::new(),
+            turns: Vec::new(),
             divisors: Vec::new(),
+            behind: Vec::new(),
         };
         // Rows whose number nobody needs any more: few rows stay in the nearest cache.
         let mut free: Vec<u32> = Vec::new();
@@ -328,8 +337,10 @@ impl Transcript {
                 continue;
             };
             let mut from = of.map(|slot| slots.get(slot as usize).copied().unwrap_or(0));
-            if kind == Kind::HalfChord {
-                from[1] = of[1];
+            match kind {
+                Kind::HalfChord => from[1] = of[1],
+                Kind::Turned => from[2] = of[2],
+                _ => {}
             }
             // Sine and cosine of one angle are reckoned in one go: the second stands with the first.
             let partner = match kind {
@@ -362,12 +373,38 @@ impl Transcript {
         let slot_of = |slot: u32| slots.get(slot as usize).copied().unwrap_or(0);
         program.asked = asked.iter().map(|&slot| slot_of(slot)).collect();
         program.chords = self.chords.iter().map(|&slot| slot_of(slot)).collect();
+        if watched {
+            program.turns = self.turns.iter().map(|&slot| slot_of(slot)).collect();
+        }
         let open = |slot: u32| !matches!(self.nodes.get(slot as usize), Some(Node::Constant(..)) | None);
-        program.divisors =
-            divisors.iter().filter(|d| open(d.0)).map(|&(slot, why)| (slot_of(slot), why)).collect();
-        program.divisors.sort_unstable();
-        program.divisors.dedup_by_key(|d| d.0);
+        let mut kept: Vec<(u32, Reason)> = divisors.iter().filter(|d| open(d.0)).copied().collect();
+        kept.sort_unstable_by_key(|&(slot, why)| (slot_of(slot), why));
+        kept.dedup_by_key(|d| slot_of(d.0));
+        if watched {
+            let behind = |&slot: &u32| {
+                let reached = self.behind(slot);
+                (0..kept.len()).filter(|&index| reached[kept[index].0 as usize]).collect()
+            };
+            program.behind = asked.iter().map(behind).collect();
+        }
+        program.divisors = kept.into_iter().map(|(slot, why)| (slot_of(slot), why)).collect();
         program
+    }
+
+    /// Which numbers a number has been reckoned from, itself among them.
+    pub(super) fn behind(&self, slot: u32) -> Vec<bool> {
+        let mut reached = vec![false; self.nodes.len()];
+        let mut open = vec![slot];
+        while let Some(slot) = open.pop() {
+            let Some(seen) = reached.get_mut(slot as usize) else { continue };
+            if std::mem::replace(seen, true) {
+                continue;
+            }
+            if let Node::Made(kind, of) = self.nodes[slot as usize] {
+                open.extend(&of[..operands(kind)]);
+            }
+        }
+        reached
     }
 
     /// Which node is the last to need each number; kept numbers are needed to the end.
@@ -452,6 +489,22 @@ impl Recorder for Transcript {
             Reckoning::Cosine => Kind::Cosine,
             Reckoning::Sine => Kind::Sine,
             Reckoning::Angle => Kind::Angle,
+            Reckoning::Turned => {
+                if of[..2].iter().all(|&slot| self.known(slot).is_some()) {
+                    return self.fold(Kind::Angle, of);
+                }
+                let before = self.turns.iter().copied().find(|&slot| {
+                    matches!(self.nodes.get(slot as usize),
+                             Some(Node::Made(Kind::Turned, before)) if before[..2] == of[..2])
+                });
+                if let Some(slot) = before {
+                    return slot;
+                }
+                of[2] = u32::try_from(self.turns.len()).unwrap_or(u32::MAX);
+                let slot = self.make(Kind::Turned, of);
+                self.turns.push(slot);
+                return slot;
+            }
             Reckoning::HalfChord => {
                 if self.known(of[0]).is_some() {
                     self.chord_calls.push(None);
@@ -495,7 +548,7 @@ impl Recorder for Transcript {
 pub(super) fn operands(kind: Kind) -> usize {
     match kind {
         Kind::Opposite | Kind::Root | Kind::HalfChord | Kind::Cosine | Kind::Sine => 1,
-        Kind::Sum | Kind::Difference | Kind::Product | Kind::Quotient | Kind::Angle => 2,
+        Kind::Sum | Kind::Difference | Kind::Product | Kind::Quotient | Kind::Angle | Kind::Turned => 2,
         Kind::Dot | Kind::Cross => 4,
     }
 }
@@ -512,7 +565,7 @@ fn rounding(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> f64 {
         Kind::Dot | Kind::Cross => U * ((a * b).abs() + (c * d).abs() + value.abs()),
         // Along the x-axis sine and cosine are exact.
         Kind::Cosine | Kind::Sine if a == 0.0 => 0.0,
-        Kind::Cosine | Kind::Sine | Kind::Angle => TRANSCENDENTAL * U * value.abs(),
+        Kind::Cosine | Kind::Sine | Kind::Angle | Kind::Turned => TRANSCENDENTAL * U * value.abs(),
         _ => U * value.abs(),
     }
 }
@@ -534,7 +587,7 @@ fn reckon(kind: Kind, [a, b, c, d]: [f64; 4], sign: f64) -> f64 {
         Kind::Cross => a * b - c * d,
         Kind::Cosine => libm::cos(a),
         Kind::Sine => libm::sin(a),
-        Kind::Angle => libm::atan2(a, b),
+        Kind::Angle | Kind::Turned => libm::atan2(a, b),
     }
 }
 
@@ -556,7 +609,10 @@ pub struct Program {
     rows: u32,
     asked: Vec<u32>,
     chords: Vec<u32>,
+    turns: Vec<u32>,
     divisors: Vec<(u32, Reason)>,
+    /// For each asked number the divisors behind it, by their index.
+    behind: Vec<Vec<usize>>,
 }
 
 /// A number, how it changes with the input, and to first order how far rounding may have put it off.
@@ -619,6 +675,20 @@ impl Program {
         self.chords.len()
     }
 
+    /// The signs of the drawing that was transcribed: 1 for each chord, and no whole turn for each angle that goes on.
+    #[must_use]
+    pub fn signs(&self) -> Vec<f64> {
+        let mut signs = vec![1.0; self.chords.len()];
+        signs.resize(self.chords.len() + self.turns.len(), 0.0);
+        signs
+    }
+
+    /// The whole turns in the angle of this index, in radians.
+    fn whole_turns(&self, index: u32, signs: &[f64]) -> f64 {
+        let turns = signs.get(self.chords.len() + index as usize).copied().unwrap_or(0.0);
+        turns * std::f64::consts::TAU
+    }
+
     /// Room for blocks of positions, with the constants in place.
     #[must_use]
     pub fn block(&self) -> Block {
@@ -630,7 +700,7 @@ impl Program {
     }
 
     /// Reckons a block of positions. `signs` has one number, 1 or −1, for each chord: −1 takes the other
-    /// meeting point than the drawing that was transcribed.
+    /// meeting point than the drawing that was transcribed; then a number of turns for each angle that goes on.
     pub fn run(&self, inputs: &Lane, signs: &[f64], block: &mut Block) {
         let rows = block.rows.as_mut_slice();
         rows[0] = *inputs;
@@ -672,6 +742,10 @@ impl Program {
                     }
                 }
                 Kind::Angle => zip(&mut out, &x, &rows[b as usize], libm::atan2),
+                Kind::Turned => {
+                    let whole = self.whole_turns(c, signs);
+                    zip(&mut out, &x, &rows[b as usize], |y, x| libm::atan2(y, x) + whole);
+                }
             }
             rows[step.to as usize] = out;
         }
@@ -695,7 +769,10 @@ impl Program {
                 // The arcs just touch: what is left of the chord is rounding.
                 values[0] = 0.0;
             }
-            let value = reckon(step.kind, values, sign);
+            let mut value = reckon(step.kind, values, sign);
+            if step.kind == Kind::Turned {
+                value += self.whole_turns(step.from[2], signs);
+            }
             let partials = partials(step.kind, values, value);
             let mut out = Moving { value, slope: 0.0, error: 2.0 * U * value.abs() };
             if matches!(step.kind, Kind::Dot | Kind::Cross) {
@@ -726,9 +803,21 @@ impl Program {
         self.chords.iter().map(|&row| place.rows[row as usize])
     }
 
+    /// Every angle that goes on, within half a turn of no turn.
+    pub fn turns<'a>(&'a self, place: &'a Place, signs: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        let rows = (0_u32..).zip(&self.turns);
+        rows.map(|(index, &row)| place.rows[row as usize].value - self.whole_turns(index, signs))
+    }
+
     /// Every number that is divided by.
     pub fn divisors<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = Moving> + 'a {
         self.divisors.iter().map(|&(row, _)| place.rows[row as usize])
+    }
+
+    /// The divisors behind an asked number, by their index.
+    #[must_use]
+    pub fn behind(&self, asked: usize) -> &[usize] {
+        self.behind.get(asked).map_or(&[], Vec::as_slice)
     }
 
     /// The reason that was noted with a divisor.
@@ -777,7 +866,7 @@ fn partials(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> [f64; 4] {
         Kind::Cross => [b, a, -d, -c],
         Kind::Cosine => [-libm::sin(a), 0.0, 0.0, 0.0],
         Kind::Sine => [libm::cos(a), 0.0, 0.0, 0.0],
-        Kind::Angle => {
+        Kind::Angle | Kind::Turned => {
             let square = a * a + b * b;
             [finite(b / square), finite(-a / square), 0.0, 0.0]
         }

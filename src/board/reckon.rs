@@ -182,12 +182,21 @@ impl<B: Bench> Board<B> {
 
     /// Angle of the vector (x, y) from +x.
     pub(super) fn atan2(&mut self, y: Num<B>, x: Num<B>) -> Num<B> {
+        self.angle_of(Reckoning::Angle, y, x)
+    }
+
+    /// The same for an angle that goes on beyond half a turn where the drawing is run on.
+    pub(super) fn turned_angle(&mut self, y: Num<B>, x: Num<B>) -> Num<B> {
+        self.angle_of(Reckoning::Turned, y, x)
+    }
+
+    fn angle_of(&mut self, step: Reckoning, y: Num<B>, x: Num<B>) -> Num<B> {
         let value = y.value.atan2(x.value);
         let (fx, fy) = (x.value.to_f64(), y.value.to_f64());
         let square = fx * fx + fy * fy;
         let (by_y, by_x) = if square > 0.0 { (fx / square, -fy / square) } else { (0.0, 0.0) };
         let inner = B::Real::UNIT_ROUNDOFF * B::Real::TRANSCENDENTAL_ULPS * value.to_f64().abs();
-        self.push(Reckoning::Angle, value, &[(y, by_y), (x, by_x)], inner)
+        self.push(step, value, &[(y, by_y), (x, by_x)], inner)
     }
 }
 

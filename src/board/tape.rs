@@ -94,6 +94,8 @@ pub enum Reckoning {
     Sine,
     /// Angle of the vector (b, a) from +x.
     Angle,
+    /// The same, of something that may turn more than half round.
+    Turned,
 }
 
 /// What a human hand does with a pencil; each can slip.

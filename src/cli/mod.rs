@@ -156,8 +156,8 @@ enum Command {
         #[arg(long, value_name = "N", conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
         steps: Option<u32>,
         /// As many positions as it takes for no column to stray from the line between two of them by more
-        /// than this part of its range
-        #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = parse_percent)]
+        /// than this part of its range, except where a column grows without end
+        #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = parse_straying)]
         tolerance: Option<f64>,
         /// Where to begin, in the scene's unit of the input or of time; a whole turn where nothing is said
         #[arg(long, value_name = "PLACE", allow_negative_numbers = true, value_parser = parse_place, requires = "to")]
@@ -360,6 +360,20 @@ fn parse_percent(text: &str) -> Result<f64, String> {
         _ => Err("expected a percentage up to 100% such as 5%, or a part such as 0.05".to_owned()),
     }
 }
+
+/// A tolerance of sampling.
+fn parse_straying(text: &str) -> Result<f64, String> {
+    match parse_percent(text)? {
+        // Straight lines come so near with some hundred thousand positions; nearer a table is no help.
+        part if part < LEAST_STRAYING => {
+            Err("the least tolerance is 1e-7%; for more positions give --steps".to_owned())
+        }
+        part => Ok(part),
+    }
+}
+
+/// The least tolerance of sampling, as a part of a column's range.
+const LEAST_STRAYING: f64 = 1e-9;
 
 fn parse_place(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

@@ -212,6 +212,9 @@ impl Report<'_> {
             EventKind::Limit => format!("limit of the input{blame}"),
             EventKind::ChangePoint => format!("change point{blame}"),
             EventKind::DeadPosition => format!("dead position{blame}"),
+            EventKind::AtInfinity { column } => {
+                format!("{} at infinity", self.sweep.columns[column].asked.name)
+            }
             EventKind::Least { column, value } => format!("least {}", self.column(column, value)),
             EventKind::Greatest { column, value } => format!("greatest {}", self.column(column, value)),
         };
@@ -421,6 +424,9 @@ impl Report<'_> {
             }
             EventKind::DeadPosition => {
                 json!({ "at": at, "kind": "dead position", "links": self.sweep.links(event) })
+            }
+            EventKind::AtInfinity { column } => {
+                json!({ "at": at, "kind": "at infinity", "name": self.sweep.columns[column].asked.name })
             }
             EventKind::Least { column, value } => extreme("least", column, value),
             EventKind::Greatest { column, value } => extreme("greatest", column, value),

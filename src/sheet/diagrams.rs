@@ -64,7 +64,7 @@ pub fn of_sweep(scene: &Scene, sweep: &Sweep, language: Language) -> Figure {
         let column = &sweep.columns[c];
         match (column.axis, column.asked.quantity) {
             (None, _) => panels.push(Panel::Over(vec![c])),
-            (Some(0), Quantity::Position(_)) => {
+            (Some(0), Quantity::Position(_) | Quantity::Centre(..)) => {
                 panels.push(Panel::Plane([c, c + 1]));
                 if column.motion {
                     panels.extend([c, c + 1].map(|c| Panel::Over(vec![c])));
@@ -169,12 +169,17 @@ fn with_unit(notation: &Notation<'_>, symbol: Rich, unit: &Unit) -> Rich {
     Rich::fill(notation.words.in_unit, &[("symbol", symbol), ("unit", unit)])
 }
 
+/// Of a place the path is drawn, of any other vector the hodograph.
+fn is_place(quantity: Quantity) -> bool {
+    matches!(quantity, Quantity::Position(_) | Quantity::Centre(..))
+}
+
 /// What a panel shows, in its unit.
 fn heading_of(notation: &Notation<'_>, sweep: &Sweep, panel: &Panel) -> Rich {
     let words = notation.words;
     let columns = panel.columns();
     let Some(column) = columns.first().and_then(|&c| sweep.columns.get(c)) else { return Rich::default() };
-    let vector = columns.len() == 2 && !matches!(column.asked.quantity, Quantity::Position(_));
+    let vector = columns.len() == 2 && !is_place(column.asked.quantity);
     let symbol = notation.symbol(column.asked.quantity, vector);
     let length = || Rich::upright("|").then(&symbol).up("|");
     let named = match (panel, column.axis) {
@@ -440,7 +445,7 @@ fn numbered(sweep: &Sweep) -> impl Iterator<Item = (u32, f64)> {
 fn plane(sweep: &Sweep, columns: [usize; 2]) -> Group {
     let column = &sweep.columns[columns[0]];
     let unit = &column.asked.unit;
-    let path = matches!(column.asked.quantity, Quantity::Position(_));
+    let path = is_place(column.asked.quantity);
     let mut group = Group::new(if path { "path" } else { "hodograph" }).data("quantity", &column.asked.name);
     let read = |values: &[Option<Moving>]| -> Option<[Rate; 2]> {
         let get = |c: usize| values.get(c).copied().flatten().map(|m| (m.value / unit.si, m.slope / unit.si));
@@ -522,7 +527,7 @@ fn polar(sweep: &Sweep, columns: [usize; 2]) -> Group {
     let [_, most] = bounds(looks(sweep).filter_map(|(_, at)| read(&sweep.at(at)?).map(|r| r.0)));
     let most = most.max(f64::MIN_POSITIVE);
     let area = plot_area();
-    let (pole, radius) = (area.center(), area.height() / 2.0 - 1.0);
+    let (pole, radius) = (area.center(), area.height() / 2.0 - 2.0);
     let per_unit = radius / (most * 1.02);
     let at = |angle: f64, size: f64| {
         let (sin, cos) = libm::sincos(angle);
@@ -540,7 +545,7 @@ fn polar(sweep: &Sweep, columns: [usize; 2]) -> Group {
         let text = human::degrees(angle).set(TICK);
         let (sin, cos) = libm::sincos(angle);
         // Centred on the spoke's end, as far out as the text is wide or high.
-        let out = radius + 1.2 + (cos.abs() * text.width + sin.abs() * 2.0) / 2.0;
+        let out = radius + 2.2 + (cos.abs() * text.width + sin.abs() * 2.0) / 2.0;
         text.put(&mut group, at(angle, out) + Vec2::new(-text.width / 2.0, 0.9), "tick");
     }
     let track = |input: f64, values: &[Option<Moving>]| {

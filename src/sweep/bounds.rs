@@ -24,9 +24,16 @@ impl Sweep {
     /// # Errors
     /// As [`Sweep::new`], which has drawn the same drawing.
     pub fn with_bounds(&self) -> Result<SweepWithBounds<'_>, SweepError> {
-        let (mechanism, variable) = &self.ready;
+        if self.rolls_on {
+            return Err(SweepError::Instant(
+                "no bounds where points of a wheel are asked for: what it has rolled adds up from the scene's \
+                 instant on"
+                    .to_owned(),
+            ));
+        }
+        let (mechanism, variable, source) = &self.ready;
         let structure = Structure::of(mechanism)?;
-        let plan = Plan::new(mechanism, &structure, Extent::Asked);
+        let plan = Plan::with(mechanism, &structure, Extent::Asked, *source);
         let asked = (variable.clone(), self.asked);
         let transcribed = transcribe_with_bounds(&self.transcribed, mechanism, &structure, &plan, asked)?;
         Ok(SweepWithBounds { sweep: self, transcribed })

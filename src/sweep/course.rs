@@ -1,5 +1,7 @@
 //! The course of a mechanism over its input: where it goes, where it stops, what is extreme on the way.
 
+use std::f64::consts::PI;
+
 use super::{Column, InputKind, Sweep};
 use crate::board::{Moving, Place, Reason};
 use crate::mechanism::quantity::Quantity;
@@ -26,6 +28,11 @@ pub enum EventKind {
     ChangePoint,
     /// A divisor vanishes: speeds are not determined by the input.
     DeadPosition,
+    /// An instant centre is at infinity: its lines are parallel.
+    AtInfinity {
+        /// Index of the first of its columns.
+        column: usize,
+    },
     /// A column has its least value for the neighbourhood.
     Least {
         /// Index of the column.
@@ -89,6 +96,8 @@ struct View {
     chords: Vec<Moving>,
     divisors: Vec<Moving>,
     columns: Vec<Moving>,
+    /// Angles that go on, within half a turn.
+    turns: Vec<f64>,
 }
 
 impl View {
@@ -108,6 +117,7 @@ impl Walker<'_> {
         let program = &self.sweep.transcribed().program;
         program.look(at, signs, &mut self.place);
         View {
+            turns: program.turns(&self.place, signs).collect(),
             at,
             chords: program.chords(&self.place).collect(),
             divisors: program.divisors(&self.place).collect(),
@@ -155,7 +165,7 @@ impl Walker<'_> {
             // A half chord that shrinks and grows again may touch zero on the way.
             let direction = (next - before.at).signum();
             let mut touched = false;
-            for chord in 0..signs.len() {
+            for chord in 0..now.chords.len() {
                 let (a, b) = (before.chords[chord], now.chords[chord]);
                 if !(a.slope * direction < 0.0 && b.slope * direction >= 0.0) {
                     continue;
@@ -190,7 +200,21 @@ impl Walker<'_> {
                 signs[chord] = -signs[chord];
                 touched = true;
             }
-            if touched {
+            // An angle that has come to half a turn goes on in the next one.
+            let mut turned = false;
+            for turn in 0..now.turns.len() {
+                let (a, b) = (before.turns[turn], now.turns[turn]);
+                if (a - b).abs() <= PI {
+                    continue;
+                }
+                let (low, _) =
+                    halve(size, before.at, next, |x| (self.view(x, &signs).turns[turn] - a).abs() <= PI);
+                close(begin, low, &signs, apart);
+                begin = low;
+                signs[now.chords.len() + turn] += a.signum();
+                turned = true;
+            }
+            if touched || turned {
                 now = self.view(next, &signs);
             }
             if now.closes() {
@@ -239,11 +263,34 @@ impl Walker<'_> {
             // A pole changes its sign as well, but does not vanish.
             let view = self.view(at, signs);
             let there = view.divisors[index].value.abs();
-            if there < a.abs().max(b.abs()) && view.is_clear() {
-                let reason = self.sweep.transcribed().program.reason_of_divisor(index);
-                events.push(Event { at, kind: EventKind::DeadPosition, reason });
+            if !(there < a.abs().max(b.abs()) && view.is_clear()) {
+                continue;
+            }
+            let reason = self.sweep.transcribed().program.reason_of_divisor(index);
+            match self.centre_of(index) {
+                None => events.push(Event { at, kind: EventKind::DeadPosition, reason }),
+                Some(column) => {
+                    // Other divisors on the way to a centre vanish where two of its lines become one: nothing happens
+                    // to the mechanism there.
+                    let far =
+                        |view: &View| view.columns[column].value.abs() + view.columns[column + 1].value.abs();
+                    if far(&view) > far(before) && far(&view) > far(now) {
+                        events.push(Event { at, kind: EventKind::AtInfinity { column }, reason: None });
+                    }
+                }
             }
         }
+    }
+
+    /// The first column of the only centre that a divisor leads to; `None` where it leads to anything else.
+    fn centre_of(&self, divisor: usize) -> Option<usize> {
+        let program = &self.sweep.transcribed().program;
+        let columns = &self.sweep.columns;
+        let mut led_to = (0..columns.len()).filter(|&column| program.behind(column).contains(&divisor));
+        let first = led_to.next()?;
+        let only = columns[first].is_centre()
+            && led_to.all(|column| columns[column].asked.quantity == columns[first].asked.quantity);
+        only.then_some(first)
     }
 
     fn extremes(&mut self, before: &View, now: &View, signs: &[f64], events: &mut Vec<Event>) {
@@ -289,7 +336,7 @@ fn is_extreme_of_interest(column: &Column) -> bool {
 /// Walks the whole range from the start, up and down.
 pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<Event>) {
     let [from, to] = sweep.range;
-    let signs = vec![1.0; sweep.transcribed().program.chord_count()];
+    let signs = sweep.transcribed().program.signs();
     let go = |end: f64| {
         let (mut stretches, mut events) = (Vec::new(), Vec::new());
         let mut walker = Walker { sweep, place: Place::default() };

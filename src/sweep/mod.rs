@@ -25,7 +25,7 @@ use crate::graphical::{DrawError, Transcribed, transcribe};
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::mechanism::{Input, LinkId, Mechanism};
-use crate::plan::{Extent, Plan};
+use crate::plan::{CentreSource, Extent, Plan};
 
 pub use bounds::SweepWithBounds;
 pub use course::{Event, EventKind, Stretch};
@@ -94,6 +94,11 @@ impl Column {
         }
     }
 
+    /// An instant centre, which may go to infinity.
+    fn is_centre(&self) -> bool {
+        matches!(self.asked.quantity, Quantity::Centre(..))
+    }
+
     /// A quantity without a sense: the program goes on with the sign that it had in the drawing.
     fn is_unsigned(&self) -> bool {
         matches!(self.asked.quantity, Quantity::Rub(..) | Quantity::Transmission(..))
@@ -152,10 +157,12 @@ pub struct Sweep {
     /// At how many places of the range to look.
     looks: u32,
     transcribed: Transcribed,
-    /// The mechanism as it can move, and what varies in it.
-    ready: (Mechanism, Variable),
+    /// The mechanism as it can move, what varies in it, and whence its centres come.
+    ready: (Mechanism, Variable, CentreSource),
     /// How many of its asked quantities somebody asked for.
     asked: usize,
+    /// Points of wheels are carried along by how far these have rolled.
+    rolls_on: bool,
 }
 
 /// How many places of a turn, or of a slide's range, are looked at to see that something happens between two of
@@ -165,8 +172,9 @@ const LOOKS: u32 = 720;
 /// No sweep goes over more turns.
 const MOST_TURNS: f64 = 100.0;
 
-/// The most positions that sampling to a tolerance may take in one stretch.
-const MOST_HALVINGS: u32 = 12;
+/// How often sampling to a tolerance halves an interval: towards a limit a speed grows without end, and is never
+/// followed well enough.
+const MOST_HALVINGS: u32 = 24;
 
 impl Sweep {
     /// Transcribes the drawing of a mechanism and walks the range of its first input: `range` in SI units,
@@ -184,17 +192,25 @@ impl Sweep {
     /// # Errors
     /// See [`SweepError`].
     pub fn over(over: Over, mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Self, SweepError> {
-        let is_swept = |asked: &&Asked| !matches!(asked.quantity, Quantity::Centre(..));
-        let asked = mechanism.asked.iter().filter(is_swept).count();
-        let (mut mechanism, swept, start) = prepare::ready(mechanism)?;
+        let asked = mechanism.asked.len();
+        let placed = mechanism;
+        let (mut mechanism, swept, start) = prepare::ready(placed)?;
         let structure = Structure::of(&mechanism)?;
-        prepare::refuse_rolled_points(&mechanism, &structure)?;
-        let plan = Plan::new(&mechanism, &structure, Extent::Asked);
+        let starts = prepare::starts(placed, &mechanism, &structure)?;
         let variable = match over {
             Over::Input => Variable::Input(swept),
-            Over::Time => Variable::Time(prepare::laws(&mut mechanism, &structure)?),
+            Over::Time => Variable::Time(prepare::laws(&mut mechanism)?),
         };
-        let transcribed = transcribe(&mechanism, &structure, &plan, (variable.clone(), asked))?;
+        let transcribe_from = |source: CentreSource| {
+            let plan = Plan::with(&mechanism, &structure, Extent::Asked, source);
+            transcribe(&mechanism, &structure, &plan, (variable.clone(), asked), &starts)
+        };
+        let mut source = CentreSource::Diagram;
+        let mut transcribed = transcribe_from(source)?;
+        if transcribed.stalled {
+            source = CentreSource::Velocities;
+            transcribed = transcribe_from(source)?;
+        }
         let mut columns = Vec::new();
         for (index, (asked_here, numbers)) in mechanism.asked.iter().zip(&transcribed.numbers).enumerate() {
             for axis in 0..*numbers {
@@ -224,7 +240,10 @@ impl Sweep {
                 (InputKind::Time, 1.0, range, 0.0, whole_turn)
             }
         };
+        // A wheel that has rolled on does not stand as before when the input comes round.
+        let whole_turn = whole_turn && starts.is_empty();
         let mut sweep = Self {
+            rolls_on: !starts.is_empty(),
             input,
             range,
             start,
@@ -235,7 +254,7 @@ impl Sweep {
             rate,
             looks: looks(&variable, &mechanism, range)?,
             transcribed,
-            ready: (mechanism, variable),
+            ready: (mechanism, variable, source),
             asked,
         };
         let (stretches, events) = course::walk(&sweep, start, sweep.looks);
@@ -290,16 +309,18 @@ impl Sweep {
     fn look(&self, at: f64, signs: &[f64], place: &mut Place) -> Vec<Option<Moving>> {
         let program = &self.transcribed.program;
         program.look(at, signs, place);
-        let clear = program.divisors(place).all(course::is_clear);
+        let clear: Vec<bool> = program.divisors(place).map(course::is_clear).collect();
+        let clear = |column: usize| program.behind(column).iter().all(|&divisor| clear[divisor]);
         program
             .asked(place)
             .zip(&self.columns)
-            .map(|(m, column)| {
+            .enumerate()
+            .map(|(index, (m, column))| {
                 let position = matches!(
                     column.asked.quantity,
                     Quantity::Position(_) | Quantity::Angle(_) | Quantity::Transmission(..)
                 );
-                (m.value.is_finite() && (clear || position)).then(|| column.counted(m))
+                (m.value.is_finite() && (position || clear(index))).then(|| column.counted(m))
             })
             .collect()
     }

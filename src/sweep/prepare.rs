@@ -9,7 +9,9 @@ use crate::given::Given;
 use crate::graphical::{self, Scales};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity, Unit};
 use crate::mechanism::structure::{GroupKind, Structure};
-use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider};
+use crate::mechanism::{
+    Direction, Form, GivenPoint, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider,
+};
 use crate::plan::{Extent, Plan};
 
 /// The mechanism without anything that holds at one instant only; the index of its first input; and where
@@ -82,9 +84,7 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
         Some(Input::Slide { at: Some(at), .. }) => at.value,
         _ => return Err(SweepError::Instant("there is no input to sweep".to_owned())),
     };
-    // Whatever the method, the numbers are those of the polygons. A centre that passes through infinity has
-    // no course.
-    ready.asked.retain(|asked| !matches!(asked.quantity, Quantity::Centre(..)));
+    // Whatever the method, the numbers are those of the polygons.
     for asked in &mut ready.asked {
         asked.method = Method::Polygon;
     }
@@ -92,20 +92,61 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
     Ok((ready, 0, start))
 }
 
+/// The wheels of which more is wanted than their centre: where that goes follows from how far they have rolled.
+fn rolled<'m>(
+    mechanism: &'m Mechanism,
+    structure: &'m Structure,
+) -> impl Iterator<Item = (LinkId, PointId)> + 'm {
+    structure.groups.iter().filter_map(|group| match group.kind {
+        GroupKind::Wheel { wheel, centre, .. } | GroupKind::Rolling { wheel, centre, .. } => {
+            let guides = mechanism.slides.iter().any(|s| s.guide.link == wheel);
+            let more = guides || mechanism.link(wheel).points.len() > 1;
+            more.then_some((wheel, centre))
+        }
+        _ => None,
+    })
+}
+
 /// Where a wheel's points go follows from how far it has rolled, and no drawing of one position tells that.
 pub(super) fn refuse_rolled_points(mechanism: &Mechanism, structure: &Structure) -> Result<(), SweepError> {
-    for group in &structure.groups {
-        if let GroupKind::Wheel { wheel, .. } | GroupKind::Rolling { wheel, .. } = group.kind
-            && mechanism.link(wheel).points.len() > 1
-        {
-            let number = mechanism.link(wheel).number;
+    match rolled(mechanism, structure).next() {
+        Some((wheel, _)) => Err(SweepError::Instant(format!(
+            "where the points of wheel {} go follows from how far it has rolled, which a drawing of one position \
+             does not tell",
+            mechanism.link(wheel).number
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// Where the points of rolling wheels stand at the scene's instant; nothing where no wheel has points.
+pub(super) fn starts(
+    placed: &Mechanism,
+    ready: &Mechanism,
+    structure: &Structure,
+) -> Result<Vec<Option<GivenPoint>>, SweepError> {
+    let mut starts = Vec::new();
+    for (wheel, centre) in rolled(ready, structure) {
+        starts.resize(ready.points.len(), None);
+        let link = ready.link(wheel);
+        for &point in &link.points {
+            starts[point.0] = placed.point(point).place.exact();
+        }
+        if starts[centre.0].is_none() {
+            starts[centre.0] = match now(placed, Quantity::Position(centre))? {
+                Some(Answer::Vector { value, bound }) => Some(value.map(|x| Given::within(x, bound))),
+                _ => None,
+            };
+        }
+        let marked = link.points.iter().any(|&p| p != centre && starts[p.0].is_some());
+        if link.points.len() > 1 && !(marked && starts[centre.0].is_some()) {
             return Err(SweepError::Instant(format!(
-                "where the points of wheel {number} go follows from how far it has rolled, which a \
-                 drawing of one position does not tell"
+                "nothing says how wheel {} stands at the scene's instant: place one of its points",
+                link.number
             )));
         }
     }
-    Ok(())
+    Ok(starts)
 }
 
 /// Whether a pin rides on a guide of the frame.
@@ -170,10 +211,10 @@ fn watch(mechanism: &mut Mechanism) {
 
 /// How every input moves in time. An input given by the speed of a point becomes one given by its ω, as drawn at this
 /// instant: a constant ω, or what ε makes of it.
-pub(super) fn laws(mechanism: &mut Mechanism, structure: &Structure) -> Result<Vec<Law>, SweepError> {
+pub(super) fn laws(mechanism: &mut Mechanism) -> Result<Vec<Law>, SweepError> {
     for index in 0..mechanism.inputs.len() {
         if let Input::Speed { link, angle, alpha, .. } = mechanism.inputs[index] {
-            let omega = omega_now(mechanism, structure, link)?;
+            let omega = omega_now(mechanism, link)?;
             mechanism.inputs[index] = Input::Angle { link, angle, omega, alpha };
         }
     }
@@ -195,18 +236,23 @@ pub(super) fn laws(mechanism: &mut Mechanism, structure: &Structure) -> Result<V
 }
 
 /// ω of a link as it is drawn at this instant, with its bound.
-fn omega_now(mechanism: &Mechanism, structure: &Structure, link: LinkId) -> Result<Given, SweepError> {
-    let unit = Unit { symbol: "rad/s".to_owned(), si: 1.0 };
-    let quantity = Quantity::Omega(link);
-    let mut only = mechanism.clone();
-    only.asked = vec![Asked { name: "omega".to_owned(), quantity, unit, method: Method::Polygon }];
-    let plan = Plan::new(&only, structure, Extent::Asked);
-    let scales = Scales { length: 1.0, velocity: 1.0, acceleration: 1.0 };
-    let drawn = graphical::construct(&only, structure, &plan, scales)?;
-    match drawn.construction.answers.first().map(|reading| &reading.answer) {
-        Some(Answer::Scalar { value, bound }) => Ok(Given::within(*value, *bound)),
+fn omega_now(mechanism: &Mechanism, link: LinkId) -> Result<Given, SweepError> {
+    match now(mechanism, Quantity::Omega(link))? {
+        Some(Answer::Scalar { value, bound }) => Ok(Given::within(value, bound)),
         _ => Err(SweepError::Instant("the speed of the input does not tell how fast it turns".to_owned())),
     }
+}
+
+/// What a drawing of this instant says of a quantity.
+fn now(mechanism: &Mechanism, quantity: Quantity) -> Result<Option<Answer>, SweepError> {
+    let unit = Unit { symbol: String::new(), si: 1.0 };
+    let mut only = mechanism.clone();
+    only.asked = vec![Asked { name: String::new(), quantity, unit, method: Method::Polygon }];
+    let structure = Structure::of(&only)?;
+    let plan = Plan::new(&only, &structure, Extent::Asked);
+    let scales = Scales { length: 1.0, velocity: 1.0, acceleration: 1.0 };
+    let drawn = graphical::construct(&only, &structure, &plan, scales)?;
+    Ok(drawn.construction.answers.into_iter().next().map(|reading| reading.answer))
 }
 
 /// The span of time to walk, and whether everything comes again after it: in seconds from the scene's instant.
@@ -287,6 +333,8 @@ pub(super) fn range(
     };
     let whole = matches!(input, InputKind::Angle(_)) && range[1] - range[0] == turn;
     let start = match input {
+        // Where the range is longer than a turn, how often the input has gone round may matter.
+        InputKind::Angle(_) if !whole && (range[0]..=range[1]).contains(&start) => start,
         InputKind::Angle(_) => start + turn * ((range[0] - start) / turn).ceil(),
         InputKind::Slide(_) | InputKind::Time => start,
     };
