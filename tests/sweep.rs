@@ -202,21 +202,16 @@ fn every_example_begins_where_it_stands() {
         let Some(values) = sweep.at(sweep.start) else {
             panic!("{}: its own place is not reached", path.display());
         };
-        let mut next = values.iter();
         for (asked, reading) in scene.mechanism.asked.iter().zip(&drawn.solution.construction.answers) {
-            // A centre that may pass through infinity is not swept.
-            if matches!(asked.quantity, Quantity::Centre(..)) {
-                continue;
-            }
             let (value, bound) = match &reading.answer {
-                // A sweep has no instant centres.
-                _ if matches!(asked.quantity, Quantity::Centre(..)) => continue,
                 Answer::Scalar { value, bound } => (vec![*value], *bound),
                 Answer::Vector { value, bound } => (value.to_vec(), *bound),
                 _ => continue,
             };
-            for value in value {
-                let Some(swept) = next.next().copied().flatten() else { continue };
+            let columns = sweep.columns.iter().zip(&values);
+            let of_it: Vec<_> = columns.filter(|(c, _)| !c.watched && c.asked == *asked).collect();
+            for (value, (_, swept)) in value.into_iter().zip(of_it) {
+                let Some(swept) = swept else { continue };
                 // What the sweep makes of placed points is rounded once more.
                 let apart = (swept.value - value).abs();
                 let name = format!("{}: {}", path.display(), asked.name);

@@ -9,7 +9,7 @@
 //! were independent of the others.
 
 use super::program::{Kind, Node, TRANSCENDENTAL, Transcript, U};
-use super::tape::{BEND, MOST_SECOND_ORDER, ROUNDED, Reason, WEAK_DIVISOR};
+use super::tape::{BEND, MOST_SECOND_ORDER, ROUNDED, WEAK_DIVISOR};
 
 /// Positions that are bounded together: fewer than are reckoned, for four numbers stand for each.
 pub const FEW: usize = 8;
@@ -44,7 +44,8 @@ pub struct BoundedProgram {
     /// The step that makes a row; `None` for a constant and the input.
     made_by: Vec<Option<u32>>,
     asked: Vec<Target>,
-    divisors: Vec<(u32, Reason)>,
+    /// Rows of the numbers that are divided by.
+    divisors: Vec<u32>,
 }
 
 /// Room for a few positions with their bounds.
@@ -106,23 +107,17 @@ impl BoundedProgram {
             }
         }
         // A number that is divided by twice need stand clear only once.
-        let mut divisors: Vec<(u32, Reason)> = transcript
-            .divisors
-            .iter()
-            .filter(|(slot, _)| {
-                let made = matches!(nodes.get(*slot as usize), Some(Node::Made(..)));
-                made && needed[*slot as usize]
-            })
-            .map(|&(slot, reason)| (slot, reason))
-            .collect();
+        let made = |slot: u32| matches!(nodes.get(slot as usize), Some(Node::Made(..)));
+        let mut divisors: Vec<u32> = transcript.divisors.iter().map(|d| d.0).collect();
+        divisors.retain(|&slot| made(slot) && needed[slot as usize]);
         divisors.sort_unstable();
-        divisors.dedup_by_key(|d| d.0);
+        divisors.dedup();
         for &slot in asked {
             let reached = transcript.behind(slot);
-            let of = (0_u32..).zip(&divisors).filter(|(_, d)| reached[d.0 as usize]).map(|(index, _)| index);
+            let of = (0_u32..).zip(&divisors).filter(|(_, d)| reached[**d as usize]).map(|(index, _)| index);
             program.asked.push(Target { row: rows[slot as usize], divisors: of.collect() });
         }
-        program.divisors = divisors.into_iter().map(|(slot, reason)| (rows[slot as usize], reason)).collect();
+        program.divisors = divisors.into_iter().map(|slot| rows[slot as usize]).collect();
         program
     }
 
@@ -239,14 +234,14 @@ impl BoundedProgram {
     /// The error of each divisor as a part of it: by its running error, and where that does not tell, by a sweep of
     /// its own.
     fn judge(&self, block: &mut BoundedBlock) {
-        for (index, &(row, _)) in self.divisors.iter().enumerate() {
-            let row = row as usize;
+        for (index, &divisor) in self.divisors.iter().enumerate() {
+            let row = divisor as usize;
             let part_of =
                 |error: &Few, value: &Few| -> Few { std::array::from_fn(|i| error[i] / value[i].abs()) };
             let mut part = part_of(&block.running[row], &block.values[row]);
             let clear = part.iter().all(|p| *p <= WEAK_DIVISOR);
             if !clear {
-                let error = self.sweep_back(self.divisors[index].0, block);
+                let error = self.sweep_back(divisor, block);
                 part = part_of(&error, &block.values[row]);
             }
             block.parts[index] = part;

@@ -16,6 +16,7 @@
 //! within its error: of such a transcript a [`super::BoundedProgram`] can be made.
 
 use std::collections::HashMap;
+use std::f64::consts::PI;
 
 use super::bounded::BoundedProgram;
 use super::tape::{Operation, Reason, Reckoning, Recorder};
@@ -48,7 +49,7 @@ pub(super) enum Kind {
     Cosine,
     Sine,
     Angle,
-    /// An angle and as many whole turns as the sign of that index says.
+    /// An angle, near as many half turns as the sign of that index says.
     Turned,
 }
 
@@ -570,6 +571,12 @@ fn rounding(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> f64 {
     }
 }
 
+/// The angle of the vector (x, y) that is within half a turn of so many half turns.
+fn angle_near(half_turns: f64, y: f64, x: f64) -> f64 {
+    let odd = half_turns.rem_euclid(2.0) == 1.0;
+    PI * half_turns + if odd { libm::atan2(-y, -x) } else { libm::atan2(y, x) }
+}
+
 /// A sine, cosine or angle errs by less than two roundoffs of its own, and is rounded.
 pub(super) const TRANSCENDENTAL: f64 = 3.0;
 
@@ -675,7 +682,7 @@ impl Program {
         self.chords.len()
     }
 
-    /// The signs of the drawing that was transcribed: 1 for each chord, and no whole turn for each angle that goes on.
+    /// The signs of the drawing that was transcribed: 1 for each chord, and no half turn for each angle that goes on.
     #[must_use]
     pub fn signs(&self) -> Vec<f64> {
         let mut signs = vec![1.0; self.chords.len()];
@@ -683,10 +690,9 @@ impl Program {
         signs
     }
 
-    /// The whole turns in the angle of this index, in radians.
-    fn whole_turns(&self, index: u32, signs: &[f64]) -> f64 {
-        let turns = signs.get(self.chords.len() + index as usize).copied().unwrap_or(0.0);
-        turns * std::f64::consts::TAU
+    /// Near how many half turns the angle of this index is.
+    fn half_turns(&self, index: u32, signs: &[f64]) -> f64 {
+        signs.get(self.chords.len() + index as usize).copied().unwrap_or(0.0)
     }
 
     /// Room for blocks of positions, with the constants in place.
@@ -700,7 +706,8 @@ impl Program {
     }
 
     /// Reckons a block of positions. `signs` has one number, 1 or −1, for each chord: −1 takes the other
-    /// meeting point than the drawing that was transcribed; then a number of turns for each angle that goes on.
+    /// meeting point than the drawing that was transcribed; then, for each angle that goes on, the number of half turns
+    /// that it is near.
     pub fn run(&self, inputs: &Lane, signs: &[f64], block: &mut Block) {
         let rows = block.rows.as_mut_slice();
         rows[0] = *inputs;
@@ -743,8 +750,8 @@ impl Program {
                 }
                 Kind::Angle => zip(&mut out, &x, &rows[b as usize], libm::atan2),
                 Kind::Turned => {
-                    let whole = self.whole_turns(c, signs);
-                    zip(&mut out, &x, &rows[b as usize], |y, x| libm::atan2(y, x) + whole);
+                    let half_turns = self.half_turns(c, signs);
+                    zip(&mut out, &x, &rows[b as usize], |y, x| angle_near(half_turns, y, x));
                 }
             }
             rows[step.to as usize] = out;
@@ -769,10 +776,10 @@ impl Program {
                 // The arcs just touch: what is left of the chord is rounding.
                 values[0] = 0.0;
             }
-            let mut value = reckon(step.kind, values, sign);
-            if step.kind == Kind::Turned {
-                value += self.whole_turns(step.from[2], signs);
-            }
+            let value = match step.kind {
+                Kind::Turned => angle_near(self.half_turns(step.from[2], signs), values[0], values[1]),
+                kind => reckon(kind, values, sign),
+            };
             let partials = partials(step.kind, values, value);
             let mut out = Moving { value, slope: 0.0, error: 2.0 * U * value.abs() };
             if matches!(step.kind, Kind::Dot | Kind::Cross) {
@@ -803,10 +810,10 @@ impl Program {
         self.chords.iter().map(|&row| place.rows[row as usize])
     }
 
-    /// Every angle that goes on, within half a turn of no turn.
+    /// How far every angle that goes on is from the half turns that it is near.
     pub fn turns<'a>(&'a self, place: &'a Place, signs: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
         let rows = (0_u32..).zip(&self.turns);
-        rows.map(|(index, &row)| place.rows[row as usize].value - self.whole_turns(index, signs))
+        rows.map(|(index, &row)| place.rows[row as usize].value - PI * self.half_turns(index, signs))
     }
 
     /// Every number that is divided by.

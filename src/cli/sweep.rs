@@ -14,7 +14,7 @@ use crate::render::{self, Format};
 use crate::report::{diagnose, short};
 use crate::scene::{Scene, Subject};
 use crate::solve::SolveError;
-use crate::sweep::{Event, EventKind, InputKind, Over, Stroke, Sweep, SweepError, SweepWithBounds};
+use crate::sweep::{Event, EventKind, InputKind, Over, Stretch, Stroke, Sweep, SweepError, SweepWithBounds};
 
 /// More positions than this show a progress bar.
 const MANY: usize = 100_000;
@@ -234,6 +234,24 @@ impl Report<'_> {
         )
     }
 
+    /// From where to where the mechanism moves, and whether it has to be taken apart for that. Stretches between which
+    /// no meet changes its side are told as one.
+    fn moves(&self) -> Vec<(f64, f64, bool)> {
+        let mut moves: Vec<(f64, f64, bool)> = Vec::new();
+        let mut last: Option<&Stretch> = None;
+        for stretch in &self.sweep.stretches {
+            let goes_on = last.is_some_and(|l| {
+                l.to == stretch.from && l.apart == stretch.apart && self.sweep.is_one_assembly(l, stretch)
+            });
+            match moves.last_mut() {
+                Some(one) if goes_on => one.1 = stretch.to,
+                _ => moves.push((stretch.from, stretch.to, stretch.apart)),
+            }
+            last = Some(stretch);
+        }
+        moves
+    }
+
     fn text(&self) -> String {
         let mut out = String::new();
         let _ = writeln!(
@@ -244,9 +262,9 @@ impl Report<'_> {
             self.place(self.sweep.range[1]),
             self.sweep.operations()
         );
-        for stretch in &self.sweep.stretches {
-            let apart = if stretch.apart { " (only by taking the mechanism apart)" } else { "" };
-            let (from, to) = (self.place(stretch.from), self.place(stretch.to));
+        for (from, to, apart) in self.moves() {
+            let apart = if apart { " (only by taking the mechanism apart)" } else { "" };
+            let (from, to) = (self.place(from), self.place(to));
             let _ = writeln!(out, "moves from {from} to {to}{apart}");
         }
         for event in &self.sweep.events {
@@ -376,10 +394,9 @@ impl Report<'_> {
             .map(|c| json!({ "name": self.sweep.columns[c].name(), "unit": unit(c).symbol }))
             .collect();
         let stretches: Vec<Value> = self
-            .sweep
-            .stretches
-            .iter()
-            .map(|s| json!({ "from": s.from / self.unit.si, "to": s.to / self.unit.si, "apart": s.apart }))
+            .moves()
+            .into_iter()
+            .map(|(from, to, apart)| json!({ "from": from / self.unit.si, "to": to / self.unit.si, "apart": apart }))
             .collect();
         let events: Vec<Value> = self.sweep.events.iter().map(|event| self.event_json(event)).collect();
         let strokes: Vec<Value> = self

@@ -85,6 +85,9 @@ fn halve(size: f64, mut low: f64, mut high: f64, mut left: impl FnMut(f64) -> bo
 /// either side.
 const STILL: f64 = 1e-6;
 
+/// An angle that is so far from the half turns it is measured from is measured from the next ones.
+const FAR: f64 = 0.75 * PI;
+
 struct Walker<'s> {
     sweep: &'s Sweep,
     place: Place,
@@ -96,7 +99,7 @@ struct View {
     chords: Vec<Moving>,
     divisors: Vec<Moving>,
     columns: Vec<Moving>,
-    /// Angles that go on, within half a turn.
+    /// Angles that go on, from the half turns that they are near.
     turns: Vec<f64>,
 }
 
@@ -200,18 +203,19 @@ impl Walker<'_> {
                 signs[chord] = -signs[chord];
                 touched = true;
             }
-            // An angle that has come to half a turn goes on in the next one.
+            // An angle that comes near to half a turn more, or less, is measured from there, well before it could be
+            // taken for another.
             let mut turned = false;
             for turn in 0..now.turns.len() {
-                let (a, b) = (before.turns[turn], now.turns[turn]);
-                if (a - b).abs() <= PI {
+                let side = now.turns[turn].signum();
+                if now.turns[turn].abs() <= FAR {
                     continue;
                 }
                 let (low, _) =
-                    halve(size, before.at, next, |x| (self.view(x, &signs).turns[turn] - a).abs() <= PI);
+                    halve(size, before.at, next, |x| self.view(x, &signs).turns[turn].abs() <= FAR);
                 close(begin, low, &signs, apart);
                 begin = low;
-                signs[now.chords.len() + turn] += a.signum();
+                signs[now.chords.len() + turn] += side;
                 turned = true;
             }
             if touched || turned {

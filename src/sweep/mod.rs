@@ -172,8 +172,7 @@ const LOOKS: u32 = 720;
 /// No sweep goes over more turns.
 const MOST_TURNS: f64 = 100.0;
 
-/// How often sampling to a tolerance halves an interval: towards a limit a speed grows without end, and is never
-/// followed well enough.
+/// How often sampling to a tolerance halves an interval: towards a limit places go as a root, and it takes many.
 const MOST_HALVINGS: u32 = 24;
 
 impl Sweep {
@@ -291,6 +290,13 @@ impl Sweep {
         self.transcribed.lean.len()
     }
 
+    /// Whether every meet is taken on the same side in two stretches: nothing has happened between them.
+    #[must_use]
+    pub fn is_one_assembly(&self, a: &Stretch, b: &Stretch) -> bool {
+        let chords = self.transcribed.program.chord_count();
+        a.signs.iter().take(chords).eq(b.signs.iter().take(chords))
+    }
+
     /// The stretch in which a place lies.
     #[must_use]
     pub fn stretch_at(&self, at: f64) -> Option<&Stretch> {
@@ -389,7 +395,7 @@ impl Sweep {
     }
 
     /// Places so close together that between two of them no column strays from the straight line by more
-    /// than `tolerance` times its own range.
+    /// than `tolerance` times its own range. What grows without end is followed up to twice its range elsewhere.
     #[must_use]
     pub fn adapted(&self, tolerance: f64) -> Vec<f64> {
         /// A stretch is first cut into so many parts.
@@ -518,8 +524,8 @@ fn looks(variable: &Variable, mechanism: &Mechanism, [from, to]: [f64; 2]) -> Re
 
 type Node = (f64, Vec<Option<f64>>);
 
-/// Largest minus smallest value of each column.
-fn ranges(nodes: &[Node]) -> Vec<f64> {
+/// Smallest and largest value of each column.
+fn ranges(nodes: &[Node]) -> Vec<[f64; 2]> {
     let columns = nodes.first().map_or(0, |n| n.1.len());
     (0..columns)
         .map(|c| {
@@ -528,8 +534,8 @@ fn ranges(nodes: &[Node]) -> Vec<f64> {
             // Without the outermost twentieth: at a limit speeds grow without end.
             let cut = values.len() / 20;
             match (values.get(cut), values.get(values.len().saturating_sub(1 + cut))) {
-                (Some(low), Some(high)) => high - low,
-                _ => 0.0,
+                (Some(&low), Some(&high)) => [low, high],
+                _ => [0.0; 2],
             }
         })
         .collect()
@@ -539,14 +545,20 @@ fn divide(
     look: &mut impl FnMut(f64) -> Node,
     from: &Node,
     to: &Node,
-    ranges: &[f64],
+    ranges: &[[f64; 2]],
     tolerance: f64,
     left: u32,
     places: &mut Vec<f64>,
 ) {
     let middle = look(f64::midpoint(from.0, to.0));
     let strays = (0..ranges.len()).any(|c| match (from.1[c], middle.1[c], to.1[c]) {
-        (Some(a), Some(m), Some(b)) => (m - f64::midpoint(a, b)).abs() > tolerance * ranges[c],
+        (Some(a), Some(m), Some(b)) => {
+            let [low, high] = ranges[c];
+            let range = high - low;
+            // What has gone as far beyond its range grows without end, and is not followed.
+            let followed = (low - range..=high + range).contains(&m);
+            followed && (m - f64::midpoint(a, b)).abs() > tolerance * range
+        }
         _ => false,
     });
     if strays && left > 0 {
