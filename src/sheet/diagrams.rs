@@ -321,7 +321,9 @@ fn over(notation: &Notation<'_>, sweep: &Sweep, columns: &[usize]) -> Group {
     let noise = NOISE * error(sweep, columns) / unit.si;
     let constant = y[1] - y[0] < noise;
     if constant {
-        y = [y[0] - noise, y[1] + noise];
+        // Wide enough for its ticks to have different numbers.
+        let half = noise.max(y[1].abs() / 4.0);
+        y = [y[0] - half, y[1] + half];
     }
     if columns.len() == 2 {
         y[0] = 0.0;
