@@ -10,6 +10,8 @@ use super::tape::{Leaf, Linear, U};
 /// A singular direction counts as singular where the first-order error of the Jacobian passes this part
 /// of it.
 const SINGULAR: f64 = 1.0 / 8.0;
+/// Radius of an entry that is one by its form, in units of rounding.
+const PLAIN: f64 = 8.0;
 
 /// One group with its inverse.
 #[derive(Debug, Clone)]
@@ -209,6 +211,13 @@ pub(super) fn entry_error(
     params: &[Param],
     column: usize,
 ) -> f64 {
+    if !row.hangs_on(column / 3) {
+        return 0.0;
+    }
+    if row.is_plain_in(column) {
+        // One, whatever the place; its rate is a sum of that and zeros.
+        return PLAIN * U;
+    }
     let mut rate = vec![0.0; pose.len()];
     rate[column] = 1.0;
     let motion = Motion { pose, rate: &rate, accel: &[], params };

@@ -6,6 +6,7 @@
 
 use super::AnalyticError;
 use super::constraints::{Arc, Bearing, Drive, Motion, Num, Param, Row, Site, Straight};
+use super::slopes::Here;
 use super::tape::{Leaf, U};
 use crate::mechanism::{
     Direction, Form, Given, GivenPoint, Guide, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId,
@@ -164,6 +165,11 @@ impl Model {
             .map(|row| {
                 let mut columns = Vec::new();
                 for pose in &poses {
+                    // The rate of an equation hangs on the rate of a coordinate as itself on the coordinate.
+                    if let Some(slope) = Here::evaluate(row, pose, &self.params) {
+                        columns.extend(slope.columns(row));
+                        continue;
+                    }
                     let motion = Motion { pose, rate: &rest, accel: &rest, params: &self.params };
                     let linear = row.linear(motion, order).ok_or_else(|| malformed("a dimension is zero"))?;
                     columns.extend(linear.terms.iter().filter(|t| t.1 != 0.0).filter_map(|t| match t.0 {

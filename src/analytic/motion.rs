@@ -11,10 +11,13 @@ use super::constraints::{Motion, Param, Row};
 use super::linear::{Multipliers, System, entry_error};
 use super::model::Model;
 use super::ordering::order;
-use super::tape::{Leaf, Linear};
+use super::tape::{Leaf, Linear, U};
 
-/// Rounds of iterative refinement.
+/// Rounds of iterative refinement at most.
 const REFINEMENTS: usize = 3;
+/// A correction of so many units of rounding of what it corrects, of each unknown, is no more than the noise of the
+/// residual that it follows from. Bounds are those of the residual that is left.
+const NOISE: f64 = 4.0;
 /// Largest relative contradiction of a redundant equation of motion.
 const CONTRADICTION: f64 = 1e-6;
 /// Radius of a pose of which nothing is known; its products stay finite.
@@ -232,27 +235,35 @@ pub(super) fn solve_motion(
         }
     }
 
-    let improve = |x: &mut Vec<f64>, linears: &[Linear]| {
-        for (x, d) in x.iter_mut().zip(system.solve(&residuals(linears), &undetermined)) {
-            *x += d;
+    // Solves the equations of `linears`, which are those at x, and refines; returns the equations at what x has become.
+    let refine = |x: &mut Vec<f64>,
+                  mut linears: Vec<Linear>,
+                  at: &dyn Fn(&[f64]) -> Result<Vec<Linear>, AnalyticError>| {
+        let mut last = f64::INFINITY;
+        for _ in 0..=REFINEMENTS {
+            let correction = system.solve(&residuals(&linears), &undetermined);
+            let parts = x.iter().zip(&correction).filter(|(_, d)| **d != 0.0).map(|(x, d)| d.abs() / x.abs());
+            let part = parts.fold(0.0, f64::max);
+            // Where it does not become less it is noise as well.
+            if part <= NOISE * U || part > 0.25 * last {
+                break;
+            }
+            last = part;
+            for (x, d) in x.iter_mut().zip(correction) {
+                *x += d;
+            }
+            linears = at(x)?;
         }
+        Ok::<_, AnalyticError>(linears)
     };
     let mut rate = rest.clone();
-    improve(&mut rate, &at_rest);
-    for _ in 0..REFINEMENTS {
-        let linears = evaluate(&rate, &[], 1)?;
-        improve(&mut rate, &linears);
-    }
-    let velocity_rows = evaluate(&rate, &[], 1)?;
+    let velocity_rows = refine(&mut rate, at_rest, &|rate| evaluate(rate, &[], 1))?;
     let mut accel = Vec::new();
     let mut acceleration_rows = Vec::new();
     if accelerations {
         accel = rest;
-        for _ in 0..=REFINEMENTS {
-            let linears = evaluate(&rate, &accel, 2)?;
-            improve(&mut accel, &linears);
-        }
-        acceleration_rows = evaluate(&rate, &accel, 2)?;
+        let at_rest = evaluate(&rate, &accel, 2)?;
+        acceleration_rows = refine(&mut accel, at_rest, &|accel| evaluate(&rate, accel, 2))?;
     }
     let fastest = rate.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
     for row in &ordering.spare {

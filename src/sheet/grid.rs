@@ -1,5 +1,7 @@
 //! Which things lie near a place: a grid over the drawing, so that a label asks its neighbours only.
 
+use std::ops::ControlFlow;
+
 use kurbo::{Point, Rect};
 
 use super::overlap::clip;
@@ -122,28 +124,35 @@ impl Grid {
         }
     }
 
-    fn each(&self, cell: usize, visit: &mut impl FnMut(usize)) {
+    fn each<V>(&self, cell: usize, visit: &mut V) -> ControlFlow<()>
+    where
+        V: FnMut(usize) -> ControlFlow<()>,
+    {
         let mut at = self.first[cell];
         while at != NONE {
             let entry = self.entry(at);
-            visit(entry.id as usize);
+            visit(entry.id as usize)?;
             at = entry.next;
         }
+        ControlFlow::Continue(())
     }
 
-    /// Visits what may touch a stroke grown by `half`; something more than once.
-    pub(super) fn visit_along(&self, a: Point, b: Point, half: f64, mut visit: impl FnMut(usize)) {
+    /// Visits what may touch a stroke grown by `half`, until it is told to stop; something more than once.
+    pub(super) fn visit_along<V>(&self, a: Point, b: Point, half: f64, mut visit: V) -> ControlFlow<()>
+    where
+        V: FnMut(usize) -> ControlFlow<()>,
+    {
         let own = Rect::from_points(a, b).inflate(half, half);
-        for cell in self.touched(own).filter(|cell| self.meets(*cell, a, b, half)) {
-            self.each(cell, &mut visit);
-        }
+        let mut cells = self.touched(own).filter(|cell| self.meets(*cell, a, b, half));
+        cells.try_for_each(|cell| self.each(cell, &mut visit))
     }
 
-    /// Visits what may touch a box; something more than once.
-    pub(super) fn visit(&self, own: Rect, mut visit: impl FnMut(usize)) {
-        for cell in self.touched(own) {
-            self.each(cell, &mut visit);
-        }
+    /// Visits what may touch a box, until it is told to stop; something more than once.
+    pub(super) fn visit<V>(&self, own: Rect, mut visit: V) -> ControlFlow<()>
+    where
+        V: FnMut(usize) -> ControlFlow<()>,
+    {
+        self.touched(own).try_for_each(|cell| self.each(cell, &mut visit))
     }
 
     /// Whether a stroke grown by `half` touches a cell. The cells of the edge reach on for ever.
@@ -188,10 +197,11 @@ impl Grid {
     ) {
         into.clear();
         met.begin(count);
-        self.visit(own, |id| {
+        let _ = self.visit(own, |id| {
             if met.first_time(id) && wanted(id) {
                 into.push(id);
             }
+            ControlFlow::Continue(())
         });
         into.sort_unstable();
     }

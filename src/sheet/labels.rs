@@ -4,6 +4,7 @@
 //! no free one is left, and a label is looked at again only when something within its reach has moved.
 
 use std::cell::RefCell;
+use std::ops::ControlFlow;
 
 use kurbo::{Point, Rect, Vec2};
 
@@ -150,6 +151,8 @@ pub struct Obstacles {
 struct Scratch {
     met: Met,
     near: Vec<usize>,
+    /// Strokes, how much of them lies inside, and whether they are touched.
+    along: Vec<(usize, f64, bool)>,
 }
 
 impl Obstacles {
@@ -225,27 +228,37 @@ impl Obstacles {
         let mut cost = 0.0;
         let mut touch = false;
         let tight = own.inflate(CLEARANCE, CLEARANCE);
-        let Scratch { met, near } = &mut *self.scratch.borrow_mut();
+        let Scratch { met, near, along } = &mut *self.scratch.borrow_mut();
         // A stroke lies in the cells that it touches with its own width.
-        self.grids[0].near(tight, self.strokes.len(), met, near, |i| {
+        along.clear();
+        met.begin(self.strokes.len());
+        let found = self.grids[0].visit(tight, |i| {
             let (a, b, half) = self.strokes[i];
             let grown = tight.inflate(half, half);
             let beside = a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1;
-            !(beside || a.y.max(b.y) < grown.y0 || a.y.min(b.y) > grown.y1)
-        });
-        for (a, b, half) in near.iter().map(|i| &self.strokes[*i]) {
-            if let Some((t0, t1)) = clip(*a, *b, tight.inflate(*half, *half)) {
-                let inside = (t1 - t0) * a.distance(*b);
-                if clip(*a, *b, own.inflate(half + 0.08, half + 0.08)).is_some() {
-                    touch = true;
-                    cost += TOUCH * (1.0 + inside);
-                } else {
-                    cost += 12.0 + 4.0 * inside;
-                }
-                if before + cost >= limit {
-                    return (before + cost, touch);
-                }
+            if beside || a.y.max(b.y) < grown.y0 || a.y.min(b.y) > grown.y1 || !met.first_time(i) {
+                return ControlFlow::Continue(());
             }
+            if let Some((t0, t1)) = clip(a, b, grown) {
+                let touches = clip(a, b, own.inflate(half + 0.08, half + 0.08)).is_some();
+                if touches && before + TOUCH >= limit {
+                    return ControlFlow::Break(());
+                }
+                along.push((i, (t1 - t0) * a.distance(b), touches));
+            }
+            ControlFlow::Continue(())
+        });
+        if found.is_break() {
+            return (before + TOUCH, true);
+        }
+        // Sums hang on the order of their parts.
+        along.sort_unstable_by_key(|(i, ..)| *i);
+        for &(_, inside, touches) in along.iter() {
+            touch |= touches;
+            cost += if touches { TOUCH * (1.0 + inside) } else { 12.0 + 4.0 * inside };
+        }
+        if before + cost >= limit {
+            return (before + cost, touch);
         }
         let enters = |i: usize| self.areas[i].iter().any(|p| tight.contains(*p));
         self.grids[1].near(tight, self.areas.len(), met, near, enters);
@@ -543,23 +556,24 @@ impl<'a> Standing<'a> {
     /// What a candidate costs among the others, and whether it touches anything; not counted further once
     /// it costs `limit`.
     fn cost(&mut self, i: usize, candidate: &Candidate, all: &[Choices], limit: f64) -> (f64, bool) {
-        let Scratch { met, near } = &mut self.scratch;
+        let Scratch { met, near, .. } = &mut self.scratch;
         near.clear();
         met.begin(all.len());
         let mut meet = |j: usize| {
             if j != i && met.first_time(j) {
                 near.push(j);
             }
+            ControlFlow::Continue(())
         };
         let body = &self.market.bodies[i];
         for own in body.boxes(candidate.centre) {
             let own = own.inflate(WORD, CLEARANCE);
-            self.texts.visit(own, &mut meet);
-            self.leaders.visit(own, &mut meet);
+            let _ = self.texts.visit(own, &mut meet);
+            let _ = self.leaders.visit(own, &mut meet);
         }
         if let Some((a, b)) = candidate.leader {
-            self.texts.visit_along(a, b, 0.3, &mut meet);
-            self.leaders.visit_along(a, b, 0.0, &mut meet);
+            let _ = self.texts.visit_along(a, b, 0.3, &mut meet);
+            let _ = self.leaders.visit_along(a, b, 0.0, &mut meet);
         }
         near.sort_unstable();
         let mut cost = candidate.cost;
@@ -646,7 +660,7 @@ impl Market<'_> {
                 return;
             }
         }
-        let Scratch { met, near } = &mut *obstacles.scratch.borrow_mut();
+        let Scratch { met, near, .. } = &mut *obstacles.scratch.borrow_mut();
         if let Some((from, to)) = candidate.leader {
             // A leader may leave its own point, so only what it crosses further out counts.
             let start = from.lerp(to, (1.5 / from.distance(to).max(1.5)).min(1.0));
