@@ -322,7 +322,8 @@ impl<'a> Assembler<'a> {
     fn solutions(&self, index: usize, pose: &mut [f64]) -> Result<Vec<Solution>, f64> {
         let group = &self.groups[index];
         let angles = group.columns.iter().filter(|c| *c % 3 == 2).count();
-        let wanted = match (self.has_one_solution(group), angles) {
+        let linear = self.has_one_solution(group);
+        let wanted = match (linear, angles) {
             (true, _) => 1,
             (false, 0 | 1) => 16,
             (false, 2) => 40,
@@ -353,15 +354,19 @@ impl<'a> Assembler<'a> {
                     })
                 })
             };
-            if let Some(residual) = self.approach(group, pose) {
-                least = least.min(residual);
-                continue;
+            // Newton's step alone solves linear equations, where they can be solved.
+            let straight = if linear { self.iterate(group, pose, false) } else { Err(f64::INFINITY) };
+            if straight.is_err() {
+                if let Some(residual) = self.approach(group, pose) {
+                    least = least.min(residual);
+                    continue;
+                }
+                if let Some(end) = known(&ends, pose) {
+                    ends[end].1 += 1;
+                    continue;
+                }
             }
-            if let Some(end) = known(&ends, pose) {
-                ends[end].1 += 1;
-                continue;
-            }
-            match self.iterate(group, pose) {
+            match straight.or_else(|_| self.iterate(group, pose, true)) {
                 Err(residual) => least = least.min(residual),
                 Ok(()) => {
                     if let Some(end) = known(&ends, pose) {
@@ -559,8 +564,7 @@ impl<'a> Assembler<'a> {
         self.glance(group, pose, &mut at)?;
         let mut next = pose.to_vec();
         let (mut normal, mut step) = (DMatrix::zeros(n, n), DVector::zeros(n));
-        // Equations that are linear need no caution to begin with.
-        let mut damping = if self.has_one_solution(group) { 0.0 } else { 1e-3 };
+        let mut damping = 1e-3;
         let mut idle = 0;
         let mut halved = true;
         for _ in 0..MOST_ITERATIONS {
@@ -641,16 +645,16 @@ impl<'a> Assembler<'a> {
         next
     }
 
-    /// Damped Newton iterations on one group; the largest residual where they end elsewhere than at a
-    /// solution.
-    fn iterate(&self, group: &Group, pose: &mut [f64]) -> Result<(), f64> {
+    /// Damped Newton iterations on one group, if they are wanted, and then Newton's own; the largest residual where
+    /// they end elsewhere than at a solution.
+    fn iterate(&self, group: &Group, pose: &mut [f64], damped: bool) -> Result<(), f64> {
         let Some((mut residuals, mut tolerances, mut jacobian)) = self.evaluate(group, pose) else {
             return Err(f64::INFINITY);
         };
         let solved = |r: &DVector<f64>, t: &[f64]| r.iter().zip(t).all(|(r, t)| r.abs() <= *t);
         let mut damping = 1e-3;
         let mut idle = 0;
-        for _ in 0..MOST_ITERATIONS {
+        for _ in 0..if damped { MOST_ITERATIONS } else { 0 } {
             if solved(&residuals, &tolerances) || idle > 12 {
                 break;
             }

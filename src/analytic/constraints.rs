@@ -176,6 +176,20 @@ pub(super) trait Formulas {
         plus(self.origin(site.body), self.carried_vector(site.body, site.own))
     }
 
+    /// One coordinate of the place of a point of a body.
+    fn site_along(&self, site: &Site, axis: usize) -> Self::Number {
+        if site.body == 0 {
+            return self.num(site.own[axis]);
+        }
+        let origin = self.coordinate(site.body, axis);
+        if site.own == [Num::Exact(0.0); 2] {
+            return origin;
+        }
+        let [cos, sin] = self.angle(site.body).cos_sin();
+        let [x, y] = self.pair(site.own);
+        origin + if axis == 0 { cos * x - sin * y } else { sin * x + cos * y }
+    }
+
     /// A vector of a body's own coordinates as the body has turned it.
     fn carried_vector(&self, body: usize, own: [Num; 2]) -> [Self::Number; 2] {
         turned(self.pair(own), self.angle(body))
@@ -214,7 +228,7 @@ pub(super) trait Formulas {
     /// The equation as a function of time.
     fn row(&self, row: &Row) -> Self::Number {
         match row {
-            Row::Coincide(a, b, axis) => self.site(a)[*axis] - self.site(b)[*axis],
+            Row::Coincide(a, b, axis) => self.site_along(a, *axis) - self.site_along(b, *axis),
             Row::OnLine(rider, guide) => {
                 let normal = quarter(self.direction(guide));
                 let from = minus(self.site(rider), self.site(&guide.through));

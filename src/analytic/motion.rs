@@ -10,7 +10,7 @@ use super::assembly::Assembly;
 use super::constraints::{Motion, Param, Row};
 use super::linear::{Multipliers, System, entry_error};
 use super::model::Model;
-use super::ordering::order;
+use super::ordering::{Ordering, order};
 use super::tape::{Leaf, Linear, U};
 
 /// Rounds of iterative refinement at most.
@@ -90,7 +90,7 @@ pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, Analy
         .map(|row| row.linear(motion, 0).ok_or_else(no_value))
         .collect::<Result<_, _>>()?;
     let n = model.unknowns();
-    let system = System::new(&ordering, &rows, n, |leaf| match leaf {
+    let system = System::new(ordering.groups, &rows, n, |leaf| match leaf {
         Leaf::Pose(at) => Some(at),
         _ => None,
     });
@@ -214,14 +214,14 @@ pub(super) fn solve_motion(
     };
     let residuals = |linears: &[Linear]| -> Vec<f64> { linears.iter().map(|l| -l.value).collect() };
 
-    let ordering = order(&model.pattern(equations, 1)?, n);
+    let Ordering { groups, free, spare } = order(&model.pattern(equations, 1)?, n);
     let at_rest = evaluate(&rest, &[], 1)?;
-    let mut system = System::new(&ordering, &at_rest, n, |leaf| match leaf {
+    let mut system = System::new(groups, &at_rest, n, |leaf| match leaf {
         Leaf::Rate(at) => Some(at),
         _ => None,
     });
     let mut undetermined = vec![false; n];
-    for column in ordering.free.iter().filter(|c| **c >= 3) {
+    for column in free.iter().filter(|c| **c >= 3) {
         undetermined[*column] = true;
     }
     for index in 0..system.blocks.len() {
@@ -266,7 +266,7 @@ pub(super) fn solve_motion(
         acceleration_rows = refine(&mut accel, at_rest, &|accel| evaluate(&rate, accel, 2))?;
     }
     let fastest = rate.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
-    for row in &ordering.spare {
+    for row in &spare {
         let determined = system.entries[*row].iter().all(|(c, _)| !undetermined[*c]);
         if determined && velocity_rows[*row].value.abs() > CONTRADICTION * fastest {
             return Err(AnalyticError::Contradictory);

@@ -7,7 +7,7 @@
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::constraints::{Drive, Formulas, Num, Param, Row};
+use super::constraints::{Drive, Formulas, Num, Param, Row, Site};
 use super::tape::Calculus;
 
 /// Coordinates on which one equation may hang: x, y, θ of two bodies.
@@ -161,6 +161,10 @@ impl Formulas for Here<'_> {
 
     fn drive(&self, drive: &Drive) -> Slope {
         self.num(drive.value)
+    }
+
+    fn site_along(&self, site: &Site, axis: usize) -> Slope {
+        self.site(site)[axis]
     }
 
     /// The slope of a turned vector by its angle is the vector a quarter turn on.

@@ -14,6 +14,9 @@ pub(super) const U: f64 = f64::EPSILON / 2.0;
 /// Error of a function of `libm`, in units of the roundoff of its result (its own tests allow 1 ulp).
 const LIBM: f64 = 2.0;
 
+/// What most equations hang on: coordinates of two bodies, and a few parameters.
+const USUAL_TERMS: usize = 10;
+
 /// No node: an exact constant.
 const EXACT: u32 = u32::MAX;
 
@@ -128,6 +131,7 @@ impl Tape {
             return linear;
         }
         let last = out.at as usize;
+        linear.terms.reserve(USUAL_TERMS);
         let mut adjoint = self.adjoint.borrow_mut();
         adjoint.clear();
         adjoint.resize(last + 1, 0.0);

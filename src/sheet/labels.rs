@@ -4,7 +4,7 @@
 //! no free one is left, and a label is looked at again only when something within its reach has moved.
 
 use std::cell::RefCell;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use kurbo::{Point, Rect, Vec2};
 
@@ -139,12 +139,34 @@ impl Body {
 #[derive(Debug, Default)]
 pub struct Obstacles {
     strokes: Vec<(Point, Point, f64)>,
+    /// The strokes in their order, small things of many strokes as one.
+    clumps: Vec<Clump>,
     areas: Vec<Vec<Point>>,
     boxes: Vec<Rect>,
-    /// Strokes, then areas, then boxes, each by its own grid.
-    grids: [Grid; 3],
+    /// Clumps, then areas, then boxes, numbered one after the other.
+    grid: Grid,
     scratch: RefCell<Scratch>,
 }
+
+/// Strokes of one mark that lie together: the chords of a circle, the sides of an arrow's head. In a crowd hundreds of
+/// such things lie on each other, and most labels ask for the box of each alone.
+#[derive(Debug)]
+struct Clump {
+    strokes: Range<usize>,
+    /// The box of their ink.
+    bounds: Rect,
+}
+
+/// What labels keep away from.
+enum Thing<'a> {
+    Clump(&'a Clump),
+    Area(&'a [Point]),
+    /// Of this number.
+    Box(usize),
+}
+
+/// Width and height of a clump at most, mm.
+const CLUMP: f64 = 4.0;
 
 /// What a query writes on.
 #[derive(Debug, Default)]
@@ -172,7 +194,13 @@ impl Obstacles {
     /// Adds the ink of a group to it.
     pub fn extend(&mut self, group: &Group) {
         let more = Self::of(group);
+        let before = self.strokes.len();
         self.strokes.extend(more.strokes);
+        let later = |clump: Clump| Clump {
+            strokes: clump.strokes.start + before..clump.strokes.end + before,
+            ..clump
+        };
+        self.clumps.extend(more.clumps.into_iter().map(later));
         self.areas.extend(more.areas);
         self.boxes.extend(more.boxes);
         self.index();
@@ -186,16 +214,31 @@ impl Obstacles {
         let strokes = self.strokes.iter().map(|(a, b, _)| Rect::from_points(*a, *b));
         let all = strokes.chain(self.boxes.iter().copied()).chain(self.areas.iter().map(|p| area(p)));
         let whole = all.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
-        self.grids = std::array::from_fn(|_| Grid::new(whole));
-        for (i, (a, b, half)) in self.strokes.iter().enumerate() {
-            self.grids[0].add_stroke(i, *a, *b, *half);
+        self.grid = Grid::new(whole);
+        for (i, clump) in self.clumps.iter().enumerate() {
+            match &self.strokes[clump.strokes.clone()] {
+                [(a, b, half)] => self.grid.add_stroke(i, *a, *b, *half),
+                _ => self.grid.add(i, clump.bounds),
+            }
         }
-        for (i, points) in self.areas.iter().enumerate() {
-            self.grids[1].add(i, area(points));
+        let areas = self.areas.iter().map(|points| area(points));
+        for (i, own) in areas.chain(self.boxes.iter().copied()).enumerate() {
+            self.grid.add(self.clumps.len() + i, own);
         }
-        for (i, own) in self.boxes.iter().enumerate() {
-            self.grids[2].add(i, *own);
+    }
+
+    /// What has this number in the grid.
+    fn thing(&self, number: usize) -> Thing<'_> {
+        let after = number.wrapping_sub(self.clumps.len());
+        match (self.clumps.get(number), self.areas.get(after)) {
+            (Some(clump), _) => Thing::Clump(clump),
+            (None, Some(area)) => Thing::Area(area),
+            (None, None) => Thing::Box(after - self.areas.len()),
         }
+    }
+
+    fn count(&self) -> usize {
+        self.clumps.len() + self.areas.len() + self.boxes.len()
     }
 
     fn add(&mut self, mark: &Mark) {
@@ -203,7 +246,19 @@ impl Obstacles {
             return;
         }
         let half = mark.pen.map_or(0.0, |pen| pen.width / 2.0);
-        self.strokes.extend(mark.shape.outline().into_iter().map(|(a, b)| (a, b, half)));
+        for (n, (a, b)) in mark.shape.outline().into_iter().enumerate() {
+            let own = Rect::from_points(a, b).inflate(half, half);
+            let at = self.strokes.len();
+            self.strokes.push((a, b, half));
+            let last = self.clumps.last_mut().filter(|_| n > 0);
+            match last.map(|clump| (clump.bounds.union(own), clump)) {
+                Some((bounds, clump)) if bounds.width().max(bounds.height()) <= CLUMP => {
+                    clump.bounds = bounds;
+                    clump.strokes.end = at + 1;
+                }
+                _ => self.clumps.push(Clump { strokes: at..at + 1, bounds: own }),
+            }
+        }
         if let (Some(Tone::Ink), Shape::Polygon(points)) = (mark.fill, &mark.shape) {
             self.areas.push(points.clone());
         }
@@ -228,23 +283,38 @@ impl Obstacles {
         let mut cost = 0.0;
         let mut touch = false;
         let tight = own.inflate(CLEARANCE, CLEARANCE);
+        let wide = own.inflate(WORD, CLEARANCE);
         let Scratch { met, near, along } = &mut *self.scratch.borrow_mut();
+        (near.clear(), along.clear(), met.begin(self.count()));
+        let mut entered = 0;
         // A stroke lies in the cells that it touches with its own width.
-        along.clear();
-        met.begin(self.strokes.len());
-        let found = self.grids[0].visit(tight, |i| {
-            let (a, b, half) = self.strokes[i];
-            let grown = tight.inflate(half, half);
-            let beside = a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1;
-            if beside || a.y.max(b.y) < grown.y0 || a.y.min(b.y) > grown.y1 || !met.first_time(i) {
-                return ControlFlow::Continue(());
-            }
-            if let Some((t0, t1)) = clip(a, b, grown) {
-                let touches = clip(a, b, own.inflate(half + 0.08, half + 0.08)).is_some();
-                if touches && before + TOUCH >= limit {
-                    return ControlFlow::Break(());
+        let found = self.grid.visit(wide, |number| {
+            match self.thing(number) {
+                Thing::Clump(Clump { strokes, bounds }) => {
+                    if !bounds.overlaps(tight) || !met.first_time(number) {
+                        return ControlFlow::Continue(());
+                    }
+                    for i in strokes.clone() {
+                        let (a, b, half) = self.strokes[i];
+                        if let Some((t0, t1)) = clip(a, b, tight.inflate(half, half)) {
+                            let touches = clip(a, b, own.inflate(half + 0.08, half + 0.08)).is_some();
+                            if touches && before + TOUCH >= limit {
+                                return ControlFlow::Break(());
+                            }
+                            along.push((i, (t1 - t0) * a.distance(b), touches));
+                        }
+                    }
                 }
-                along.push((i, (t1 - t0) * a.distance(b), touches));
+                Thing::Area(area) => {
+                    if met.first_time(number) && area.iter().any(|p| tight.contains(*p)) {
+                        entered += 1;
+                    }
+                }
+                Thing::Box(i) => {
+                    if self.boxes[i].overlaps(wide) && met.first_time(number) {
+                        near.push(i);
+                    }
+                }
             }
             ControlFlow::Continue(())
         });
@@ -257,16 +327,11 @@ impl Obstacles {
             touch |= touches;
             cost += if touches { TOUCH * (1.0 + inside) } else { 12.0 + 4.0 * inside };
         }
-        if before + cost >= limit {
-            return (before + cost, touch);
-        }
-        let enters = |i: usize| self.areas[i].iter().any(|p| tight.contains(*p));
-        self.grids[1].near(tight, self.areas.len(), met, near, enters);
-        for _ in near.iter() {
+        for _ in 0..entered {
             cost += TOUCH;
             touch = true;
         }
-        self.grids[2].near(own.inflate(WORD, CLEARANCE), self.boxes.len(), met, near, |_| true);
+        near.sort_unstable();
         for other in near.iter().map(|i| &self.boxes[*i]) {
             let (c, t) = between(own, *other);
             cost += c;
@@ -665,14 +730,25 @@ impl Market<'_> {
             // A leader may leave its own point, so only what it crosses further out counts.
             let start = from.lerp(to, (1.5 / from.distance(to).max(1.5)).min(1.0));
             let own = Rect::from_points(start, to);
-            let crossed = |i: usize| crossing(start, to, obstacles.strokes[i].0, obstacles.strokes[i].1);
-            obstacles.grids[0].near(own, obstacles.strokes.len(), met, near, crossed);
-            for _ in near.iter() {
+            met.begin(obstacles.count());
+            let (mut crossed, mut struck) = (0, false);
+            let _ = obstacles.grid.visit(own, |number| {
+                match obstacles.thing(number) {
+                    Thing::Clump(clump) if clump.bounds.overlaps(own) && met.first_time(number) => {
+                        let strokes = obstacles.strokes[clump.strokes.clone()].iter();
+                        crossed += strokes.filter(|(a, b, _)| crossing(start, to, *a, *b)).count();
+                    }
+                    Thing::Box(i) => {
+                        struck |= clip(start, to, obstacles.boxes[i].inflate(0.3, 0.3)).is_some();
+                    }
+                    Thing::Clump(_) | Thing::Area(_) => {}
+                }
+                ControlFlow::Continue(())
+            });
+            for _ in 0..crossed {
                 candidate.cost += 40.0;
             }
-            let struck = |i: usize| clip(start, to, obstacles.boxes[i].inflate(0.3, 0.3)).is_some();
-            obstacles.grids[2].near(own, obstacles.boxes.len(), met, near, struck);
-            if !near.is_empty() {
+            if struck {
                 candidate.cost += TOUCH;
                 candidate.touches_ink = true;
             }
