@@ -236,26 +236,27 @@ pub(super) fn solve_motion(
     }
 
     // Solves the equations of `linears`, which are those at x, and refines; returns the equations at what x has become.
-    let refine = |x: &mut Vec<f64>,
-                  mut linears: Vec<Linear>,
-                  at: &dyn Fn(&[f64]) -> Result<Vec<Linear>, AnalyticError>| {
-        let mut last = f64::INFINITY;
-        for _ in 0..=REFINEMENTS {
-            let correction = system.solve(&residuals(&linears), &undetermined);
-            let parts = x.iter().zip(&correction).filter(|(_, d)| **d != 0.0).map(|(x, d)| d.abs() / x.abs());
-            let part = parts.fold(0.0, f64::max);
-            // Where it does not become less it is noise as well.
-            if part <= NOISE * U || part > 0.25 * last {
-                break;
+    type Equations = Result<Vec<Linear>, AnalyticError>;
+    let refine =
+        |x: &mut Vec<f64>, mut linears: Vec<Linear>, at: &dyn Fn(&[f64]) -> Equations| -> Equations {
+            let mut last = f64::INFINITY;
+            for _ in 0..=REFINEMENTS {
+                let correction = system.solve(&residuals(&linears), &undetermined);
+                let parts =
+                    x.iter().zip(&correction).filter(|(_, d)| **d != 0.0).map(|(x, d)| d.abs() / x.abs());
+                let part = parts.fold(0.0, f64::max);
+                // Where it does not become less it is noise as well.
+                if part <= NOISE * U || part > 0.25 * last {
+                    break;
+                }
+                last = part;
+                for (x, d) in x.iter_mut().zip(correction) {
+                    *x += d;
+                }
+                linears = at(x)?;
             }
-            last = part;
-            for (x, d) in x.iter_mut().zip(correction) {
-                *x += d;
-            }
-            linears = at(x)?;
-        }
-        Ok::<_, AnalyticError>(linears)
-    };
+            Ok(linears)
+        };
     let mut rate = rest.clone();
     let velocity_rows = refine(&mut rate, at_rest, &|rate| evaluate(rate, &[], 1))?;
     let mut accel = Vec::new();

@@ -285,7 +285,9 @@ impl Obstacles {
         let tight = own.inflate(CLEARANCE, CLEARANCE);
         let wide = own.inflate(WORD, CLEARANCE);
         let Scratch { met, near, along } = &mut *self.scratch.borrow_mut();
-        (near.clear(), along.clear(), met.begin(self.count()));
+        near.clear();
+        along.clear();
+        met.begin(self.count());
         let mut entered = 0;
         // A stroke lies in the cells that it touches with its own width.
         let found = self.grid.visit(wide, |number| {
