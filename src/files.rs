@@ -14,9 +14,12 @@ pub struct FileError(pub(crate) String);
 /// A scene file larger than this is refused before it is read.
 const LARGEST_SCENE: u64 = 16 * 1024 * 1024;
 
+/// Room for most scenes (bytes).
+const USUAL_SCENE: usize = 16 << 10;
+
 /// The name to show and the text of a scene; `-` is standard input.
 pub(crate) fn read(path: &Path) -> Result<(String, String), FileError> {
-    let mut bytes = Vec::new();
+    let mut bytes = Vec::with_capacity(USUAL_SCENE);
     let file = if path.as_os_str() == "-" {
         std::io::stdin()
             .lock()
