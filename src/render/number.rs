@@ -6,25 +6,19 @@ use std::fmt::Write;
 /// on every machine. What is not finite is written as 0; no module lets it come this far.
 #[must_use]
 pub fn decimal(value: f64, decimals: usize) -> String {
+    if !value.is_finite() {
+        return "0".to_owned();
+    }
     let mut text = String::new();
-    push_decimal(&mut text, value, decimals);
+    match TENS.get(decimals).and_then(|ten| rounded(value.abs() * ten)) {
+        Some(digits) => push_digits(&mut text, value < 0.0, digits, decimals),
+        None => push_exactly(&mut text, value, decimals),
+    }
     text
 }
 
 /// Powers of ten of the decimals that coordinates have.
 const TENS: [f64; 7] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
-
-/// Adds [`decimal`] of a number to a text.
-pub(crate) fn push_decimal(text: &mut String, value: f64, decimals: usize) {
-    if !value.is_finite() {
-        text.push('0');
-        return;
-    }
-    match TENS.get(decimals).and_then(|ten| rounded(value.abs() * ten)) {
-        Some(digits) => push_digits(text, value < 0.0, digits, decimals),
-        None => push_exactly(text, value, decimals),
-    }
-}
 
 /// The nearest whole number, where the rounding of `scaled` (half a unit in its last place: below 2³² less than
 /// 2⁻²¹) leaves no doubt of it.

@@ -13,19 +13,27 @@
 //! Title and description are the first children and name the picture for screen readers. Identifiers begin
 //! with a hash of the content, so that several figures can stand in one HTML page.
 
+use std::cell::Cell;
+
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use kurbo::{BezPath, PathEl, Point};
+use svg::Document;
+use svg::node::Blob;
+use svg::node::element::{Circle, Element, Group as GroupElement, Path, Rectangle};
 
-use super::number::{decimal, push_decimal};
+use super::number::decimal;
 use super::theme::{Place, Theme};
-use crate::sheet::figure::{Figure, Group, Mark, Node, Run, Shape, Text, Tone, on_circle};
+use crate::sheet::figure::{Figure, Group, Mark, Node, Pen, Run, Shape, Text, Tone, on_circle};
 use crate::sheet::font::{ARABIC_FAMILIES, ARABIC_FAMILY, FAMILIES, FAMILY, Face};
 
 /// Decimals of a millimetre for ink that only has to look right.
 const LAYOUT: usize = 3;
 /// Decimals of a millimetre for ink whose length is a quantity.
 const PRECISE: usize = 6;
+
+/// Stands for what every identifier begins with, until the content is known; no text has it (see [`printable`]).
+const PREFIX: char = '\u{1}';
 
 /// The figure as an SVG document, black on white.
 #[must_use]
@@ -72,77 +80,52 @@ enum Lettered {
 }
 
 fn document(figure: &Figure, theme: Theme, lettered: &Lettered, style: Option<String>) -> String {
-    let mut body = Writer { theme, lettered, texts: 0, out: String::new(), identifiers: Vec::new() };
-    body.group(&figure.root, Place::default());
+    let width = decimal(figure.width, LAYOUT);
+    let height = decimal(figure.height, LAYOUT);
+    let writer = Writer { theme, lettered, texts: Cell::new(0) };
+    let body = writer.group(&figure.root, Place::default()).to_string();
     // The hash is of all that stands in the figure but the prefix itself.
-    let named = fnv_on(fnv_on(fnv(figure.title.as_bytes()), b"\n"), figure.description.as_bytes());
-    let hash = fnv_on(fnv_on(named, b"\n"), body.out.as_bytes());
-    let prefix = format!("f{:08x}-", fold(hash));
+    let content = format!("{}\n{}\n{}", figure.title, figure.description, body.replace(PREFIX, ""));
+    let prefix = format!("f{:08x}-", fold(fnv(content.as_bytes())));
+    let (title, description) = (format!("{prefix}title"), format!("{prefix}desc"));
     let described = !figure.description.is_empty();
-
-    let mut out = String::with_capacity(body.out.len() + prefix.len() * body.identifiers.len() + 2048);
-    out.push_str("<svg aria-labelledby=\"");
-    out.push_str(&prefix);
-    out.push_str("title");
+    let mut document = Document::new()
+        .set("width", format!("{width}mm"))
+        .set("height", format!("{height}mm"))
+        .set("viewBox", format!("0 0 {width} {height}"))
+        .set("xml:lang", figure.language)
+        .set("lang", figure.language)
+        .set("role", "img")
+        .set("aria-labelledby", if described { format!("{title} {description}") } else { title.clone() })
+        .set("font-family", FAMILIES)
+        .set("stroke-linejoin", "round")
+        .add(element_with_text("title", Some(&title), &figure.title));
     if described {
-        out.push(' ');
-        out.push_str(&prefix);
-        out.push_str("desc");
-    }
-    out.push('"');
-    if theme.paints_paper() {
-        attribute(&mut out, "fill", &colour(theme, Tone::Ink, Place::default()));
-    }
-    attribute(&mut out, "font-family", FAMILIES);
-    let [width, height] = [figure.width, figure.height].map(|length| decimal(length, LAYOUT));
-    attribute(&mut out, "height", &format!("{height}mm"));
-    attribute(&mut out, "lang", figure.language);
-    attribute(&mut out, "role", "img");
-    attribute(&mut out, "stroke-linejoin", "round");
-    attribute(&mut out, "viewBox", &format!("0 0 {width} {height}"));
-    attribute(&mut out, "width", &format!("{width}mm"));
-    attribute(&mut out, "xml:lang", figure.language);
-    out.push_str(" xmlns=\"http://www.w3.org/2000/svg\">\n");
-    let mut head = |name: &str, id: &str, text: &str| {
-        out.push_str(&format!("<{name} id=\"{prefix}{id}\">"));
-        escape(&mut out, text);
-        out.push_str(&format!("</{name}>\n"));
-    };
-    head("title", "title", &figure.title);
-    if described {
-        head("desc", "desc", &figure.description);
+        document = document.add(element_with_text("desc", Some(&description), &figure.description));
     }
     if let Some(style) = style {
-        out.push_str(&style);
-        out.push('\n');
+        document = document.add(Blob::new(style));
     }
     if theme.paints_paper() {
-        let paper = colour(theme, Tone::Paper, Place::default());
-        out.push_str("<rect class=\"paper\"");
-        attribute(&mut out, "fill", &paper);
-        attribute(&mut out, "height", &height);
-        attribute(&mut out, "width", &width);
-        out.push_str("/>\n");
+        let place = Place::default();
+        document = document.set("fill", colour(theme, Tone::Ink, place)).add(
+            Rectangle::new()
+                .set("class", "paper")
+                .set("width", width)
+                .set("height", height)
+                .set("fill", colour(theme, Tone::Paper, place)),
+        );
     }
-    let mut written = 0;
-    for at in body.identifiers {
-        out.push_str(&body.out[written..at]);
-        out.push_str(&prefix);
-        written = at;
-    }
-    out.push_str(&body.out[written..]);
-    out.push_str("\n</svg>\n");
-    out
+    let mut text = document.add(Blob::new(body.replace(PREFIX, &prefix))).to_string();
+    text.push('\n');
+    text
 }
 
 /// The FNV-1a hash: short, and the same everywhere.
 pub(crate) fn fnv(bytes: &[u8]) -> u64 {
-    fnv_on(0xcbf2_9ce4_8422_2325, bytes)
-}
-
-/// The hash of what was hashed before with more bytes after it.
-fn fnv_on(hash: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(hash, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
+    bytes
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
 }
 
 /// Seconds for which a step of a film is shown.
@@ -214,294 +197,181 @@ fn font_faces(figure: &Figure) -> String {
     rules
 }
 
-/// Writes a figure into a buffer: each element on a line of its own, its attributes in the order of their names.
+/// The path data of a curve.
+fn curve(path: &BezPath, at: impl Fn(Point) -> String) -> String {
+    let parts: Vec<String> = path
+        .elements()
+        .iter()
+        .map(|element| match *element {
+            PathEl::MoveTo(p) => format!("M{}", at(p)),
+            PathEl::LineTo(p) => format!("L{}", at(p)),
+            PathEl::QuadTo(a, p) => format!("Q{} {}", at(a), at(p)),
+            PathEl::CurveTo(a, b, p) => format!("C{} {} {}", at(a), at(b), at(p)),
+            PathEl::ClosePath => "Z".to_owned(),
+        })
+        .collect();
+    parts.join(" ")
+}
+
+fn element_with_text(name: &str, id: Option<&str>, text: &str) -> Blob {
+    let id = id.map_or(String::new(), |id| format!(" id=\"{id}\""));
+    Blob::new(format!("<{name}{id}>{}</{name}>", escape(text)))
+}
+
 struct Writer<'a> {
     theme: Theme,
     lettered: &'a Lettered,
     /// Lines of text written so far.
-    texts: usize,
-    out: String,
-    /// Where identifiers begin, before whose first character the prefix of the document is to be put.
-    identifiers: Vec<usize>,
+    texts: Cell<usize>,
 }
 
 impl Writer<'_> {
-    fn group(&mut self, group: &Group, place: Place) {
+    fn group(&self, group: &Group, place: Place) -> GroupElement {
         let place = place.inside(group);
-        self.out.push_str("<g");
+        let mut element = GroupElement::new();
         if !group.class.is_empty() {
-            attribute(&mut self.out, "class", &group.class);
-        }
-        let mut data: Vec<&(&'static str, String)> = group.data.iter().collect();
-        // Of two values by one name the later one stands.
-        data.reverse();
-        data.sort_by_key(|(name, _)| *name);
-        data.dedup_by_key(|(name, _)| *name);
-        for (name, value) in data {
-            self.out.push_str(" data-");
-            self.out.push_str(name);
-            self.out.push_str("=\"");
-            quoted(&mut self.out, value);
-            self.out.push('"');
+            element = element.set("class", group.class.as_str());
         }
         if let Some(id) = &group.id {
-            self.out.push_str(" id=\"");
-            self.identifiers.push(self.out.len());
-            quoted(&mut self.out, id);
-            self.out.push('"');
+            element = element.set("id", format!("{PREFIX}{id}"));
         }
-        if group.title.is_none() && group.children.is_empty() {
-            self.out.push_str("/>");
-            return;
+        for (name, value) in &group.data {
+            element = element.set(format!("data-{name}"), printable(value));
         }
-        self.out.push_str(">\n");
         if let Some(title) = &group.title {
-            self.out.push_str("<title>");
-            escape(&mut self.out, title);
-            self.out.push_str("</title>\n");
+            element = element.add(element_with_text("title", None, title));
         }
         for child in &group.children {
-            match child {
-                Node::Group(child) => self.group(child, place),
-                Node::Mark(child) => self.mark(child, place),
-                Node::Text(child) => self.text(child),
-            }
-            self.out.push('\n');
+            element = match child {
+                Node::Group(child) => element.add(self.group(child, place)),
+                Node::Mark(child) => element.add(self.mark(child, place)),
+                Node::Text(child) => element.add(self.text(child)),
+            };
         }
-        self.out.push_str("</g>");
+        element
     }
 
-    fn mark(&mut self, mark: &Mark, place: Place) {
+    fn mark(&self, mark: &Mark, place: Place) -> Element {
         let decimals = if mark.precise { PRECISE } else { LAYOUT };
-        let (theme, out) = (self.theme, &mut self.out);
-        let fill = |out: &mut String| match mark.fill {
-            Some(tone) => attribute(out, "fill", &colour(theme, tone, place)),
-            None => attribute(out, "fill", "none"),
-        };
-        let class = |out: &mut String| {
-            if !mark.class.is_empty() {
-                attribute(out, "class", mark.class);
+        let n = |value: f64| decimal(value, decimals);
+        let at = |p: Point| format!("{} {}", n(p.x), n(p.y));
+        let mut element: Element = match &mark.shape {
+            Shape::Line(a, b) => Path::new().set("d", format!("M{} L{}", at(*a), at(*b))).into(),
+            Shape::Polyline(points) => Path::new().set("d", through(points, at)).into(),
+            Shape::Polygon(points) => Path::new().set("d", format!("{} Z", through(points, at))).into(),
+            Shape::Curve(path) => Path::new().set("d", curve(path, at)).into(),
+            Shape::Circle { centre, radius } => {
+                Circle::new().set("cx", n(centre.x)).set("cy", n(centre.y)).set("r", n(*radius)).into()
+            }
+            Shape::Arc { centre, radius, start, sweep } => {
+                let large = i32::from(sweep.abs() > std::f64::consts::PI);
+                let clockwise = i32::from(*sweep < 0.0);
+                let from = on_circle(*centre, *radius, *start);
+                let to = on_circle(*centre, *radius, start + sweep);
+                let r = n(*radius);
+                Path::new()
+                    .set("d", format!("M{} A{r} {r} 0 {large} {clockwise} {}", at(from), at(to)))
+                    .into()
             }
         };
-        if let Shape::Circle { centre, radius } = &mark.shape {
-            out.push_str("<circle");
-            class(out);
-            number(out, "cx", centre.x, decimals);
-            number(out, "cy", centre.y, decimals);
-            fill(out);
-            number(out, "r", *radius, decimals);
-        } else {
-            out.push_str("<path");
-            class(out);
-            out.push_str(" d=\"");
-            path_data(out, &mark.shape, decimals);
-            out.push('"');
-            fill(out);
+        let attributes = element.get_attributes_mut();
+        let mut set = |name: &str, value: String| {
+            attributes.insert(name.to_owned(), value.into());
+        };
+        if !mark.class.is_empty() {
+            set("class", mark.class.to_owned());
         }
+        set("fill", mark.fill.map_or("none".to_owned(), |tone| colour(self.theme, tone, place)));
         if let Some(pen) = mark.pen {
-            attribute(out, "stroke", &colour(theme, Tone::Ink, place));
-            if let Some(lengths) = pen.dash.lengths() {
-                out.push_str(" stroke-dasharray=\"");
-                for (i, length) in lengths.iter().enumerate() {
-                    if i > 0 {
-                        out.push(' ');
-                    }
-                    push_decimal(out, *length, LAYOUT);
-                }
-                out.push('"');
+            set("stroke", colour(self.theme, Tone::Ink, place));
+            set("stroke-width", decimal(pen.width, LAYOUT));
+            if let Some(dashes) = dashes(pen) {
+                set("stroke-dasharray", dashes);
             }
-            number(out, "stroke-width", pen.width, LAYOUT);
         }
-        out.push_str("/>");
+        element
     }
 
-    /// One `<text>` on one line: line breaks between runs would be blanks. A line with words of Arabic script is one
-    /// `<text>` per run: viewers order runs of two directions in one `<text>` each in its own way.
-    fn text(&mut self, text: &Text) {
-        let number = self.texts;
-        self.texts += 1;
-        let class = |out: &mut String| {
-            if !text.class.is_empty() {
-                attribute(out, "class", text.class);
-            }
-        };
-        let out = &mut self.out;
-        let numbered = match self.lettered {
-            Lettered::Live => false,
+    /// One `<text>` as one blob: a node of the crate would put line breaks, and so blanks, between runs. A
+    /// line with words of Arabic script is one `<text>` per run: viewers order runs of two directions in one
+    /// `<text>` each in its own way.
+    fn text(&self, text: &Text) -> Blob {
+        let number = self.texts.get();
+        self.texts.set(number + 1);
+        let class = if text.class.is_empty() { String::new() } else { format!(" class=\"{}\"", text.class) };
+        let name: Option<String> = match self.lettered {
+            Lettered::Live => None,
             #[cfg(feature = "png")]
-            Lettered::Numbered => true,
+            Lettered::Numbered => Some(format!("t{number}")),
             #[cfg(feature = "png")]
             Lettered::Outlined(outlines) => {
-                out.push_str("<path");
-                class(out);
-                out.push_str(" role=\"img\" aria-label=\"");
-                let from = out.len();
-                escape(out, &text.content());
-                let words = out.split_off(from).replace('"', "&quot;");
                 let d = outlines.get(&format!("t{number}")).map_or("", String::as_str);
-                out.push_str(&format!("{words}\" d=\"{d}\"/>"));
-                return;
+                let words = attribute(&text.content());
+                return Blob::new(format!("<path{class} role=\"img\" aria-label=\"{words}\" d=\"{d}\"/>"));
             }
         };
-        let id = |out: &mut String, part: usize| {
-            if numbered {
-                out.push_str(&format!(" id=\"t{number}-{part}\""));
-            }
-        };
+        let id = |part: usize| name.as_ref().map_or(String::new(), |name| format!(" id=\"{name}-{part}\""));
         if !text.runs.iter().any(|run| run.face.is_arabic()) {
-            out.push_str("<text");
-            class(out);
-            id(out, 0);
-            out.push('>');
-            text.runs.iter().for_each(|own| run(out, own));
-            out.push_str("</text>");
-            return;
+            let runs: String = text.runs.iter().map(run).collect();
+            return Blob::new(format!("<text{class}{}>{runs}</text>", id(0)));
         }
-        out.push_str("<g");
-        class(out);
-        out.push('>');
-        for (part, own) in text.runs.iter().enumerate() {
-            out.push_str("<text");
-            id(out, part);
-            if own.face.is_arabic() {
-                out.push_str(" font-family=\"");
-                out.push_str(ARABIC_FAMILIES);
-                out.push('"');
-            }
-            out.push('>');
-            run(out, own);
-            out.push_str("</text>");
-        }
-        out.push_str("</g>");
+        let alone = |(part, own): (usize, &Run)| {
+            let arabic = own.face.is_arabic();
+            let family = if arabic { format!(" font-family=\"{ARABIC_FAMILIES}\"") } else { String::new() };
+            format!("<text{}{family}>{}</text>", id(part), run(own))
+        };
+        Blob::new(format!("<g{class}>{}</g>", text.runs.iter().enumerate().map(alone).collect::<String>()))
     }
 }
 
-fn run(out: &mut String, run: &Run) {
-    out.push_str("<tspan");
-    number(out, "x", run.at.x, LAYOUT);
-    number(out, "y", run.at.y, LAYOUT);
-    number(out, "font-size", run.size, LAYOUT);
-    out.push_str(match run.face {
+fn run(run: &Run) -> String {
+    let face = match run.face {
         Face::Upright | Face::Arabic => "",
         Face::Italic => " font-style=\"italic\"",
         Face::Bold | Face::ArabicBold => " font-weight=\"bold\"",
-    });
-    out.push('>');
-    escape(out, &run.text);
-    out.push_str("</tspan>");
-}
-
-fn path_data(out: &mut String, shape: &Shape, decimals: usize) {
-    let at = |out: &mut String, before: &str, p: Point| {
-        out.push_str(before);
-        push_decimal(out, p.x, decimals);
-        out.push(' ');
-        push_decimal(out, p.y, decimals);
     };
-    match shape {
-        Shape::Line(a, b) => {
-            at(out, "M", *a);
-            at(out, " L", *b);
-        }
-        Shape::Polyline(points) | Shape::Polygon(points) => {
-            out.push('M');
-            for (i, p) in points.iter().enumerate() {
-                at(out, if i == 0 { "" } else { " L" }, *p);
-            }
-            if matches!(shape, Shape::Polygon(_)) {
-                out.push_str(" Z");
-            }
-        }
-        Shape::Curve(path) => curve(out, path, at),
-        Shape::Arc { centre, radius, start, sweep } => {
-            at(out, "M", on_circle(*centre, *radius, *start));
-            at(out, " A", Point::new(*radius, *radius));
-            out.push_str(if sweep.abs() > std::f64::consts::PI { " 0 1" } else { " 0 0" });
-            out.push_str(if *sweep < 0.0 { " 1" } else { " 0" });
-            at(out, " ", on_circle(*centre, *radius, start + sweep));
-        }
-        Shape::Circle { .. } => {}
-    }
+    format!(
+        "<tspan x=\"{}\" y=\"{}\" font-size=\"{}\"{face}>{}</tspan>",
+        decimal(run.at.x, LAYOUT),
+        decimal(run.at.y, LAYOUT),
+        decimal(run.size, LAYOUT),
+        escape(&run.text),
+    )
 }
 
-/// The path data of a curve.
-fn curve(out: &mut String, path: &BezPath, at: impl Fn(&mut String, &str, Point)) {
-    for (i, element) in path.elements().iter().enumerate() {
-        if i > 0 {
-            out.push(' ');
-        }
-        match *element {
-            PathEl::MoveTo(p) => at(out, "M", p),
-            PathEl::LineTo(p) => at(out, "L", p),
-            PathEl::QuadTo(a, p) => {
-                at(out, "Q", a);
-                at(out, " ", p);
-            }
-            PathEl::CurveTo(a, b, p) => {
-                at(out, "C", a);
-                at(out, " ", b);
-                at(out, " ", p);
-            }
-            PathEl::ClosePath => out.push('Z'),
-        }
-    }
+fn through(points: &[Point], at: impl Fn(Point) -> String) -> String {
+    let places: Vec<String> = points.iter().map(|p| at(*p)).collect();
+    format!("M{}", places.join(" L"))
 }
 
 fn colour(theme: Theme, tone: Tone, place: Place) -> String {
     format!("#{}", theme.tone(tone, place.about).hex())
 }
 
-/// Adds an attribute.
-fn attribute(out: &mut String, name: &str, value: &str) {
-    out.push(' ');
-    out.push_str(name);
-    out.push_str("=\"");
-    quoted(out, value);
-    out.push('"');
-}
-
-/// Adds an attribute whose value is a number.
-fn number(out: &mut String, name: &str, value: f64, decimals: usize) {
-    out.push(' ');
-    out.push_str(name);
-    out.push_str("=\"");
-    push_decimal(out, value, decimals);
-    out.push('"');
+fn dashes(pen: Pen) -> Option<String> {
+    let lengths: Vec<String> = pen.dash.lengths()?.iter().map(|l| decimal(*l, LAYOUT)).collect();
+    Some(lengths.join(" "))
 }
 
 /// Characters that XML cannot hold become the replacement character.
-fn printable(c: char) -> char {
-    match c {
-        '\t' | '\n' | '\r' => ' ',
-        '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
-        c => c,
-    }
+fn printable(text: &str) -> String {
+    text.chars()
+        .map(|c| match c {
+            '\t' | '\n' | '\r' => ' ',
+            '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
+            c => c,
+        })
+        .collect()
 }
 
-/// Adds text that stands between elements.
-fn escape(out: &mut String, text: &str) {
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            c => out.push(printable(c)),
-        }
-    }
+fn escape(text: &str) -> String {
+    printable(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// Adds text that stands in quotes.
-fn quoted(out: &mut String, text: &str) {
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&apos;"),
-            c => out.push(printable(c)),
-        }
-    }
+/// Text for an attribute in double quotes.
+#[cfg(feature = "png")]
+fn attribute(text: &str) -> String {
+    escape(text).replace('"', "&quot;")
 }
 
 #[cfg(test)]
