@@ -94,6 +94,8 @@ pub enum Reckoning {
     Sine,
     /// Angle of the vector (b, a) from +x.
     Angle,
+    /// The same, of something that may turn more than half round.
+    Turned,
 }
 
 /// What a human hand does with a pencil; each can slip.
@@ -117,6 +119,10 @@ pub trait Recorder {
     fn given(&mut self, value: f64, error: f64) -> Self::Mark;
     /// As [`Recorder::given`], for the place of an input, by its index.
     fn input(&mut self, _index: usize, value: f64, error: f64) -> Self::Mark {
+        self.given(value, error)
+    }
+    /// As [`Recorder::given`], for how fast an input moves, by its index.
+    fn input_rate(&mut self, _index: usize, value: f64, error: f64) -> Self::Mark {
         self.given(value, error)
     }
     /// A result: how it was reckoned from what, and the rounding of this operation alone.
@@ -272,17 +278,17 @@ impl Recorder for Tape {
 }
 
 /// A divisor is too weak to divide by when its first-order error passes this part of it.
-const WEAK_DIVISOR: f64 = 1.0 / 8.0;
+pub(super) const WEAK_DIVISOR: f64 = 1.0 / 8.0;
 
 /// A divisor that errs by a part p of itself changes the derivatives behind it by (1 − p)⁻² − 1: for a part up to
 /// an eighth less than this many p.
-const BEND: f64 = 4.0;
+pub(super) const BEND: f64 = 4.0;
 
 /// What second order may add to a first-order bound, at most: all of it again.
-const MOST_SECOND_ORDER: f64 = 1.0;
+pub(super) const MOST_SECOND_ORDER: f64 = 1.0;
 
 /// The bound is itself reckoned in doubles.
-const ROUNDED: f64 = 1e-9;
+pub(super) const ROUNDED: f64 = 1e-9;
 
 impl Tape {
     /// A tape on which one stroke will be moved as it is drawn.
