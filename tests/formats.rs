@@ -375,8 +375,8 @@ mod pdf {
     }
 }
 
-/// Every scene that has a sheet, in every language, as question and as solution, in every format. Takes half an hour on
-/// one core: `cargo test --test formats -- --ignored`; with `LINKGRAM_SHEETS=FOLDER` the PNGs are kept there, to be
+/// Every scene that has a sheet, in every language, as question and as solution, in every format. Takes a minute and
+/// a half on two cores: `cargo test --release --test formats -- --ignored`; with `LINKGRAM_SHEETS=FOLDER` the PNGs are kept there, to be
 /// looked at.
 #[cfg(all(feature = "png", feature = "pdf"))]
 mod acceptance {
@@ -442,7 +442,7 @@ mod acceptance {
     }
 
     #[test]
-    #[ignore = "half an hour; see the module"]
+    #[ignore = "minutes; see the module"]
     fn every_scene_in_every_language_and_format() {
         let keep = std::env::var_os("LINKGRAM_SHEETS").map(PathBuf::from);
         if let Some(folder) = &keep {

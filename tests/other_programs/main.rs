@@ -24,13 +24,13 @@ const DOTS: usize = 10;
 /// Side of a cell in which ink is compared, dots.
 const CELL: usize = 4;
 /// Chromium may differ by these parts of the ink, where the text is outlines, live, and live with embedded
-/// typefaces: its smoothing of edges, and of small letters in its own way. Measured: 0.024, 0.062, 0.079.
+/// typefaces: its smoothing of edges, and of small letters in its own way. Measured: 0.024, 0.061, 0.079.
 const CHROMIUM: [(&str, f64); 3] = [("outline", 0.03), ("live", 0.075), ("embed", 0.095)];
 /// Poppler may differ by this part: it sets every letter to whole dots. Measured: 0.126; at twice the
 /// resolution half of that.
 const POPPLER: f64 = 0.14;
 /// What LaTeX sets in its own type differs in every letter; the strokes may differ by this part. Measured:
-/// 0.066, on pages with nothing but rules and ticks.
+/// 0.060, on pages with nothing but rules and ticks.
 const LATEX_STROKES: f64 = 0.075;
 /// This part of the ink may stand where the other picture has none within a millimetre. Measured: 0.0002.
 const LATEX_STRAY: f64 = 0.001;
