@@ -11,7 +11,12 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+#[path = "../pairs/builder.rs"]
+#[allow(dead_code, clippy::disallowed_methods, reason = "shared with the tests of pairs")]
+mod builder;
 mod campaign;
+mod chain;
+mod dice;
 
 use std::fmt::Write;
 
