@@ -62,12 +62,16 @@ for variant, question in zip(variants, cloze):
         assert field.startswith(f"{line['answer']}:{line['tolerance']}"), (field, line)
 print(f"{len(cloze)} cloze questions")
 
-# QTI: converted to version 3 by citolab-qti-convert; against the schema of IMS, where there is one.
+# QTI: the manifest against the schema of IMS for content packages; the items converted to version 3 by
+# citolab-qti-convert, and against the schema of IMS, where there is one. lxml does not follow an IDREF of a schema:
+# here the names of the variables are held against their declarations.
 schema = etree.XMLSchema(file=os.environ["QTI_XSD"]) if "QTI_XSD" in os.environ else None
+packaging = etree.XMLSchema(file=os.environ["IMSCP_XSD"])
 with zipfile.ZipFile(exam / "qti.en.zip") as package:
     names = set(package.namelist())
     assert package.testzip() is None
     manifest = etree.parse(io.BytesIO(package.read("imsmanifest.xml")))
+    packaging.assertValid(manifest)
     listed = {element.get("href") for element in manifest.iter("{*}file")}
     assert listed | {"imsmanifest.xml"} == names
     for variant in variants:
@@ -75,6 +79,10 @@ with zipfile.ZipFile(exam / "qti.en.zip") as package:
         item = etree.fromstring(text.encode("utf-8"))
         if schema is not None:
             schema.assertValid(item)
+        declared = {element.get("identifier") for element in item.iter("{*}responseDeclaration", "{*}outcomeDeclaration")}
+        asked = {element.get("responseIdentifier") for element in item.iter("{*}textEntryInteraction")}
+        used = {element.get("identifier") for element in item.iter("{*}variable", "{*}setOutcomeValue")}
+        assert asked | {"SCORE"} == used == declared
         upgraded = etree.fromstring(upgrade_qti2_to_qti3(text).encode("utf-8"))
         entries = list(upgraded.iter("{*}qti-text-entry-interaction"))
         right = [value.text for value in upgraded.iterfind(".//{*}qti-correct-response/{*}qti-value")]
@@ -82,4 +90,4 @@ with zipfile.ZipFile(exam / "qti.en.zip") as package:
         assert right == [line["answer"] for line in lines] and len(entries) == len(lines)
         opens(package.read(f"figures/{variant}.svg").decode("utf-8"))
 checked = "valid by the schema of IMS" if schema is not None else "not held against the schema of IMS (no QTI_XSD)"
-print(f"{len(variants)} QTI items are read by citolab-qti-convert; {checked}")
+print(f"{len(variants)} QTI items are read by citolab-qti-convert; {checked}; the manifest is valid")

@@ -123,6 +123,12 @@ fn answers_in_every_form() {
     let report = grade(&scene, &answers, &GradeSettings::default()).unwrap();
     assert_eq!(report.quantities.len(), 4);
     assert!(report.holds() && report.sum() == (6.0, 6.0), "{}", report.to_text());
+    // Places and vectors by their components.
+    let csv = "quantity,x,y,unit\nx(B),0.4,0,m\na(B),2250,0,cm/s^2\n";
+    let answers = read_answers(csv, &scene).unwrap();
+    let report = grade(&scene, &answers, &GradeSettings::default()).unwrap();
+    assert_eq!(report.quantities.len(), 2);
+    assert!(report.holds(), "{}", report.to_text());
 }
 
 #[test]
@@ -175,6 +181,9 @@ fn bad_answers_are_refused_with_place_and_mend() {
         (r#"{ "points": { "velocity": { "b": [1, 2] } } }"#, "the pole is missing"),
         (r#"{ "points": { "velocity": { "o": [0, 0], "q": [1, 2] } } }"#, "has no point `q`"),
         ("v(B);3", "answers:1:1: neither JSON nor a table with a known header"),
+        ("quantity,value,x,y\nx(B),3,4,5", "answers:2:8: both a value and a component"),
+        ("quantity,x,y,sense\nx(B),4,5,cw", "answers:2:10: two components have their direction already"),
+        ("quantity,x,y\nx(B),4", "this row has no `value`"),
         ("quantity,value\nv(B),fast", "answers:2:6: `fast` does not begin with a number"),
     ];
     for (text, expected) in cases {

@@ -57,7 +57,7 @@ fn manifest(bank: &Bank<'_>) -> String {
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <manifest xmlns=\"http://www.imsglobal.org/xsd/imscp_v1p1\" identifier=\"linkgram-exam\">\n  \
-         <metadata>\n    <schema>IMS Content</schema>\n    <schemaversion>1.1.3</schemaversion>\n  </metadata>\n  \
+         <metadata>\n    <schema>QTIv2.1 Package</schema>\n    <schemaversion>1.0.0</schemaversion>\n  </metadata>\n  \
          <organizations/>\n  <resources>\n{resources}  </resources>\n</manifest>\n"
     )
 }

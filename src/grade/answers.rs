@@ -319,7 +319,7 @@ pub(super) fn scalar(
     let given = match quantity {
         Quantity::Position(_) | Quantity::Centre(..) => {
             let fault = Fault::new(value.at, format!("`{}` is a place", asked.name));
-            return Err(fault.mend("write both coordinates: [x, y]"));
+            return Err(fault.mend("write both coordinates: [x, y], in a table the columns `x` and `y`"));
         }
         Quantity::Ratio(..) | Quantity::Advantage(..) => Given::Signed(si),
         _ if is_vector(&quantity) || !measure(&quantity).turns() => Given::Magnitude(si.abs()),
@@ -331,15 +331,26 @@ pub(super) fn scalar(
     Ok(Item { asked: Asked { unit, ..asked }, given, rounding, at })
 }
 
-/// Two components.
+/// A list of two components.
 fn components(asked: Asked, list: &Value<'_>, unit: Option<Scale>, at: usize, scales: &Scales) -> Res<Item> {
-    if !is_vector(&asked.quantity) {
-        return Err(Fault::new(at, format!("`{}` is a number, not a vector", asked.name)));
-    }
     let parts = list.list("two components [x, y]")?;
     let [x, y] = parts else {
         return Err(Fault::new(list.at, format!("expected two components [x, y], found {}", parts.len())));
     };
+    vector(asked, [x, y], unit, at, scales)
+}
+
+/// Two components.
+pub(super) fn vector(
+    asked: Asked,
+    [x, y]: [&Value<'_>; 2],
+    unit: Option<Scale>,
+    at: usize,
+    scales: &Scales,
+) -> Res<Item> {
+    if !is_vector(&asked.quantity) {
+        return Err(Fault::new(at, format!("`{}` is a number, not a vector", asked.name)));
+    }
     let default = unit.unwrap_or_else(|| default_scale(&asked.quantity, scales));
     let stated = |value: &Value<'_>| scales.stated(value, measure(&asked.quantity), false, &default);
     let [a, b] = [stated(x)?, stated(y)?];

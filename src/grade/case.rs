@@ -362,9 +362,31 @@ impl<'s> Case<'s> {
             }
         };
         for reading in &change.readings {
-            self.misread(observation, *reading, &mut numbers);
+            match *reading {
+                Misreading::MeasuredFrom { of, tail } if observation.quantity == Some(of) => {
+                    let [head, tail] = self.head_and(&sketch.construction, &of, tail)?;
+                    numbers = vec![head[0] - tail[0], head[1] - tail[1]];
+                }
+                Misreading::Backwards { of, from } if observation.quantity == Some(of) => {
+                    let [head, from] = self.head_and(&sketch.construction, &of, from)?;
+                    numbers = vec![2.0 * from[0] - head[0], 2.0 * from[1] - head[1]];
+                }
+                reading => self.misread(observation, reading, &mut numbers),
+            }
         }
         numbers.iter().all(|n| n.is_finite()).then_some(numbers)
+    }
+
+    /// The head of a vector of a polygon and an image, SI, from the pole.
+    fn head_and(&self, construction: &Construction, of: &Quantity, image: Label) -> Option<[[f64; 2]; 2]> {
+        let order = of.order();
+        let polygon = polygon(construction, order)?;
+        let vector = polygon.vectors.iter().find(|v| v.quantity == *of)?;
+        let image = match image {
+            Label::Pole => [0.0; 2],
+            _ => polygon.images.iter().find(|known| known.label == image)?.at,
+        };
+        Some([vector.to, image].map(|at| at.map(|mm| mm * self.si_per_mm(order))))
     }
 
     fn misread(&self, observation: &Observation, reading: Misreading, numbers: &mut [f64]) {
@@ -381,12 +403,7 @@ impl<'s> Case<'s> {
                 let factor = if divided { mm * mm * factor } else { mm * factor };
                 (of, crate::graphical::Twist::scaled(factor))
             }
-            Misreading::Is { of, vector } => {
-                if let ([x, y], true) = (&mut *numbers, of == quantity) {
-                    [*x, *y] = vector;
-                }
-                return;
-            }
+            Misreading::MeasuredFrom { .. } | Misreading::Backwards { .. } => return,
         };
         if !of.includes(&quantity) {
             return;
@@ -407,7 +424,7 @@ impl<'s> Case<'s> {
         let enlarge = |observation: &Observation| {
             let mut unit =
                 if observation.quantity.is_some_and(|q| is_vector(&q)) { vec![1.0, 0.0] } else { vec![1.0] };
-            for reading in only.readings.iter().filter(|r| !matches!(r, Misreading::Is { .. })) {
+            for reading in &only.readings {
                 self.misread(observation, *reading, &mut unit);
             }
             size(&unit)

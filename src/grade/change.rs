@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::given::Given;
+use crate::graphical::construction::Label;
 use crate::graphical::{Departure, Twist};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{Form, GuidePoint, Input, Mechanism, Path, Place, Roll};
@@ -33,8 +34,10 @@ pub(super) enum Misreading {
     Unscaled { of: Which, factor: f64 },
     /// The length on paper was divided by the scale (in units of the answer per millimetre), times this.
     Divided { of: Which, factor: f64 },
-    /// The vector is this, SI.
-    Is { of: Quantity, vector: [f64; 2] },
+    /// The vector was measured from the pole or from another image, instead of from its own tail.
+    MeasuredFrom { of: Quantity, tail: Label },
+    /// Its relative vector was laid off backwards from another image.
+    Backwards { of: Quantity, from: Label },
 }
 
 /// Which answers were misread.

@@ -1,6 +1,8 @@
 //! Answers as CSV: one row per quantity, or one row per point.
 
-use super::answers::{Answers, FigurePoints, directed, drawn, order_of, refuse_twice, scalar, turned};
+use super::answers::{
+    Answers, FigurePoints, directed, drawn, order_of, refuse_twice, scalar, turned, vector,
+};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::scene::Scene;
 use crate::scene::asked::{measure, named};
@@ -8,7 +10,7 @@ use crate::scene::diagnostic::{Fault, Res};
 use crate::scene::json::{Kind, Value};
 use crate::scene::units::{Measure, Scale, Scales, Words, number};
 
-const QUANTITY: [&str; 5] = ["quantity", "value", "unit", "sense", "direction"];
+const QUANTITY: [&str; 7] = ["quantity", "value", "x", "y", "unit", "sense", "direction"];
 const POINT: [&str; 4] = ["figure", "point", "x", "y"];
 
 /// A row: its fields and where each begins.
@@ -72,9 +74,26 @@ fn quantity<'r>(
     scales: &Scales,
     answers: &mut Answers,
 ) -> Res<()> {
-    let ((name, at), (text, value_at)) = (need("quantity")?, need("value")?);
+    let (name, at) = need("quantity")?;
     let asked = named(name, *at, &scene.mechanism, scales)?;
     let unit = field("unit");
+    if let (None, Some(x), Some(y)) = (field("value"), field("x"), field("y")) {
+        let [x, y] = [x, y].map(|(text, at)| Value { at: *at, kind: Kind::Text(text.clone()) });
+        let scale =
+            unit.map(|(symbol, at)| Scale::parse(symbol, *at)?.must_be(measure(&asked.quantity), *at));
+        let item = vector(asked, [&x, &y], scale.transpose()?, *at, scales)?;
+        if let Some((_, at)) = field("sense").or_else(|| field("direction")) {
+            return Err(Fault::new(*at, "two components have their direction already"));
+        }
+        refuse_twice(&answers.items, &item)?;
+        answers.items.push(item);
+        return Ok(());
+    }
+    let (text, value_at) = need("value")?;
+    if let Some((_, at)) = field("x").or_else(|| field("y")) {
+        let fault = Fault::new(*at, "both a value and a component");
+        return Err(fault.mend("give `value`, or `x` and `y`"));
+    }
     let of_polygon = !matches!(asked.quantity, Quantity::Position(_) | Quantity::Centre(..));
     if let (Some((symbol, _)), Measure::Velocity | Measure::Acceleration, true) =
         (unit, measure(&asked.quantity), of_polygon)

@@ -267,12 +267,19 @@ impl Judge<'_, '_> {
             })
             .collect();
         singles.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        // A pair of which one half changes nothing is no pair.
+        let alone = self.tried(base, hypotheses, self.drawn);
+        let idle = |pair: &Tried| {
+            alone
+                .iter()
+                .any(|one| one.hypothesis.change == pair.hypothesis.change && one.misses == pair.misses)
+        };
         let mut all = Vec::new();
         for single in singles.into_iter().take(PAIRED) {
             let Some(sketch) = self.case.drawn(&single.change, None) else { continue };
             for mut pair in self.tried(&sketch, hypotheses, &single.change) {
                 pair.cost += SECOND + single.hypothesis.price;
-                if pair.cost < price {
+                if pair.cost < price && !idle(&pair) {
                     all.push((single.hypothesis.clone(), pair));
                 }
             }

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::case::{Case, Target, polygon, size};
 use super::change::{Change, InputChange, Misreading, Which};
 use super::kind::Kind;
-use crate::graphical::construction::{Act, Calculation, Construction, Vector};
+use crate::graphical::construction::{Act, Calculation, Construction, Label, Vector};
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
@@ -479,6 +479,31 @@ impl<'c> List<'c, '_> {
         for (link, point) in further {
             let others = &self.case.mechanism.link(link).points;
             let others: Vec<PointId> = others.iter().copied().filter(|p| *p != point).collect();
+            // From a fixed point it is the vector itself that has the opposite sense.
+            for &from in others.iter().filter(|p| !self.case.mechanism.is_fixed(**p)) {
+                let name = |p: PointId| self.case.mechanism.point(p).name.as_str();
+                let relative = [
+                    (Order::Velocity, format!("v({}/{})", name(point), name(from))),
+                    (Order::Acceleration, format!("a({}/{})", name(point), name(from))),
+                ];
+                for (order, at) in relative {
+                    let backwards = Departure::Backwards { order, point, from };
+                    self.add(Kind::RelativeReversed, &at, None, PLAIN, Change::drawn(vec![backwards]));
+                    // Nothing follows from where the point went.
+                    let images = polygon(self.construction, order).map_or(&[][..], |p| &p.images);
+                    let image = images
+                        .iter()
+                        .find(|image| matches!(image.label, Label::Image { point, .. } if point == from));
+                    let of = match order {
+                        Order::Acceleration => Quantity::Acceleration(point),
+                        _ => Quantity::Velocity(point),
+                    };
+                    if let Some(image) = image {
+                        let read = Change::read(Misreading::Backwards { of, from: image.label });
+                        self.add(Kind::RelativeReversed, &at, None, 0.5, read);
+                    }
+                }
+            }
             for (index, &first) in others.iter().enumerate() {
                 for &second in &others[index + 1..] {
                     let mirrored = |order| Departure::Mirrored { order, point, about: [first, second] };
@@ -598,6 +623,30 @@ impl<'c> List<'c, '_> {
                 .to_vec(),
         };
         self.add(kind, at, None, price + 0.5, read.and(&Change::drawn(departures)));
+        // Further points by the image: nothing follows from the rates that were calculated.
+        let rates = self.rates_from(of).into_iter().map(|(order, rate)| Misreading::Twisted {
+            of: Which::One(rate),
+            twist: Twist::scaled(factor_of(order)),
+        });
+        let readings: Vec<Misreading> = rates.collect();
+        if !readings.is_empty() {
+            let change = Change { readings, ..Change::default() };
+            self.add(kind, at, None, price + 1.0, read.and(&change));
+        }
+    }
+
+    /// The rates that are calculated from vectors, with the polygon of these.
+    fn rates_from(&self, of: Which) -> Vec<(Order, Quantity)> {
+        let rate = |(_, act): (usize, &Act)| match *act {
+            Act::Calculate(Calculation::Omega { link, quantity, .. }) if of.includes(&quantity) => {
+                Some((Order::Velocity, Quantity::Omega(link)))
+            }
+            Act::Calculate(Calculation::Alpha { link, quantity, .. }) if of.includes(&quantity) => {
+                Some((Order::Acceleration, Quantity::Alpha(link)))
+            }
+            _ => None,
+        };
+        self.acts().into_iter().filter_map(rate).collect()
     }
 
     /// Vectors measured from another point of the polygon.
@@ -621,24 +670,26 @@ impl<'c> List<'c, '_> {
                 continue;
             };
             let length = size(&difference(vector.to, vector.from));
-            let mut tails: Vec<[f64; 2]> = vec![[0.0; 2]];
-            tails.extend(polygon.images.iter().map(|image| image.at));
+            let mut tails: Vec<(Label, [f64; 2])> = vec![(Label::Pole, [0.0; 2])];
+            tails.extend(polygon.images.iter().map(|image| (image.label, image.at)));
             let name = self.name(&quantity);
             let step = Some(vector.step);
             let mut tried: Vec<[f64; 2]> = vec![vector.from, vector.to];
-            for tail in tails {
+            for (label, tail) in tails {
                 if tried.iter().any(|t| size(&difference(*t, tail)) < 1.0) {
                     continue;
                 }
                 tried.push(tail);
-                let si = self.case.si_per_mm(order);
                 let read = difference(vector.to, tail);
-                let is = Misreading::Is { of: quantity, vector: read.map(|mm| mm * si) };
-                self.add(Kind::WrongPole, &name, step, 0.5, Change::read(is));
+                let from_there = Misreading::MeasuredFrom { of: quantity, tail: label };
+                self.add(Kind::WrongPole, &name, step, 0.5, Change::read(from_there));
                 if length > 0.0 {
                     let departure = Departure::Read { quantity, factor: size(&read) / length };
-                    let change =
-                        Change { departures: vec![departure], readings: vec![is], ..Change::default() };
+                    let change = Change {
+                        departures: vec![departure],
+                        readings: vec![from_there],
+                        ..Change::default()
+                    };
                     self.add(Kind::WrongPole, &name, step, 1.0, change);
                 }
             }

@@ -85,6 +85,15 @@ pub enum Departure {
         /// The line.
         about: [PointId; 2],
     },
+    /// The image of a point is laid off backwards from the image of another point of its link.
+    Backwards {
+        /// In which polygon.
+        order: Order,
+        /// The point.
+        point: PointId,
+        /// The other point.
+        from: PointId,
+    },
     /// Of two intersections on the skeleton the other one is taken for this pin.
     OtherSide(PointId),
     /// Of two ways in which a link can stand the other one is taken.
@@ -265,16 +274,38 @@ impl<B: Bench> Draughtsman<'_, B> {
                 Departure::Mirrored { order: o, point: of, about } if (o, of) == (order, point) => {
                     at = self.mirrored(order, about, at);
                 }
+                Departure::Backwards { order: o, point: of, from } if (o, of) == (order, point) => {
+                    at = self.backwards(order, from, at);
+                }
                 _ => {}
             }
         }
         at
     }
 
+    /// Whether a point has an image yet.
+    fn has_image(&mut self, order: Order, point: PointId) -> bool {
+        self.mechanism.is_fixed(point) || self.images(order)[point.0].is_some()
+    }
+
+    /// A point as far behind the image of another one; where that has no image yet, the point itself.
+    fn backwards(&mut self, order: Order, from: PointId, at: Point<B>) -> Point<B> {
+        if !self.has_image(order, from) {
+            return at;
+        }
+        let from = self.image(order, from);
+        let reason = self.reason(&[]);
+        let (along, length) = self.board.toward(from, at, reason);
+        if self.board.is_nothing(length) {
+            return at;
+        }
+        let back = self.board.reverse(along);
+        self.board.lay_off(from, back, length)
+    }
+
     /// A point on the other side of the image of a line; where that has no image yet, the point itself.
     fn mirrored(&mut self, order: Order, about: [PointId; 2], at: Point<B>) -> Point<B> {
-        let known = |d: &mut Self, p: PointId| d.mechanism.is_fixed(p) || d.images(order)[p.0].is_some();
-        if !about.iter().all(|&p| known(self, p)) {
+        if !about.iter().all(|&p| self.has_image(order, p)) {
             return at;
         }
         let [from, to] = about.map(|p| self.image(order, p));
