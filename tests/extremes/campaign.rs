@@ -13,8 +13,8 @@
 //! *Conditioning* is what half a unit in the last place of each number of the scene does to an answer, all of them
 //! together, and half a unit of the answer itself: no way to reckon in doubles can promise less. What is zero by the
 //! nature of the mechanism counts as large as the largest answer of the same unit in its scene, and an ε as large as
-//! the greatest ω², since it is drawn from normal accelerations. The tape's share of it is held against chains
-//! whose numbers are moved one after the other.
+//! the greatest ω², since it is drawn from normal accelerations. The tape tells its share; in one chain of sixty-four
+//! the numbers are moved one after the other, and the bound is held against what comes of that as well.
 //!
 //! ```sh
 //! cargo test --release --no-default-features --test extremes -- --ignored --nocapture campaign
@@ -47,9 +47,10 @@ use crate::dice::Dice;
 /// A bound may be so many times the conditioning.
 const USEFUL: f64 = 1e4;
 
-/// The tape counts a number that is read, brought to metres or radians and pricked more than once for all of that:
-/// its conditioning may be so many times that of the numbers as they are written.
-const READ_AND_CONVERTED: f64 = 6.0;
+/// A number counts on the tape in each place of the drawing where it is read, with the rounding of its way to metres
+/// or radians; in an answer in which its places undo each other, as ω's in an ε, the tape's conditioning is greater
+/// than that of the number moved in all of them. By no more than this.
+const READ_OFTEN: f64 = 64.0;
 
 /// The truth in double-double must be better than the bound by this factor.
 const FINER: f64 = 1e-6;
@@ -148,8 +149,7 @@ const LENGTHS: [usize; 7] = [4, 8, 16, 32, 64, 128, 202];
 struct Judged {
     error: f64,
     bound: f64,
-    /// `None` where nobody has asked.
-    conditioning: f64,
+    conditioning: Conditioning,
 }
 
 /// What a campaign has found.
@@ -208,9 +208,17 @@ fn apart(fine: &[DoubleDouble], wide: &[Wide]) -> f64 {
     parts.fold(0.0, |sum, (f, w)| libm::hypot(sum, (Wide::of_double_double(*f) - *w).to_f64()))
 }
 
-/// What the numbers of the scene bring to each answer with them, and the rounding of the answer itself or of the
-/// largest of its unit.
-fn conditioning(scene: &Scene, solved: &mut Solved) -> Vec<f64> {
+/// The conditioning of an answer.
+#[derive(Clone, Copy)]
+struct Conditioning {
+    /// What the numbers of the scene bring with them.
+    inherited: f64,
+    /// The rounding of the answer itself, or of the largest of its unit.
+    own: f64,
+}
+
+/// The conditioning of each answer; `None` where it is refused.
+fn conditioning(scene: &Scene, solved: &mut Solved) -> Vec<Option<Conditioning>> {
     let answers = &solved.solution.construction.answers;
     let sizes: Vec<Option<f64>> =
         answers.iter().map(|r| numbers(&r.answer).map(|(value, _)| size(&value))).collect();
@@ -219,12 +227,13 @@ fn conditioning(scene: &Scene, solved: &mut Solved) -> Vec<f64> {
     let fastest = turns.filter_map(|(size, _)| *size).fold(0.0, f64::max);
     let tape = &mut solved.solution.tape;
     let of = |(index, marks): (usize, &Vec<u32>)| {
+        sizes[index]?;
         let inherited = marks.iter().fold(0.0, |sum, mark| libm::hypot(sum, tape.inherited(*mark)));
         let alike = sizes.iter().zip(asked).filter(|(_, a)| a.unit.symbol == asked[index].unit.symbol);
         let largest = alike.filter_map(|(size, _)| *size).fold(0.0, f64::max);
         let is_alpha = matches!(asked[index].quantity, Quantity::Alpha(_));
         let largest = if is_alpha { largest.max(fastest * fastest) } else { largest };
-        sizes[index].map_or(f64::NAN, |_| inherited + largest * UNIT_ROUNDOFF)
+        Some(Conditioning { inherited, own: largest * UNIT_ROUNDOFF })
     };
     solved.solution.slots.iter().enumerate().map(of).collect()
 }
@@ -237,9 +246,10 @@ impl Found {
     }
 
     fn judge(&mut self, keys: &[Key], judged: Judged, what: &dyn Fn() -> String) {
-        let Judged { error, bound, conditioning } = judged;
+        let Judged { error, bound, conditioning: Conditioning { inherited, own } } = judged;
+        let conditioning = inherited + own;
         // Written so that a not-a-number is beyond.
-        let (within, useful) = (error <= bound, bound <= USEFUL / READ_AND_CONVERTED * conditioning);
+        let (within, useful) = (error <= bound, bound <= USEFUL * conditioning);
         if !within {
             self.beyond.push(format!("off by {error:e}, bound {bound:e}: {}", what()));
         }
@@ -283,7 +293,7 @@ impl Found {
             solved.solution.construction.answers.iter().map(|r| r.answer.clone()).collect();
         let mut wide = (seed.is_multiple_of(16)).then(|| chain.truth::<Wide>().unwrap());
         for (index, answer) in answers.iter().enumerate() {
-            let Some((value, bound)) = numbers(answer) else {
+            let (Some((value, bound)), Some(conditioning)) = (numbers(answer), conditioning[index]) else {
                 self.refuse(&keys);
                 continue;
             };
@@ -300,16 +310,21 @@ impl Found {
                     self.doubtful.push(format!("the truth is off by {off:e}, bound {bound:e}: {}", what()));
                 }
             }
-            self.judge(&keys, Judged { error, bound, conditioning: conditioning[index] }, &what);
+            self.judge(&keys, Judged { error, bound, conditioning }, &what);
         }
         if seed.is_multiple_of(64) && chain.links <= 64 {
             for (index, moved) in chain.conditioning().unwrap().into_iter().enumerate() {
-                let Some((value, _)) = numbers(&answers[index]) else { continue };
-                let moved = UNIT_ROUNDOFF * (moved + size(&value));
-                let part = conditioning[index] / moved;
-                if !(0.8..READ_AND_CONVERTED).contains(&part) {
-                    self.doubtful
-                        .push(format!("conditioning {part} of what moving shows: seed {seed}, {index}"));
+                let Some(Conditioning { inherited, .. }) = conditioning[index] else { continue };
+                let moved = UNIT_ROUNDOFF * moved;
+                let part = inherited / moved;
+                if !(0.8..READ_OFTEN).contains(&part) {
+                    let what = format!("conditioning {part} of what moving shows: seed {seed}, {index}");
+                    self.doubtful.push(what);
+                }
+                let Some((value, bound)) = numbers(&answers[index]) else { continue };
+                let useful = bound <= USEFUL * (moved + size(&value) * UNIT_ROUNDOFF);
+                if !useful {
+                    self.useless.push(format!("bound {bound:e}, by moving {moved:e}: seed {seed}, {index}"));
                 }
             }
         }
@@ -323,12 +338,10 @@ impl Found {
                     continue;
                 };
                 // What the board refuses has no conditioning here.
-                if conditioning[index].is_nan() {
-                    continue;
-                }
+                let Some(conditioning) = conditioning[index] else { continue };
                 let what = || format!("seed {seed}, analytic, quantity {index}: {}", chain.text);
                 let error = distance(&value, &truth[index]);
-                let judged = Judged { error, bound, conditioning: conditioning[index] };
+                let judged = Judged { error, bound, conditioning };
                 self.judge(&[Key::Analytic], judged, &what);
             }
         }
@@ -355,7 +368,8 @@ impl Found {
         let mut wide = (seed % 16 == 15).then(|| again::<Wide>(&scene, &solved));
         let answers = &solved.solution.construction.answers;
         for (index, reading) in answers.iter().enumerate() {
-            let Some((value, bound)) = numbers(&reading.answer) else {
+            let (Some((value, bound)), Some(conditioning)) = (numbers(&reading.answer), conditioning[index])
+            else {
                 self.refuse(&keys);
                 continue;
             };
@@ -381,7 +395,7 @@ impl Found {
                     self.doubtful.push(format!("75 digits say {error:e}, 31 {fine_error:e}: {}", what()));
                 }
             }
-            self.judge(&keys, Judged { error, bound, conditioning: conditioning[index] }, &what);
+            self.judge(&keys, Judged { error, bound, conditioning }, &what);
         }
     }
 
