@@ -55,6 +55,8 @@ pub(super) struct Linear {
     pub(super) rounding: f64,
     /// Partial derivatives, each leaf once, ascending.
     pub(super) terms: Vec<(Leaf, f64)>,
+    /// Leaves on which it hangs through a product of zeros, as on ω in ω² where ω = 0: without a slope.
+    pub(super) flat: Vec<Leaf>,
 }
 
 impl Tape {
@@ -113,13 +115,22 @@ impl Tape {
         }
         let last = out.at as usize;
         let mut adjoint = vec![0.0_f64; last + 1];
+        // Behind a product of two zeros there is no slope, but the product hangs on both.
+        let mut behind_zeros = vec![false; last + 1];
         adjoint[last] = 1.0;
         for at in (0..=last).rev() {
             let weight = adjoint[at];
+            let node = &nodes[at];
+            let levelled = weight != 0.0 && node.parents != [EXACT; 2] && node.partials == [0.0; 2];
+            if levelled || behind_zeros[at] {
+                linear.flat.extend(node.leaf);
+                for parent in node.parents.into_iter().filter(|parent| *parent != EXACT) {
+                    behind_zeros[parent as usize] = true;
+                }
+            }
             if weight == 0.0 {
                 continue;
             }
-            let node = &nodes[at];
             linear.rounding += weight.abs() * node.rounding;
             if let Some(leaf) = node.leaf {
                 linear.terms.push((leaf, weight));
