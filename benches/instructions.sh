@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Cost follows the question: instructions of whole runs (process start to exit) under callgrind, by what is
-# asked of one scene; peak memory and time of a run without valgrind beside them. Needs valgrind (apt-get
-# install valgrind) and python3. Usage: benches/instructions.sh [SCENE]
+# asked of one scene; peak memory of a run without valgrind beside them. Needs valgrind, GNU time (apt-get
+# install valgrind time) and python3. Usage: benches/instructions.sh [SCENE]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scene=${1:-examples/s000-ch3a-1.json}
@@ -33,12 +33,8 @@ measure() {
   valgrind --tool=callgrind --callgrind-out-file="$work/out" "$program" "$@" >/dev/null 2>"$work/log"
   local count peak
   count=$(sed -n 's/.*Collected : \([0-9]*\).*/\1/p' "$work/log")
-  peak=$(python3 - "$program" "$@" <<'PY'
-import resource, subprocess, sys
-subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, check=True)
-print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
-PY
-)
+  # A process counts as its own what the one was that it was forked from, so that must be a small one.
+  peak=$(/usr/bin/time -f %M "$program" "$@" 2>&1 >/dev/null | tail -n 1)
   printf '| %-34s | %14s | %9s |\n' "$name" "$count" "$peak"
 }
 measure "start-up only (--version)" --version

@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 use std::time::Instant;
 
+use linkgram::board::Variable;
 use linkgram::graphical::transcribe;
 use linkgram::mechanism::structure::Structure;
 use linkgram::mechanism::{Given, Input, Mechanism};
@@ -101,6 +102,48 @@ fn swept(mechanism: &Mechanism) -> Time {
         sweep.run(&places, |_, values| sum += values[values.len() - 1]);
         black_box(sum);
     })
+}
+
+/// The same with a bound for every number.
+fn swept_with_bounds(mechanism: &Mechanism) -> Time {
+    let places = angles();
+    let sweep = match Sweep::new(mechanism, None) {
+        Ok(sweep) => sweep,
+        Err(error) => panic!("{error}"),
+    };
+    let bounded = match sweep.with_bounds() {
+        Ok(bounded) => bounded,
+        Err(error) => panic!("{error}"),
+    };
+    time(f64::from(POSITIONS), || {
+        let mut sum = 0.0;
+        bounded.run(&places, |_, _, bounds| sum += bounds[bounds.len() - 1]);
+        black_box(sum);
+    })
+}
+
+/// Bounds may cost twice the sweep without them, and as much again for each asked quantity.
+fn bounds() {
+    heading("positions with a bound for every number, beside without", "ns");
+    let mut six = example("s000-ch3a-1");
+    let all_of_six = six.mechanism.asked.len();
+    let scenes = [
+        ("four-bar: x, v, a of A and B", four_bar(ACCELERATIONS), 6),
+        ("four-bar: v of B", four_bar(r#"["v(B)"]"#), 1),
+        ("six-link 3-1: its quantities", example("s000-ch3a-1"), all_of_six),
+        ("eight-link: its quantities", example("eight-link"), example("eight-link").mechanism.asked.len()),
+    ];
+    for (name, scene, asked) in scenes {
+        let off = swept(&scene.mechanism);
+        let on = swept_with_bounds(&scene.mechanism);
+        row(&format!("{name}, without"), off, None);
+        row(&format!("{name}, with (target {})", 2 + asked), on, Some(off));
+    }
+    six.mechanism.asked.truncate(1);
+    let first = &six.mechanism.asked[0].name;
+    let off = swept(&six.mechanism);
+    row(&format!("six-link 3-1: {first}, without"), off, None);
+    row(&format!("six-link 3-1: {first}, with (target 3)"), swept_with_bounds(&six.mechanism), Some(off));
 }
 
 /// What the input looks like to a closed form: angle, ω, ε.
@@ -255,7 +298,7 @@ fn lengths() {
             Err(error) => panic!("{error}"),
         };
         let plan = Plan::new(m, &structure, Extent::Asked);
-        let program = match transcribe(m, &structure, &plan, (0, m.asked.len())) {
+        let program = match transcribe(m, &structure, &plan, (Variable::Input(0), m.asked.len()), &[]) {
             Ok(transcribed) => transcribed.lean,
             Err(error) => panic!("{error}"),
         };
@@ -345,6 +388,7 @@ fn main() -> std::io::Result<()> {
         return engine(positions.parse().unwrap_or(360), file);
     }
     sweeps();
+    bounds();
     arithmetics();
     lengths();
     whole_way();

@@ -111,6 +111,12 @@ pub fn theme(scene: &Scene) -> Theme {
     scene.sheet.theme.as_deref().and_then(Theme::from_name).unwrap_or_default()
 }
 
+/// The language that the scene wishes, or English.
+#[must_use]
+pub fn language(scene: &Scene) -> Language {
+    scene.sheet.language.as_deref().and_then(Language::from_tag).unwrap_or_default()
+}
+
 /// The figure that is wished for.
 ///
 /// # Errors
@@ -168,8 +174,7 @@ pub fn film(scene: &Scene, wish: &Wish) -> Result<Vec<Figure>, NoFigure> {
 
 impl Wish {
     fn language(&self, scene: &Scene) -> Language {
-        let stated = || scene.sheet.language.as_deref().and_then(Language::from_tag);
-        self.language.or_else(stated).unwrap_or(Language::English)
+        self.language.unwrap_or_else(|| language(scene))
     }
 
     /// The single figures. What the scene wishes to have drawn is a wish for the solution.

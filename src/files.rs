@@ -1,7 +1,7 @@
 //! Reading scenes and writing results: beside, then renamed, so that nothing is ever half-written.
 
 use std::fs;
-use std::io::{ErrorKind, Read, Write};
+use std::io::{BufWriter, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
@@ -14,9 +14,12 @@ pub struct FileError(pub(crate) String);
 /// A scene file larger than this is refused before it is read.
 const LARGEST_SCENE: u64 = 16 * 1024 * 1024;
 
+/// Room for most scenes (bytes).
+const USUAL_SCENE: usize = 16 << 10;
+
 /// The name to show and the text of a scene; `-` is standard input.
 pub(crate) fn read(path: &Path) -> Result<(String, String), FileError> {
-    let mut bytes = Vec::new();
+    let mut bytes = Vec::with_capacity(USUAL_SCENE);
     let file = if path.as_os_str() == "-" {
         std::io::stdin()
             .lock()
@@ -64,14 +67,28 @@ pub(crate) fn spare<'a>(
 /// Writes all files, or none: each beside its place first, then all are renamed; if one cannot be, those
 /// renamed before it are taken back.
 pub(crate) fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), FileError> {
+    let paths = files.iter().map(|(path, _)| path.as_path());
+    let mut bytes = files.iter().map(|(_, bytes)| bytes);
+    stream_all(paths, |_, to| bytes.next().map_or(Ok(()), |bytes| to.write_all(bytes)))
+}
+
+/// The same for files that are written bit by bit: `write` gets the index of each and what to write into.
+pub(crate) fn stream_all<'a>(
+    paths: impl Iterator<Item = &'a Path>,
+    mut write: impl FnMut(usize, &mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), FileError> {
     let mut waiting: Vec<Waiting<'_>> = Vec::new();
-    let result = files
-        .iter()
-        .try_for_each(|(path, bytes)| {
-            waiting.push(Waiting::create(path)?);
-            let Some(Waiting { file, .. }) = waiting.last_mut() else { return Ok(()) };
-            let written = file.write_all(bytes).and_then(|()| file.sync_all());
-            written.map_err(|error| failed(path, &error))
+    // What cannot be written at all is told before anything long is begun.
+    let result = paths
+        .into_iter()
+        .try_for_each(|path| Waiting::create(path).map(|one| waiting.push(one)))
+        .and_then(|()| {
+            waiting.iter_mut().enumerate().try_for_each(|(index, one)| {
+                let mut to = BufWriter::new(&mut one.file);
+                let written = write(index, &mut to).and_then(|()| to.flush());
+                drop(to);
+                written.and_then(|()| one.file.sync_all()).map_err(|error| failed(one.path, &error))
+            })
         })
         .and_then(|()| {
             let several = waiting.len() > 1;

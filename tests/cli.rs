@@ -797,6 +797,98 @@ fn a_sweep_tells_what_happens_and_writes_tables() {
     assert_eq!(folder.contents(), contents, "a refused sweep writes nothing");
 }
 
+/// The rows of a table of a sweep, by heading.
+fn table(csv: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
+    let mut lines = csv.lines();
+    let heads = lines.next().unwrap().split(',').map(str::to_owned).collect();
+    let number = |text: &str| (!text.is_empty()).then(|| text.parse::<f64>().unwrap());
+    (heads, lines.map(|line| line.split(',').map(number).collect()).collect())
+}
+
+#[test]
+fn a_sweep_goes_over_time_with_bounds_and_in_every_language() {
+    let folder = Folder::new("sweep-time");
+    folder.write("s.json", six().to_string());
+    let files = ["-o", "a.csv", "-o", "a.json", "-o", "a.svg", "-o", "a.tex"];
+    let arguments = ["sweep", "s.json", "--against", "time", "--bounds", "--steps", "8", "--lang", "ar"];
+    let ran = run_in(&folder.0, &[&arguments[..], &files[..]].concat(), None);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let contents = folder.contents();
+    let text = |name: &str| String::from_utf8(contents[&folder.0.join(name)].clone()).unwrap();
+    let (heads, rows) = table(&text("a.csv"));
+    assert!(heads[0] == "time [s]" && heads[2].starts_with("bound of "), "{heads:?}");
+    assert_eq!(rows.len(), 9);
+    let json: Value = serde_json::from_str(&text("a.json")).unwrap();
+    for (row, position) in rows.iter().zip(json["positions"].as_array().unwrap()) {
+        // Both tables read back to the same doubles.
+        assert_eq!(row[0], position["at"].as_f64());
+        for (c, pair) in row[1..].chunks(2).enumerate() {
+            assert_eq!(pair[0], position["values"][c].as_f64(), "{}", heads[1 + 2 * c]);
+            assert_eq!(pair[1], position["bounds"][c].as_f64(), "{}", heads[2 + 2 * c]);
+            assert!(pair[1].unwrap() < 1e-9);
+        }
+    }
+    // At the beginning it is the scene itself: what `solve` says.
+    let ran = run_in(&folder.0, &["solve", "s.json", "--json"], None);
+    let solved: Value = serde_json::from_str(&ran.out).unwrap();
+    let mut compared = 0;
+    for q in solved["quantities"].as_array().unwrap() {
+        let name = q["name"].as_str().unwrap();
+        for (suffix, value) in
+            [("", &q["value"]), (".x", &q["value"][0]), (".y", &q["value"][1])].map(|(s, v)| (s, v.as_f64()))
+        {
+            let head = format!("{name}{suffix} [");
+            let column = heads.iter().position(|h| h.starts_with(&head));
+            if let (Some(column), Some(value)) = (column, value) {
+                let apart = (rows[0][column].unwrap() - value).abs();
+                let bound = q["bound"].as_f64().unwrap() + rows[0][column + 1].unwrap();
+                assert!(apart <= bound, "{name}{suffix}: {apart:e} {bound:e}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 5, "{compared} of {heads:?}");
+    let svg = text("a.svg");
+    assert!(svg.contains("xml:lang=\"ar\"") || svg.contains("lang=\"ar\""), "{}", &svg[..400]);
+    assert!(!svg.contains("Hodograph") && !svg.contains("NaN"));
+    // Without a file the table follows what happens.
+    let ran = run_in(&folder.0, &["sweep", "s.json", "--steps", "2"], None);
+    assert!(ran.code == 0 && ran.out.contains("\n\nangle of link 2 [deg],"), "{}", ran.out);
+}
+
+#[test]
+fn what_cannot_be_swept_is_told_with_nothing_written() {
+    let folder = Folder::new("sweep-refused");
+    folder.write("s.json", six().to_string());
+    let mut still = six();
+    still["input"]["omega"] = serde_json::json!(0);
+    folder.write("still.json", still.to_string());
+    let contents = folder.contents();
+    for (wrong, told) in [
+        (&["sweep", "s.json", "-o", "none/a.csv"][..], "none/a.csv"),
+        (&["sweep", "s.json", "-o", "a.csv", "-o", "none/a.svg"], "none/a.svg"),
+        (&["sweep", "s.json", "-o", "a.csv", "-o", "a.csv"], "twice"),
+        (&["sweep", "s.json", "--tolerance", "0", "-o", "a.csv"], "tolerance"),
+        (&["sweep", "s.json", "--tolerance", "-1", "-o", "a.csv"], "tolerance"),
+        (&["sweep", "s.json", "--tolerance", "1e-300", "-o", "a.csv"], "least tolerance"),
+        (&["sweep", "s.json", "--steps", "99999999999", "-o", "a.csv"], "--steps"),
+        (&["sweep", "s.json", "--lang", "xx", "-o", "a.svg"], "language xx"),
+        (&["sweep", "s.json", "--bounds", "-o", "a.svg"], "--bounds is for tables"),
+        (&["sweep", "s.json", "--against", "angle"], "--against"),
+        (&["sweep", "s.json", "--from", "0", "--to", "1e9"], "more than 100 times"),
+        (&["sweep", "s.json", "--from", "100", "--to", "120"], "own position must lie in the range"),
+        (&["sweep", "s.json", "--against", "time", "--from", "1", "--to", "2"], "own instant"),
+        (&["sweep", "still.json", "--against", "time"], "nothing moves"),
+    ] {
+        let ran = run_in(&folder.0, wrong, None);
+        assert!(ran.code == 2 && ran.out.is_empty() && ran.err.contains(told), "{wrong:?}: {}", ran.err);
+        assert_eq!(folder.contents(), contents, "{wrong:?}");
+    }
+    let ran = run_in(&folder.0, &["sweep", "s.json", "--steps", "1", "-o", "b.csv"], None);
+    let rows = table(&String::from_utf8(folder.contents()[&folder.0.join("b.csv")].clone()).unwrap()).1;
+    assert!(ran.code == 0 && rows.len() == 2 && rows[1][0] == Some(360.0), "{rows:?}");
+}
+
 // --- what hostile hands find ---------------------------------------------------------------------------
 
 /// The figure as JSON, and the table of a sweep, end in `.json` as the scene does.

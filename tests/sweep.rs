@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use linkgram::mechanism::quantity::{Answer, Quantity};
 use linkgram::mechanism::{Given, Input, Mechanism, Place};
-use linkgram::sweep::{EventKind, Sweep, SweepError};
+use linkgram::sweep::{EventKind, InputKind, Over, Sweep, SweepError};
 
 fn four_bar(ground: f64, crank: f64, coupler: f64, rocker: f64, find: &str) -> Mechanism {
     let text = format!(
@@ -77,6 +77,29 @@ fn an_offset_slider_crank_has_its_stroke_and_time_ratio() {
     is_near(stroke.ends[1], out);
     is_near(stroke.ends[0], back);
     is_near(stroke.time_ratio, (back - out) / (2.0 * PI - (back - out)));
+}
+
+/// The stroke is found wherever in it the scene stands, at its very ends too, and over time as well.
+#[test]
+fn a_stroke_is_found_from_every_start() {
+    for start in [0.0, 90.0, 179.0, 180.0, 270.0, 360.0, -180.0, 720.0] {
+        let text = format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+                 "links": {{ "2": {{ "joins": ["O2", "A"], "length": 50 }},
+                            "3": {{ "joins": ["A", "B"], "length": 150 }} }},
+                 "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": [0, 0], "angle": 0 }} }} ],
+                 "near": {{ "B": [150, 0] }}, "input": {{ "link": 2, "angle": {start}, "omega": -2 }},
+                 "find": ["v(B)"] }}"#
+        );
+        let m = common::read(&text).mechanism;
+        for over in [Over::Input, Over::Time] {
+            let sweep = Sweep::over(over, &m, None).unwrap();
+            let strokes = sweep.strokes();
+            assert_eq!(strokes.len(), 1, "{over:?} from {start}: {:?}", sweep.events);
+            is_near(strokes[0].length, 0.1);
+            is_near(strokes[0].time_ratio, 1.0);
+        }
+    }
 }
 
 #[test]
@@ -179,21 +202,16 @@ fn every_example_begins_where_it_stands() {
         let Some(values) = sweep.at(sweep.start) else {
             panic!("{}: its own place is not reached", path.display());
         };
-        let mut next = values.iter();
         for (asked, reading) in scene.mechanism.asked.iter().zip(&drawn.solution.construction.answers) {
-            // A centre that may pass through infinity is not swept.
-            if matches!(asked.quantity, Quantity::Centre(..)) {
-                continue;
-            }
             let (value, bound) = match &reading.answer {
-                // A sweep has no instant centres.
-                _ if matches!(asked.quantity, Quantity::Centre(..)) => continue,
                 Answer::Scalar { value, bound } => (vec![*value], *bound),
                 Answer::Vector { value, bound } => (value.to_vec(), *bound),
                 _ => continue,
             };
-            for value in value {
-                let Some(swept) = next.next().copied().flatten() else { continue };
+            let columns = sweep.columns.iter().zip(&values);
+            let of_it: Vec<_> = columns.filter(|(c, _)| !c.watched && c.asked == *asked).collect();
+            for (value, (_, swept)) in value.into_iter().zip(of_it) {
+                let Some(swept) = swept else { continue };
                 // What the sweep makes of placed points is rounded once more.
                 let apart = (swept.value - value).abs();
                 let name = format!("{}: {}", path.display(), asked.name);
@@ -262,6 +280,22 @@ fn sampling_to_a_tolerance_holds_it() {
                 assert!((value(at, c) - line).abs() <= 1.3 * tolerance * range);
             }
         }
+    }
+}
+
+/// Towards a limit a place goes as the root of what is left: sampled as well as anywhere else.
+#[test]
+fn sampling_holds_its_tolerance_at_a_limit() {
+    let m = four_bar(100.0, 60.0, 70.0, 50.0, r#"["x(B)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    let places = sweep.adapted(1e-4);
+    assert!(places.len() < 2000, "{}", places.len());
+    let limit = sweep.stretches[0].to;
+    let y = |at: f64| sweep.at(at).unwrap()[1].unwrap().value;
+    for pair in places.windows(2).filter(|p| p[0] < limit && p[1] <= limit) {
+        let middle = f64::midpoint(pair[0], pair[1]);
+        let line = f64::midpoint(y(pair[0]), y(pair[1]));
+        assert!((y(middle) - line).abs() < 2e-4 * 0.1, "between {} and {}", pair[0], pair[1]);
     }
 }
 
@@ -353,7 +387,415 @@ fn every_example_is_swept_or_refused() {
         for event in &sweep.events {
             assert!(event.at.is_finite(), "{}", path.display());
         }
-        let _ = linkgram::sheet::diagrams::of_sweep(&scene, &sweep);
+        let _ = linkgram::sheet::diagrams::of_sweep(&scene, &sweep, linkgram::sheet::Language::English);
     }
     assert!(swept > 20, "only {swept} examples can be swept");
+}
+
+// --- over time ---------------------------------------------------------------------------------------------
+
+/// The scene with every input where constant acceleration has brought it after `t` seconds, and with the rate that
+/// it has then.
+fn after(scene: &linkgram::scene::Scene, t: f64) -> linkgram::scene::Scene {
+    let mut later = scene.clone();
+    let close = |x: f64| Given::within(x, 4.0 * f64::EPSILON * x.abs().max(1.0));
+    let moved = |place: Option<Given>, v: Given, a: Given| {
+        let place = place.unwrap().value + v.value * t + a.value * t * t / 2.0;
+        (Some(close(place)), close(v.value + a.value * t))
+    };
+    for input in &mut later.mechanism.inputs {
+        match input {
+            Input::Angle { angle, omega, alpha, .. } => (*angle, *omega) = moved(*angle, *omega, *alpha),
+            Input::Slide { at, velocity, acceleration, .. } => {
+                (*at, *velocity) = moved(*at, *velocity, *acceleration);
+            }
+            Input::Speed { .. } => panic!("the speed of a point is no law of motion"),
+        }
+    }
+    later
+}
+
+const FIVE_BAR: &str = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O5": [150, 0] },
+    "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "C"], "length": 120 },
+               "4": { "joins": ["B", "C"], "length": 110 }, "5": { "joins": ["O5", "B"], "length": 50 } },
+    "near": { "C": [80, 160] },
+    "inputs": [ { "link": 2, "angle": 100, "omega": 3, "alpha": -2 },
+                { "link": 5, "angle": 60, "omega": "2 rad/s cw", "alpha": 1 } ],
+    "find": ["x(C)", "v(C)", "a(C)", "omega(3)", "alpha(4)", "angle(3)"] }"#;
+
+const DRIVEN_SLIDE: &str = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+    "links": { "2": { "joins": ["O2", "A"], "length": 50 }, "3": { "joins": ["A", "B"], "length": 150 } },
+    "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": [0, 30], "angle": 0 } } ],
+    "near": { "A": [20, 45] }, "input": { "slide": "B", "at": 150, "velocity": 40, "acceleration": -30 },
+    "find": ["x(A)", "v(A)", "a(A)", "omega(2)", "alpha(2)"] }"#;
+
+const SLOWING: &str = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [180, 0] },
+    "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 140 },
+               "4": { "joins": ["O4", "B"], "length": 120 } },
+    "near": { "B": [100, 100] }, "input": { "link": 2, "angle": 40, "omega": "10 rad/s cw", "alpha": 3 },
+    "find": ["x(B)", "v(B)", "a(B)", "omega(4)", "alpha(3)"] }"#;
+
+/// Over time the position is that of the scene whose inputs have moved so far: by the independent solver.
+#[test]
+fn over_time_the_inputs_move_with_constant_acceleration() {
+    for (text, span) in [(FIVE_BAR, [-0.1, 0.19]), (DRIVEN_SLIDE, [-0.2, 0.4]), (SLOWING, [0.0, 0.5])] {
+        let scene = common::read(text);
+        let sweep = Sweep::over(Over::Time, &scene.mechanism, Some(span)).unwrap();
+        assert_eq!((sweep.input, sweep.start, sweep.stretches.len()), (InputKind::Time, 0.0, 1));
+        for t in sweep.equal_steps(20) {
+            let values = sweep.at(t).unwrap();
+            let mut later = after(&scene, t);
+            // The independent solver begins near the place that it should find.
+            for (c, column) in sweep.columns.iter().enumerate() {
+                if let (Quantity::Position(p), Some(0)) = (column.asked.quantity, column.axis) {
+                    later.mechanism.points[p.0].place =
+                        Place::Near([values[c].unwrap().value, values[c + 1].unwrap().value]);
+                }
+            }
+            let state = linkgram::solve::solve_analytically(&later).unwrap();
+            let mut next = values.iter().map(|v| v.unwrap());
+            for asked in &scene.mechanism.asked {
+                let (expected, bound) = match state.answer(&asked.quantity) {
+                    Answer::Scalar { value, bound } => (vec![value], bound),
+                    Answer::Vector { value, bound } => (value.to_vec(), bound),
+                    other => panic!("{}: {other:?}", asked.name),
+                };
+                for expected in expected {
+                    let swept = next.next().unwrap();
+                    let apart = (swept.value - expected).abs();
+                    assert!(
+                        apart <= bound + swept.error,
+                        "{} after {t} s: {apart:e} > {bound:e}",
+                        asked.name
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// What changes in time changes at the rate that the polygons say.
+#[test]
+fn over_time_derivatives_are_velocities_and_accelerations() {
+    for (text, span) in [(FIVE_BAR, [0.0, 0.19]), (DRIVEN_SLIDE, [0.0, 0.4]), (SLOWING, [0.0, 2.0])] {
+        let scene = common::read(text);
+        let sweep = Sweep::over(Over::Time, &scene.mechanism, Some(span)).unwrap();
+        for position in sweep.equal_steps(100) {
+            let values = sweep.at(position).unwrap();
+            let m = |c: usize| values[c].unwrap();
+            for c in 0..4 {
+                let (slope, rate) = (m(c).slope, m(c + 2).value);
+                assert!(
+                    (slope - rate).abs() < 1e-12 * (1.0 + rate.abs()),
+                    "{c} at {position}: {slope} {rate}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_span_of_time_is_a_turn_of_the_input() {
+    let with = |omega: f64, alpha: f64| {
+        let mut m = four_bar(180.0, 60.0, 140.0, 120.0, r#"["omega(4)"]"#);
+        if let Input::Angle { omega: v, alpha: a, .. } = &mut m.inputs[0] {
+            (*v, *a) = (Given::exact(omega), Given::exact(alpha));
+        }
+        m
+    };
+    let span = |omega, alpha| Sweep::over(Over::Time, &with(omega, alpha), None).unwrap().range[1];
+    is_near(span(-10.0, 0.0), 0.2 * PI);
+    // v t + a t²/2 = 2π.
+    is_near(span(3.0, 2.0), (-3.0 + (9.0 + 8.0 * PI).sqrt()) / 2.0);
+    is_near(span(0.0, 2.0), (2.0 * PI).sqrt());
+    // It slows down, stops and turns back: −2π is reached first.
+    is_near(span(2.0, -2.0), (2.0 + (4.0 + 8.0 * PI).sqrt()) / 2.0);
+    is_near(span(-2.0, 2.0), (2.0 + (4.0 + 8.0 * PI).sqrt()) / 2.0);
+    // A uniform turn has its stroke and its time ratio as over the angle.
+    let by_time = Sweep::over(Over::Time, &with(-4.0, 0.0), None).unwrap();
+    let by_angle = Sweep::new(&with(-4.0, 0.0), None).unwrap();
+    let (t, a) = (by_time.strokes()[0], by_angle.strokes()[0]);
+    is_near(t.length, a.length);
+    is_near(t.time_ratio, a.time_ratio);
+    assert!(matches!(Sweep::over(Over::Time, &with(0.0, 0.0), None), Err(SweepError::Instant(_))));
+    let elsewhere = Sweep::over(Over::Time, &with(1.0, 0.0), Some([1.0, 2.0]));
+    assert!(matches!(elsewhere, Err(SweepError::Range(_))));
+}
+
+/// Nothing moves on beyond a limit, in time; where nobody says how far to go, that is the end.
+#[test]
+fn a_range_that_nobody_stated_ends_where_the_mechanism_does() {
+    let five = Sweep::over(Over::Time, &common::read(FIVE_BAR).mechanism, None).unwrap();
+    assert_eq!(five.stretches.len(), 1);
+    assert_eq!(places(&five, |k| matches!(k, EventKind::Limit)), [five.range[1]]);
+    // There the couplers are in line: AB is as long as both.
+    let (t, at) = (five.range[1], |r: f64, place: f64| [r * libm::cos(place), r * libm::sin(place)]);
+    let a = at(60.0, 100.0 * PI / 180.0 + 3.0 * t - t * t);
+    let b = at(50.0, 60.0 * PI / 180.0 - 2.0 * t + t * t / 2.0);
+    is_near(libm::hypot(150.0 + b[0] - a[0], b[1] - a[1]), 230.0);
+    // A slide goes as far as crank and rod reach from O2, 30 mm beside the guide.
+    let slide = Sweep::new(&common::read(DRIVEN_SLIDE).mechanism, None).unwrap();
+    let reach = |l: f64| (l * l - 900.0_f64).sqrt() / 1000.0;
+    is_near(slide.range[0], reach(100.0));
+    is_near(slide.range[1], reach(200.0));
+    assert_eq!((slide.stretches.len(), slide.positions(&slide.equal_steps(10)).len()), (1, 11));
+}
+
+/// An input that is given by the speed of a pin turns on with the ω that this pin has now.
+#[test]
+fn the_speed_of_a_pin_is_a_law_of_motion_as_well() {
+    let by = |input: &str| {
+        common::read(&SLOWING.replace(r#""omega": "10 rad/s cw", "alpha": 3"#, input)).mechanism
+    };
+    let [speed, omega] = [r#""speed": { "A": "600 mm/s cw" }"#, r#""omega": "10 rad/s cw""#].map(by);
+    let [speed, omega] = [speed, omega].map(|m| Sweep::over(Over::Time, &m, None).unwrap());
+    is_near(speed.range[1], omega.range[1]);
+    for t in omega.equal_steps(24) {
+        let [a, b] = [&speed, &omega].map(|s| s.at(t).unwrap());
+        for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
+            assert!((a.value - b.value).abs() < 1e-12 * (1.0 + b.value.abs()), "{} {}", a.value, b.value);
+        }
+    }
+}
+
+// --- bounds ------------------------------------------------------------------------------------------------
+
+/// Every number of every position lies within its bound of a drawing of 75 digits, and the bound is no larger than
+/// it has to be: the tape's bound of the single drawing is of its size.
+#[test]
+fn every_position_is_within_its_bounds() {
+    use linkgram::plan::{Extent, Plan};
+    use linkgram::wide::Wide;
+    let mut ratios = Vec::new();
+    let mut to_tape = Vec::new();
+    for stem in ["s000-ch3a-1", "eight-link", "s000-ch4-7", "pairs/oblique-yoke", "s000-ch4-1"] {
+        let mut scene = common::example(stem);
+        scene.mechanism.asked.retain(|a| !matches!(a.quantity, Quantity::Centre(..)));
+        let sweep = Sweep::new(&scene.mechanism, None).unwrap_or_else(|e| panic!("{stem}: {e}"));
+        let bounded = sweep.with_bounds().unwrap();
+        let places: Vec<f64> = (-6..=6).map(|i| sweep.start + 0.004 * f64::from(i)).collect();
+        bounded.run(&places, |at, values, bounds| {
+            let mut turned = scene.clone();
+            match &mut turned.mechanism.inputs[0] {
+                Input::Angle { angle, .. } => *angle = Some(Given::exact(at)),
+                Input::Slide { at: place, .. } => *place = Some(Given::exact(at)),
+                Input::Speed { .. } => panic!("{stem}"),
+            }
+            let structure = linkgram::mechanism::structure::Structure::of(&turned.mechanism).unwrap();
+            let plan = Plan::new(&turned.mechanism, &structure, Extent::Asked);
+            let scales = common::scales_for(
+                linkgram::graphical::extents(&turned.mechanism, &structure, &plan).unwrap(),
+            );
+            let truth = linkgram::graphical::recorded::<Wide>(&turned.mechanism, &structure, &plan, scales);
+            let drawn = linkgram::graphical::recorded::<f64>(&turned.mechanism, &structure, &plan, scales);
+            let mut next = values.iter().zip(bounds);
+            for (truth, drawn) in truth.unwrap().iter().zip(drawn.unwrap()) {
+                let (Some(truth), Some(drawn)) = (truth, drawn) else { continue };
+                let mut together = 0.0;
+                for truth in &truth.value {
+                    let (value, bound) = next.next().unwrap();
+                    let apart = (Wide::of(*value) - *truth).to_f64().abs();
+                    assert!(apart <= *bound, "{stem} at {at}: {apart:e} > {bound:e}");
+                    if apart > 0.0 {
+                        ratios.push(bound / apart);
+                    }
+                    together = libm::hypot(together, *bound);
+                }
+                if let Some(bound) = drawn.bound.filter(|b| *b > 1e-18) {
+                    to_tape.push(together / bound);
+                }
+            }
+        });
+    }
+    for list in [&mut ratios, &mut to_tape] {
+        list.sort_by(f64::total_cmp);
+        assert!(list.len() > 500, "only {} numbers compared", list.len());
+    }
+    let middle = |list: &[f64]| list[list.len() / 2];
+    let (ratio, tape) = (middle(&ratios), middle(&to_tape));
+    assert!(ratio <= 100.0, "the median bound is {ratio} times the error");
+    println!("bound/error {ratio}, to tape {tape} {} {}", to_tape[5], to_tape[to_tape.len() - 6]);
+    assert!((0.25..4.0).contains(&tape), "the median bound is {tape} times that of the tape");
+}
+
+/// Two lengths that are equal by chance are not one number: each may be off on its own. (x of B over each of four
+/// lengths by the closed form of the parallelogram: the coupler turns by what the sides differ.)
+#[test]
+fn equal_numbers_of_a_scene_err_independently() {
+    let m = four_bar(100.0, 50.0, 100.0, 50.0, r#"["x(B)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    sweep.with_bounds().unwrap().run(&[sweep.start], |at, values, bounds| {
+        // ∂x_B/∂r₄ = 1 / tan θ · …: move one side alone by half a unit in its last place.
+        for side in 0..2 {
+            let mut other = [100.0, 50.0, 100.0, 50.0];
+            let nudge = 1e-9;
+            other[1 + 2 * side] += 1000.0 * nudge;
+            let moved = four_bar(other[0], other[1], other[2], other[3], r#"["x(B)"]"#);
+            let moved = Sweep::new(&moved, None).unwrap().at(at).unwrap()[0].unwrap().value;
+            let by = ((moved - values[0]) / nudge).abs() * 0.05 * f64::EPSILON / 2.0;
+            assert!(bounds[0] > by, "side {side}: {:e} {by:e}", bounds[0]);
+        }
+    });
+}
+
+/// At a change point nothing is determined; beside it bounds grow, until a number is no longer one.
+#[test]
+fn bounds_end_where_numbers_do() {
+    let m = four_bar(100.0, 50.0, 100.0, 50.0, r#"["x(B)", "omega(3)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    let bounded = sweep.with_bounds().unwrap();
+    let places: Vec<f64> = (0..16).rev().map(|i| PI - libm::exp2(-4.0 * f64::from(i))).rev().collect();
+    let mut ascending = places.clone();
+    ascending.sort_by(f64::total_cmp);
+    let mut last = 0.0;
+    bounded.run(&ascending, |at, values, bounds| {
+        assert!(bounds[2] >= last, "at {at}: {} after {last}", bounds[2]);
+        last = bounds[2];
+        // ω₃ of a parallelogram is zero.
+        assert!(values[2].abs() <= bounds[2] || !bounds[2].is_finite(), "at {at}");
+    });
+    assert!(!last.is_finite(), "next to the change point ω₃ is refused");
+}
+
+// --- rolling wheels ----------------------------------------------------------------------------------------
+
+/// The place of a point, in millimetres.
+fn place_of(sweep: &Sweep, at: f64, name: &str) -> [f64; 2] {
+    let column = sweep.columns.iter().position(|c| c.asked.name == format!("x({name})")).unwrap();
+    let values = sweep.at(at).unwrap_or_else(|| panic!("not reached at {at}"));
+    [0, 1].map(|axis| 1000.0 * values[column + axis].unwrap_or_else(|| panic!("{name} at {at}")).value)
+}
+
+/// The pin of a planet in a fixed ring draws a hypotrochoid; over three turns, for 50 : 20 closes only after two.
+#[test]
+fn a_planet_carries_its_pin_along_a_hypotrochoid() {
+    let scene = common::read(&common::example_text("pairs/planet-and-rod").replace("\"v(B)\"", "\"x(B)\""));
+    let sweep = Sweep::new(&scene.mechanism, Some([-2.0 * PI, 6.0 * PI])).unwrap();
+    assert!(sweep.stretches.iter().all(|s| !s.apart));
+    for i in 0..=400 {
+        let at = -2.0 * PI + 8.0 * PI * f64::from(i) / 400.0;
+        // The planet turns by 1 − 50/20 of what its arm turns.
+        let (arm, own) = (libm::sincos(at), libm::sincos(PI / 2.0 + at * (1.0 - 2.5)));
+        let expected = [30.0 * arm.1 + 15.0 * own.1, 30.0 * arm.0 + 15.0 * own.0];
+        let found = place_of(&sweep, at, "B");
+        assert!(
+            libm::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-10,
+            "{found:?} {expected:?}"
+        );
+    }
+}
+
+/// A rim point of a wheel on a plane: turned by the way of the centre over the radius; its velocity is the
+/// derivative of its place.
+#[test]
+fn a_wheel_on_a_plane_turns_by_the_way_of_its_centre() {
+    let centre = |at: f64| {
+        let (sin, cos) = libm::sincos(at);
+        40.0 * cos + (120.0_f64 * 120.0 - (5.0 - 40.0 * sin) * (5.0 - 40.0 * sin)).sqrt()
+    };
+    let start = 70.0_f64.to_radians();
+    let c = centre(start);
+    let text = common::example_text("pairs/wheel-on-plane")
+        .replace(r#""joins": ["C"]"#, r#""joins": ["C", "R"]"#)
+        .replace(r#""near": { "C": [140, 5] }"#, &format!(r#""placed": {{ "C": [{c}, 5], "R": [{c}, 30] }}"#))
+        .replace(r#""x(C)""#, r#""x(R)", "v(R)""#)
+        .replace(r#""omega": "10 rad/s ccw", "alpha": 4"#, r#""omega": 1"#);
+    let sweep = Sweep::new(&common::read(&text).mechanism, None).unwrap();
+    let column = sweep.columns.iter().position(|c| c.asked.name == "x(R)").unwrap();
+    for i in 0..=180 {
+        let at = 2.0 * PI * f64::from(i) / 180.0;
+        let (sin, cos) = libm::sincos(PI / 2.0 - (centre(at) - c) / 25.0);
+        let found = place_of(&sweep, at, "R");
+        let expected = [centre(at) + 25.0 * cos, 5.0 + 25.0 * sin];
+        assert!(libm::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-9, "{found:?} {expected:?}");
+        let values = sweep.at(at).unwrap();
+        for axis in 0..2 {
+            let (slope, rate) =
+                (values[column + axis].unwrap().slope, values[column + 2 + axis].unwrap().value);
+            assert!((slope - rate).abs() < 1e-12, "at {at}: {slope} {rate}");
+        }
+    }
+}
+
+/// A gear on a fixed pivot carries its pin by the ratio of the radii: problem 3-4, whose chain closes in one place
+/// only; its gear 3 stands at 120° there.
+#[test]
+fn a_gear_carries_its_pin_by_the_ratio() {
+    let text = common::example_text("s000-ch3a-4").replace(r#""v(B)","#, r#""x(C)", "x(P3)","#);
+    let sweep = Sweep::new(&common::read(&text).mechanism, None).unwrap();
+    let mut compared = 0;
+    for i in 0..=720 {
+        let at = 2.0 * PI * f64::from(i) / 720.0;
+        if sweep.at(at).is_none() {
+            continue;
+        }
+        let turned = -0.75 * (at - PI / 2.0);
+        let own = PI / 3.0 + turned;
+        let expected = [-175.0 + 75.0 * libm::cos(own), 75.0 * libm::sin(own)];
+        let found = place_of(&sweep, at, "C");
+        assert!(libm::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-9, "{found:?} {expected:?}");
+        let own = own - PI / 3.0;
+        let expected = [-175.0 + 100.0 * libm::cos(own), 100.0 * libm::sin(own)];
+        let found = place_of(&sweep, at, "P3");
+        assert!(libm::hypot(found[0] - expected[0], found[1] - expected[1]) < 1e-9, "{found:?} {expected:?}");
+        compared += 1;
+    }
+    assert!(compared > 20, "{compared}");
+    assert!(matches!(sweep.with_bounds(), Err(SweepError::Instant(_))));
+}
+
+// --- instant centres ---------------------------------------------------------------------------------------
+
+/// The centre of the coupler lies on both cranks' lines, at the distance V / ω; where the coupler does not turn it is
+/// at infinity.
+#[test]
+fn a_centre_goes_through_infinity_where_its_link_does_not_turn() {
+    let m = four_bar(180.0, 60.0, 140.0, 120.0, r#"["I(1,3)", "x(A)", "x(B)", "omega(3)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    let infinite = places(&sweep, |k| matches!(k, EventKind::AtInfinity { .. }));
+    let mut turns_back = 0;
+    let mut last: Option<f64> = None;
+    for i in 0..=1440 {
+        let values = sweep.at(f64::from(i) * PI / 720.0).unwrap();
+        let value = |c: usize| values[c].unwrap().value;
+        let omega = value(6);
+        turns_back += usize::from(last.is_some_and(|last| (last < 0.0) != (omega < 0.0)));
+        last = Some(omega);
+        let [p, a, b] = [[value(0), value(1)], [value(2), value(3)], [value(4) - 0.18, value(5)]];
+        let q = [p[0] - 0.18, p[1]];
+        let size = libm::hypot(p[0], p[1]) + 0.1;
+        assert!((p[0] * a[1] - p[1] * a[0]).abs() < 1e-11 * size * size, "on O2A: {p:?}");
+        assert!((q[0] * b[1] - q[1] * b[0]).abs() < 1e-11 * size * size, "on O4B: {p:?}");
+        let away = libm::hypot(p[0] - a[0], p[1] - a[1]);
+        assert!((omega.abs() * away - 0.6).abs() < 1e-9 * size, "V = ω PA: {} {away}", omega.abs() * away);
+    }
+    assert_eq!((infinite.len(), turns_back), (2, 2));
+    for at in infinite {
+        let omega = sweep.at(at).unwrap()[6].unwrap();
+        assert!(omega.value.abs() < 1e-12, "the coupler turns with {} there", omega.value);
+    }
+}
+
+/// Whitworth's quick return and the crank-shaper, by the geometry that every textbook has of them.
+#[test]
+fn quick_returns_have_the_time_ratios_of_the_textbook() {
+    let stroke = |kind: &str, name: &str| {
+        let kind = linkgram::catalogue::KINDS.iter().find(|k| k.name == kind).unwrap();
+        let sweep = Sweep::new(&common::read(kind.scene).mechanism, None).unwrap();
+        let strokes = sweep.strokes();
+        let stroke = strokes.iter().find(|s| sweep.columns[s.column].asked.name.starts_with(name));
+        *stroke.unwrap_or_else(|| panic!("{}: {strokes:?}", kind.name))
+    };
+    // Crank 80, offset 40: the arm is along the guide where cos (α/2) = 40/80; the ram goes twice the arm of 60.
+    let whitworth = stroke("whitworth", "x(C)");
+    is_near(whitworth.length, 0.12);
+    is_near(whitworth.time_ratio, 2.0);
+    // Crank 50, pivots 120 apart: the lever of 220 swings by φ to either side, sin φ = 50/120.
+    let swing = libm::asin(50.0 / 120.0);
+    let shaper = stroke("crank-shaper", "x(D)");
+    is_near(shaper.length, 2.0 * 0.22 * libm::sin(swing));
+    is_near(shaper.time_ratio, (PI + 2.0 * swing) / (PI - 2.0 * swing));
+    let lever = stroke("crank-shaper", "angle(4)");
+    is_near(lever.length, 2.0 * swing);
+    is_near(lever.time_ratio, shaper.time_ratio);
 }

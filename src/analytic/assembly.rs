@@ -12,7 +12,7 @@ use super::AnalyticError;
 use super::constraints::{Motion, Num, Row, Site};
 use super::model::{Model, REPEATED};
 use super::ordering::{Group, Ordering, order};
-use super::slopes::{Here, MOST};
+use super::slopes::Here;
 use super::tape::{Leaf, Linear};
 use crate::mechanism::{Place, PointId};
 
@@ -321,16 +321,15 @@ impl<'a> Assembler<'a> {
     /// All solutions of a group, the nearest to its hints first; the least residual where there is none.
     fn solutions(&self, index: usize, pose: &mut [f64]) -> Result<Vec<Solution>, f64> {
         let group = &self.groups[index];
-        let rows = || group.rows.iter().map(|r| &self.model.position[*r]);
         let angles = group.columns.iter().filter(|c| *c % 3 == 2).count();
-        let single = (angles == group.columns.len() && rows().all(Row::is_simple))
-            || (angles == 0 && rows().all(Row::is_linear_in_places));
-        let wanted = match (single, angles) {
+        let linear = self.has_one_solution(group);
+        let wanted = match (linear, angles) {
             (true, _) => 1,
             (false, 0 | 1) => 16,
             (false, 2) => 40,
             (false, _) => 80,
         };
+        let most = self.most(group);
         let n = group.columns.len() as f64;
         let affordable = (WORK / (40.0 * (n * n * n + 300.0 * n))).max(2.0) as usize;
 
@@ -339,6 +338,9 @@ impl<'a> Assembler<'a> {
         let mut ends: Vec<(Vec<f64>, usize)> = Vec::new();
         let mut least = f64::INFINITY;
         for start in 0..wanted.min(affordable) {
+            if most.is_some_and(|most| ends.len() >= most) {
+                break;
+            }
             if start >= ENOUGH_STARTS && ends.len() > 1 && ends.iter().all(|end| end.1 >= ENOUGH_TIMES) {
                 break;
             }
@@ -352,15 +354,19 @@ impl<'a> Assembler<'a> {
                     })
                 })
             };
-            if let Some(residual) = self.approach(group, pose) {
-                least = least.min(residual);
-                continue;
+            // Newton's step alone solves linear equations, where they can be solved.
+            let straight = if linear { self.iterate(group, pose, false) } else { Err(f64::INFINITY) };
+            if straight.is_err() {
+                if let Some(residual) = self.approach(group, pose) {
+                    least = least.min(residual);
+                    continue;
+                }
+                if let Some(end) = known(&ends, pose) {
+                    ends[end].1 += 1;
+                    continue;
+                }
             }
-            if let Some(end) = known(&ends, pose) {
-                ends[end].1 += 1;
-                continue;
-            }
-            match self.iterate(group, pose) {
+            match straight.or_else(|_| self.iterate(group, pose, true)) {
                 Err(residual) => least = least.min(residual),
                 Ok(()) => {
                     if let Some(end) = known(&ends, pose) {
@@ -383,6 +389,62 @@ impl<'a> Assembler<'a> {
         }
         found.sort_by(|a, b| a.miss.unwrap_or(0.0).total_cmp(&b.miss.unwrap_or(0.0)));
         Ok(found)
+    }
+
+    /// Whether the equations of a group are linear in its unknowns.
+    fn has_one_solution(&self, group: &Group) -> bool {
+        let mut rows = group.rows.iter().map(|r| &self.model.position[*r]);
+        let angles = group.columns.iter().filter(|c| *c % 3 == 2).count();
+        (angles == group.columns.len() && rows.clone().all(Row::is_simple))
+            || (angles == 0 && rows.all(Row::is_linear_in_places))
+    }
+
+    /// How many solutions a group can have at most, where its equations say so: when so many have been found there is
+    /// no other, and no further start is made. Where fewer are found all starts are made.
+    ///
+    /// - One body turns about a known point, or turns and its place follows by a pin from a known point, and one
+    ///   equation of the form a cos θ + b sin θ = c is left for its angle, perhaps through a body that a pin carries
+    ///   along without turning: two. (Where a, b and c vanish all angles fit, and the Jacobian tells.)
+    /// - Two such bodies share a pin: it lies on two circles, which meet in two points at most, and each of these
+    ///   gives both angles.
+    ///
+    /// Anything else is not counted.
+    fn most(&self, group: &Group) -> Option<usize> {
+        let of_axis = |axis: usize| {
+            group.columns.iter().filter(move |c| *c % 3 == axis).map(|c| c / 3).collect::<Vec<usize>>()
+        };
+        let [xs, ys, turning] = [0, 1, 2].map(of_axis);
+        if xs != ys || !(1..=2).contains(&turning.len()) {
+            return None;
+        }
+        let mut rows: Vec<&Row> = group.rows.iter().map(|r| &self.model.position[*r]).collect();
+        for body in &xs {
+            let turns = turning.contains(body);
+            let carrier = |other: usize| {
+                let known = !xs.contains(&other) && !turning.contains(&other);
+                if turns { known } else { turning.contains(&other) }
+            };
+            let pin = rows.iter().find_map(|row| match row {
+                Row::Coincide(a, b, _) if a.body == *body && carrier(b.body) => Some([*a, *b]),
+                Row::Coincide(a, b, _) if b.body == *body && carrier(a.body) => Some([*a, *b]),
+                _ => None,
+            });
+            let [a, b] = pin?;
+            let before = rows.len();
+            rows.retain(|row| !matches!(row, Row::Coincide(c, d, _) if *c == a && *d == b));
+            if before - rows.len() != 2 {
+                return None;
+            }
+        }
+        match (turning.as_slice(), rows.as_slice()) {
+            ([_], [row]) if row.is_circular() => Some(2),
+            ([one, other], [Row::Coincide(a, b, first), Row::Coincide(c, d, second)]) => {
+                let bound = [a.body, b.body];
+                let shared = a == c && b == d && first != second;
+                (shared && bound.contains(one) && bound.contains(other)).then_some(2)
+            }
+            _ => None,
+        }
     }
 
     /// Whether the swivelling guides that this group completes point towards their riders.
@@ -483,12 +545,10 @@ impl<'a> Assembler<'a> {
             let row = &self.model.position[*row];
             let slope = Here::evaluate(row, pose, &self.model.params)?;
             at.residuals[i] = slope.value;
-            let [first, second] = row.bodies();
-            for k in 0..if first == second { 3 } else { MOST } {
-                let column = 3 * if k < 3 { first } else { second } + k % 3;
+            for (column, slope) in slope.columns_and_slopes(row) {
                 let j = self.slot[column];
-                if slope.by[k] != 0.0 && group.columns.get(j) == Some(&column) {
-                    at.jacobian[(i, j)] = slope.by[k];
+                if group.columns.get(j) == Some(&column) {
+                    at.jacobian[(i, j)] = slope;
                 }
             }
         }
@@ -503,6 +563,7 @@ impl<'a> Assembler<'a> {
         // What cannot be glanced at is left to the record.
         self.glance(group, pose, &mut at)?;
         let mut next = pose.to_vec();
+        let (mut normal, mut step) = (DMatrix::zeros(n, n), DVector::zeros(n));
         let mut damping = 1e-3;
         let mut idle = 0;
         let mut halved = true;
@@ -512,18 +573,25 @@ impl<'a> Assembler<'a> {
             if rest <= VANISHED.max(self.coarsest) || (rest <= NEAR && !halved) || idle > 12 {
                 break;
             }
-            let mut normal = at.jacobian.tr_mul(&at.jacobian);
+            at.jacobian.tr_mul_to(&at.jacobian, &mut normal);
             let largest = normal.diagonal().max();
             for i in 0..n {
                 normal[(i, i)] += damping * normal[(i, i)].max(1e-14 * largest);
             }
-            let mut step = at.jacobian.tr_mul(&at.residuals);
-            let better = normal.cholesky().is_some_and(|c| {
-                c.solve_mut(&mut step);
-                Self::move_by(group, pose, &step, &mut next);
-                self.glance(group, &next, &mut tried).is_some()
-                    && tried.residuals.norm() < at.residuals.norm()
-            });
+            at.jacobian.tr_mul_to(&at.residuals, &mut step);
+            let better = match std::mem::replace(&mut normal, DMatrix::zeros(0, 0)).cholesky() {
+                Some(factors) => {
+                    factors.solve_mut(&mut step);
+                    normal = factors.unpack_dirty();
+                    Self::move_by(group, pose, &step, &mut next);
+                    self.glance(group, &next, &mut tried).is_some()
+                        && tried.residuals.norm() < at.residuals.norm()
+                }
+                None => {
+                    normal = DMatrix::zeros(n, n);
+                    false
+                }
+            };
             if better {
                 halved = tried.residuals.norm() < 0.5 * at.residuals.norm();
                 let lazy = tried.residuals.norm() >= 0.999 * at.residuals.norm();
@@ -577,16 +645,16 @@ impl<'a> Assembler<'a> {
         next
     }
 
-    /// Damped Newton iterations on one group; the largest residual where they end elsewhere than at a
-    /// solution.
-    fn iterate(&self, group: &Group, pose: &mut [f64]) -> Result<(), f64> {
+    /// Damped Newton iterations on one group, if they are wanted, and then Newton's own; the largest residual where
+    /// they end elsewhere than at a solution.
+    fn iterate(&self, group: &Group, pose: &mut [f64], damped: bool) -> Result<(), f64> {
         let Some((mut residuals, mut tolerances, mut jacobian)) = self.evaluate(group, pose) else {
             return Err(f64::INFINITY);
         };
         let solved = |r: &DVector<f64>, t: &[f64]| r.iter().zip(t).all(|(r, t)| r.abs() <= *t);
         let mut damping = 1e-3;
         let mut idle = 0;
-        for _ in 0..MOST_ITERATIONS {
+        for _ in 0..if damped { MOST_ITERATIONS } else { 0 } {
             if solved(&residuals, &tolerances) || idle > 12 {
                 break;
             }
@@ -614,7 +682,7 @@ impl<'a> Assembler<'a> {
         }
         // Newton's own steps reach the rounding level, which the normal equations may not.
         for _ in 0..POLISHINGS {
-            if self.coarsest > 0.0 && solved(&residuals, &tolerances) {
+            if residuals.amax() == 0.0 || (self.coarsest > 0.0 && solved(&residuals, &tolerances)) {
                 break;
             }
             let Some(step) = jacobian.clone().lu().solve(&residuals) else { break };

@@ -167,14 +167,32 @@ pub(super) trait Formulas {
 
     /// Place of a point of a body.
     fn site(&self, site: &Site) -> [Self::Number; 2] {
-        let own = self.pair(site.own);
         if site.body == 0 {
-            return own;
+            return self.pair(site.own);
         }
         if site.own == [Num::Exact(0.0); 2] {
             return self.origin(site.body);
         }
-        plus(self.origin(site.body), turned(own, self.angle(site.body)))
+        plus(self.origin(site.body), self.carried_vector(site.body, site.own))
+    }
+
+    /// One coordinate of the place of a point of a body.
+    fn site_along(&self, site: &Site, axis: usize) -> Self::Number {
+        if site.body == 0 {
+            return self.num(site.own[axis]);
+        }
+        let origin = self.coordinate(site.body, axis);
+        if site.own == [Num::Exact(0.0); 2] {
+            return origin;
+        }
+        let [cos, sin] = self.angle(site.body).cos_sin();
+        let [x, y] = self.pair(site.own);
+        origin + if axis == 0 { cos * x - sin * y } else { sin * x + cos * y }
+    }
+
+    /// A vector of a body's own coordinates as the body has turned it.
+    fn carried_vector(&self, body: usize, own: [Num; 2]) -> [Self::Number; 2] {
+        turned(self.pair(own), self.angle(body))
     }
 
     /// Angle of a straight guide's direction in its body.
@@ -210,7 +228,7 @@ pub(super) trait Formulas {
     /// The equation as a function of time.
     fn row(&self, row: &Row) -> Self::Number {
         match row {
-            Row::Coincide(a, b, axis) => self.site(a)[*axis] - self.site(b)[*axis],
+            Row::Coincide(a, b, axis) => self.site_along(a, *axis) - self.site_along(b, *axis),
             Row::OnLine(rider, guide) => {
                 let normal = quarter(self.direction(guide));
                 let from = minus(self.site(rider), self.site(&guide.through));
@@ -370,6 +388,40 @@ impl Row {
     pub(super) fn is_linear_in_places(&self) -> bool {
         self.is_simple() && !matches!(self, Self::Around(..))
             || matches!(self, Self::Coincide(..) | Self::OnLine(..) | Self::Push(..))
+    }
+
+    /// Whether the equation, with the angle of one turning body unknown, has the form a cos θ + b sin θ = c: two
+    /// solutions at most.
+    pub(super) fn is_circular(&self) -> bool {
+        // A point of the turning body, or of one that is carried along without turning, lies at c + r(θ), r turned by
+        // θ; a normal is fixed or turns as well. Then their products, and the square of a distance, are of first
+        // degree in cos θ and sin θ.
+        matches!(
+            self,
+            Self::Coincide(..) | Self::OnLine(..) | Self::OnArc(..) | Self::Touch { .. } | Self::Push(..)
+        )
+    }
+
+    /// Whether the equation is a coordinate, or its negative, and terms without it.
+    pub(super) fn is_plain_in(&self, column: usize) -> bool {
+        match self {
+            Self::Coincide(a, b, axis) => column % 3 == *axis && a.body != b.body,
+            Self::Along(..) | Self::Turn(..) | Self::Aim(..) => column % 3 == 2,
+            Self::Hold(at) => column == *at,
+            _ => false,
+        }
+    }
+
+    /// Whether the equation may hang on the coordinates of a body.
+    pub(super) fn hangs_on(&self, body: usize) -> bool {
+        let third = match self {
+            Self::Around(_, rider, ..) => [rider.body; 2],
+            Self::Roll { centres, .. } => [centres[0].body, centres[1].body],
+            Self::RollLine { centre, .. } => [centre.body; 2],
+            _ => [body; 2],
+        };
+        let thirds = matches!(self, Self::Around(..) | Self::Roll { .. } | Self::RollLine { .. });
+        self.bodies().contains(&body) || (thirds && third.contains(&body))
     }
 
     /// The bodies that the equation binds.

@@ -4,12 +4,14 @@
 use nalgebra::DMatrix;
 
 use super::constraints::{Motion, Param, Row};
-use super::ordering::{Group, Ordering};
+use super::ordering::Group;
 use super::tape::{Leaf, Linear, U};
 
 /// A singular direction counts as singular where the first-order error of the Jacobian passes this part
 /// of it.
 const SINGULAR: f64 = 1.0 / 8.0;
+/// Radius of an entry that is one by its form, in units of rounding.
+const PLAIN: f64 = 8.0;
 
 /// One group with its inverse.
 #[derive(Debug, Clone)]
@@ -48,7 +50,7 @@ pub(super) struct Multipliers {
 impl System {
     /// A system with its groups; the entries are those of leaf kind `unknown`.
     pub(super) fn new(
-        ordering: &Ordering,
+        groups: Vec<Group>,
         linears: &[Linear],
         unknowns: usize,
         unknown: impl Fn(Leaf) -> Option<usize>,
@@ -58,9 +60,8 @@ impl System {
             .map(|l| l.terms.iter().filter_map(|(leaf, c)| Some((unknown(*leaf)?, *c))).collect())
             .collect();
         let mut block_of = vec![usize::MAX; unknowns];
-        let blocks = ordering
-            .groups
-            .iter()
+        let blocks = groups
+            .into_iter()
             .enumerate()
             .map(|(index, group)| {
                 for column in &group.columns {
@@ -76,7 +77,7 @@ impl System {
                     }
                 }
                 let inverse = invert(&jacobian);
-                Block { group: group.clone(), jacobian, inverse, widths: None }
+                Block { group, jacobian, inverse, widths: None }
             })
             .collect();
         Self { entries, blocks, block_of }
@@ -117,7 +118,7 @@ impl System {
 
     /// The multipliers of a number whose gradient towards the unknowns is `gradient`: one sweep back.
     pub(super) fn adjoint(&self, mut gradient: Vec<f64>) -> Multipliers {
-        let mut multipliers = Multipliers::default();
+        let mut multipliers = Multipliers { rows: Vec::with_capacity(self.entries.len()), slack: 0.0 };
         for (index, block) in self.blocks.iter().enumerate().rev() {
             let columns = &block.group.columns;
             if columns.iter().all(|c| gradient[*c] == 0.0) {
@@ -153,6 +154,16 @@ impl System {
         let block = &mut self.blocks[block];
         let Some(inverse) = &block.inverse else { return false };
         let n = block.group.columns.len();
+        if let ([only], [row], [column]) =
+            (inverse.as_slice(), block.group.rows.as_slice(), block.group.columns.as_slice())
+        {
+            // NaN is not regular.
+            let regular = only.abs() * error(*row, *column) <= SINGULAR;
+            if !regular {
+                block.inverse = None;
+            }
+            return regular;
+        }
         let errors = DMatrix::from_fn(n, n, |i, j| error(block.group.rows[i], block.group.columns[j]));
         let product = inverse.map(f64::abs) * errors;
         let regular = spectral_radius_bound(&product) <= SINGULAR;
@@ -209,6 +220,13 @@ pub(super) fn entry_error(
     params: &[Param],
     column: usize,
 ) -> f64 {
+    if !row.hangs_on(column / 3) {
+        return 0.0;
+    }
+    if row.is_plain_in(column) {
+        // One, whatever the place; its rate is a sum of that and zeros.
+        return PLAIN * U;
+    }
     let mut rate = vec![0.0; pose.len()];
     rate[column] = 1.0;
     let motion = Motion { pose, rate: &rate, accel: &[], params };

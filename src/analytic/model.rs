@@ -4,8 +4,11 @@
 //! by a power of two near the time of its motion, so that scaling costs no accuracy and nothing
 //! overflows, whatever the units.
 
+use std::sync;
+
 use super::AnalyticError;
 use super::constraints::{Arc, Bearing, Drive, Motion, Num, Param, Row, Site, Straight};
+use super::slopes::Here;
 use super::tape::{Leaf, U};
 use crate::mechanism::{
     Direction, Form, Given, GivenPoint, Guide, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId,
@@ -34,7 +37,7 @@ pub(super) struct Swivel {
 #[derive(Debug, Clone)]
 pub(super) struct Model {
     /// What it models.
-    pub(super) mechanism: Mechanism,
+    pub(super) mechanism: sync::Arc<Mechanism>,
     /// The point from which lengths are counted, metres.
     pub(super) reference: [f64; 2],
     /// Metres per unit of length; a power of two.
@@ -96,7 +99,7 @@ impl Model {
         let length = power_of_two(size(mechanism, reference));
         let time = 1.0 / power_of_two(pace(mechanism, length));
         let mut model = Self {
-            mechanism: mechanism.clone(),
+            mechanism: sync::Arc::new(mechanism.clone()),
             reference,
             length,
             time,
@@ -164,6 +167,11 @@ impl Model {
             .map(|row| {
                 let mut columns = Vec::new();
                 for pose in &poses {
+                    // The rate of an equation hangs on the rate of a coordinate as itself on the coordinate.
+                    if let Some(slope) = Here::evaluate(row, pose, &self.params) {
+                        columns.extend(slope.columns(row));
+                        continue;
+                    }
                     let motion = Motion { pose, rate: &rest, accel: &rest, params: &self.params };
                     let linear = row.linear(motion, order).ok_or_else(|| malformed("a dimension is zero"))?;
                     columns.extend(linear.terms.iter().filter(|t| t.1 != 0.0).filter_map(|t| match t.0 {
@@ -261,7 +269,7 @@ impl Model {
     }
 
     fn locate_points(&mut self) -> Result<(), AnalyticError> {
-        let mechanism = self.mechanism.clone();
+        let mechanism = sync::Arc::clone(&self.mechanism);
         for point in &mechanism.points {
             let place = point.place.exact().map(|place| self.given_place(place));
             self.places.push(place);

@@ -10,11 +10,14 @@ use super::assembly::Assembly;
 use super::constraints::{Motion, Param, Row};
 use super::linear::{Multipliers, System, entry_error};
 use super::model::Model;
-use super::ordering::order;
-use super::tape::{Leaf, Linear};
+use super::ordering::{Ordering, order};
+use super::tape::{Leaf, Linear, U};
 
-/// Rounds of iterative refinement.
+/// Rounds of iterative refinement at most.
 const REFINEMENTS: usize = 3;
+/// A correction of so many units of rounding of what it corrects, of each unknown, is no more than the noise of the
+/// residual that it follows from. Bounds are those of the residual that is left.
+const NOISE: f64 = 4.0;
 /// Largest relative contradiction of a redundant equation of motion.
 const CONTRADICTION: f64 = 1e-6;
 /// Radius of a pose of which nothing is known; its products stay finite.
@@ -87,7 +90,7 @@ pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, Analy
         .map(|row| row.linear(motion, 0).ok_or_else(no_value))
         .collect::<Result<_, _>>()?;
     let n = model.unknowns();
-    let system = System::new(&ordering, &rows, n, |leaf| match leaf {
+    let system = System::new(ordering.groups, &rows, n, |leaf| match leaf {
         Leaf::Pose(at) => Some(at),
         _ => None,
     });
@@ -211,14 +214,14 @@ pub(super) fn solve_motion(
     };
     let residuals = |linears: &[Linear]| -> Vec<f64> { linears.iter().map(|l| -l.value).collect() };
 
-    let ordering = order(&model.pattern(equations, 1)?, n);
+    let Ordering { groups, free, spare } = order(&model.pattern(equations, 1)?, n);
     let at_rest = evaluate(&rest, &[], 1)?;
-    let mut system = System::new(&ordering, &at_rest, n, |leaf| match leaf {
+    let mut system = System::new(groups, &at_rest, n, |leaf| match leaf {
         Leaf::Rate(at) => Some(at),
         _ => None,
     });
     let mut undetermined = vec![false; n];
-    for column in ordering.free.iter().filter(|c| **c >= 3) {
+    for column in free.iter().filter(|c| **c >= 3) {
         undetermined[*column] = true;
     }
     for index in 0..system.blocks.len() {
@@ -232,30 +235,39 @@ pub(super) fn solve_motion(
         }
     }
 
-    let improve = |x: &mut Vec<f64>, linears: &[Linear]| {
-        for (x, d) in x.iter_mut().zip(system.solve(&residuals(linears), &undetermined)) {
-            *x += d;
-        }
-    };
+    // Solves the equations of `linears`, which are those at x, and refines; returns the equations at what x has become.
+    type Equations = Result<Vec<Linear>, AnalyticError>;
+    let refine =
+        |x: &mut Vec<f64>, mut linears: Vec<Linear>, at: &dyn Fn(&[f64]) -> Equations| -> Equations {
+            let mut last = f64::INFINITY;
+            for _ in 0..=REFINEMENTS {
+                let correction = system.solve(&residuals(&linears), &undetermined);
+                let parts =
+                    x.iter().zip(&correction).filter(|(_, d)| **d != 0.0).map(|(x, d)| d.abs() / x.abs());
+                let part = parts.fold(0.0, f64::max);
+                // Where it does not become less it is noise as well.
+                if part <= NOISE * U || part > 0.25 * last {
+                    break;
+                }
+                last = part;
+                for (x, d) in x.iter_mut().zip(correction) {
+                    *x += d;
+                }
+                linears = at(x)?;
+            }
+            Ok(linears)
+        };
     let mut rate = rest.clone();
-    improve(&mut rate, &at_rest);
-    for _ in 0..REFINEMENTS {
-        let linears = evaluate(&rate, &[], 1)?;
-        improve(&mut rate, &linears);
-    }
-    let velocity_rows = evaluate(&rate, &[], 1)?;
+    let velocity_rows = refine(&mut rate, at_rest, &|rate| evaluate(rate, &[], 1))?;
     let mut accel = Vec::new();
     let mut acceleration_rows = Vec::new();
     if accelerations {
         accel = rest;
-        for _ in 0..=REFINEMENTS {
-            let linears = evaluate(&rate, &accel, 2)?;
-            improve(&mut accel, &linears);
-        }
-        acceleration_rows = evaluate(&rate, &accel, 2)?;
+        let at_rest = evaluate(&rate, &accel, 2)?;
+        acceleration_rows = refine(&mut accel, at_rest, &|accel| evaluate(&rate, accel, 2))?;
     }
     let fastest = rate.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
-    for row in &ordering.spare {
+    for row in &spare {
         let determined = system.entries[*row].iter().all(|(c, _)| !undetermined[*c]);
         if determined && velocity_rows[*row].value.abs() > CONTRADICTION * fastest {
             return Err(AnalyticError::Contradictory);

@@ -33,8 +33,13 @@ const NONE: usize = usize::MAX;
 pub(super) fn order(pattern: &[Vec<usize>], unknowns: usize) -> Ordering {
     let mut row_of = vec![NONE; unknowns];
     let mut column_of = vec![NONE; pattern.len()];
+    let mut reached_from = vec![NONE; unknowns];
+    let mut queue = VecDeque::with_capacity(pattern.len());
     for row in 0..pattern.len() {
-        augment(pattern, row, &mut row_of, &mut column_of);
+        reached_from.fill(NONE);
+        queue.clear();
+        queue.push_back(row);
+        augment(pattern, &mut row_of, &mut column_of, &mut reached_from, &mut queue);
     }
 
     let mut users = vec![Vec::new(); unknowns];
@@ -72,10 +77,15 @@ pub(super) fn order(pattern: &[Vec<usize>], unknowns: usize) -> Ordering {
     }
 }
 
-/// Pairs one more row along a shortest alternating path, if there is one.
-fn augment(pattern: &[Vec<usize>], row: usize, row_of: &mut [usize], column_of: &mut [usize]) {
-    let mut reached_from = vec![NONE; row_of.len()];
-    let mut queue = VecDeque::from([row]);
+/// Pairs one more row, which stands in the queue, along a shortest alternating path, if there is one. No column has
+/// been reached.
+fn augment(
+    pattern: &[Vec<usize>],
+    row_of: &mut [usize],
+    column_of: &mut [usize],
+    reached_from: &mut [usize],
+    queue: &mut VecDeque<usize>,
+) {
     while let Some(from) = queue.pop_front() {
         for &column in &pattern[from] {
             if reached_from[column] != NONE {
@@ -105,14 +115,15 @@ fn components(pattern: &[Vec<usize>], row_of: &[usize], free: &[bool]) -> Vec<Ve
     let mut index = vec![NONE; count];
     let mut low = vec![0; count];
     let mut on_stack = vec![false; count];
-    let mut stack = Vec::new();
-    let mut found = Vec::new();
+    let mut stack = Vec::with_capacity(count);
+    let mut work = Vec::with_capacity(count);
+    let mut found = Vec::with_capacity(count);
     let mut next = 0;
     for root in (0..count).filter(|c| !free[*c]) {
         if index[root] != NONE {
             continue;
         }
-        let mut work = vec![(root, 0)];
+        work.push((root, 0));
         while let Some(&mut (column, ref mut edge)) = work.last_mut() {
             if *edge == 0 {
                 index[column] = next;

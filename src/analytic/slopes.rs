@@ -7,7 +7,7 @@
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::constraints::{Drive, Formulas, Num, Param, Row};
+use super::constraints::{Drive, Formulas, Num, Param, Row, Site};
 use super::tape::Calculus;
 
 /// Coordinates on which one equation may hang: x, y, θ of two bodies.
@@ -23,6 +23,19 @@ pub(super) struct Slope {
 }
 
 impl Slope {
+    /// The coordinates on which an equation, whose slope this is, hangs here.
+    pub(super) fn columns(self, row: &Row) -> impl Iterator<Item = usize> {
+        self.columns_and_slopes(row).map(|(column, _)| column)
+    }
+
+    /// The same with the slopes.
+    pub(super) fn columns_and_slopes(self, row: &Row) -> impl Iterator<Item = (usize, f64)> {
+        let [first, second] = row.bodies();
+        let most = if first == second { MOST / 2 } else { MOST };
+        let column = move |k: usize| 3 * if k < 3 { first } else { second } + k % 3;
+        (0..most).filter(move |k| self.by[*k] != 0.0).map(move |k| (column(k), self.by[k]))
+    }
+
     /// `value`, changing as `factor` times this number and `other_factor` times the other.
     fn blend(self, value: f64, factor: f64, other: Self, other_factor: f64) -> Self {
         let mut by = self.by;
@@ -148,5 +161,18 @@ impl Formulas for Here<'_> {
 
     fn drive(&self, drive: &Drive) -> Slope {
         self.num(drive.value)
+    }
+
+    fn site_along(&self, site: &Site, axis: usize) -> Slope {
+        self.site(site)[axis]
+    }
+
+    /// The slope of a turned vector by its angle is the vector a quarter turn on.
+    fn carried_vector(&self, body: usize, own: [Num; 2]) -> [Slope; 2] {
+        let angle = self.angle(body);
+        let (sin, cos) = libm::sincos(angle.value);
+        let [a, b] = self.pair(own).map(|own| own.value);
+        let (x, y) = (cos * a - sin * b, sin * a + cos * b);
+        [angle.through(x, -y), angle.through(y, x)]
     }
 }

@@ -14,6 +14,9 @@ pub(super) const U: f64 = f64::EPSILON / 2.0;
 /// Error of a function of `libm`, in units of the roundoff of its result (its own tests allow 1 ulp).
 const LIBM: f64 = 2.0;
 
+/// What most equations hang on: coordinates of two bodies, and a few parameters.
+const USUAL_TERMS: usize = 10;
+
 /// No node: an exact constant.
 const EXACT: u32 = u32::MAX;
 
@@ -38,12 +41,26 @@ struct Node {
     leaf: Option<Leaf>,
 }
 
+thread_local! {
+    /// Paper of records that are done with, to be written on again: a solution makes hundreds of records, one
+    /// after the other.
+    static PAPER: Cell<(Vec<Node>, Vec<f64>)> = const { Cell::new((Vec::new(), Vec::new())) };
+}
+
 /// The record of one evaluation.
 #[derive(Debug)]
 pub(super) struct Tape {
     nodes: RefCell<Vec<Node>>,
+    /// What the sweeps write on.
+    adjoint: RefCell<Vec<f64>>,
     order: u8,
     broken: Cell<bool>,
+}
+
+impl Drop for Tape {
+    fn drop(&mut self) {
+        PAPER.set((std::mem::take(self.nodes.get_mut()), std::mem::take(self.adjoint.get_mut())));
+    }
 }
 
 /// A number, its rounding error and its partial derivatives, to first order.
@@ -62,7 +79,9 @@ pub(super) struct Linear {
 impl Tape {
     /// A record of values (0), of values and rates (1) or of accelerations too (2).
     pub(super) fn new(order: u8) -> Self {
-        Self { nodes: RefCell::new(Vec::with_capacity(64)), order, broken: Cell::new(false) }
+        let (mut nodes, adjoint) = PAPER.take();
+        nodes.clear();
+        Self { nodes: RefCell::new(nodes), adjoint: RefCell::new(adjoint), order, broken: Cell::new(false) }
     }
 
     /// Whether something was divided by zero.
@@ -114,15 +133,19 @@ impl Tape {
             return linear;
         }
         let last = out.at as usize;
-        let mut adjoint = vec![0.0_f64; last + 1];
+        linear.terms.reserve(USUAL_TERMS);
+        let mut adjoint = self.adjoint.borrow_mut();
+        adjoint.clear();
+        adjoint.resize(last + 1, 0.0);
         // Behind a product of two zeros there is no slope, but the product hangs on both.
-        let mut behind_zeros = vec![false; last + 1];
+        let mut behind_zeros: Vec<bool> = Vec::new();
         adjoint[last] = 1.0;
         for at in (0..=last).rev() {
             let weight = adjoint[at];
             let node = &nodes[at];
             let levelled = weight != 0.0 && node.parents != [EXACT; 2] && node.partials == [0.0; 2];
-            if levelled || behind_zeros[at] {
+            if levelled || behind_zeros.get(at) == Some(&true) {
+                behind_zeros.resize(last + 1, false);
                 linear.flat.extend(node.leaf);
                 for parent in node.parents.into_iter().filter(|parent| *parent != EXACT) {
                     behind_zeros[parent as usize] = true;

@@ -9,6 +9,7 @@
 //!
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
+mod bounded;
 mod circles;
 mod hand;
 mod homogeneous;
@@ -20,9 +21,10 @@ mod tape;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
+pub use bounded::{BoundedBlock, BoundedProgram, FEW};
 pub use hand::{Hand, PencilTape, Tremor};
 pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
-pub use program::{Block, LANES, Lane, Moving, Place, Program, Transcript};
+pub use program::{Block, LANES, Lane, Law, Moving, Place, Program, Transcript, Variable};
 pub use reckon::TOO_LARGE;
 pub use scalar::{Arithmetic, Real};
 pub use tape::{Blank, Nudge, Operation, Pencil, Reason, Reckoning, Recorder, Stroke, Tape};
@@ -309,6 +311,11 @@ impl<B: Bench> Board<B> {
         Amount(self.input(index, given))
     }
 
+    /// The given rate of an input, by its index: rad/s of a link, m/s of a slide. A sweep over time changes it.
+    pub fn input_speed(&mut self, index: usize, given: crate::given::Given) -> Amount<B> {
+        Amount(self.input_rate(index, given))
+    }
+
     // --- what the textbook calculates ----------------------------------------------------------
 
     /// a / b, as in ω = V / l.
@@ -477,6 +484,44 @@ impl<B: Bench> Board<B> {
         let cos = self.dot(from.x, to.x, from.y, to.y);
         let angle = self.atan2(sin, cos);
         Angle(self.pencilled(angle, Pencil::AngleReading))
+    }
+
+    /// How far a direction has turned since it was `from`, ccw: where a drawing is run on, not only up to half a turn.
+    pub fn turned_since(&mut self, from: Direction<B>, to: Direction<B>) -> Angle<B> {
+        let sin = self.cross(from.x, to.y, from.y, to.x);
+        let cos = self.dot(from.x, to.x, from.y, to.y);
+        Angle(self.turned_angle(sin, cos))
+    }
+
+    /// A direction for good, as it is in this drawing.
+    pub fn as_it_points(&mut self, d: Direction<B>) -> Direction<B> {
+        let [x, y] = [d.x, d.y].map(|c| self.exact(c.value.to_f64()));
+        Direction { x, y }
+    }
+
+    /// A length for good, as it is in this drawing.
+    pub fn as_it_stands(&mut self, length: Mm<B>) -> Mm<B> {
+        Mm(self.exact(length.0.value.to_f64()))
+    }
+
+    /// The angle on whose arc of this radius a length lies.
+    pub fn arc_angle(&mut self, length: Mm<B>, radius: Mm<B>, reason: Reason) -> Angle<B> {
+        Angle(self.div(length.0, radius.0, reason))
+    }
+
+    /// The sum of two angles.
+    pub fn angle_sum(&mut self, a: Angle<B>, b: Angle<B>) -> Angle<B> {
+        Angle(self.add(a.0, b.0))
+    }
+
+    /// The difference of two angles.
+    pub fn angle_less(&mut self, a: Angle<B>, b: Angle<B>) -> Angle<B> {
+        Angle(self.sub(a.0, b.0))
+    }
+
+    /// A part of an angle.
+    pub fn part_of_angle(&mut self, whole: Angle<B>, part: Ratio<B>) -> Angle<B> {
+        Angle(self.mul(whole.0, part.0))
     }
 
     /// Angle between two directions, 0 to π.

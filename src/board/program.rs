@@ -8,11 +8,19 @@
 //! What a drawing decides by looking stays as it was in the drawing that was transcribed: which of two
 //! meeting points is taken (a sign of [`Program::chords`], which can be turned at a change point), whether a
 //! magnitude was taken of a negative number (the program then gives it with either sign), and that no
-//! divisor is zero ([`Program::divisors`]). Whoever runs the program watches them.
+//! divisor is zero ([`Program::divisors`]), and which turn an angle is in that goes on beyond half a turn
+//! ([`Program::turns`]). Whoever runs the program watches them.
+//!
+//! A transcript may know how uncertain its numbers are ([`Transcript::with_errors`]). Then two numbers of the
+//! scene that happen to be equal stay two, and nothing is left out because of what is zero or one only
+//! within its error: of such a transcript a [`super::BoundedProgram`] can be made.
 
 use std::collections::HashMap;
+use std::f64::consts::PI;
 
+use super::bounded::BoundedProgram;
 use super::tape::{Operation, Reason, Reckoning, Recorder};
+use crate::given::Given;
 
 /// Positions that are reckoned together.
 pub const LANES: usize = 16;
@@ -20,8 +28,14 @@ pub const LANES: usize = 16;
 /// One number for each of [`LANES`] positions.
 pub type Lane = [f64; LANES];
 
+/// Unit roundoff of the doubles in which programs reckon.
+pub(super) const U: f64 = f64::EPSILON / 2.0;
+
+/// A number stands clear of its error as a divisor does on the tape.
+pub(super) const CLEAR: f64 = 8.0;
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Kind {
+pub(super) enum Kind {
     Sum,
     Difference,
     Opposite,
@@ -35,35 +49,87 @@ enum Kind {
     Cosine,
     Sine,
     Angle,
+    /// An angle, near as many half turns as the sign of that index says.
+    Turned,
 }
 
-/// The operands of a node: slots, unused ones zero. The second of a half chord is its index.
-type Operands = [u32; 4];
+/// The operands of a node: slots, unused ones zero. The second of a half chord is its index, the third of an angle
+/// that goes on.
+pub(super) type Operands = [u32; 4];
 
 #[derive(Debug, Clone, Copy)]
-enum Node {
-    Constant(f64),
+pub(super) enum Node {
+    /// A number that hangs on nothing that is varied, and its error; 0 where nobody keeps errors.
+    Constant(f64, f64),
     Input,
     Made(Kind, Operands),
+}
+
+/// How an input moves in time: from its place and its rate in the drawing, with constant acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Law {
+    /// Rate at the drawing's own time, SI units.
+    pub rate: Given,
+    /// Acceleration, SI units.
+    pub acceleration: Given,
+}
+
+/// What a program varies.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Variable {
+    /// The place of an input, by its index; rates stay as they are.
+    Input(usize),
+    /// Time, in seconds from the instant of the drawing: every input moves by its law.
+    Time(Vec<Law>),
+}
+
+impl Default for Variable {
+    fn default() -> Self {
+        Self::Input(0)
+    }
 }
 
 /// The recorder that writes a drawing down as a program.
 #[derive(Debug, Clone, Default)]
 pub struct Transcript {
-    swept: usize,
-    nodes: Vec<Node>,
+    variable: Variable,
+    with_errors: bool,
+    pub(super) nodes: Vec<Node>,
     values: Vec<f64>,
     made: HashMap<(Kind, Operands), u32>,
     constants: HashMap<u64, u32>,
-    chords: Vec<u32>,
-    divisors: Vec<(u32, Reason)>,
+    pub(super) chords: Vec<u32>,
+    chord_calls: Vec<Option<u32>>,
+    pub(super) divisors: Vec<(u32, Reason)>,
+    /// The angles that go on.
+    turns: Vec<u32>,
 }
 
 impl Transcript {
-    /// For a drawing in which this input (by its index) will be varied.
+    /// For a drawing in which this will be varied.
     #[must_use]
-    pub fn of_input(swept: usize) -> Self {
-        Self { swept, ..Self::default() }
+    pub fn of(variable: Variable) -> Self {
+        Self { variable, ..Self::default() }
+    }
+
+    /// The same, for a program that bounds its numbers.
+    #[must_use]
+    pub fn with_errors(variable: Variable) -> Self {
+        Self { variable, with_errors: true, ..Self::default() }
+    }
+
+    /// Which chord every half chord of the drawing is, in the order of drawing; `None` for a constant.
+    #[must_use]
+    pub fn chord_calls(&self) -> &[Option<u32>] {
+        &self.chord_calls
+    }
+
+    /// How an input moves, where time is varied.
+    fn law(&self, input: usize) -> Option<Law> {
+        match &self.variable {
+            Variable::Input(_) => None,
+            Variable::Time(laws) => laws.get(input).copied(),
+        }
     }
 
     fn constant(&mut self, value: f64) -> u32 {
@@ -72,9 +138,46 @@ impl Transcript {
         if let Some(&slot) = self.constants.get(&value.to_bits()) {
             return slot;
         }
-        let slot = self.node(Node::Constant(value), value);
+        let slot = self.node(Node::Constant(value, 0.0), value);
         self.constants.insert(value.to_bits(), slot);
         slot
+    }
+
+    /// A number that is known within `error`: never taken for another one that is equal.
+    fn uncertain(&mut self, value: f64, error: f64) -> u32 {
+        if !self.with_errors || error == 0.0 {
+            return self.constant(value);
+        }
+        self.node(Node::Constant(value, error), value)
+    }
+
+    /// The error of what is reckoned from constants alone.
+    fn folded_error(&self, kind: Kind, of: Operands, value: f64) -> f64 {
+        let values = of.map(|slot| self.value(slot));
+        let errors = of.map(|slot| match self.nodes.get(slot as usize) {
+            Some(Node::Constant(_, error)) => *error,
+            _ => 0.0,
+        });
+        let vanishes = |operand: usize| values[operand].abs() <= CLEAR * errors[operand];
+        match kind {
+            Kind::Quotient if errors[1] > 0.0 && vanishes(1) => return f64::INFINITY,
+            Kind::HalfChord if vanishes(0) => return f64::INFINITY,
+            Kind::Root if vanishes(0) => return (values[0].abs() + errors[0]).sqrt(),
+            _ => {}
+        }
+        let partials = partials(kind, values, value);
+        let carried: f64 = (0..operands(kind))
+            .map(|i| if errors[i] > 0.0 { partials[i].abs() * errors[i] } else { 0.0 })
+            .sum();
+        carried + rounding(kind, values, value)
+    }
+
+    /// The number that is varied.
+    fn varied(&mut self, value: f64) -> u32 {
+        match self.nodes.iter().position(|n| matches!(n, Node::Input)) {
+            Some(slot) => u32::try_from(slot).unwrap_or(u32::MAX),
+            None => self.node(Node::Input, value),
+        }
     }
 
     fn node(&mut self, node: Node, value: f64) -> u32 {
@@ -84,9 +187,22 @@ impl Transcript {
         slot
     }
 
+    /// The slot of what is reckoned so.
+    pub(super) fn made(&self, kind: Kind, of: Operands) -> Option<u32> {
+        self.made.get(&(kind, of)).copied()
+    }
+
     fn known(&self, slot: u32) -> Option<f64> {
         match self.nodes.get(slot as usize) {
-            Some(Node::Constant(value)) => Some(*value),
+            Some(Node::Constant(value, _)) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// A constant without error.
+    fn exactly(&self, slot: u32) -> Option<f64> {
+        match self.nodes.get(slot as usize) {
+            Some(Node::Constant(value, 0.0)) => Some(*value),
             _ => None,
         }
     }
@@ -97,12 +213,11 @@ impl Transcript {
 
     /// Writes an operation down, in the simplest form that says the same.
     fn make(&mut self, kind: Kind, [a, b, c, d]: Operands) -> u32 {
-        let number = |slot| self.known(slot);
         let count = operands(kind);
-        if [a, b, c, d][..count].iter().all(|&slot| number(slot).is_some()) && kind != Kind::HalfChord {
-            let value = reckon(kind, [a, b, c, d].map(|slot| self.value(slot)), 1.0);
-            return self.constant(value);
+        if [a, b, c, d][..count].iter().all(|&slot| self.known(slot).is_some()) {
+            return self.fold(kind, [a, b, c, d]);
         }
+        let number = |slot| self.exactly(slot);
         let is = |slot: u32, value: f64| number(slot) == Some(value);
         match kind {
             Kind::Sum if is(a, 0.0) => return b,
@@ -125,12 +240,11 @@ impl Transcript {
             Kind::Product if is(a, -1.0) => return self.make(Kind::Opposite, [b, 0, 0, 0]),
             Kind::Product if is(b, -1.0) => return self.make(Kind::Opposite, [a, 0, 0, 0]),
             Kind::Quotient if is(a, 0.0) => return self.constant(0.0),
-            Kind::Quotient => {
+            Kind::Quotient if self.known(b).is_some() => {
                 // A constant divisor is a factor.
-                if let Some(divisor) = number(b) {
-                    let factor = self.constant(1.0 / divisor);
-                    return self.make(Kind::Product, [a, factor, 0, 0]);
-                }
+                let one = self.constant(1.0);
+                let factor = self.make(Kind::Quotient, [one, b, 0, 0]);
+                return self.make(Kind::Product, [a, factor, 0, 0]);
             }
             Kind::Opposite => {
                 if let Some(Node::Made(Kind::Opposite, [x, ..])) = self.nodes.get(a as usize) {
@@ -165,6 +279,28 @@ impl Transcript {
         slot
     }
 
+    /// What is reckoned from constants alone is a constant.
+    fn fold(&mut self, kind: Kind, of: Operands) -> u32 {
+        let value = reckon(kind, of.map(|slot| self.value(slot)), 1.0);
+        if !self.with_errors {
+            return self.constant(value);
+        }
+        // The same reckoning of the same numbers has the same error, not one of its own.
+        if let Some(&slot) = self.made.get(&(kind, of)) {
+            return slot;
+        }
+        let error = self.folded_error(kind, of, value);
+        let slot = self.uncertain(value, error);
+        self.made.insert((kind, of), slot);
+        slot
+    }
+
+    /// The program that reckons these numbers with a bound for each.
+    #[must_use]
+    pub fn bounded(&self, asked: &[u32]) -> BoundedProgram {
+        BoundedProgram::new(self, asked)
+    }
+
     /// The program that reckons these numbers; with every divisor to be watched, or without.
     #[must_use]
     pub fn program(&self, asked: &[u32], watched: bool) -> Program {
@@ -174,6 +310,7 @@ impl Transcript {
             .copied()
             .chain(divisors.iter().map(|d| d.0))
             .chain(self.chords.iter().copied())
+            .chain(self.turns.iter().copied().filter(|_| watched))
             .collect();
         let last_use = self.last_uses(&kept);
         let mut slots = vec![0_u32; self.nodes.len()];
@@ -183,7 +320,9 @@ impl Transcript {
             rows: 1,
             asked: Vec::new(),
             chords: Vec::new(),
+            turns: Vec::new(),
             divisors: Vec::new(),
+            behind: Vec::new(),
         };
         // Rows whose number nobody needs any more: few rows stay in the nearest cache.
         let mut free: Vec<u32> = Vec::new();
@@ -192,15 +331,17 @@ impl Transcript {
                 continue;
             }
             let Node::Made(kind, of) = *node else {
-                if let Node::Constant(value) = *node {
+                if let Node::Constant(value, _) = *node {
                     slots[slot] = program.row();
                     program.constants.push((slots[slot], value));
                 }
                 continue;
             };
             let mut from = of.map(|slot| slots.get(slot as usize).copied().unwrap_or(0));
-            if kind == Kind::HalfChord {
-                from[1] = of[1];
+            match kind {
+                Kind::HalfChord => from[1] = of[1],
+                Kind::Turned => from[2] = of[2],
+                _ => {}
             }
             // Sine and cosine of one angle are reckoned in one go: the second stands with the first.
             let partner = match kind {
@@ -233,12 +374,38 @@ impl Transcript {
         let slot_of = |slot: u32| slots.get(slot as usize).copied().unwrap_or(0);
         program.asked = asked.iter().map(|&slot| slot_of(slot)).collect();
         program.chords = self.chords.iter().map(|&slot| slot_of(slot)).collect();
-        let open = |slot: u32| !matches!(self.nodes.get(slot as usize), Some(Node::Constant(_)) | None);
-        program.divisors =
-            divisors.iter().filter(|d| open(d.0)).map(|&(slot, why)| (slot_of(slot), why)).collect();
-        program.divisors.sort_unstable();
-        program.divisors.dedup_by_key(|d| d.0);
+        if watched {
+            program.turns = self.turns.iter().map(|&slot| slot_of(slot)).collect();
+        }
+        let open = |slot: u32| !matches!(self.nodes.get(slot as usize), Some(Node::Constant(..)) | None);
+        let mut kept: Vec<(u32, Reason)> = divisors.iter().filter(|d| open(d.0)).copied().collect();
+        kept.sort_unstable_by_key(|&(slot, why)| (slot_of(slot), why));
+        kept.dedup_by_key(|d| slot_of(d.0));
+        if watched {
+            let behind = |&slot: &u32| {
+                let reached = self.behind(slot);
+                (0..kept.len()).filter(|&index| reached[kept[index].0 as usize]).collect()
+            };
+            program.behind = asked.iter().map(behind).collect();
+        }
+        program.divisors = kept.into_iter().map(|(slot, why)| (slot_of(slot), why)).collect();
         program
+    }
+
+    /// Which numbers a number has been reckoned from, itself among them.
+    pub(super) fn behind(&self, slot: u32) -> Vec<bool> {
+        let mut reached = vec![false; self.nodes.len()];
+        let mut open = vec![slot];
+        while let Some(slot) = open.pop() {
+            let Some(seen) = reached.get_mut(slot as usize) else { continue };
+            if std::mem::replace(seen, true) {
+                continue;
+            }
+            if let Node::Made(kind, of) = self.nodes[slot as usize] {
+                open.extend(&of[..operands(kind)]);
+            }
+        }
+        reached
     }
 
     /// Which node is the last to need each number; kept numbers are needed to the end.
@@ -274,18 +441,36 @@ enum Use {
 impl Recorder for Transcript {
     type Mark = u32;
 
-    fn given(&mut self, value: f64, _: f64) -> u32 {
-        self.constant(value)
+    fn given(&mut self, value: f64, error: f64) -> u32 {
+        self.uncertain(value, error)
     }
 
-    fn input(&mut self, index: usize, value: f64, _: f64) -> u32 {
-        if index != self.swept {
-            return self.constant(value);
-        }
-        match self.nodes.iter().position(|n| matches!(n, Node::Input)) {
-            Some(slot) => u32::try_from(slot).unwrap_or(u32::MAX),
-            None => self.node(Node::Input, value),
-        }
+    fn input(&mut self, index: usize, value: f64, error: f64) -> u32 {
+        let law = match self.variable {
+            Variable::Input(swept) if swept == index => return self.varied(value),
+            Variable::Input(_) => None,
+            Variable::Time(_) => self.law(index),
+        };
+        let place = self.uncertain(value, error);
+        let Some(law) = law else { return place };
+        // s + (v + a/2 t) t
+        let half = self.uncertain(law.acceleration.value / 2.0, law.acceleration.error / 2.0);
+        let rate = self.uncertain(law.rate.value, law.rate.error);
+        let time = self.varied(0.0);
+        let gained = self.make(Kind::Product, [half, time, 0, 0]);
+        let mean = self.make(Kind::Sum, [rate, gained, 0, 0]);
+        let way = self.make(Kind::Product, [mean, time, 0, 0]);
+        self.make(Kind::Sum, [place, way, 0, 0])
+    }
+
+    fn input_rate(&mut self, index: usize, value: f64, error: f64) -> u32 {
+        let Some(law) = self.law(index) else { return self.uncertain(value, error) };
+        // v + a t
+        let rate = self.uncertain(law.rate.value, law.rate.error);
+        let acceleration = self.uncertain(law.acceleration.value, law.acceleration.error);
+        let time = self.varied(0.0);
+        let gained = self.make(Kind::Product, [acceleration, time, 0, 0]);
+        self.make(Kind::Sum, [rate, gained, 0, 0])
     }
 
     fn result(&mut self, step: Reckoning, parts: &[(u32, f64)], _: f64) -> u32 {
@@ -305,9 +490,26 @@ impl Recorder for Transcript {
             Reckoning::Cosine => Kind::Cosine,
             Reckoning::Sine => Kind::Sine,
             Reckoning::Angle => Kind::Angle,
+            Reckoning::Turned => {
+                if of[..2].iter().all(|&slot| self.known(slot).is_some()) {
+                    return self.fold(Kind::Angle, of);
+                }
+                let before = self.turns.iter().copied().find(|&slot| {
+                    matches!(self.nodes.get(slot as usize),
+                             Some(Node::Made(Kind::Turned, before)) if before[..2] == of[..2])
+                });
+                if let Some(slot) = before {
+                    return slot;
+                }
+                of[2] = u32::try_from(self.turns.len()).unwrap_or(u32::MAX);
+                let slot = self.make(Kind::Turned, of);
+                self.turns.push(slot);
+                return slot;
+            }
             Reckoning::HalfChord => {
-                if let Some(square) = self.known(of[0]) {
-                    return self.constant(if square > 0.0 { square.sqrt() } else { 0.0 });
+                if self.known(of[0]).is_some() {
+                    self.chord_calls.push(None);
+                    return self.fold(Kind::HalfChord, of);
                 }
                 let index = self.chords.iter().position(|&square| square == of[0]);
                 let index = index.unwrap_or_else(|| {
@@ -315,6 +517,7 @@ impl Recorder for Transcript {
                     self.chords.len() - 1
                 });
                 of[1] = u32::try_from(index).unwrap_or(u32::MAX);
+                self.chord_calls.push(Some(of[1]));
                 Kind::HalfChord
             }
             Reckoning::Times(factor) => {
@@ -343,13 +546,39 @@ impl Recorder for Transcript {
 }
 
 /// How many slots an operation takes.
-fn operands(kind: Kind) -> usize {
+pub(super) fn operands(kind: Kind) -> usize {
     match kind {
         Kind::Opposite | Kind::Root | Kind::HalfChord | Kind::Cosine | Kind::Sine => 1,
-        Kind::Sum | Kind::Difference | Kind::Product | Kind::Quotient | Kind::Angle => 2,
+        Kind::Sum | Kind::Difference | Kind::Product | Kind::Quotient | Kind::Angle | Kind::Turned => 2,
         Kind::Dot | Kind::Cross => 4,
     }
 }
+
+/// What one operation alone may put its result off, by the rules of the tape (`reckon.rs`).
+fn rounding(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> f64 {
+    match kind {
+        // Sums of small whole numbers and of zeros are exact, and many constants are.
+        Kind::Sum if value - a == b && value - b == a => 0.0,
+        Kind::Difference if value + b == a && a - value == b => 0.0,
+        Kind::Opposite => 0.0,
+        Kind::Product if a.abs() == 1.0 || b.abs() == 1.0 => 0.0,
+        Kind::Quotient if b.abs() == 1.0 => 0.0,
+        Kind::Dot | Kind::Cross => U * ((a * b).abs() + (c * d).abs() + value.abs()),
+        // Along the x-axis sine and cosine are exact.
+        Kind::Cosine | Kind::Sine if a == 0.0 => 0.0,
+        Kind::Cosine | Kind::Sine | Kind::Angle | Kind::Turned => TRANSCENDENTAL * U * value.abs(),
+        _ => U * value.abs(),
+    }
+}
+
+/// The angle of the vector (x, y) that is within half a turn of so many half turns.
+fn angle_near(half_turns: f64, y: f64, x: f64) -> f64 {
+    let odd = half_turns.rem_euclid(2.0) == 1.0;
+    PI * half_turns + if odd { libm::atan2(-y, -x) } else { libm::atan2(y, x) }
+}
+
+/// A sine, cosine or angle errs by less than two roundoffs of its own, and is rounded.
+pub(super) const TRANSCENDENTAL: f64 = 3.0;
 
 /// One number by one operation.
 fn reckon(kind: Kind, [a, b, c, d]: [f64; 4], sign: f64) -> f64 {
@@ -365,7 +594,7 @@ fn reckon(kind: Kind, [a, b, c, d]: [f64; 4], sign: f64) -> f64 {
         Kind::Cross => a * b - c * d,
         Kind::Cosine => libm::cos(a),
         Kind::Sine => libm::sin(a),
-        Kind::Angle => libm::atan2(a, b),
+        Kind::Angle | Kind::Turned => libm::atan2(a, b),
     }
 }
 
@@ -387,7 +616,10 @@ pub struct Program {
     rows: u32,
     asked: Vec<u32>,
     chords: Vec<u32>,
+    turns: Vec<u32>,
     divisors: Vec<(u32, Reason)>,
+    /// For each asked number the divisors behind it, by their index.
+    behind: Vec<Vec<usize>>,
 }
 
 /// A number, how it changes with the input, and to first order how far rounding may have put it off.
@@ -450,6 +682,19 @@ impl Program {
         self.chords.len()
     }
 
+    /// The signs of the drawing that was transcribed: 1 for each chord, and no half turn for each angle that goes on.
+    #[must_use]
+    pub fn signs(&self) -> Vec<f64> {
+        let mut signs = vec![1.0; self.chords.len()];
+        signs.resize(self.chords.len() + self.turns.len(), 0.0);
+        signs
+    }
+
+    /// Near how many half turns the angle of this index is.
+    fn half_turns(&self, index: u32, signs: &[f64]) -> f64 {
+        signs.get(self.chords.len() + index as usize).copied().unwrap_or(0.0)
+    }
+
     /// Room for blocks of positions, with the constants in place.
     #[must_use]
     pub fn block(&self) -> Block {
@@ -461,7 +706,8 @@ impl Program {
     }
 
     /// Reckons a block of positions. `signs` has one number, 1 or −1, for each chord: −1 takes the other
-    /// meeting point than the drawing that was transcribed.
+    /// meeting point than the drawing that was transcribed; then, for each angle that goes on, the number of half turns
+    /// that it is near.
     pub fn run(&self, inputs: &Lane, signs: &[f64], block: &mut Block) {
         let rows = block.rows.as_mut_slice();
         rows[0] = *inputs;
@@ -503,6 +749,10 @@ impl Program {
                     }
                 }
                 Kind::Angle => zip(&mut out, &x, &rows[b as usize], libm::atan2),
+                Kind::Turned => {
+                    let half_turns = self.half_turns(c, signs);
+                    zip(&mut out, &x, &rows[b as usize], |y, x| angle_near(half_turns, y, x));
+                }
             }
             rows[step.to as usize] = out;
         }
@@ -510,9 +760,6 @@ impl Program {
 
     /// Reckons one position, with the derivative of every number by the input and its running error.
     pub fn look(&self, input: f64, signs: &[f64], place: &mut Place) {
-        const U: f64 = f64::EPSILON / 2.0;
-        /// A number stands clear of its error as a divisor does on the tape.
-        const CLEAR: f64 = 8.0;
         let rows = &mut place.rows;
         rows.clear();
         rows.resize(self.rows as usize, Moving::default());
@@ -529,7 +776,10 @@ impl Program {
                 // The arcs just touch: what is left of the chord is rounding.
                 values[0] = 0.0;
             }
-            let value = reckon(step.kind, values, sign);
+            let value = match step.kind {
+                Kind::Turned => angle_near(self.half_turns(step.from[2], signs), values[0], values[1]),
+                kind => reckon(kind, values, sign),
+            };
             let partials = partials(step.kind, values, value);
             let mut out = Moving { value, slope: 0.0, error: 2.0 * U * value.abs() };
             if matches!(step.kind, Kind::Dot | Kind::Cross) {
@@ -560,9 +810,21 @@ impl Program {
         self.chords.iter().map(|&row| place.rows[row as usize])
     }
 
+    /// How far every angle that goes on is from the half turns that it is near.
+    pub fn turns<'a>(&'a self, place: &'a Place, signs: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        let rows = (0_u32..).zip(&self.turns);
+        rows.map(|(index, &row)| place.rows[row as usize].value - PI * self.half_turns(index, signs))
+    }
+
     /// Every number that is divided by.
     pub fn divisors<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = Moving> + 'a {
         self.divisors.iter().map(|&(row, _)| place.rows[row as usize])
+    }
+
+    /// The divisors behind an asked number, by their index.
+    #[must_use]
+    pub fn behind(&self, asked: usize) -> &[usize] {
+        self.behind.get(asked).map_or(&[], Vec::as_slice)
     }
 
     /// The reason that was noted with a divisor.
@@ -611,7 +873,7 @@ fn partials(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> [f64; 4] {
         Kind::Cross => [b, a, -d, -c],
         Kind::Cosine => [-libm::sin(a), 0.0, 0.0, 0.0],
         Kind::Sine => [libm::cos(a), 0.0, 0.0, 0.0],
-        Kind::Angle => {
+        Kind::Angle | Kind::Turned => {
             let square = a * a + b * b;
             [finite(b / square), finite(-a / square), 0.0, 0.0]
         }

@@ -27,6 +27,15 @@ impl<B: Bench> Board<B> {
         Num { value, mark }
     }
 
+    /// The rate of an input, which changes in a sweep over time.
+    pub(super) fn input_rate(&mut self, index: usize, given: Given) -> Num<B> {
+        let (value, error) = B::Real::from_given(given);
+        let (value, finite) = finite(value);
+        let mark = self.recorder.input_rate(index, value.to_f64(), error);
+        self.in_range(mark, finite);
+        Num { value, mark }
+    }
+
     /// An exact number.
     pub fn exact(&mut self, value: f64) -> Num<B> {
         self.given(Given::exact(value))
@@ -188,12 +197,21 @@ impl<B: Bench> Board<B> {
 
     /// Angle of the vector (x, y) from +x.
     pub(super) fn atan2(&mut self, y: Num<B>, x: Num<B>) -> Num<B> {
+        self.angle_of(Reckoning::Angle, y, x)
+    }
+
+    /// The same for an angle that goes on beyond half a turn where the drawing is run on.
+    pub(super) fn turned_angle(&mut self, y: Num<B>, x: Num<B>) -> Num<B> {
+        self.angle_of(Reckoning::Turned, y, x)
+    }
+
+    fn angle_of(&mut self, step: Reckoning, y: Num<B>, x: Num<B>) -> Num<B> {
         let value = y.value.atan2(x.value);
         let (fx, fy) = (x.value.to_f64(), y.value.to_f64());
         let square = fx * fx + fy * fy;
         let (by_y, by_x) = if square > 0.0 { (fx / square, -fy / square) } else { (0.0, 0.0) };
         let inner = B::Real::UNIT_ROUNDOFF * B::Real::TRANSCENDENTAL_ULPS * value.to_f64().abs();
-        self.push(Reckoning::Angle, value, &[(y, by_y), (x, by_x)], inner)
+        self.push(step, value, &[(y, by_y), (x, by_x)], inner)
     }
 }
 

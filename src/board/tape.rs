@@ -102,6 +102,8 @@ pub enum Reckoning {
     Sine,
     /// Angle of the vector (b, a) from +x.
     Angle,
+    /// The same, of something that may turn more than half round.
+    Turned,
 }
 
 /// What a human hand does with a pencil; each can slip.
@@ -125,6 +127,10 @@ pub trait Recorder {
     fn given(&mut self, value: f64, error: f64) -> Self::Mark;
     /// As [`Recorder::given`], for the place of an input, by its index.
     fn input(&mut self, _index: usize, value: f64, error: f64) -> Self::Mark {
+        self.given(value, error)
+    }
+    /// As [`Recorder::given`], for how fast an input moves, by its index.
+    fn input_rate(&mut self, _index: usize, value: f64, error: f64) -> Self::Mark {
         self.given(value, error)
     }
     /// A result: how it was reckoned from what, and the rounding of this operation alone.
@@ -305,10 +311,10 @@ impl Recorder for Tape {
 }
 
 /// A divisor is too weak to divide by when its error passes this part of it.
-const WEAK_DIVISOR: f64 = 1.0 / 8.0;
+pub(super) const WEAK_DIVISOR: f64 = 1.0 / 8.0;
 
 /// The bound is itself reckoned in doubles.
-const ROUNDED: f64 = 1e-9;
+pub(super) const ROUNDED: f64 = 1e-9;
 
 /// What the errors of the operands do to a result beyond its tangent.
 struct Beyond {
@@ -389,7 +395,7 @@ impl Tape {
             }
             Reckoning::Cosine | Reckoning::Sine => along((0.5 * error(0) * error(0)).min(2.0 + error(0))),
             // The logarithm of 1 + z for |z| = ρ leaves its tangent by no more than ρ²/(2(1 − ρ)).
-            Reckoning::Angle => {
+            Reckoning::Angle | Reckoning::Turned => {
                 let reach = libm::hypot(partial(0), partial(1));
                 let part = reach * libm::hypot(error(0), error(1));
                 if reach > 0.0 && part <= 0.5 {

@@ -3,6 +3,8 @@
 //! **Architecture Invariant:** this room compares; it does not know how either result was found, and has
 //! no third opinion.
 
+use std::borrow::Cow;
+
 use crate::analytic::AnalyticError;
 use crate::graphical::construction::Reading;
 use crate::mechanism::PointId;
@@ -276,8 +278,10 @@ pub fn check_with(scene: &Scene, tolerance: f64, settings: Settings) -> SceneChe
 
 /// One solution that answers the asked quantities and then the published ones; the agreement covers both.
 fn solve_for_check(scene: &Scene, settings: Settings) -> Result<(Agreement, Vec<Answer>), SolveError> {
-    let mut both = scene.clone();
-    both.mechanism.asked.extend(scene.published.iter().map(|p| p.asked.clone()));
+    let mut both = Cow::Borrowed(scene);
+    if !scene.published.is_empty() {
+        both.to_mut().mechanism.asked.extend(scene.published.iter().map(|p| p.asked.clone()));
+    }
     let solved = crate::solve::solve_with(
         &both,
         crate::plan::Extent::Asked,

@@ -13,10 +13,17 @@ use crate::report::{diagnose, short};
 use crate::scene::Scene;
 use crate::solve::Settings;
 
+/// What is told of a scene. Of ten thousand scenes nothing else is kept.
 struct Checked {
-    file: String,
-    /// The scene with its check, or why the file is no scene.
-    result: Result<(Scene, SceneCheck), String>,
+    ok: bool,
+    /// Why the file is no scene.
+    broken: Option<String>,
+    told: Told,
+}
+
+enum Told {
+    Text(String),
+    Json(Value),
 }
 
 pub(super) fn run(
@@ -26,33 +33,36 @@ pub(super) fn run(
     settings: Settings,
 ) -> Result<Ending, Failure> {
     let scenes = files::scenes_under(paths)?;
-    let checked = check_all(&scenes, tolerance, settings);
-    let held = checked.iter().filter(|c| c.ok()).count();
-    // A file that is no scene is bad input, told on stderr; the others are still reported.
-    let broken: Vec<&str> =
-        checked.iter().filter_map(|c| c.result.as_ref().err().map(String::as_str)).collect();
-    let text = if as_json {
-        let list: Vec<Value> = checked.iter().map(Checked::json).collect();
-        serde_json::to_string_pretty(&json!({ "scenes": list }))
+    let checked = check_all(&scenes, as_json, tolerance, settings);
+    let (count, held) = (checked.len(), checked.iter().filter(|c| c.ok).count());
+    let (mut text, mut list, mut broken) = (String::new(), Vec::new(), Vec::new());
+    for scene in checked {
+        // A file that is no scene is bad input, told on stderr; the others are still reported.
+        broken.extend(scene.broken);
+        match scene.told {
+            Told::Text(own) => text.push_str(&own),
+            Told::Json(own) => list.push(own),
+        }
+    }
+    if as_json {
+        text = serde_json::to_string_pretty(&json!({ "scenes": list }))
             .map_err(|error| Failure(error.to_string()))?
-            + "\n"
+            + "\n";
     } else {
-        let mut out: String = checked.iter().map(Checked::text).collect();
-        let _ = writeln!(out, "{held} of {} scenes hold", checked.len());
-        out
-    };
+        let _ = writeln!(text, "{held} of {count} scenes hold");
+    }
     print(&text)?;
     if !broken.is_empty() {
         return Err(Failure(broken.join("\nerror: ")));
     }
-    Ok(if held == checked.len() { Ending::Fine } else { Ending::DoesNotHold })
+    Ok(if held == count { Ending::Fine } else { Ending::DoesNotHold })
 }
 
 /// Checks on all processors; the results stay in the order of the files.
-fn check_all(scenes: &[PathBuf], tolerance: f64, settings: Settings) -> Vec<Checked> {
+fn check_all(scenes: &[PathBuf], as_json: bool, tolerance: f64, settings: Settings) -> Vec<Checked> {
     let bar = progress(scenes.len(), "scenes");
     let checked = parallel::map(scenes, |path| {
-        let checked = check_one(path, tolerance, settings);
+        let checked = check_one(path, as_json, tolerance, settings);
         bar.inc(1);
         checked
     });
@@ -60,64 +70,67 @@ fn check_all(scenes: &[PathBuf], tolerance: f64, settings: Settings) -> Vec<Chec
     checked
 }
 
-fn check_one(path: &Path, tolerance: f64, settings: Settings) -> Checked {
+fn check_one(path: &Path, as_json: bool, tolerance: f64, settings: Settings) -> Checked {
     let read = super::read_scene(path);
-    match read {
+    let (file, result) = match read {
         Ok((file, scene)) => {
             let check = crate::check::check_with(&scene, tolerance, settings);
-            Checked { file, result: Ok((scene, check)) }
+            (file, Ok((scene, check)))
         }
-        Err(Failure(message)) => Checked { file: path.display().to_string(), result: Err(message) },
-    }
+        Err(Failure(message)) => (path.display().to_string(), Err(message)),
+    };
+    let ok = result.as_ref().is_ok_and(|(_, check)| check.ok);
+    let told = if as_json {
+        Told::Json(in_json(&file, ok, &result))
+    } else {
+        Told::Text(in_words(&file, ok, &result))
+    };
+    Checked { ok, broken: result.err(), told }
 }
 
-impl Checked {
-    fn ok(&self) -> bool {
-        self.result.as_ref().is_ok_and(|(_, check)| check.ok)
-    }
+/// The scene with its check, or why the file is no scene.
+type Judged = Result<(Scene, SceneCheck), String>;
 
-    fn text(&self) -> String {
-        let mut out = String::new();
-        let word = if self.ok() { "holds" } else { "FAILS" };
-        let _ = match &self.result {
-            Err(message) => writeln!(out, "{}: not a scene: {message}", self.file),
-            Ok((scene, SceneCheck { outcome: Outcome::Refused { error, .. }, .. })) => {
-                writeln!(out, "{}: {word}: refused: {}", self.file, diagnose(scene, error))
-            }
-            Ok((_, SceneCheck { outcome: Outcome::Solved { agreement, published }, .. })) => {
-                let _ = writeln!(out, "{}: {word}: {}", self.file, super::solve::verdict(agreement));
-                for compared in &agreement.compared {
-                    if let Some(why) = compared.indeterminate() {
-                        let _ = writeln!(out, "    {}: indeterminate: {why}", compared.asked.name);
-                    }
+fn in_words(file: &str, ok: bool, result: &Judged) -> String {
+    let mut out = String::new();
+    let word = if ok { "holds" } else { "FAILS" };
+    let _ = match result {
+        Err(message) => writeln!(out, "{file}: not a scene: {message}"),
+        Ok((scene, SceneCheck { outcome: Outcome::Refused { error, .. }, .. })) => {
+            writeln!(out, "{file}: {word}: refused: {}", diagnose(scene, error))
+        }
+        Ok((_, SceneCheck { outcome: Outcome::Solved { agreement, published }, .. })) => {
+            let _ = writeln!(out, "{file}: {word}: {}", super::solve::verdict(agreement));
+            for compared in &agreement.compared {
+                if let Some(why) = compared.indeterminate() {
+                    let _ = writeln!(out, "    {}: indeterminate: {why}", compared.asked.name);
                 }
-                published.iter().try_for_each(|p| writeln!(out, "    {}", line(p)))
             }
-        };
-        out
-    }
+            published.iter().try_for_each(|p| writeln!(out, "    {}", line(p)))
+        }
+    };
+    out
+}
 
-    /// All scenes have the same keys; where nothing was solved, nothing was compared either.
-    fn json(&self) -> Value {
-        let ok = self.ok();
-        let unsolved = |key: &str, why: String| {
-            let agreement = json!({ "worst_ratio": 0.0, "ok": ok });
-            json!({ "scene": self.file, "ok": ok, "agreement": agreement, "published": [], key: why })
-        };
-        match &self.result {
-            Err(message) => unsolved("error", message.clone()),
-            Ok((scene, SceneCheck { outcome: Outcome::Refused { error, .. }, .. })) => {
-                unsolved("refused", diagnose(scene, error).to_string())
-            }
-            Ok((_, SceneCheck { outcome: Outcome::Solved { agreement, published }, .. })) => {
-                let published: Vec<Value> = published.iter().map(published_json).collect();
-                json!({
-                    "scene": self.file,
-                    "ok": ok,
-                    "agreement": { "worst_ratio": agreement.worst_ratio(), "ok": agreement.ok() },
-                    "published": published,
-                })
-            }
+/// All scenes have the same keys; where nothing was solved, nothing was compared either.
+fn in_json(file: &str, ok: bool, result: &Judged) -> Value {
+    let unsolved = |key: &str, why: String| {
+        let agreement = json!({ "worst_ratio": 0.0, "ok": ok });
+        json!({ "scene": file, "ok": ok, "agreement": agreement, "published": [], key: why })
+    };
+    match result {
+        Err(message) => unsolved("error", message.clone()),
+        Ok((scene, SceneCheck { outcome: Outcome::Refused { error, .. }, .. })) => {
+            unsolved("refused", diagnose(scene, error).to_string())
+        }
+        Ok((_, SceneCheck { outcome: Outcome::Solved { agreement, published }, .. })) => {
+            let published: Vec<Value> = published.iter().map(published_json).collect();
+            json!({
+                "scene": file,
+                "ok": ok,
+                "agreement": { "worst_ratio": agreement.worst_ratio(), "ok": agreement.ok() },
+                "published": published,
+            })
         }
     }
 }

@@ -137,12 +137,7 @@ fn theme(job: &Job, scene: &Scene) -> Result<Theme, Failure> {
 }
 
 fn language(job: &Job) -> Result<Option<Language>, Failure> {
-    let named = |tag: &String| {
-        Language::from_tag(tag).ok_or_else(|| {
-            Failure(format!("language {tag} is not available; known: {}", Language::tags().join(", ")))
-        })
-    };
-    job.lang.as_ref().map(named).transpose()
+    job.lang.as_deref().map(super::language).transpose()
 }
 
 /// Writes the steps as a film.

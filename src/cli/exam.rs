@@ -87,9 +87,7 @@ fn lettering(job: &Job) -> Result<Lettering, Failure> {
 fn languages(job: &Job) -> Result<Vec<Language>, Failure> {
     let mut languages: Vec<Language> = Vec::new();
     for tag in job.lang.iter().flat_map(|tags| tags.split(',')).map(str::trim) {
-        let language = Language::from_tag(tag).ok_or_else(|| {
-            Failure(format!("language {tag} is not available; known: {}", Language::tags().join(", ")))
-        })?;
+        let language = super::language(tag)?;
         if !languages.contains(&language) {
             languages.push(language);
         }

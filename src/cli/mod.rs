@@ -28,7 +28,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::drawing::Kind;
 use crate::files::{self, FileError};
 use crate::scene::{Diagnostic, Scene};
+use crate::sheet::Language;
 use crate::solve::{Arithmetic, Hand, Settings};
+use crate::sweep::Over;
 
 /// Draws and checks graphical solutions of planar mechanisms.
 #[derive(Debug, Parser)]
@@ -145,7 +147,7 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Move a mechanism through the range of its first input: limits, dead positions, strokes, extremes;
+    /// Move a mechanism through the range of its first input, or through time: limits, dead positions, strokes, extremes;
     /// tables and diagrams
     Sweep {
         /// The scene file; - for standard input
@@ -154,17 +156,27 @@ enum Command {
         #[arg(long, value_name = "N", conflicts_with = "tolerance", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
         steps: Option<u32>,
         /// As many positions as it takes for no column to stray from the line between two of them by more
-        /// than this part of its range
-        #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = parse_percent)]
+        /// than this part of its range, except where a column grows without end
+        #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = parse_straying)]
         tolerance: Option<f64>,
-        /// Where to begin, in the scene's unit of the input; a whole turn from 0 where nothing is said
+        /// Where to begin, in the scene's unit of the input or of time; a whole turn where nothing is said
         #[arg(long, value_name = "PLACE", allow_negative_numbers = true, value_parser = parse_place, requires = "to")]
         from: Option<f64>,
         /// Where to end
         #[arg(long, value_name = "PLACE", allow_negative_numbers = true, value_parser = parse_place, requires = "from")]
         to: Option<f64>,
-        /// Where to write; the extension chooses the format (.csv, .json, .svg). What happens on the way, on
-        /// stdout, without it
+        /// What to go over: the first input with the rates as they are, or time, in which every input moves from
+        /// the scene's instant on with constant acceleration
+        #[arg(long, value_enum, default_value_t = Against::Input)]
+        against: Against,
+        /// A bound for every number of the tables
+        #[arg(long)]
+        bounds: bool,
+        /// Language of the diagrams: en, ar, ar-x-ajala, fa
+        #[arg(long, value_name = "LANG")]
+        lang: Option<String>,
+        /// Where to write; the ending chooses what: .csv and .json are tables, .svg, .png, .pdf and .tex diagrams.
+        /// What happens on the way, on stdout, without it
         #[arg(short, long, value_name = "FILE")]
         output: Vec<PathBuf>,
     },
@@ -241,6 +253,13 @@ enum SchemaOf {
     Answers,
 }
 
+/// What a sweep goes over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Against {
+    Input,
+    Time,
+}
+
 #[derive(Debug, Subcommand)]
 enum GoldenAction {
     /// Draw every scene of a folder and tell what differs from its golden: a changed number from other
@@ -289,6 +308,13 @@ impl From<Diagnostic> for Failure {
     }
 }
 
+/// The language of this tag.
+fn language(tag: &str) -> Result<Language, Failure> {
+    Language::from_tag(tag).ok_or_else(|| {
+        Failure(format!("language {tag} is not available; known: {}", Language::tags().join(", ")))
+    })
+}
+
 fn parse_arithmetic(text: &str) -> Result<Arithmetic, String> {
     match text {
         "f32" => Ok(Arithmetic::Single),
@@ -334,6 +360,20 @@ fn parse_percent(text: &str) -> Result<f64, String> {
         _ => Err("expected a percentage up to 100% such as 5%, or a part such as 0.05".to_owned()),
     }
 }
+
+/// A tolerance of sampling.
+fn parse_straying(text: &str) -> Result<f64, String> {
+    match parse_percent(text)? {
+        // Straight lines come so near with some hundred thousand positions; nearer a table is no help.
+        part if part < LEAST_STRAYING => {
+            Err("the least tolerance is 1e-7%; for more positions give --steps".to_owned())
+        }
+        part => Ok(part),
+    }
+}
+
+/// The least tolerance of sampling, as a part of a column's range.
+const LEAST_STRAYING: f64 = 1e-9;
 
 fn parse_place(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -406,8 +446,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             grade::run(&grade::Job { scene, answers, json, hand, output })
         }
         Command::Structure { scene, json } => structure::run(&scene, json),
-        Command::Sweep { scene, steps, tolerance, from, to, output } => {
-            sweep::run(&sweep::Job { scene, steps, tolerance, from, to, output })
+        Command::Sweep { scene, steps, tolerance, from, to, against, bounds, lang, output } => {
+            let over = if against == Against::Time { Over::Time } else { Over::Input };
+            sweep::run(&sweep::Job { scene, steps, tolerance, from, to, over, bounds, lang, output })
         }
         Command::Golden { action: GoldenAction::Check { folder, names, report, json } } => {
             golden::check(&golden::Job { folder, names }, report.as_deref(), json)

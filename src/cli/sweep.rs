@@ -1,7 +1,7 @@
 //! `linkgram sweep`.
 
-use std::fmt::Write;
-use std::io::IsTerminal;
+use std::fmt::Write as _;
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -9,11 +9,12 @@ use serde_json::{Value, json};
 
 use super::{Ending, Failure, print, read_scene};
 use crate::files;
-use crate::mechanism::quantity::Quantity;
+use crate::mechanism::quantity::{Quantity, Unit};
+use crate::render::{self, Format};
 use crate::report::{diagnose, short};
 use crate::scene::{Scene, Subject};
 use crate::solve::SolveError;
-use crate::sweep::{Event, EventKind, InputKind, Stroke, Sweep, SweepError};
+use crate::sweep::{Event, EventKind, InputKind, Over, Stretch, Stroke, Sweep, SweepError, SweepWithBounds};
 
 /// More positions than this show a progress bar.
 const MANY: usize = 100_000;
@@ -27,73 +28,103 @@ pub(super) struct Job {
     pub(super) tolerance: Option<f64>,
     pub(super) from: Option<f64>,
     pub(super) to: Option<f64>,
+    pub(super) over: Over,
+    pub(super) bounds: bool,
+    pub(super) lang: Option<String>,
     pub(super) output: Vec<PathBuf>,
 }
 
 /// Steps where neither they nor a tolerance are stated.
 const STEPS: u32 = 36;
 
-enum Format {
+/// What is written into a file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Output {
     Csv,
     Json,
-    Svg,
+    Diagrams(Format),
 }
 
-impl Format {
+impl Output {
     fn of(path: &Path) -> Result<Self, Failure> {
-        match path.extension().and_then(|e| e.to_str()) {
-            Some("csv") => Ok(Self::Csv),
-            Some("json") => Ok(Self::Json),
-            Some("svg") => Ok(Self::Svg),
-            _ => Err(Failure(format!("{}: a sweep is written as .csv, .json or .svg", path.display()))),
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        match Format::from_name(ending) {
+            _ if ending.eq_ignore_ascii_case("csv") => Ok(Self::Csv),
+            Some(Format::Json) => Ok(Self::Json),
+            Some(format) => Ok(Self::Diagrams(format)),
+            None => Err(Failure(format!(
+                "{}: end the name in .csv or .json for a table, in .svg, .png, .pdf or .tex for diagrams",
+                path.display()
+            ))),
         }
     }
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
-    let formats: Vec<Format> = job.output.iter().map(|path| Format::of(path)).collect::<Result<_, _>>()?;
+    let outputs: Vec<Output> = job.output.iter().map(|path| Output::of(path)).collect::<Result<_, _>>()?;
+    if job.bounds && !outputs.is_empty() && outputs.iter().all(|o| matches!(o, Output::Diagrams(_))) {
+        return Err(Failure("--bounds is for tables: write one with -o FILE.csv or -o FILE.json".to_owned()));
+    }
     files::spare(&job.scene, &job.output)?;
     let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
-    let unit = input_unit(scene);
+    let language = match &job.lang {
+        Some(tag) => super::language(tag)?,
+        None => crate::drawing::language(scene),
+    };
+    let unit = unit_of(scene, job.over);
     let stated = match (job.from, job.to) {
         (None, None) => None,
         (Some(from), Some(to)) => Some([from * unit.si, to * unit.si]),
         _ => return Err(Failure("give both --from and --to, in the scene's units".to_owned())),
     };
-    let sweep = Sweep::new(&scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
+    let sweep = Sweep::over(job.over, &scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
     let report = Report { file: &file, scene, sweep: &sweep, unit: &unit };
+    let places = || match (job.steps, job.tolerance) {
+        (_, Some(tolerance)) => sweep.adapted(tolerance),
+        (steps, None) => sweep.equal_steps(steps.unwrap_or(STEPS)),
+    };
+    let bounded =
+        job.bounds.then(|| sweep.with_bounds()).transpose().map_err(|error| refusal(scene, error))?;
+    let bounded = bounded.as_ref();
+    let said = |error: std::io::Error| Failure(format!("standard output: {error}"));
     if job.output.is_empty() {
         print(&report.text())?;
+        // Whoever says how many positions wants to see them.
+        if job.steps.is_some() || job.tolerance.is_some() || job.bounds {
+            print("\n")?;
+            let mut table = Vec::new();
+            report.csv(&mut table, &places(), bounded).map_err(said)?;
+            super::print_bytes(&table)?;
+        }
         return Ok(Ending::Fine);
     }
-    let places = match (job.steps, job.tolerance) {
-        (steps, None) => sweep.equal_steps(steps.unwrap_or(STEPS)),
-        (None, Some(tolerance)) => sweep.adapted(tolerance),
-        (Some(_), Some(_)) => return Err(Failure("give --steps or --tolerance, not both".to_owned())),
-    };
-    let mut written = Vec::new();
-    for (path, format) in job.output.iter().zip(&formats) {
-        let text = match format {
-            Format::Csv => report.csv(&places),
-            Format::Json => {
-                serde_json::to_string_pretty(&report.json(&places)).map_err(|e| Failure(e.to_string()))?
-                    + "\n"
-            }
-            Format::Svg => {
-                let figure = crate::sheet::diagrams::of_sweep(scene, &sweep);
-                crate::render::svg::write(&figure)
-            }
-        };
-        written.push((path.clone(), text.into_bytes()));
-    }
-    files::write_all(&written)?;
+    let options = render::Options { theme: crate::drawing::theme(scene), ..Default::default() };
+    let diagrams = outputs.iter().any(|output| matches!(output, Output::Diagrams(_)));
+    let figure = diagrams.then(|| crate::sheet::diagrams::of_sweep(scene, &sweep, language));
+    let drawn: Vec<Option<Vec<u8>>> = outputs
+        .iter()
+        .map(|output| match (output, &figure) {
+            (Output::Diagrams(format), Some(figure)) => render::render(figure, *format, &options).map(Some),
+            _ => Ok(None),
+        })
+        .collect::<Result<_, _>>()
+        .map_err(|error| Failure(error.to_string()))?;
+    let places = if drawn.iter().all(Option::is_some) { Vec::new() } else { places() };
+    files::stream_all(job.output.iter().map(PathBuf::as_path), |index, to| {
+        match (drawn.get(index), outputs.get(index)) {
+            (Some(Some(bytes)), _) => to.write_all(bytes),
+            (_, Some(Output::Json)) => report.json(to, &places, bounded),
+            _ => report.csv(to, &places, bounded),
+        }
+    })?;
     Ok(Ending::Fine)
 }
 
-/// The unit of the input, by its kind.
-fn input_unit(scene: &Scene) -> crate::mechanism::quantity::Unit {
+/// The unit of what is varied.
+fn unit_of(scene: &Scene, over: Over) -> Unit {
     match scene.mechanism.inputs.first() {
+        _ if over == Over::Time => scene.units.time.clone(),
         Some(crate::mechanism::Input::Slide { .. }) => scene.units.length.clone(),
         _ => scene.units.angle.clone(),
     }
@@ -115,11 +146,30 @@ fn refusal(scene: &Scene, error: SweepError) -> Failure {
     }
 }
 
+/// A number that reads back to the same double: plainly where that is short, else with a power of ten.
+struct Plain(f64);
+
+impl std::fmt::Display for Plain {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let size = self.0.abs();
+        if size == 0.0 || (1e-5..1e16).contains(&size) {
+            write!(f, "{}", self.0)
+        } else {
+            write!(f, "{:e}", self.0)
+        }
+    }
+}
+
+/// A heading for a table: in quotation marks where it holds a comma.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}
+
 struct Report<'s> {
     file: &'s str,
     scene: &'s Scene,
     sweep: &'s Sweep,
-    unit: &'s crate::mechanism::quantity::Unit,
+    unit: &'s Unit,
 }
 
 impl Report<'_> {
@@ -138,7 +188,7 @@ impl Report<'_> {
     }
 
     /// What the sweep added itself is told in the scene's unit.
-    fn unit_of(&self, index: usize) -> &crate::mechanism::quantity::Unit {
+    fn unit_of(&self, index: usize) -> &Unit {
         let column = &self.sweep.columns[index];
         match column.asked.quantity {
             Quantity::Position(_) if column.watched => &self.scene.units.length,
@@ -150,6 +200,7 @@ impl Report<'_> {
         match self.sweep.input {
             InputKind::Angle(link) => format!("angle of link {}", self.scene.mechanism.link(link).number),
             InputKind::Slide(slide) => format!("place of slide {}", slide + 1),
+            InputKind::Time => "time".to_owned(),
         }
     }
 
@@ -161,6 +212,9 @@ impl Report<'_> {
             EventKind::Limit => format!("limit of the input{blame}"),
             EventKind::ChangePoint => format!("change point{blame}"),
             EventKind::DeadPosition => format!("dead position{blame}"),
+            EventKind::AtInfinity { column } => {
+                format!("{} at infinity", self.sweep.columns[column].asked.name)
+            }
             EventKind::Least { column, value } => format!("least {}", self.column(column, value)),
             EventKind::Greatest { column, value } => format!("greatest {}", self.column(column, value)),
         };
@@ -180,6 +234,24 @@ impl Report<'_> {
         )
     }
 
+    /// From where to where the mechanism moves, and whether it has to be taken apart for that. Stretches between which
+    /// no meet changes its side are told as one.
+    fn moves(&self) -> Vec<(f64, f64, bool)> {
+        let mut moves: Vec<(f64, f64, bool)> = Vec::new();
+        let mut last: Option<&Stretch> = None;
+        for stretch in &self.sweep.stretches {
+            let goes_on = last.is_some_and(|l| {
+                l.to == stretch.from && l.apart == stretch.apart && self.sweep.is_one_assembly(l, stretch)
+            });
+            match moves.last_mut() {
+                Some(one) if goes_on => one.1 = stretch.to,
+                _ => moves.push((stretch.from, stretch.to, stretch.apart)),
+            }
+            last = Some(stretch);
+        }
+        moves
+    }
+
     fn text(&self) -> String {
         let mut out = String::new();
         let _ = writeln!(
@@ -190,9 +262,9 @@ impl Report<'_> {
             self.place(self.sweep.range[1]),
             self.sweep.operations()
         );
-        for stretch in &self.sweep.stretches {
-            let apart = if stretch.apart { " (only by taking the mechanism apart)" } else { "" };
-            let (from, to) = (self.place(stretch.from), self.place(stretch.to));
+        for (from, to, apart) in self.moves() {
+            let apart = if apart { " (only by taking the mechanism apart)" } else { "" };
+            let (from, to) = (self.place(from), self.place(to));
             let _ = writeln!(out, "moves from {from} to {to}{apart}");
         }
         for event in &self.sweep.events {
@@ -209,26 +281,53 @@ impl Report<'_> {
         (0..self.sweep.columns.len()).filter(|&c| !self.sweep.columns[c].watched)
     }
 
-    fn csv(&self, places: &[f64]) -> String {
-        let mut out = format!("{} [{}]", self.input(), self.unit.symbol);
-        for c in self.asked() {
-            let _ = write!(out, ",{} [{}]", self.sweep.columns[c].name(), self.unit_of(c).symbol);
-        }
-        out.push('\n');
-        self.each(places, |at, values| {
-            let _ = write!(out, "{}", at / self.unit.si);
-            for c in self.asked() {
-                out.push(',');
-                if let Some(value) = values[c] {
-                    let _ = write!(out, "{}", value / self.unit_of(c).si);
-                }
-            }
-            out.push('\n');
-        });
-        out
+    /// A bound in the unit of its column, with the roundings that this costs: the unit's own two and the division's.
+    fn bound(&self, column: usize, value: f64, bound: f64) -> f64 {
+        let si = self.unit_of(column).si;
+        bound / si * (1.0 + f64::EPSILON) + (value / si).abs() * 1.5 * f64::EPSILON
     }
 
-    fn each(&self, places: &[f64], mut take: impl FnMut(f64, &[Option<f64>])) {
+    fn csv(
+        &self,
+        out: &mut dyn Write,
+        places: &[f64],
+        bounded: Option<&SweepWithBounds<'_>>,
+    ) -> io::Result<()> {
+        write!(out, "{} [{}]", self.input(), self.unit.symbol)?;
+        for c in self.asked() {
+            let (name, unit) = (self.sweep.columns[c].name(), &self.unit_of(c).symbol);
+            write!(out, ",{}", quoted(&format!("{name} [{unit}]")))?;
+            if bounded.is_some() {
+                write!(out, ",{}", quoted(&format!("bound of {name} [{unit}]")))?;
+            }
+        }
+        writeln!(out)?;
+        self.each(places, bounded, |at, values, bounds| {
+            write!(out, "{}", Plain(at / self.unit.si))?;
+            for c in self.asked() {
+                let value = values.get(c).copied().flatten();
+                match value {
+                    Some(value) => write!(out, ",{}", Plain(value / self.unit_of(c).si))?,
+                    None => write!(out, ",")?,
+                }
+                if let Some(bounds) = bounds {
+                    match value {
+                        Some(value) => write!(out, ",{}", Plain(self.bound(c, value, bounds[c])))?,
+                        None => write!(out, ",")?,
+                    }
+                }
+            }
+            writeln!(out)
+        })
+    }
+
+    /// Every position in order, with the bounds of its numbers where they are wanted.
+    fn each(
+        &self,
+        places: &[f64],
+        bounded: Option<&SweepWithBounds<'_>>,
+        mut take: impl FnMut(f64, &[Option<f64>], Option<&[f64]>) -> io::Result<()>,
+    ) -> io::Result<()> {
         let bar = if places.len() >= MANY && std::io::stderr().is_terminal() {
             let style = ProgressStyle::with_template("{bar:40} {pos}/{len} positions, {eta} left")
                 .unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -236,31 +335,68 @@ impl Report<'_> {
         } else {
             ProgressBar::hidden()
         };
+        let mut numbers = Vec::new();
         for portion in places.chunks(PORTION) {
-            for position in self.sweep.positions(portion) {
-                take(position.at, &position.values);
+            let mut told = Ok(());
+            match bounded {
+                None => self.sweep.each_position(portion, |at, values| {
+                    if told.is_ok() {
+                        told = take(at, values, None);
+                    }
+                }),
+                Some(bounded) => bounded.run(portion, |at, values, bounds| {
+                    numbers.clear();
+                    let known = |(value, bound): (&f64, &f64)| bound.is_finite().then_some(*value);
+                    numbers.extend(values.iter().zip(bounds).map(known));
+                    if told.is_ok() {
+                        told = take(at, &numbers, Some(bounds));
+                    }
+                }),
             }
+            told?;
             bar.inc(portion.len() as u64);
         }
         bar.finish_and_clear();
+        Ok(())
     }
 
-    fn json(&self, places: &[f64]) -> Value {
+    fn json(
+        &self,
+        out: &mut dyn Write,
+        places: &[f64],
+        bounded: Option<&SweepWithBounds<'_>>,
+    ) -> io::Result<()> {
+        let head = serde_json::to_string_pretty(&self.head())?;
+        // The positions are the last key of the object, one in a line.
+        let head = head.trim_end().strip_suffix('}').unwrap_or_default().trim_end();
+        write!(out, "{head},\n  \"positions\": [")?;
+        let mut first = true;
+        self.each(places, bounded, |at, values, bounds| {
+            let unit = |c: usize| self.unit_of(c).si;
+            let value = |c: usize| values.get(c).copied().flatten();
+            let numbers: Vec<Option<f64>> = self.asked().map(|c| value(c).map(|v| v / unit(c))).collect();
+            let mut row = json!({ "at": at / self.unit.si, "values": numbers });
+            if let Some(bounds) = bounds {
+                let within = |c: usize| value(c).map(|v| self.bound(c, v, bounds[c]));
+                row["bounds"] = json!(self.asked().map(within).collect::<Vec<Option<f64>>>());
+            }
+            let comma = if std::mem::take(&mut first) { "" } else { "," };
+            write!(out, "{comma}\n    {row}")
+        })?;
+        writeln!(out, "{}]\n}}", if first { "" } else { "\n  " })
+    }
+
+    /// All but the positions.
+    fn head(&self) -> Value {
         let unit = |c: usize| self.unit_of(c);
         let columns: Vec<Value> = self
             .asked()
             .map(|c| json!({ "name": self.sweep.columns[c].name(), "unit": unit(c).symbol }))
             .collect();
-        let mut rows = Vec::with_capacity(places.len());
-        self.each(places, |at, values| {
-            let numbers: Vec<Option<f64>> = self.asked().map(|c| values[c].map(|v| v / unit(c).si)).collect();
-            rows.push(json!({ "at": at / self.unit.si, "values": numbers }));
-        });
         let stretches: Vec<Value> = self
-            .sweep
-            .stretches
-            .iter()
-            .map(|s| json!({ "from": s.from / self.unit.si, "to": s.to / self.unit.si, "apart": s.apart }))
+            .moves()
+            .into_iter()
+            .map(|(from, to, apart)| json!({ "from": from / self.unit.si, "to": to / self.unit.si, "apart": apart }))
             .collect();
         let events: Vec<Value> = self.sweep.events.iter().map(|event| self.event_json(event)).collect();
         let strokes: Vec<Value> = self
@@ -286,7 +422,6 @@ impl Report<'_> {
             "events": events,
             "strokes": strokes,
             "columns": columns,
-            "positions": rows,
         })
     }
 
@@ -306,6 +441,9 @@ impl Report<'_> {
             }
             EventKind::DeadPosition => {
                 json!({ "at": at, "kind": "dead position", "links": self.sweep.links(event) })
+            }
+            EventKind::AtInfinity { column } => {
+                json!({ "at": at, "kind": "at infinity", "name": self.sweep.columns[column].asked.name })
             }
             EventKind::Least { column, value } => extreme("least", column, value),
             EventKind::Greatest { column, value } => extreme("greatest", column, value),

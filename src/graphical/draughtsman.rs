@@ -1,6 +1,6 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
-use crate::board::{Amount, Bench, Board, Point, Reason, Scale, Side};
+use crate::board::{Amount, Angle, Bench, Board, Point, Reason, Scale, Side};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
@@ -14,6 +14,7 @@ use super::construction::{
 };
 use super::departure::Departure;
 use super::pose::Pose;
+use super::rolled::Starts;
 use super::{Scales, scale};
 
 /// Vectors shorter than this are drawn as points (millimetres).
@@ -96,6 +97,10 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) sides: Option<Vec<Side>>,
     /// In what this drawing departs from the right one.
     pub(super) departures: &'m [Departure],
+    /// Where points stood when wheels began to roll.
+    pub(super) starts: &'m Starts,
+    /// How far wheels have rolled since, by link.
+    pub(super) turned_by: Vec<Option<Angle<B>>>,
     reasons: Vec<Vec<u32>>,
     record: Construction,
 }
@@ -135,6 +140,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             silent: false,
             sides: None,
             departures: &[],
+            starts: &[],
+            turned_by: vec![None; links],
             reasons: Vec::new(),
             record: Construction {
                 space: Space {

@@ -17,6 +17,7 @@ mod link_figure;
 mod pose;
 mod position;
 mod reading;
+mod rolled;
 mod transcribe;
 mod trial;
 mod velocity;
@@ -24,7 +25,7 @@ mod velocity;
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
 pub use reading::Numbers;
-pub use transcribe::{Transcribed, transcribe};
+pub use transcribe::{Transcribed, TranscribedWithBounds, transcribe, transcribe_with_bounds};
 
 use crate::board::{
     Arithmetic, Bench, Blank, Board, Equipped, Real, Recorded, Recorder, Scale, Tape, Taped, Trial,
@@ -370,6 +371,17 @@ where
 {
     let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
     draughtsman.departures = departures;
+    drawn_by(draughtsman, plan)
+}
+
+/// Draws what the plan says.
+fn drawn_by<'m, B: Bench>(
+    mut draughtsman: Draughtsman<'m, B>,
+    plan: &Plan,
+) -> Result<Draughtsman<'m, B>, DrawError>
+where
+    B::Recorder: Recorder,
+{
     position::draw(&mut draughtsman, plan)?;
     if plan.centres.feeds {
         centres::draw(&mut draughtsman, plan);

@@ -423,6 +423,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// A wheel about its known centre.
     fn wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
         self.board.purpose("contact point");
+        if !self.starts.is_empty() {
+            self.roll_on(step, wheel, centre, roll);
+            self.contact(wheel, roll);
+            return;
+        }
         self.wheel_points(step, wheel, centre);
         if matches!(self.mechanism.link(wheel).form, Form::Single) && self.carries_guide(wheel) {
             // The axes of a wheel are the world's.

@@ -24,7 +24,7 @@ pub(super) struct ReadOff<B: Bench> {
     /// Marks and values, two for a vector; or why there are none.
     pub(super) numbers: Marked<B>,
     /// The direction of a place at infinity; its angle is the number.
-    toward: Option<[f64; 2]>,
+    pub(super) toward: Option<[f64; 2]>,
     /// How long it was drawn.
     drawn_mm: Option<f64>,
 }

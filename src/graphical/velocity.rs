@@ -96,7 +96,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     pub(super) fn given_rate(&mut self, order: Order, input: usize) -> Amount<B> {
         let rate = match (self.mechanism.inputs[input], order) {
             (Input::Angle { alpha, .. } | Input::Speed { alpha, .. }, Order::Acceleration) => alpha,
-            (Input::Angle { omega, .. }, _) => omega,
+            (Input::Angle { omega, .. }, _) => return self.board.input_speed(input, omega),
             (Input::Speed { link, point, speed, .. }, _) => {
                 let Some(&first) = self.mechanism.link(link).points.first() else { return self.rest() };
                 let length = self.length(link, first, point);
@@ -165,7 +165,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.step(Order::Velocity, &group.links, Vec::new());
         let (along, _) = self.tangent(slide, first);
         let scale = self.polygon_scale(Order::Velocity);
-        let speed = self.board.amount(velocity);
+        let speed = self.board.input_speed(input, velocity);
         let mm = self.board.to_paper(speed, scale);
         let from = self.image_under(Order::Velocity, first, guide);
         let fixed = guide == LinkId::FRAME;

@@ -32,6 +32,9 @@ const LAYOUT: usize = 3;
 /// Decimals of a millimetre for ink whose length is a quantity.
 const PRECISE: usize = 6;
 
+/// Stands for what every identifier begins with, until the content is known; no text has it (see [`printable`]).
+const PREFIX: char = '\u{1}';
+
 /// The figure as an SVG document, black on white.
 #[must_use]
 pub fn write(figure: &Figure) -> String {
@@ -79,13 +82,10 @@ enum Lettered {
 fn document(figure: &Figure, theme: Theme, lettered: &Lettered, style: Option<String>) -> String {
     let width = decimal(figure.width, LAYOUT);
     let height = decimal(figure.height, LAYOUT);
-    let body = |prefix: &str| {
-        let texts = Cell::new(0);
-        Writer { theme, prefix, lettered, texts }.group(&figure.root, Place::default())
-    };
+    let writer = Writer { theme, lettered, texts: Cell::new(0) };
+    let body = writer.group(&figure.root, Place::default()).to_string();
     // The hash is of all that stands in the figure but the prefix itself.
-    let plain = body("");
-    let content = format!("{}\n{}\n{plain}", figure.title, figure.description);
+    let content = format!("{}\n{}\n{}", figure.title, figure.description, body.replace(PREFIX, ""));
     let prefix = format!("f{:08x}-", fold(fnv(content.as_bytes())));
     let (title, description) = (format!("{prefix}title"), format!("{prefix}desc"));
     let described = !figure.description.is_empty();
@@ -116,8 +116,7 @@ fn document(figure: &Figure, theme: Theme, lettered: &Lettered, style: Option<St
                 .set("fill", colour(theme, Tone::Paper, place)),
         );
     }
-    let body = if has_ids(&figure.root) { body(&prefix) } else { plain };
-    let mut text = document.add(body).to_string();
+    let mut text = document.add(Blob::new(body.replace(PREFIX, &prefix))).to_string();
     text.push('\n');
     text
 }
@@ -171,11 +170,6 @@ fn fold(hash: u64) -> u32 {
     (hash ^ (hash >> 32)) as u32
 }
 
-fn has_ids(group: &Group) -> bool {
-    group.id.is_some()
-        || group.children.iter().any(|child| matches!(child, Node::Group(group) if has_ids(group)))
-}
-
 /// One `@font-face` for each typeface that occurs.
 fn font_faces(figure: &Figure) -> String {
     let mut used = Vec::new();
@@ -226,8 +220,6 @@ fn element_with_text(name: &str, id: Option<&str>, text: &str) -> Blob {
 
 struct Writer<'a> {
     theme: Theme,
-    /// What every identifier begins with.
-    prefix: &'a str,
     lettered: &'a Lettered,
     /// Lines of text written so far.
     texts: Cell<usize>,
@@ -241,7 +233,7 @@ impl Writer<'_> {
             element = element.set("class", group.class.as_str());
         }
         if let Some(id) = &group.id {
-            element = element.set("id", format!("{}{id}", self.prefix));
+            element = element.set("id", format!("{PREFIX}{id}"));
         }
         for (name, value) in &group.data {
             element = element.set(format!("data-{name}"), printable(value));

@@ -13,6 +13,8 @@ use super::diagnostic::{Fault, Res};
 const DEEPEST: usize = 16;
 /// More entries in one list or object than any mechanism has.
 pub(crate) const MOST: usize = 10_000;
+/// Keys of an object that are told apart without a table.
+const FEW: usize = 16;
 /// A larger text is not a scene (bytes).
 const LARGEST: usize = 8 << 20;
 
@@ -123,12 +125,15 @@ impl<'a> Source<'a> {
         if self.crowded(at, pairs.len()) {
             return Ok(Vec::new());
         }
+        // Among few keys it is quicker to look at each.
         let mut seen = HashSet::new();
-        let mut entries = Vec::with_capacity(pairs.len());
+        let few = pairs.len() <= FEW;
+        let mut entries: Vec<Entry<'a>> = Vec::with_capacity(pairs.len());
         for (key, value) in pairs {
             let at = self.offset(key.get());
             let key: String = serde_json::from_str(key.get()).map_err(|e| syntax(at, &e))?;
-            if !seen.insert(key.clone()) {
+            let twice = if few { entries.iter().any(|e| e.key == key) } else { !seen.insert(key.clone()) };
+            if twice {
                 self.blame(Fault::new(at, format!("`{key}` is given twice")).mend("keep one of the two"));
             }
             entries.push(Entry { at, key, value: self.value(value.get(), depth + 1)? });

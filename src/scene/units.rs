@@ -259,7 +259,16 @@ impl Scale {
                 } else {
                     wrong(format!("{what}`{name}` is not a unit"))
                 };
-                fault.known(name, names())
+                // s2 for s^2 is nearer than any name.
+                match (
+                    name.trim_end_matches(|c: char| c.is_ascii_digit()),
+                    name.trim_start_matches(char::is_alphabetic),
+                ) {
+                    (letters, digits) if !digits.is_empty() && Self::base(letters).is_some() => {
+                        fault.mend(format!("powers are written `{letters}^{digits}`"))
+                    }
+                    _ => fault.known(name, names()),
+                }
             })?;
             for _ in 0..power {
                 let product = unit.combine(&base, inverse);

@@ -1,5 +1,5 @@
-//! Diagrams of a sweep: quantities over the input, paths of points, hodographs; with axes and numbered
-//! positions.
+//! Diagrams of a sweep: quantities over the input or over time, paths of points, hodographs, polar diagrams; with
+//! axes and numbered positions.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use super::figure::{Figure, Group, Mark, Pen, Shape};
 use super::ink::{FINE, SMALL, THICK, THIN, dot};
 use super::labels::{self, Request, Site};
 use super::notation::Notation;
-use super::rich::Rich;
+use super::rich::{Line, Rich};
 use super::{Language, human};
 use crate::board::Moving;
 use crate::mechanism::quantity::{Quantity, Unit};
@@ -31,8 +31,6 @@ const ACCURACY: f64 = 0.01;
 const CUT: f64 = 3.0;
 /// Positions that are marked and numbered on paths and hodographs.
 const NUMBERED: u32 = 12;
-/// Places at which a range is measured.
-const LOOKS: u32 = 360;
 /// Size of tick labels.
 const TICK: f64 = 2.6;
 
@@ -42,19 +40,31 @@ enum Panel {
     Over(Vec<usize>),
     /// Two columns against each other: a path or a hodograph.
     Plane([usize; 2]),
+    /// The length of a vector of two columns, laid off in the direction of the input.
+    Polar([usize; 2]),
+}
+
+impl Panel {
+    fn columns(&self) -> &[usize] {
+        match self {
+            Self::Over(columns) => columns,
+            Self::Plane(columns) | Self::Polar(columns) => columns,
+        }
+    }
 }
 
 /// The diagrams of everything that was asked.
 #[must_use]
-pub fn of_sweep(scene: &Scene, sweep: &Sweep) -> Figure {
-    let notation = Notation::new(scene, Language::English.words());
+pub fn of_sweep(scene: &Scene, sweep: &Sweep, language: Language) -> Figure {
+    let words = language.words();
+    let notation = Notation::new(scene, words);
     let mut panels = Vec::new();
     let asked: Vec<usize> = (0..sweep.columns.len()).filter(|&c| !sweep.columns[c].watched).collect();
     for &c in &asked {
         let column = &sweep.columns[c];
         match (column.axis, column.asked.quantity) {
             (None, _) => panels.push(Panel::Over(vec![c])),
-            (Some(0), Quantity::Position(_)) => {
+            (Some(0), Quantity::Position(_) | Quantity::Centre(..)) => {
                 panels.push(Panel::Plane([c, c + 1]));
                 if column.motion {
                     panels.extend([c, c + 1].map(|c| Panel::Over(vec![c])));
@@ -63,24 +73,43 @@ pub fn of_sweep(scene: &Scene, sweep: &Sweep) -> Figure {
             (Some(0), _) => {
                 panels.push(Panel::Over(vec![c, c + 1]));
                 panels.push(Panel::Plane([c, c + 1]));
+                if sweep.whole_turn && matches!(sweep.input, InputKind::Angle(_)) {
+                    panels.push(Panel::Polar([c, c + 1]));
+                }
             }
             _ => {}
         }
     }
     let mut root = Group::new("diagrams");
-    let title = scene.title.in_language("en").unwrap_or("Sweep").to_owned();
-    let head = Rich::bold(&title).set(5.0);
-    head.put(&mut root, Point::new(MARGIN, MARGIN + 4.0), "title");
-    caption(&notation, sweep).set(SMALL).put(&mut root, Point::new(MARGIN, MARGIN + 10.5), "caption");
-    let top = MARGIN + 15.0;
+    let title = scene.title.in_language(words.tag).unwrap_or(words.sweep).to_owned();
+    // A page of Arabic script begins on the right.
+    let begin = |line: &Line, left: f64, width: f64| {
+        if words.right_to_left { left + width - line.width } else { left }
+    };
+    let line = PAGE - 2.0 * MARGIN;
+    let mut top = MARGIN + 4.0;
+    for text in Rich::bold(&title).wrap(5.0, line) {
+        let head = text.set(5.0);
+        head.put(&mut root, Point::new(begin(&head, MARGIN, line), top), "title");
+        top += 6.5;
+    }
+    for text in caption(&notation, sweep).wrap(SMALL, line) {
+        let below = text.set(SMALL);
+        below.put(&mut root, Point::new(begin(&below, MARGIN, line), top), "caption");
+        top += 4.5;
+    }
     for (index, panel) in panels.iter().enumerate() {
         let (row, side) = (index / 2, index % 2);
+        let side = if words.right_to_left { 1 - side } else { side };
         #[expect(clippy::cast_precision_loss, reason = "a few panels")]
         let at = Vec2::new(MARGIN + side as f64 * PANEL.0, top + row as f64 * PANEL.1);
         let mut group = match panel {
             Panel::Over(columns) => over(&notation, sweep, columns),
-            Panel::Plane(columns) => plane(&notation, sweep, *columns),
+            Panel::Plane(columns) => plane(sweep, *columns),
+            Panel::Polar(columns) => polar(sweep, *columns),
         };
+        let heading = heading_of(&notation, sweep, panel).set(SMALL);
+        heading.put(&mut group, Point::new(begin(&heading, 2.0, PANEL.0 - 6.0), 5.0), "heading");
         group.translate(at);
         root.group(group);
     }
@@ -90,35 +119,36 @@ pub fn of_sweep(scene: &Scene, sweep: &Sweep) -> Figure {
         width: PAGE,
         height,
         title,
-        description: "Quantities over the input, paths and hodographs".to_owned(),
-        language: "en",
+        description: words.sweep_description.to_owned(),
+        language: words.tag,
         root,
     }
 }
 
-/// The input, its range, and how long that takes.
+/// What is varied, its range, and how long that takes.
 fn caption(notation: &Notation<'_>, sweep: &Sweep) -> Rich {
+    let words = notation.words;
     let unit = input_unit(notation, sweep);
     let [from, to] = sweep.range;
-    let mut text = input_symbol(notation, sweep)
-        .up(" from ")
-        .then(&human::stated_quantity(from, &unit))
-        .up(" to ")
-        .then(&human::stated_quantity(to, &unit));
-    if sweep.rate != 0.0 {
-        let time = &notation.scene.units.time;
-        text = text
-            .up(", in ")
-            .then(&human::quantity((to - from) / sweep.rate.abs(), time))
-            .up(" at the given rate");
+    let parts = [
+        ("symbol", input_symbol(notation, sweep)),
+        ("from", human::stated_quantity(from, &unit)),
+        ("to", human::quantity(to, &unit)),
+    ];
+    let mut text = Rich::fill(words.sweep_range, &parts);
+    if sweep.rate != 0.0 && sweep.input != InputKind::Time {
+        let time = human::quantity((to - from) / sweep.rate.abs(), &notation.scene.units.time);
+        text = text.up(words.comma).then(&Rich::fill(words.sweep_duration, &[("time", time)]));
     }
-    text.up("; numbers 0 to ").up(&(NUMBERED - 1).to_string()).up(" mark equal steps of it")
+    let ends = [("first", 0), ("last", NUMBERED - 1)].map(|(name, n)| (name, Rich::upright(n.to_string())));
+    text.up(words.semicolon).then(&Rich::fill(words.sweep_numbers, &ends))
 }
 
 fn input_unit(notation: &Notation<'_>, sweep: &Sweep) -> Unit {
     match sweep.input {
         InputKind::Angle(_) => Unit { symbol: "deg".to_owned(), si: PI / 180.0 },
         InputKind::Slide(_) => notation.scene.units.length.clone(),
+        InputKind::Time => notation.scene.units.time.clone(),
     }
 }
 
@@ -126,12 +156,47 @@ fn input_symbol(notation: &Notation<'_>, sweep: &Sweep) -> Rich {
     match sweep.input {
         InputKind::Angle(link) => notation.symbol(Quantity::Angle(link), false),
         InputKind::Slide(_) => Rich::italic("s"),
+        InputKind::Time => Rich::italic("t"),
     }
 }
 
 /// A heading such as `ω₃ in rad/s`.
-fn heading(symbol: &Rich, unit: &Unit) -> Rich {
-    symbol.clone().up(" in ").up(&human::pretty(&unit.symbol))
+fn with_unit(notation: &Notation<'_>, symbol: Rich, unit: &Unit) -> Rich {
+    if unit.symbol.is_empty() {
+        return symbol;
+    }
+    let unit = Rich::upright(human::pretty(&unit.symbol));
+    Rich::fill(notation.words.in_unit, &[("symbol", symbol), ("unit", unit)])
+}
+
+/// Of a place the path is drawn, of any other vector the hodograph.
+fn is_place(quantity: Quantity) -> bool {
+    matches!(quantity, Quantity::Position(_) | Quantity::Centre(..))
+}
+
+/// What a panel shows, in its unit.
+fn heading_of(notation: &Notation<'_>, sweep: &Sweep, panel: &Panel) -> Rich {
+    let words = notation.words;
+    let columns = panel.columns();
+    let Some(column) = columns.first().and_then(|&c| sweep.columns.get(c)) else { return Rich::default() };
+    let vector = columns.len() == 2 && !is_place(column.asked.quantity);
+    let symbol = notation.symbol(column.asked.quantity, vector);
+    let length = || Rich::upright("|").then(&symbol).up("|");
+    let named = match (panel, column.axis) {
+        (Panel::Over(_), _) if vector => length(),
+        (Panel::Over(_), Some(axis)) => {
+            let axis = Rich::italic(["x", "y"][axis]);
+            Rich::fill(words.coordinate_of, &[("axis", axis), ("symbol", symbol)])
+        }
+        (Panel::Over(_), None) => symbol,
+        (Panel::Plane(_), _) if vector => Rich::fill(words.hodograph_of, &[("symbol", symbol)]),
+        (Panel::Plane(_), _) => Rich::fill(words.path_of, &[("symbol", symbol)]),
+        (Panel::Polar(_), _) => {
+            let input = input_symbol(notation, sweep);
+            Rich::fill(words.polar_of, &[("symbol", length()), ("input", input)])
+        }
+    };
+    with_unit(notation, named, &column.asked.unit)
 }
 
 /// A number with its change by the input.
@@ -157,8 +222,8 @@ fn looks(sweep: &Sweep) -> impl Iterator<Item = (&Stretch, f64)> {
     let whole = sweep.range[1] - sweep.range[0];
     sweep.stretches.iter().flat_map(move |stretch| {
         let part = (stretch.to - stretch.from) / whole;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most LOOKS")]
-        let count = (f64::from(LOOKS) * part).ceil().max(8.0) as u32;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of the looks")]
+        let count = (f64::from(sweep.looks() / 2) * part).ceil().max(8.0) as u32;
         (0..=count).map(move |i| {
             (stretch, stretch.from + (stretch.to - stretch.from) * (f64::from(i) / f64::from(count)))
         })
@@ -256,7 +321,9 @@ fn over(notation: &Notation<'_>, sweep: &Sweep, columns: &[usize]) -> Group {
     let noise = NOISE * error(sweep, columns) / unit.si;
     let constant = y[1] - y[0] < noise;
     if constant {
-        y = [y[0] - noise, y[1] + noise];
+        // Wide enough for its ticks to have different numbers.
+        let half = noise.max(y[1].abs() / 4.0);
+        y = [y[0] - half, y[1] + half];
     }
     if columns.len() == 2 {
         y[0] = 0.0;
@@ -275,7 +342,7 @@ fn over(notation: &Notation<'_>, sweep: &Sweep, columns: &[usize]) -> Group {
                 (0..13).map(|i| (first + f64::from(i)) * step).filter(|x| *x <= axes.x[1] + 1e-9).collect();
             if round.len() > 2 { round } else { ticks(axes.x[0], axes.x[1]) }
         }
-        InputKind::Slide(_) => ticks(axes.x[0], axes.x[1]),
+        InputKind::Slide(_) | InputKind::Time => ticks(axes.x[0], axes.x[1]),
     };
     axes.draw(&mut group, &marks);
     let scale = axes.scale();
@@ -297,15 +364,7 @@ fn over(notation: &Notation<'_>, sweep: &Sweep, columns: &[usize]) -> Group {
             group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
         }
     }
-    let arrow = columns.len() == 2;
-    let symbol = notation.symbol(column.asked.quantity, arrow);
-    let symbol = match column.axis {
-        Some(axis) if !arrow => Rich::italic(["x", "y"][axis]).up(" of ").then(&symbol),
-        _ => symbol,
-    };
-    let symbol = if arrow { Rich::upright("|").then(&symbol).up("|") } else { symbol };
-    heading(&symbol, unit).set(SMALL).put(&mut group, Point::new(2.0, 5.0), "heading");
-    let below = heading(&input_symbol(notation, sweep), &input).set(TICK);
+    let below = with_unit(notation, input_symbol(notation, sweep), &input).set(TICK);
     below.put(&mut group, Point::new(PLOT.0 + PLOT.2 - below.width, PLOT.1 + PLOT.3 + 8.0), "axis-name");
     group
 }
@@ -347,7 +406,8 @@ fn angle_of_first(sweep: &Sweep, columns: &[usize]) -> Option<f64> {
 /// The parts of a stretch in which a condition holds, by halving.
 fn inside(sweep: &Sweep, stretch: &Stretch, holds: impl Fn(&[Option<Moving>]) -> bool) -> Vec<[f64; 2]> {
     let look = |at: f64| sweep.at(at).is_some_and(|values| holds(&values));
-    let step = (stretch.to - stretch.from) / f64::from(LOOKS);
+    let looks = sweep.looks() / 2;
+    let step = (stretch.to - stretch.from) / f64::from(looks);
     let edge = |mut out: f64, mut within: f64| {
         for _ in 0..40 {
             let middle = f64::midpoint(out, within);
@@ -358,7 +418,7 @@ fn inside(sweep: &Sweep, stretch: &Stretch, holds: impl Fn(&[Option<Moving>]) ->
     let mut parts = Vec::new();
     let mut open: Option<f64> = None;
     let mut last = stretch.from;
-    for i in 0..=LOOKS {
+    for i in 0..=looks {
         // The ends themselves may have no number; a hair's breadth beside them there is one.
         let hair = step * 1e-6;
         let at = (stretch.from + step * f64::from(i)).clamp(stretch.from + hair, stretch.to - hair);
@@ -377,11 +437,17 @@ fn inside(sweep: &Sweep, stretch: &Stretch, holds: impl Fn(&[Option<Moving>]) ->
     parts
 }
 
+/// The numbered positions: equal steps of what is varied.
+fn numbered(sweep: &Sweep) -> impl Iterator<Item = (u32, f64)> {
+    let step = (sweep.range[1] - sweep.range[0]) / f64::from(NUMBERED);
+    (0..NUMBERED).map(move |i| (i, sweep.range[0] + step * f64::from(i)))
+}
+
 /// A path or a hodograph, with numbered positions.
-fn plane(notation: &Notation<'_>, sweep: &Sweep, columns: [usize; 2]) -> Group {
+fn plane(sweep: &Sweep, columns: [usize; 2]) -> Group {
     let column = &sweep.columns[columns[0]];
     let unit = &column.asked.unit;
-    let path = matches!(column.asked.quantity, Quantity::Position(_));
+    let path = is_place(column.asked.quantity);
     let mut group = Group::new(if path { "path" } else { "hodograph" }).data("quantity", &column.asked.name);
     let read = |values: &[Option<Moving>]| -> Option<[Rate; 2]> {
         let get = |c: usize| values.get(c).copied().flatten().map(|m| (m.value / unit.si, m.slope / unit.si));
@@ -431,9 +497,7 @@ fn plane(notation: &Notation<'_>, sweep: &Sweep, columns: [usize; 2]) -> Group {
         let site = Site::Around { at: pole, radius: 0.8, toward: None };
         requests.push(Request::new(Rich::italic("o"), SMALL, site, "pole"));
     }
-    let step = (sweep.range[1] - sweep.range[0]) / f64::from(NUMBERED);
-    for i in 0..NUMBERED {
-        let at = sweep.range[0] + step * f64::from(i);
+    for (i, at) in numbered(sweep) {
         let Some([x, y]) = sweep.at(at).and_then(|values| read(&values)) else { continue };
         let place = axes.map(x.0, y.0);
         if !area.contains(place) {
@@ -447,12 +511,81 @@ fn plane(notation: &Notation<'_>, sweep: &Sweep, columns: [usize; 2]) -> Group {
     }
     let names = labels::place(&group, &requests, Some(area.inflate(4.0, 4.0)));
     group.group(names);
-    let symbol = notation.symbol(column.asked.quantity, !path);
-    let word = if path { "Path of " } else { "Hodograph of " };
-    heading(&Rich::upright(word).then(&symbol), unit).set(SMALL).put(
-        &mut group,
-        Point::new(2.0, 5.0),
-        "heading",
-    );
+    group
+}
+
+/// From spoke to spoke of a polar diagram, degrees.
+const SPOKE: u32 = 30;
+
+/// The length of a vector, laid off in the direction of the input: circles for its size, spokes for the input, a
+/// dot at every numbered position.
+fn polar(sweep: &Sweep, columns: [usize; 2]) -> Group {
+    let column = &sweep.columns[columns[0]];
+    let unit = &column.asked.unit;
+    let mut group = Group::new("polar").data("quantity", &column.asked.name);
+    let read = |values: &[Option<Moving>]| -> Option<Rate> {
+        number(&columns, values).map(|(value, change)| (value / unit.si, change / unit.si))
+    };
+    let [_, most] = bounds(looks(sweep).filter_map(|(_, at)| read(&sweep.at(at)?).map(|r| r.0)));
+    let most = most.max(f64::MIN_POSITIVE);
+    let area = plot_area();
+    let (pole, radius) = (area.center(), area.height() / 2.0 - 2.0);
+    let per_unit = radius / (most * 1.02);
+    let at = |angle: f64, size: f64| {
+        let (sin, cos) = libm::sincos(angle);
+        pole + Vec2::new(cos, -sin) * size
+    };
+    let circles: Vec<f64> = ticks(0.0, most).into_iter().filter(|size| *size > 0.0).collect();
+    for &size in &circles {
+        let shape = Shape::Circle { centre: pole, radius: size * per_unit };
+        group.mark(Mark::stroke(shape, Pen::solid(FINE)).class("tick"));
+    }
+    for spoke in 0..360 / SPOKE {
+        let angle = f64::from(spoke * SPOKE).to_radians();
+        let line = Shape::Line(pole, at(angle, radius));
+        group.mark(Mark::stroke(line, Pen::solid(FINE)).class("tick"));
+        let text = human::degrees(angle).set(TICK);
+        let (sin, cos) = libm::sincos(angle);
+        // Centred on the spoke's end, as far out as the text is wide or high.
+        let out = radius + 2.2 + (cos.abs() * text.width + sin.abs() * 2.0) / 2.0;
+        text.put(&mut group, at(angle, out) + Vec2::new(-text.width / 2.0, 0.9), "tick");
+    }
+    let track = |input: f64, values: &[Option<Moving>]| {
+        let (value, change) = read(values)?;
+        let (sin, cos) = libm::sincos(input);
+        let (out, round) = (Vec2::new(cos, -sin), Vec2::new(-sin, -cos));
+        Some((pole + out * (value * per_unit), (out * change + round * value) * per_unit))
+    };
+    for stretch in &sweep.stretches {
+        let visible = |values: &[Option<Moving>]| {
+            is_sure(values, &columns, most * unit.si) && read(values).is_some_and(|r| r.0 <= most)
+        };
+        for range in inside(sweep, stretch, visible) {
+            let path = sweep.curve(stretch, range, &track, ACCURACY);
+            group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
+        }
+    }
+    let mut requests = Vec::new();
+    for (i, place) in numbered(sweep) {
+        let Some((value, _)) = sweep.at(place).and_then(|values| read(&values)) else { continue };
+        if value > most {
+            continue;
+        }
+        let dotted = at(place, value * per_unit);
+        group.mark(dot(dotted, 0.5).class("position"));
+        let site = Site::Around { at: dotted, radius: 0.7, toward: None };
+        let mut request = Request::new(Rich::upright(i.to_string()), TICK, site, "position");
+        request.optional = true;
+        requests.push(request);
+    }
+    // The sizes of the circles, where there is room on them.
+    for &size in &circles {
+        let site = Site::Around { at: at(PI / 12.0, size * per_unit), radius: 0.2, toward: None };
+        let mut request = Request::new(human::stated(size), TICK, site, "size");
+        request.optional = true;
+        requests.push(request);
+    }
+    let names = labels::place(&group, &requests, Some(area.inflate(4.0, 4.0)));
+    group.group(names);
     group
 }

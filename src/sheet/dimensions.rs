@@ -171,7 +171,7 @@ impl Artist<'_> {
         let reach = (span.away.x * room.0).abs() / 2.0 + (span.away.y * room.1).abs() / 2.0 + 0.6;
         let beside = |side: f64| {
             let own = Rect::from_center_size(a.midpoint(b) + span.away * (side * reach), room);
-            ink.cost(own).0.min(80.0)
+            ink.cost_up_to(own, 80.0).min(80.0)
         };
         cost + beside(1.0).min(beside(-1.0))
     }
@@ -267,5 +267,5 @@ fn walk(a: Point, b: Point, step: f64) -> impl Iterator<Item = Point> {
 }
 
 fn touched(ink: &Obstacles, at: Point) -> f64 {
-    ink.cost(Rect::from_center_size(at, (1.0, 1.0))).0.min(6.0)
+    ink.cost_up_to(Rect::from_center_size(at, (1.0, 1.0)), 6.0).min(6.0)
 }

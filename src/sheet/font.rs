@@ -3,9 +3,11 @@
 //! The sheet measures every word with the very files that the renderer draws with, so that a label
 //! which is clear of the ink here is clear of it on paper. System fonts are never looked at.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use kurbo::{BezPath, Point, Rect, Vec2};
 use rustybuzz::Direction;
@@ -84,7 +86,7 @@ impl Face {
     /// Whether the file has a glyph for this character.
     #[must_use]
     pub fn has(self, c: char) -> bool {
-        metrics(self).is_some_and(|m| m.face.glyph_index(c).is_some())
+        metrics(self).is_some_and(|m| m.glyph(c).is_some())
     }
 
     /// How far the pen moves over `text` at `size` mm, kerning included.
@@ -107,7 +109,7 @@ impl Face {
         let k = size / m.em;
         let mut ink: Option<Rect> = None;
         self.walk(text, size, |glyph, pen| {
-            if let Some(b) = m.glyph_box(glyph) {
+            if let Some(b) = glyph.ink(m) {
                 let glyph = Rect::new(pen + b.x0 * k, b.y0 * k, pen + b.x1 * k, b.y1 * k);
                 ink = Some(ink.map_or(glyph, |r| r.union(glyph)));
             }
@@ -128,12 +130,12 @@ impl Face {
         if self.is_arabic() {
             shape_with(self, text, &mut trace);
         } else {
-            self.walk(text, m.em, |glyph, pen| trace(glyph, Vec2::new(pen, 0.0)));
+            self.walk(text, m.em, |glyph, pen| trace(glyph.id, Vec2::new(pen, 0.0)));
         }
         path
     }
 
-    fn walk(self, text: &str, size: f64, mut visit: impl FnMut(GlyphId, f64)) -> f64 {
+    fn walk(self, text: &str, size: f64, mut visit: impl FnMut(&Glyph, f64)) -> f64 {
         let Some(m) = metrics(self) else {
             return 0.55 * size * text.chars().count() as f64;
         };
@@ -141,18 +143,18 @@ impl Face {
         let mut pen = 0.0;
         let mut last: Option<GlyphId> = None;
         for c in text.chars() {
-            let Some(glyph) = m.face.glyph_index(c) else {
+            let Some(glyph) = m.glyph(c) else {
                 // A character of another script: some other font will draw it, about this wide.
                 pen += 0.6 * size;
                 last = None;
                 continue;
             };
             if let Some(left) = last {
-                pen += m.kern(left, glyph) * k;
+                pen += f64::from(m.kern(left, glyph.id)) * k;
             }
-            visit(glyph, pen);
-            pen += f64::from(m.face.glyph_hor_advance(glyph).unwrap_or(0)) * k;
-            last = Some(glyph);
+            visit(&glyph, pen);
+            pen += f64::from(glyph.advance) * k;
+            last = Some(glyph.id);
         }
         pen
     }
@@ -193,13 +195,41 @@ impl ttf_parser::OutlineBuilder for Pencil<'_> {
     }
 }
 
+/// Characters in a page of the table of glyphs.
+const PAGE: usize = 64;
+/// Pages of the table: as far as the signs of mathematics. What lies beyond is looked up in the font.
+const PAGES: usize = 0x2300 / PAGE;
+/// Pairs of glyphs whose kerning is kept; a power of two.
+const PAIRS: usize = 4096;
+
+/// A glyph by its character.
+#[derive(Debug, Clone, Default)]
+struct Glyph {
+    id: GlyphId,
+    /// Font units.
+    advance: u16,
+    /// The box of its ink, once somebody has asked: outlines are slow to read.
+    ink: OnceLock<Option<Rect>>,
+}
+
+impl Glyph {
+    /// The box of its ink, font units with y down.
+    fn ink(&self, metrics: &Metrics) -> Option<Rect> {
+        *self.ink.get_or_init(|| metrics.glyph_box(self.id))
+    }
+}
+
+/// A face read once for all. What was looked up is kept, for the same letters come again and again while lines are
+/// broken and labels are placed.
 struct Metrics {
     face: ttf_parser::Face<'static>,
     em: f64,
-    /// Boxes of the glyphs met so far, font units with y down: outlines are slow to read.
-    boxes: Vec<OnceLock<Option<Rect>>>,
+    glyphs: Vec<OnceLock<Vec<Option<Glyph>>>>,
     /// Subtables by lookup; every lookup applies, in each the first subtable that has the pair.
     kerning: Vec<Vec<PairAdjustment<'static>>>,
+    /// The pair of glyphs in the upper half, its kerning in the lower; zero where there is none yet. Two pairs of one
+    /// place drive each other out.
+    kerned: Vec<AtomicU64>,
 }
 
 impl Metrics {
@@ -229,20 +259,50 @@ impl Metrics {
                 kerning.push(pairs.collect());
             }
         }
-        let boxes = (0..face.number_of_glyphs()).map(|_| OnceLock::new()).collect();
-        Some(Self { face, em, boxes, kerning })
+        let glyphs = (0..PAGES).map(|_| OnceLock::new()).collect();
+        let kerned = (0..PAIRS).map(|_| AtomicU64::new(0)).collect();
+        Some(Self { face, em, glyphs, kerning, kerned })
+    }
+
+    fn glyph(&self, c: char) -> Option<Cow<'_, Glyph>> {
+        let read = |code: u32| {
+            let id = self.face.glyph_index(char::from_u32(code)?)?;
+            let advance = self.face.glyph_hor_advance(id).unwrap_or(0);
+            Some(Glyph { id, advance, ink: OnceLock::new() })
+        };
+        let code = u32::from(c);
+        let (page, at) = (code as usize / PAGE, code as usize % PAGE);
+        match self.glyphs.get(page) {
+            Some(glyphs) => {
+                let first = (page * PAGE) as u32;
+                let glyphs = glyphs.get_or_init(|| (first..first + PAGE as u32).map(read).collect());
+                glyphs.get(at)?.as_ref().map(Cow::Borrowed)
+            }
+            None => read(code).map(Cow::Owned),
+        }
     }
 
     fn glyph_box(&self, glyph: GlyphId) -> Option<Rect> {
-        let read = || {
-            let b = self.face.glyph_bounding_box(glyph)?;
-            let [x0, y0, x1, y1] = [b.x_min, b.y_max, b.x_max, b.y_min].map(f64::from);
-            Some(Rect::new(x0, -y0, x1, -y1))
-        };
-        *self.boxes.get(usize::from(glyph.0))?.get_or_init(read)
+        let b = self.face.glyph_bounding_box(glyph)?;
+        let [x0, y0, x1, y1] = [b.x_min, b.y_max, b.x_max, b.y_min].map(f64::from);
+        Some(Rect::new(x0, -y0, x1, -y1))
     }
 
-    fn kern(&self, left: GlyphId, right: GlyphId) -> f64 {
+    /// What a pair of glyphs moves the pen, font units.
+    fn kern(&self, left: GlyphId, right: GlyphId) -> i32 {
+        let pair = u64::from(left.0) << 16 | u64::from(right.0);
+        let place = (pair.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as usize % PAIRS;
+        let Some(kept) = self.kerned.get(place) else { return self.look_up_kerning(left, right) };
+        let found = kept.load(Ordering::Relaxed);
+        if found >> 32 == pair && found != 0 {
+            return found as u32 as i32;
+        }
+        let kerning = self.look_up_kerning(left, right);
+        kept.store(pair << 32 | u64::from(kerning as u32), Ordering::Relaxed);
+        kerning
+    }
+
+    fn look_up_kerning(&self, left: GlyphId, right: GlyphId) -> i32 {
         let of_lookup = |pairs: &Vec<PairAdjustment<'static>>| {
             pairs.iter().find_map(|pair| {
                 let index = pair.coverage().get(left)?;
@@ -252,7 +312,7 @@ impl Metrics {
                         matrix.get((classes.0.get(left), classes.1.get(right)))?
                     }
                 };
-                Some(f64::from(first.x_advance))
+                Some(i32::from(first.x_advance))
             })
         };
         self.kerning.iter().filter_map(of_lookup).sum()
@@ -317,9 +377,8 @@ fn shape_with(face: Face, text: &str, mut visit: impl FnMut(GlyphId, Vec2)) -> O
 }
 
 fn metrics(face: Face) -> Option<&'static Metrics> {
-    static READ: OnceLock<[Option<Metrics>; 5]> = OnceLock::new();
-    let all = READ.get_or_init(|| Face::ALL.map(Metrics::read));
-    all[face as usize].as_ref()
+    static READ: [OnceLock<Option<Metrics>>; 5] = [const { OnceLock::new() }; 5];
+    READ[face as usize].get_or_init(|| Metrics::read(face)).as_ref()
 }
 
 #[cfg(test)]

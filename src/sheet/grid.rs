@@ -1,5 +1,7 @@
 //! Which things lie near a place: a grid over the drawing, so that a label asks its neighbours only.
 
+use std::ops::ControlFlow;
+
 use kurbo::{Point, Rect};
 
 use super::overlap::clip;
@@ -11,6 +13,9 @@ const ROUNDING: f64 = 1e-6;
 /// Cells along a side at most; on larger paper the cells grow.
 const MOST: f64 = 256.0;
 
+/// No entry.
+const NONE: u32 = 0;
+
 /// Numbered things by the cells that they touch.
 #[derive(Debug, Default)]
 pub(super) struct Grid {
@@ -18,24 +23,61 @@ pub(super) struct Grid {
     cell: f64,
     columns: usize,
     rows: usize,
-    cells: Vec<Vec<usize>>,
+    /// The first entry of each cell; counted from one, as all entries are.
+    first: Vec<u32>,
+    entries: Vec<Entry>,
+    /// The first of the entries that were taken away.
+    vacant: u32,
+}
+
+/// A thing in a cell.
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    id: u32,
+    next: u32,
+}
+
+/// Who was found already in the query that is being answered: a thing lies in many cells.
+#[derive(Debug, Default)]
+pub(super) struct Met {
+    in_query: Vec<u32>,
+    query: u32,
+}
+
+impl Met {
+    /// Begins a query among so many things.
+    pub(super) fn begin(&mut self, count: usize) {
+        if self.in_query.len() < count || self.query == u32::MAX {
+            self.in_query = vec![0; count.max(2 * self.in_query.len())];
+            self.query = 0;
+        }
+        self.query += 1;
+    }
+
+    /// Whether a thing is met for the first time.
+    pub(super) fn first_time(&mut self, id: usize) -> bool {
+        self.in_query
+            .get_mut(id)
+            .is_some_and(|in_query| std::mem::replace(in_query, self.query) != self.query)
+    }
 }
 
 impl Grid {
     /// An empty grid over this area; what lies outside is kept in the cells of its edge.
     pub(super) fn new(area: Rect) -> Self {
         let cell = CELL.max(area.width() / MOST).max(area.height() / MOST);
-        let count = |length: f64| (length / cell).floor().clamp(0.0, MOST) as usize + 1;
+        let count = |length: f64| (length / cell).clamp(0.0, MOST) as usize + 1;
         let (columns, rows) = (count(area.width()), count(area.height()));
-        Self { area, cell, columns, rows, cells: vec![Vec::new(); columns * rows] }
+        let first = vec![NONE; columns * rows];
+        Self { area, cell, columns, rows, first, entries: Vec::new(), vacant: NONE }
     }
 
     fn column(&self, x: f64) -> usize {
-        ((x - self.area.x0) / self.cell).floor().clamp(0.0, (self.columns - 1) as f64) as usize
+        ((x - self.area.x0) / self.cell).clamp(0.0, (self.columns - 1) as f64) as usize
     }
 
     fn row(&self, y: f64) -> usize {
-        ((y - self.area.y0) / self.cell).floor().clamp(0.0, (self.rows - 1) as f64) as usize
+        ((y - self.area.y0) / self.cell).clamp(0.0, (self.rows - 1) as f64) as usize
     }
 
     fn touched(&self, own: Rect) -> impl Iterator<Item = usize> + use<> {
@@ -45,10 +87,30 @@ impl Grid {
         rows.flat_map(move |row| (left..=right).map(move |column| row * columns + column))
     }
 
+    fn put(&mut self, id: usize, cell: usize) {
+        let Ok(id) = u32::try_from(id) else { return };
+        let entry = Entry { id, next: self.first[cell] };
+        self.first[cell] = match self.vacant {
+            NONE => {
+                self.entries.push(entry);
+                self.entries.len() as u32
+            }
+            vacant => {
+                self.vacant = self.entry(vacant).next;
+                self.entries[vacant as usize - 1] = entry;
+                vacant
+            }
+        };
+    }
+
+    fn entry(&self, at: u32) -> Entry {
+        self.entries[at as usize - 1]
+    }
+
     /// Adds a thing that fills a box.
     pub(super) fn add(&mut self, id: usize, own: Rect) {
         for cell in self.touched(own) {
-            self.cells[cell].push(id);
+            self.put(id, cell);
         }
     }
 
@@ -57,24 +119,40 @@ impl Grid {
         let own = Rect::from_points(a, b).inflate(half, half);
         for cell in self.touched(own) {
             if self.meets(cell, a, b, half) {
-                self.cells[cell].push(id);
+                self.put(id, cell);
             }
         }
     }
 
-    /// Adds to `into` what may touch a stroke grown by `half`; something more than once.
-    pub(super) fn find_along(&self, a: Point, b: Point, half: f64, into: &mut Vec<usize>) {
-        let own = Rect::from_points(a, b).inflate(half, half);
-        for cell in self.touched(own).filter(|cell| self.meets(*cell, a, b, half)) {
-            into.extend_from_slice(&self.cells[cell]);
+    fn each<V>(&self, cell: usize, visit: &mut V) -> ControlFlow<()>
+    where
+        V: FnMut(usize) -> ControlFlow<()>,
+    {
+        let mut at = self.first[cell];
+        while at != NONE {
+            let entry = self.entry(at);
+            visit(entry.id as usize)?;
+            at = entry.next;
         }
+        ControlFlow::Continue(())
     }
 
-    /// Adds to `into` what may touch a box; something more than once.
-    pub(super) fn find(&self, own: Rect, into: &mut Vec<usize>) {
-        for cell in self.touched(own) {
-            into.extend_from_slice(&self.cells[cell]);
-        }
+    /// Visits what may touch a stroke grown by `half`, until it is told to stop; something more than once.
+    pub(super) fn visit_along<V>(&self, a: Point, b: Point, half: f64, mut visit: V) -> ControlFlow<()>
+    where
+        V: FnMut(usize) -> ControlFlow<()>,
+    {
+        let own = Rect::from_points(a, b).inflate(half, half);
+        let mut cells = self.touched(own).filter(|cell| self.meets(*cell, a, b, half));
+        cells.try_for_each(|cell| self.each(cell, &mut visit))
+    }
+
+    /// Visits what may touch a box, until it is told to stop; something more than once.
+    pub(super) fn visit<V>(&self, own: Rect, mut visit: V) -> ControlFlow<()>
+    where
+        V: FnMut(usize) -> ControlFlow<()>,
+    {
+        self.touched(own).try_for_each(|cell| self.each(cell, &mut visit))
     }
 
     /// Whether a stroke grown by `half` touches a cell. The cells of the edge reach on for ever.
@@ -90,16 +168,42 @@ impl Grid {
     /// Takes away a thing that was added with this box.
     pub(super) fn remove(&mut self, id: usize, own: Rect) {
         for cell in self.touched(own) {
-            self.cells[cell].retain(|other| *other != id);
+            let (mut before, mut at) = (NONE, self.first[cell]);
+            while at != NONE {
+                let Entry { id: other, next } = self.entry(at);
+                if other as usize == id {
+                    match before {
+                        NONE => self.first[cell] = next,
+                        before => self.entries[before as usize - 1].next = next,
+                    }
+                    self.entries[at as usize - 1].next = self.vacant;
+                    self.vacant = at;
+                } else {
+                    before = at;
+                }
+                at = next;
+            }
         }
     }
 
-    /// The things that may touch a box, each once, in their order.
-    pub(super) fn near(&self, own: Rect, into: &mut Vec<usize>) {
+    /// The things among the first `count` that may touch a box and are `wanted`, each once, in their order.
+    pub(super) fn near(
+        &self,
+        own: Rect,
+        count: usize,
+        met: &mut Met,
+        into: &mut Vec<usize>,
+        mut wanted: impl FnMut(usize) -> bool,
+    ) {
         into.clear();
-        self.find(own, into);
+        met.begin(count);
+        let _ = self.visit(own, |id| {
+            if met.first_time(id) && wanted(id) {
+                into.push(id);
+            }
+            ControlFlow::Continue(())
+        });
         into.sort_unstable();
-        into.dedup();
     }
 }
 
@@ -115,7 +219,7 @@ mod tests {
         grid.add(2, Rect::new(300.0, 300.0, 301.0, 301.0));
         let near = |grid: &Grid, own| {
             let mut found = Vec::new();
-            grid.near(own, &mut found);
+            grid.near(own, 3, &mut Met::default(), &mut found, |_| true);
             found
         };
         assert_eq!(near(&grid, Rect::new(49.0, 24.0, 51.0, 26.0)), [0]);
@@ -124,5 +228,7 @@ mod tests {
         grid.remove(1, Rect::new(60.0, 10.0, 65.0, 12.0));
         assert!(near(&grid, Rect::new(62.0, 9.0, 66.0, 13.0)).is_empty());
         assert!(near(&Grid::default(), Rect::new(0.0, 0.0, 1.0, 1.0)).is_empty());
+        grid.add(1, Rect::new(60.0, 10.0, 65.0, 12.0));
+        assert_eq!(near(&grid, Rect::new(62.0, 9.0, 66.0, 13.0)), [1]);
     }
 }

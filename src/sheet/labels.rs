@@ -1,9 +1,15 @@
 //! Label placement: candidates with costs, a greedy pass in a fixed order, then repair passes.
+//!
+//! What a place costs is found out as far as it matters: a place that touches ink is not counted to the end before
+//! no free one is left, and a label is looked at again only when something within its reach has moved.
+
+use std::cell::RefCell;
+use std::ops::{ControlFlow, Range};
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::figure::{Group, Mark, Node, Pen, Shape, Tone, on_circle};
-use super::grid::Grid;
+use super::figure::{Group, Mark, Node, Pen, Shape, Tone};
+use super::grid::{Grid, Met};
 use super::overlap::clip;
 use super::rich::{Line, Rich};
 
@@ -75,24 +81,100 @@ impl Request {
     }
 }
 
-#[derive(Debug, Clone)]
+/// A place where a label may stand.
+#[derive(Debug, Clone, Copy)]
 struct Candidate {
-    at: Point,
-    boxes: Vec<Rect>,
+    /// Of its ink.
+    centre: Point,
     leader: Option<(Point, Point)>,
-    /// Preference plus what the fixed ink costs.
+    /// Preference plus what the fixed ink costs; where `counted` is not set, at least as much.
     cost: f64,
     touches_ink: bool,
+    counted: bool,
+    /// The site that it belongs to.
+    site: usize,
+}
+
+/// The body of a label, which all its candidates share.
+struct Body {
+    line: Line,
+    /// Middle of its ink, from the start of the base line.
+    middle: Vec2,
+    /// Half its width and height.
+    half: Vec2,
+    /// Its boxes, from the start of the base line; one about the centre where it has a ring.
+    boxes: Vec<Rect>,
+    ringed: bool,
+}
+
+impl Body {
+    fn new(request: &Request) -> Self {
+        let line = request.text.set(request.size);
+        let half = match request.ring {
+            Some(radius) => Vec2::new(radius, radius),
+            None => Vec2::new(line.ink.width() / 2.0, line.ink.height() / 2.0),
+        };
+        let (ringed, middle) = (request.ring.is_some(), line.ink.center().to_vec2());
+        let boxes = if ringed {
+            vec![Rect::from_center_size(Point::ZERO, (2.0 * half.x, 2.0 * half.y))]
+        } else {
+            line.boxes_at(Point::ZERO)
+        };
+        Self { line, middle, half, boxes, ringed }
+    }
+
+    /// The start of the base line where its centre stands here.
+    fn start(&self, centre: Point) -> Point {
+        centre - self.middle
+    }
+
+    /// Its boxes where its centre stands here.
+    fn boxes(&self, centre: Point) -> impl Iterator<Item = Rect> + '_ {
+        let by = if self.ringed { centre.to_vec2() } else { self.start(centre).to_vec2() };
+        self.boxes.iter().map(move |own| *own + by)
+    }
 }
 
 /// Ink that labels keep away from.
 #[derive(Debug, Default)]
 pub struct Obstacles {
     strokes: Vec<(Point, Point, f64)>,
+    /// The strokes in their order, small things of many strokes as one.
+    clumps: Vec<Clump>,
     areas: Vec<Vec<Point>>,
     boxes: Vec<Rect>,
-    /// Strokes, then areas, then boxes, each by its own grid.
-    grids: [Grid; 3],
+    /// Clumps, then areas, then boxes, numbered one after the other.
+    grid: Grid,
+    scratch: RefCell<Scratch>,
+}
+
+/// Strokes of one mark that lie together: the chords of a circle, the sides of an arrow's head. In a crowd hundreds of
+/// such things lie on each other, and most labels ask for the box of each alone.
+#[derive(Debug)]
+struct Clump {
+    strokes: Range<usize>,
+    /// The box of their ink.
+    bounds: Rect,
+}
+
+/// What labels keep away from.
+enum Thing<'a> {
+    Clump(&'a Clump),
+    Area(&'a [Point]),
+    /// Of this number.
+    Box(usize),
+}
+
+/// Width and height of a clump at most, mm.
+const CLUMP: f64 = 4.0;
+
+/// What a query writes on.
+#[derive(Debug, Default)]
+struct Scratch {
+    met: Met,
+    near: Vec<usize>,
+    /// Strokes, how much of them lies inside, and whether they are touched.
+    along: Vec<(usize, f64, bool)>,
 }
 
 impl Obstacles {
@@ -112,7 +194,13 @@ impl Obstacles {
     /// Adds the ink of a group to it.
     pub fn extend(&mut self, group: &Group) {
         let more = Self::of(group);
+        let before = self.strokes.len();
         self.strokes.extend(more.strokes);
+        let later = |clump: Clump| Clump {
+            strokes: clump.strokes.start + before..clump.strokes.end + before,
+            ..clump
+        };
+        self.clumps.extend(more.clumps.into_iter().map(later));
         self.areas.extend(more.areas);
         self.boxes.extend(more.boxes);
         self.index();
@@ -126,16 +214,31 @@ impl Obstacles {
         let strokes = self.strokes.iter().map(|(a, b, _)| Rect::from_points(*a, *b));
         let all = strokes.chain(self.boxes.iter().copied()).chain(self.areas.iter().map(|p| area(p)));
         let whole = all.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
-        self.grids = std::array::from_fn(|_| Grid::new(whole));
-        for (i, (a, b, half)) in self.strokes.iter().enumerate() {
-            self.grids[0].add_stroke(i, *a, *b, *half);
+        self.grid = Grid::new(whole);
+        for (i, clump) in self.clumps.iter().enumerate() {
+            match &self.strokes[clump.strokes.clone()] {
+                [(a, b, half)] => self.grid.add_stroke(i, *a, *b, *half),
+                _ => self.grid.add(i, clump.bounds),
+            }
         }
-        for (i, points) in self.areas.iter().enumerate() {
-            self.grids[1].add(i, area(points));
+        let areas = self.areas.iter().map(|points| area(points));
+        for (i, own) in areas.chain(self.boxes.iter().copied()).enumerate() {
+            self.grid.add(self.clumps.len() + i, own);
         }
-        for (i, own) in self.boxes.iter().enumerate() {
-            self.grids[2].add(i, *own);
+    }
+
+    /// What has this number in the grid.
+    fn thing(&self, number: usize) -> Thing<'_> {
+        let after = number.wrapping_sub(self.clumps.len());
+        match (self.clumps.get(number), self.areas.get(after)) {
+            (Some(clump), _) => Thing::Clump(clump),
+            (None, Some(area)) => Thing::Area(area),
+            (None, None) => Thing::Box(after - self.areas.len()),
         }
+    }
+
+    fn count(&self) -> usize {
+        self.clumps.len() + self.areas.len() + self.boxes.len()
     }
 
     fn add(&mut self, mark: &Mark) {
@@ -143,7 +246,19 @@ impl Obstacles {
             return;
         }
         let half = mark.pen.map_or(0.0, |pen| pen.width / 2.0);
-        self.strokes.extend(mark.shape.outline().into_iter().map(|(a, b)| (a, b, half)));
+        for (n, (a, b)) in mark.shape.outline().into_iter().enumerate() {
+            let own = Rect::from_points(a, b).inflate(half, half);
+            let at = self.strokes.len();
+            self.strokes.push((a, b, half));
+            let last = self.clumps.last_mut().filter(|_| n > 0);
+            match last.map(|clump| (clump.bounds.union(own), clump)) {
+                Some((bounds, clump)) if bounds.width().max(bounds.height()) <= CLUMP => {
+                    clump.bounds = bounds;
+                    clump.strokes.end = at + 1;
+                }
+                _ => self.clumps.push(Clump { strokes: at..at + 1, bounds: own }),
+            }
+        }
         if let (Some(Tone::Ink), Shape::Polygon(points)) = (mark.fill, &mark.shape) {
             self.areas.push(points.clone());
         }
@@ -153,42 +268,78 @@ impl Obstacles {
     /// whether it touches.
     #[must_use]
     pub fn cost(&self, own: Rect) -> (f64, bool) {
+        self.cost_within(own, 0.0, f64::INFINITY)
+    }
+
+    /// The cost of a box up to `limit`: one that costs more costs at least that.
+    #[must_use]
+    pub fn cost_up_to(&self, own: Rect, limit: f64) -> f64 {
+        self.cost_within(own, 0.0, limit).0
+    }
+
+    /// `before` and the cost of a box, not counted further once it is `limit`; and whether the box touches as far
+    /// as was counted.
+    fn cost_within(&self, own: Rect, before: f64, limit: f64) -> (f64, bool) {
         let mut cost = 0.0;
         let mut touch = false;
         let tight = own.inflate(CLEARANCE, CLEARANCE);
-        let mut near = Vec::new();
+        let wide = own.inflate(WORD, CLEARANCE);
+        let Scratch { met, near, along } = &mut *self.scratch.borrow_mut();
+        near.clear();
+        along.clear();
+        met.begin(self.count());
+        let mut entered = 0;
         // A stroke lies in the cells that it touches with its own width.
-        self.grids[0].near(tight, &mut near);
-        for (a, b, half) in near.iter().map(|i| &self.strokes[*i]) {
-            let grown = tight.inflate(*half, *half);
-            let beside = a.x.max(b.x) < grown.x0 || a.x.min(b.x) > grown.x1;
-            if beside || a.y.max(b.y) < grown.y0 || a.y.min(b.y) > grown.y1 {
-                continue;
-            }
-            if let Some((t0, t1)) = clip(*a, *b, grown) {
-                let inside = (t1 - t0) * a.distance(*b);
-                if clip(*a, *b, own.inflate(half + 0.08, half + 0.08)).is_some() {
-                    touch = true;
-                    cost += TOUCH * (1.0 + inside);
-                } else {
-                    cost += 12.0 + 4.0 * inside;
+        let found = self.grid.visit(wide, |number| {
+            match self.thing(number) {
+                Thing::Clump(Clump { strokes, bounds }) => {
+                    if !bounds.overlaps(tight) || !met.first_time(number) {
+                        return ControlFlow::Continue(());
+                    }
+                    for i in strokes.clone() {
+                        let (a, b, half) = self.strokes[i];
+                        if let Some((t0, t1)) = clip(a, b, tight.inflate(half, half)) {
+                            let touches = clip(a, b, own.inflate(half + 0.08, half + 0.08)).is_some();
+                            if touches && before + TOUCH >= limit {
+                                return ControlFlow::Break(());
+                            }
+                            along.push((i, (t1 - t0) * a.distance(b), touches));
+                        }
+                    }
+                }
+                Thing::Area(area) => {
+                    if met.first_time(number) && area.iter().any(|p| tight.contains(*p)) {
+                        entered += 1;
+                    }
+                }
+                Thing::Box(i) => {
+                    if self.boxes[i].overlaps(wide) && met.first_time(number) {
+                        near.push(i);
+                    }
                 }
             }
+            ControlFlow::Continue(())
+        });
+        if found.is_break() {
+            return (before + TOUCH, true);
         }
-        self.grids[1].near(tight, &mut near);
-        for area in near.iter().map(|i| &self.areas[*i]) {
-            if area.iter().any(|p| tight.contains(*p)) {
-                cost += TOUCH;
-                touch = true;
-            }
+        // Sums hang on the order of their parts.
+        along.sort_unstable_by_key(|(i, ..)| *i);
+        for &(_, inside, touches) in along.iter() {
+            touch |= touches;
+            cost += if touches { TOUCH * (1.0 + inside) } else { 12.0 + 4.0 * inside };
         }
-        self.grids[2].near(own.inflate(WORD, CLEARANCE), &mut near);
+        for _ in 0..entered {
+            cost += TOUCH;
+            touch = true;
+        }
+        near.sort_unstable();
         for other in near.iter().map(|i| &self.boxes[*i]) {
             let (c, t) = between(own, *other);
             cost += c;
             touch |= t;
         }
-        (cost, touch)
+        (before + cost, touch)
     }
 }
 
@@ -211,7 +362,7 @@ fn between(a: Rect, b: Rect) -> (f64, bool) {
 #[must_use]
 pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group {
     let obstacles = Obstacles::of(group);
-    let lines: Vec<Line> = requests.iter().map(|r| r.text.set(r.size)).collect();
+    let bodies: Vec<Body> = requests.iter().map(Body::new).collect();
     let anchors: Vec<(usize, Point)> = requests
         .iter()
         .enumerate()
@@ -229,97 +380,161 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
         })
         .collect();
     let strangers = Strangers::new(anchors, lines_named);
-    let priced = |i: usize, reach: Reach| {
-        let mut all = Vec::new();
-        for (rank, site) in requests[i].sites.iter().enumerate() {
-            for mut candidate in candidates(&requests[i], *site, &lines[i], reach) {
-                candidate.cost += 5.0 * rank as f64;
-                price(&mut candidate, *site, i, &obstacles, &strangers, within);
-                all.push(candidate);
-            }
-        }
-        all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        all.truncate(if reach == Reach::Near { 240 } else { 1200 });
-        all
-    };
-    let mut candidates: Vec<Vec<Candidate>> = (0..requests.len()).map(|i| priced(i, Reach::Near)).collect();
+    let market = Market { requests, bodies: &bodies, obstacles, strangers, within };
 
+    let mut all: Vec<Choices> = (0..requests.len()).map(|i| market.choices(i, Reach::Near)).collect();
     // Those with the fewest free places choose first; among equals, those that must stand, then order.
     let mut order: Vec<usize> = (0..requests.len()).collect();
-    let free = |i: usize| candidates[i].iter().filter(|c| c.cost < TOUCH).count();
-    order.sort_by_key(|i| (requests[*i].optional, free(*i), *i));
-    let mut standing = Standing::new(&candidates);
+    order.sort_by_key(|i| (requests[*i].optional, all[*i].free, *i));
+    let mut standing = Standing::new(&market, &all);
     for pass in 0..=PASSES {
         let mut moved = false;
         for &i in &order {
-            moved |= standing.settle(i, &candidates, requests[i].optional);
+            moved |= standing.settle(i, &mut all);
         }
-        if pass > 0 && (!moved || standing.touching(&order, &candidates) > MOST_TOUCHING) {
+        if pass > 0 && (!moved || standing.touching(&order, &all) > MOST_TOUCHING) {
             break;
         }
     }
-    standing.untangle(&order, requests, &mut candidates, &|i| priced(i, Reach::Far));
+    standing.untangle(&order, &mut all);
     let chosen = standing.chosen;
 
     let mut out = Group::new("labels");
     for (i, request) in requests.iter().enumerate() {
-        let Some(candidate) = chosen[i].map(|c| &candidates[i][c]) else { continue };
+        let Some(candidate) = chosen[i].map(|c| &all[i].sorted[c]) else { continue };
+        let at = bodies[i].start(candidate.centre);
         if let Some((from, to)) = candidate.leader {
             out.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.13)).class("leader"));
         }
         if let Some(radius) = request.ring {
-            let centre = lines[i].ink_at(candidate.at).center();
+            let centre = bodies[i].line.ink_at(at).center();
             out.mark(Mark::stroke(Shape::Circle { centre, radius }, Pen::solid(0.18)).class("ring"));
         }
-        lines[i].put(&mut out, candidate.at, request.class);
+        bodies[i].line.put(&mut out, at, request.class);
     }
     out
 }
 
-/// The labels as they stand.
-struct Standing {
-    chosen: Vec<Option<usize>>,
-    /// How dearly the others pay for touching it.
-    weights: Vec<f64>,
-    texts: Grid,
-    leaders: Grid,
+/// What the price of a place hangs on.
+struct Market<'a> {
+    requests: &'a [Request],
+    bodies: &'a [Body],
+    obstacles: Obstacles,
+    strangers: Strangers,
+    within: Option<Rect>,
 }
 
-impl Standing {
-    fn new(all: &[Vec<Candidate>]) -> Self {
-        let boxes = all.iter().flatten().flat_map(|c| &c.boxes).copied();
-        let area = boxes.reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
-        let (chosen, weights) = (vec![None; all.len()], vec![1.0; all.len()]);
-        Self { chosen, weights, texts: Grid::new(area), leaders: Grid::new(area) }
+/// The candidates of a label.
+struct Choices {
+    /// Ascending by cost: those that touch nothing fixed, and after [`Market::complete`] all.
+    sorted: Vec<Candidate>,
+    /// How many touch nothing fixed.
+    free: usize,
+    /// Those that touch something, uncounted, in their order.
+    rest: Vec<Candidate>,
+    /// How many there may be.
+    most: usize,
+    /// What the labels of all of them fill together.
+    reach: Rect,
+}
+
+impl Market<'_> {
+    fn choices(&self, i: usize, how_far: Reach) -> Choices {
+        let most = if how_far == Reach::Near { 240 } else { 1200 };
+        let (mut sorted, mut rest) = (Vec::new(), Vec::new());
+        let mut reach: Option<Rect> = None;
+        for (rank, site) in self.requests[i].sites.iter().enumerate() {
+            for mut candidate in candidates(&self.requests[i], *site, &self.bodies[i], how_far) {
+                candidate.site = rank;
+                candidate.cost += 5.0 * rank as f64;
+                let preference = candidate.cost;
+                self.price(&mut candidate, i, TOUCH);
+                let own = self.bodies[i].boxes(candidate.centre);
+                let own = own.chain(candidate.leader.map(|(a, b)| Rect::from_points(a, b)));
+                reach = own.chain(reach).reduce(|a, b| a.union(b));
+                if candidate.cost < TOUCH {
+                    sorted.push(Candidate { counted: true, ..candidate });
+                } else {
+                    rest.push(Candidate { cost: preference, touches_ink: false, ..candidate });
+                }
+            }
+        }
+        sorted.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let free = sorted.len().min(most);
+        sorted.truncate(most);
+        Choices { sorted, free, rest, most, reach: reach.unwrap_or_default() }
+    }
+
+    /// Counts what was left uncounted.
+    fn complete(&self, i: usize, choices: &mut Choices) {
+        let mut rest = std::mem::take(&mut choices.rest);
+        for candidate in &mut rest {
+            self.price(candidate, i, f64::INFINITY);
+            candidate.counted = true;
+        }
+        rest.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        choices.sorted.append(&mut rest);
+        choices.sorted.truncate(choices.most);
+    }
+}
+
+/// The labels as they stand.
+struct Standing<'a> {
+    market: &'a Market<'a>,
+    chosen: Vec<Option<usize>>,
+    /// The boxes of each label where it stands.
+    boxes: Vec<Vec<Rect>>,
+    /// How dearly the others pay for touching it.
+    weights: Vec<f64>,
+    /// What is in reach of a label has changed since it was settled, or since it was asked whether it touches.
+    unsettled: Vec<bool>,
+    touching: Vec<Option<bool>>,
+    texts: Grid,
+    leaders: Grid,
+    scratch: Scratch,
+}
+
+impl<'a> Standing<'a> {
+    fn new(market: &'a Market<'a>, all: &[Choices]) -> Self {
+        let area = all.iter().map(|c| c.reach).reduce(|a, b| a.union(b)).unwrap_or(Rect::ZERO);
+        Self {
+            market,
+            chosen: vec![None; all.len()],
+            boxes: vec![Vec::new(); all.len()],
+            weights: vec![1.0; all.len()],
+            unsettled: vec![true; all.len()],
+            touching: vec![None; all.len()],
+            texts: Grid::new(area),
+            leaders: Grid::new(area),
+            scratch: Scratch::default(),
+        }
     }
 
     /// In a crowd some labels still touch something. They look further away, and whoever is touched again
     /// and again becomes dearer to touch, until those in its way move.
-    fn untangle(
-        &mut self,
-        order: &[usize],
-        requests: &[Request],
-        all: &mut [Vec<Candidate>],
-        further: &dyn Fn(usize) -> Vec<Candidate>,
-    ) {
+    fn untangle(&mut self, order: &[usize], all: &mut [Choices]) {
+        let market = self.market;
+        let optional = |i: &usize| market.requests[*i].optional;
         let mut looked: Vec<bool> = vec![false; all.len()];
         let mut moves = 0;
         while moves < MOVES {
             let touching: Vec<usize> = order.iter().copied().filter(|i| self.touches(*i, all)).collect();
-            if touching.len() > MOST_TOUCHING || touching.iter().all(|i| requests[*i].optional) {
+            if touching.len() > MOST_TOUCHING || touching.iter().all(optional) {
                 break;
             }
             moves += touching.len();
             for &i in &touching {
                 self.weights[i] += 1.0;
+                self.disturb(i, all);
                 if !std::mem::replace(&mut looked[i], true) {
                     self.choose(i, None, all);
-                    all[i] = further(i);
+                    all[i] = market.choices(i, Reach::Far);
+                    self.unsettled[i] = true;
                 }
-                self.settle(i, all, requests[i].optional);
+                self.settle(i, all);
             }
         }
-        for i in order.iter().copied().filter(|i| requests[*i].optional) {
+        for i in order.iter().copied().filter(optional) {
             if self.touches(i, all) {
                 self.choose(i, None, all);
             }
@@ -327,29 +542,53 @@ impl Standing {
     }
 
     /// How many labels touch something.
-    fn touching(&self, order: &[usize], all: &[Vec<Candidate>]) -> usize {
+    fn touching(&mut self, order: &[usize], all: &[Choices]) -> usize {
         order.iter().filter(|i| self.touches(**i, all)).count()
     }
 
-    fn choose(&mut self, i: usize, choice: Option<usize>, all: &[Vec<Candidate>]) {
-        if let Some(old) = self.chosen[i].map(|c| &all[i][c]) {
-            old.boxes.iter().for_each(|own| self.texts.remove(i, *own));
+    /// Whatever may stand near a label, as it stands, has to be looked at again.
+    fn disturb(&mut self, i: usize, all: &[Choices]) {
+        let Some(own) = self.chosen[i].map(|c| &all[i].sorted[c]) else { return };
+        let leader = own.leader.map(|(a, b)| Rect::from_points(a, b));
+        let extent = self.boxes[i].iter().copied().chain(leader).reduce(|a, b| a.union(b));
+        // No label minds another farther away than a word's blank.
+        let Some(extent) = extent.map(|e| e.inflate(WORD + CLEARANCE, WORD + CLEARANCE)) else { return };
+        for (j, other) in all.iter().enumerate().filter(|(j, _)| *j != i) {
+            if other.reach.overlaps(extent) {
+                self.unsettled[j] = true;
+                self.touching[j] = None;
+            }
+        }
+    }
+
+    fn choose(&mut self, i: usize, choice: Option<usize>, all: &[Choices]) {
+        self.disturb(i, all);
+        if let Some(old) = self.chosen[i].map(|c| &all[i].sorted[c]) {
+            self.boxes[i].iter().for_each(|own| self.texts.remove(i, *own));
             if let Some((a, b)) = old.leader {
                 self.leaders.remove(i, Rect::from_points(a, b));
             }
         }
-        if let Some(new) = choice.map(|c| &all[i][c]) {
-            new.boxes.iter().for_each(|own| self.texts.add(i, *own));
+        self.boxes[i].clear();
+        if let Some(new) = choice.map(|c| &all[i].sorted[c]) {
+            self.boxes[i].extend(self.market.bodies[i].boxes(new.centre));
+            self.boxes[i].iter().for_each(|own| self.texts.add(i, *own));
             if let Some((a, b)) = new.leader {
                 self.leaders.add_stroke(i, a, b, 0.0);
             }
         }
         self.chosen[i] = choice;
+        self.touching[i] = None;
+        self.disturb(i, all);
     }
 
     /// Moves a label to its best place given all others; whether it moved.
-    fn settle(&mut self, i: usize, all: &[Vec<Candidate>], optional: bool) -> bool {
-        let best = self.best(i, all, optional);
+    fn settle(&mut self, i: usize, all: &mut [Choices]) -> bool {
+        // Among the same others the same place is the best.
+        if !std::mem::replace(&mut self.unsettled[i], false) {
+            return false;
+        }
+        let best = self.best(i, all);
         let moved = best != self.chosen[i];
         if moved {
             self.choose(i, best, all);
@@ -357,44 +596,59 @@ impl Standing {
         moved
     }
 
-    fn best(&self, i: usize, all: &[Vec<Candidate>], optional: bool) -> Option<usize> {
+    fn best(&mut self, i: usize, all: &mut [Choices]) -> Option<usize> {
+        let optional = self.market.requests[i].optional;
         let mut best: Option<(f64, usize)> = None;
-        for (c, candidate) in all[i].iter().enumerate() {
+        let mut c = 0;
+        loop {
             let limit = best.map_or(f64::INFINITY, |(cost, _)| cost);
+            // Whatever was left uncounted costs as much as to touch something.
+            let exhausted = c == all[i].sorted.len() && !optional && limit > TOUCH;
+            if exhausted && !all[i].rest.is_empty() {
+                self.market.complete(i, &mut all[i]);
+            }
+            let Some(candidate) = all[i].sorted.get(c) else { break };
             if candidate.cost >= limit {
                 break; // sorted by cost: none of the rest can be better
             }
             let (cost, touch) = self.cost(i, candidate, all, limit);
-            if optional && (touch || cost > 60.0) {
-                continue;
-            }
-            if cost < limit {
+            if !(optional && (touch || cost > 60.0)) && cost < limit {
                 best = Some((cost, c));
             }
+            c += 1;
         }
         best.map(|(_, c)| c)
     }
 
     /// What a candidate costs among the others, and whether it touches anything; not counted further once
     /// it costs `limit`.
-    fn cost(&self, i: usize, candidate: &Candidate, all: &[Vec<Candidate>], limit: f64) -> (f64, bool) {
-        let mut near = Vec::new();
-        for own in &candidate.boxes {
+    fn cost(&mut self, i: usize, candidate: &Candidate, all: &[Choices], limit: f64) -> (f64, bool) {
+        let Scratch { met, near, .. } = &mut self.scratch;
+        near.clear();
+        met.begin(all.len());
+        let mut meet = |j: usize| {
+            if j != i && met.first_time(j) {
+                near.push(j);
+            }
+            ControlFlow::Continue(())
+        };
+        let body = &self.market.bodies[i];
+        for own in body.boxes(candidate.centre) {
             let own = own.inflate(WORD, CLEARANCE);
-            self.texts.find(own, &mut near);
-            self.leaders.find(own, &mut near);
+            let _ = self.texts.visit(own, &mut meet);
+            let _ = self.leaders.visit(own, &mut meet);
         }
         if let Some((a, b)) = candidate.leader {
-            self.texts.find_along(a, b, 0.3, &mut near);
-            self.leaders.find_along(a, b, 0.0, &mut near);
+            let _ = self.texts.visit_along(a, b, 0.3, &mut meet);
+            let _ = self.leaders.visit_along(a, b, 0.0, &mut meet);
         }
         near.sort_unstable();
-        near.dedup();
         let mut cost = candidate.cost;
         let mut touch = candidate.touches_ink;
-        for j in near {
-            let Some(other) = self.chosen[j].filter(|_| j != i).map(|o| &all[j][o]) else { continue };
-            let (c, t) = conflict(candidate, other);
+        for &j in near.iter() {
+            let Some(other) = self.chosen[j].map(|o| &all[j].sorted[o]) else { continue };
+            let boxes = || body.boxes(candidate.centre);
+            let (c, t) = conflict(boxes, candidate.leader, &self.boxes[j], other.leader);
             cost += c * self.weights[j];
             touch |= t;
             if cost >= limit {
@@ -404,36 +658,50 @@ impl Standing {
         (cost, touch)
     }
 
-    fn touches(&self, i: usize, all: &[Vec<Candidate>]) -> bool {
-        self.chosen[i].is_some_and(|own| self.cost(i, &all[i][own], all, f64::INFINITY).1)
+    fn touches(&mut self, i: usize, all: &[Choices]) -> bool {
+        let Some(own) = self.chosen[i] else { return false };
+        if let Some(known) = self.touching[i] {
+            return known;
+        }
+        let touch = self.cost(i, &all[i].sorted[own], all, f64::INFINITY).1;
+        self.touching[i] = Some(touch);
+        touch
     }
 }
 
-fn conflict(a: &Candidate, b: &Candidate) -> (f64, bool) {
+/// What two labels cost each other, and whether they touch: their boxes and leaders.
+fn conflict<I: Iterator<Item = Rect>>(
+    boxes: impl Fn() -> I,
+    leader: Option<(Point, Point)>,
+    other_boxes: &[Rect],
+    other_leader: Option<(Point, Point)>,
+) -> (f64, bool) {
     let mut cost = 0.0;
     let mut touch = false;
-    for x in &a.boxes {
-        for y in &b.boxes {
-            let (c, t) = between(*x, *y);
+    for x in boxes() {
+        for y in other_boxes {
+            let (c, t) = between(x, *y);
             cost += c;
             touch |= t;
         }
     }
-    for (p, q) in [(a, b), (b, a)] {
-        if let Some((from, to)) = p.leader {
-            for r in &q.boxes {
-                if clip(from, to, r.inflate(0.3, 0.3)).is_some() {
-                    cost += TOUCH;
-                    touch = true;
-                }
-            }
-            if let Some((c, d)) = q.leader
-                && crossing(from, to, c, d)
-            {
-                cost += 100.0;
-            }
+    let crossed = match (leader, other_leader) {
+        (Some((a, b)), Some((c, d))) if crossing(a, b, c, d) => 200.0,
+        _ => 0.0,
+    };
+    let mut across = |(from, to): (Point, Point), r: Rect| {
+        if clip(from, to, r.inflate(0.3, 0.3)).is_some() {
+            cost += TOUCH;
+            touch = true;
         }
+    };
+    if let Some(leader) = leader {
+        other_boxes.iter().for_each(|r| across(leader, *r));
     }
+    if let Some(leader) = other_leader {
+        boxes().for_each(|r| across(leader, r));
+    }
+    cost += crossed;
     (cost, touch)
 }
 
@@ -442,64 +710,80 @@ fn crossing(a: Point, b: Point, c: Point, d: Point) -> bool {
     side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b)
 }
 
-/// Adds what ink, strangers and the edge cost.
-fn price(
-    candidate: &mut Candidate,
-    site: Site,
-    index: usize,
-    obstacles: &Obstacles,
-    strangers: &Strangers,
-    within: Option<Rect>,
-) {
-    for own in &candidate.boxes {
-        let (cost, touch) = obstacles.cost(*own);
-        candidate.cost += cost;
-        candidate.touches_ink |= touch;
-        if within.is_some_and(|w| !w.contains_rect(*own)) {
-            candidate.cost += TOUCH;
-            candidate.touches_ink = true;
+impl Market<'_> {
+    /// Adds what ink, strangers and the edge cost; not counted further once it is `limit`.
+    fn price(&self, candidate: &mut Candidate, index: usize, limit: f64) {
+        let Self { obstacles, strangers, .. } = self;
+        let body = &self.bodies[index];
+        for own in body.boxes(candidate.centre) {
+            let (cost, touch) = obstacles.cost_within(own, candidate.cost, limit);
+            candidate.cost = cost;
+            candidate.touches_ink |= touch;
+            if self.within.is_some_and(|w| !w.contains_rect(own)) {
+                candidate.cost += TOUCH;
+                candidate.touches_ink = true;
+            }
+            if candidate.cost >= limit {
+                return;
+            }
         }
-    }
-    if let Some((from, to)) = candidate.leader {
-        // A leader may leave its own point, so only what it crosses further out counts.
-        let start = from.lerp(to, (1.5 / from.distance(to).max(1.5)).min(1.0));
-        let mut near = Vec::new();
-        obstacles.grids[0].near(Rect::from_points(start, to), &mut near);
-        for (a, b, _) in near.iter().map(|i| &obstacles.strokes[*i]) {
-            if crossing(start, to, *a, *b) {
+        let Scratch { met, near, .. } = &mut *obstacles.scratch.borrow_mut();
+        if let Some((from, to)) = candidate.leader {
+            // A leader may leave its own point, so only what it crosses further out counts.
+            let start = from.lerp(to, (1.5 / from.distance(to).max(1.5)).min(1.0));
+            let own = Rect::from_points(start, to);
+            met.begin(obstacles.count());
+            let (mut crossed, mut struck) = (0, false);
+            let _ = obstacles.grid.visit(own, |number| {
+                match obstacles.thing(number) {
+                    Thing::Clump(clump) if clump.bounds.overlaps(own) && met.first_time(number) => {
+                        let strokes = obstacles.strokes[clump.strokes.clone()].iter();
+                        crossed += strokes.filter(|(a, b, _)| crossing(start, to, *a, *b)).count();
+                    }
+                    Thing::Box(i) => {
+                        struck |= clip(start, to, obstacles.boxes[i].inflate(0.3, 0.3)).is_some();
+                    }
+                    Thing::Clump(_) | Thing::Area(_) => {}
+                }
+                ControlFlow::Continue(())
+            });
+            for _ in 0..crossed {
                 candidate.cost += 40.0;
             }
-        }
-        obstacles.grids[2].near(Rect::from_points(start, to), &mut near);
-        if near.iter().any(|i| clip(start, to, obstacles.boxes[*i].inflate(0.3, 0.3)).is_some()) {
-            candidate.cost += TOUCH;
-            candidate.touches_ink = true;
-        }
-    }
-    if let (Site::Around { at, .. }, Some(own)) = (site, candidate.boxes.first()) {
-        let near = distance(*own, at);
-        let mut others = Vec::new();
-        if candidate.leader.is_none() {
-            strangers.point_grid.near(own.inflate(near + 1.0, near + 1.0), &mut others);
-        }
-        let others = others.into_iter().map(|i| strangers.points[i]);
-        for (_, stranger) in others.filter(|(j, p)| *j != index && p.distance(at) > 0.2) {
-            let far = distance(*own, stranger);
-            if far < near + 1.0 {
-                candidate.cost += 25.0 + 10.0 * (near + 1.0 - far);
+            if struck {
+                candidate.cost += TOUCH;
+                candidate.touches_ink = true;
             }
         }
-    }
-    if let (Site::Along { from, to }, Some(own)) = (site, candidate.boxes.first()) {
-        let near = to_line(own.center(), from, to);
-        let mut others = Vec::new();
-        let reach = Rect::from_center_size(own.center(), (2.0 * near + 4.0, 2.0 * near + 4.0));
-        strangers.line_grid.near(reach, &mut others);
-        let others = others.into_iter().map(|i| strangers.lines[i]);
-        for (_, a, b) in others.filter(|(j, ..)| *j != index) {
-            let far = to_line(own.center(), a, b);
-            if far < near + 2.0 {
-                candidate.cost += 4.0 + 6.0 * (near + 2.0 - far).min(4.0);
+        let Some(own) = body.boxes(candidate.centre).next() else { return };
+        match self.requests[index].sites[candidate.site] {
+            Site::Around { .. } if candidate.leader.is_some() => {}
+            Site::Around { at, .. } => {
+                let clear = distance(own, at) + 1.0;
+                let stranger = |i: usize| {
+                    let (j, p) = strangers.points[i];
+                    j != index && p.distance(at) > 0.2
+                };
+                let reach = own.inflate(clear, clear);
+                strangers.point_grid.near(reach, strangers.points.len(), met, near, stranger);
+                for (_, stranger) in near.iter().map(|i| strangers.points[*i]) {
+                    let far = distance(own, stranger);
+                    if far < clear {
+                        candidate.cost += 25.0 + 10.0 * (clear - far);
+                    }
+                }
+            }
+            Site::Along { from, to } => {
+                let clear = to_line(own.center(), from, to) + 2.0;
+                let reach = Rect::from_center_size(own.center(), (2.0 * clear, 2.0 * clear));
+                let stranger = |i: usize| strangers.lines[i].0 != index;
+                strangers.line_grid.near(reach, strangers.lines.len(), met, near, stranger);
+                for (_, a, b) in near.iter().map(|i| strangers.lines[*i]) {
+                    let far = to_line(own.center(), a, b);
+                    if far < clear {
+                        candidate.cost += 4.0 + 6.0 * (clear - far).min(4.0);
+                    }
+                }
             }
         }
     }
@@ -549,18 +833,16 @@ fn distance(r: Rect, p: Point) -> f64 {
     libm::hypot(dx, dy)
 }
 
-fn candidates(request: &Request, site: Site, line: &Line, how_far: Reach) -> Vec<Candidate> {
-    let half = match request.ring {
-        Some(radius) => Vec2::new(radius, radius),
-        None => Vec2::new(line.ink.width() / 2.0, line.ink.height() / 2.0),
-    };
-    let middle = line.ink.center().to_vec2();
+/// Directions around a point in which a label may stand.
+const DIRECTIONS: u32 = 24;
+
+fn directions() -> impl Iterator<Item = f64> {
+    (0..DIRECTIONS).map(|k| f64::from(k) * (std::f64::consts::TAU / f64::from(DIRECTIONS)))
+}
+
+fn candidates(request: &Request, site: Site, body: &Body, how_far: Reach) -> Vec<Candidate> {
+    let half = body.half;
     let stand = |centre: Point, cost: f64, leader: Option<Point>| {
-        let at = centre - middle;
-        let boxes = match request.ring {
-            Some(_) => vec![Rect::from_center_size(centre, (2.0 * half.x, 2.0 * half.y))],
-            None => line.boxes_at(at),
-        };
         let leader = leader.map(|from| {
             let to = if let Some(radius) = request.ring {
                 let d = from - centre;
@@ -571,27 +853,29 @@ fn candidates(request: &Request, site: Site, line: &Line, how_far: Reach) -> Vec
             };
             (from, to)
         });
-        Candidate { at, boxes, leader, cost, touches_ink: false }
+        Candidate { centre, leader, cost, touches_ink: false, counted: false, site: 0 }
     };
-    let mut all = Vec::new();
+    let mut all = Vec::with_capacity(DIRECTIONS as usize * 10);
     match site {
         Site::Around { at, radius, toward } => {
+            let wanted = toward.unwrap_or(std::f64::consts::FRAC_PI_4);
+            let weight = if toward.is_some() { 2.0 } else { 0.6 };
+            // Sine, cosine and taste of each direction.
+            let ways: Vec<((f64, f64), f64)> = directions()
+                .map(|angle| (libm::sincos(angle), weight * (1.0 - libm::cos(angle - wanted))))
+                .collect();
             for (ring, gap) in [0.6, 1.1, 1.8, 2.8, 4.2].into_iter().enumerate() {
-                for k in 0..24 {
-                    let angle = f64::from(k) * (std::f64::consts::TAU / 24.0);
-                    let wanted = toward.unwrap_or(std::f64::consts::FRAC_PI_4);
-                    let away = 1.0 - libm::cos(angle - wanted);
-                    let weight = if toward.is_some() { 2.0 } else { 0.6 };
-                    let cost = 3.5 * ring as f64 + weight * away;
-                    all.push(stand(beside(at, angle, radius + gap, half), cost, None));
+                for (way, taste) in &ways {
+                    let cost = 3.5 * ring as f64 + taste;
+                    all.push(stand(beside(at, *way, radius + gap, half), cost, None));
                 }
             }
             if request.leader || how_far == Reach::Far {
                 for (ring, gap) in leaders([5.0, 7.0, 9.5, 12.0, 15.0], how_far) {
-                    for k in 0..24 {
-                        let angle = f64::from(k) * (std::f64::consts::TAU / 24.0);
-                        let centre = beside(at, angle, radius + gap, half);
-                        let from = on_circle(at, radius + 0.3, angle);
+                    for (way, _) in &ways {
+                        let centre = beside(at, *way, radius + gap, half);
+                        let (sin, cos) = way;
+                        let from = Point::new(at.x + (radius + 0.3) * cos, at.y - (radius + 0.3) * sin);
                         all.push(stand(centre, 30.0 + 4.0 * ring as f64, Some(from)));
                     }
                 }
@@ -633,9 +917,9 @@ fn leaders<const N: usize>(near: [f64; N], reach: Reach) -> impl Iterator<Item =
     near.into_iter().chain(far.iter().copied()).enumerate()
 }
 
-/// Centre of a box that stands in this direction from a point with a clear gap between them.
-fn beside(at: Point, angle: f64, gap: f64, half: Vec2) -> Point {
-    let (sin, cos) = libm::sincos(angle);
+/// Centre of a box that stands in the direction of this sine and cosine from a point with a clear gap between
+/// them.
+fn beside(at: Point, (sin, cos): (f64, f64), gap: f64, half: Vec2) -> Point {
     let x = half.x * (cos * std::f64::consts::SQRT_2).clamp(-1.0, 1.0);
     let y = half.y * (sin * std::f64::consts::SQRT_2).clamp(-1.0, 1.0);
     Point::new(at.x + gap * cos + x, at.y - gap * sin - y)
@@ -644,6 +928,7 @@ fn beside(at: Point, angle: f64, gap: f64, half: Vec2) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sheet::figure::on_circle;
     use crate::sheet::overlap::overlaps_in;
 
     #[test]

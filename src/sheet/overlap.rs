@@ -3,7 +3,7 @@
 use kurbo::{Point, Rect};
 
 use super::figure::{Figure, Group, Mark, Node, Shape, Text, Tone};
-use super::grid::Grid;
+use super::grid::{Grid, Met};
 
 /// A text that touches something.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,20 +56,20 @@ pub fn overlaps_in(group: &Group, page: Option<Rect>) -> Vec<Overlap> {
             _ => inks_near.add(n, *own),
         }
     }
-    let mut near = Vec::new();
+    let (mut near, mut met) = (Vec::new(), Met::default());
     for (n, (i, own)) in boxes.iter().enumerate() {
         if let Some(page) = page
             && !page.contains_rect(*own)
         {
             report(*i, "the edge of the paper".to_owned(), *own);
         }
-        texts_near.near(*own, &mut near);
-        for (j, other) in near.iter().filter(|k| **k > n).map(|k| &boxes[*k]) {
+        texts_near.near(*own, boxes.len(), &mut met, &mut near, |k| k > n);
+        for (j, other) in near.iter().map(|k| &boxes[*k]) {
             if i != j && !own.intersect(*other).is_zero_area() {
                 report(*i, format!("text {:?}", texts[*j].content()), *own);
             }
         }
-        inks_near.near(*own, &mut near);
+        inks_near.near(*own, inks.len(), &mut met, &mut near, |_| true);
         for (mark, ink) in near.iter().map(|k| &inks[*k]) {
             // A level stroke without width has a box without area, so the plain test, not an intersection.
             let apart = ink.x0 > own.x1 || ink.x1 < own.x0 || ink.y0 > own.y1 || ink.y1 < own.y0;

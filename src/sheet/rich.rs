@@ -317,8 +317,15 @@ impl Rich {
     /// Advance width at `size` mm.
     #[must_use]
     pub fn width(&self, size: f64) -> f64 {
-        // Without the boxes of the ink, which cost far more than the advance.
-        self.run_through(size).pen
+        if self.is_arabic() || self.right_to_left {
+            return self.run_through(size).pen;
+        }
+        // Without runs and the boxes of their ink, which cost far more than the advance.
+        let mut setter = Setter { measures: true, ..Setter::new(size) };
+        for item in &self.items {
+            setter.piece(&item.piece);
+        }
+        setter.pen
     }
 
     /// The words between which a line may break.
@@ -450,16 +457,21 @@ pub(super) struct Setter {
     pub(super) pen: f64,
     pub(super) runs: Vec<Run>,
     pub(super) marks: Vec<Mark>,
+    /// Nothing is wanted but where the pen ends.
+    measures: bool,
 }
 
 impl Setter {
     pub(super) fn new(size: f64) -> Self {
-        Self { size, pen: 0.0, runs: Vec::new(), marks: Vec::new() }
+        Self { size, pen: 0.0, runs: Vec::new(), marks: Vec::new(), measures: false }
     }
 
     /// Sets characters at height `y`; returns where the pen ends. Leading blanks move the pen and go to
     /// the end of the run before: some viewers drop a blank at the start of a run.
     fn run(&mut self, text: &str, face: Face, size: f64, x: f64, y: f64) -> f64 {
+        if self.measures {
+            return x + face.advance(text, size);
+        }
         let trimmed = text.trim_start_matches(' ');
         let blank = face.advance(&text[..text.len() - trimmed.len()], size);
         if blank > 0.0
@@ -482,7 +494,7 @@ impl Setter {
             Piece::Vector(letter) => {
                 let start = self.pen;
                 self.pen = self.run(letter, Face::Italic, em, start, 0.0);
-                if let Some(ink) = Face::Italic.ink(letter, em) {
+                if let Some(ink) = Face::Italic.ink(letter, em).filter(|_| !self.measures) {
                     let y = ink.y0 - 0.17 * em;
                     let (x0, x1) = (start + ink.x0 + 0.06 * em, start + ink.x1 + 0.06 * em);
                     let tip = Point::new(x1, y);

@@ -177,8 +177,16 @@ pub fn round_up(least: f64) -> Option<f64> {
     }
 }
 
-/// `step × 10^exponent`, correctly rounded: decimal text is.
+/// `step × 10^exponent`, correctly rounded: decimal text is, and so is one operation on two exact numbers.
 fn shifted(step: f64, exponent: i32) -> f64 {
+    const POWERS: [f64; 23] = [
+        1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17,
+        1e18, 1e19, 1e20, 1e21, 1e22,
+    ];
+    // Of the steps those of one and more are exact, and the powers up to the 22nd.
+    if let Some(power) = POWERS.get(exponent.unsigned_abs() as usize).filter(|_| step >= 1.0) {
+        return if exponent < 0 { step / power } else { step * power };
+    }
     format!("{step}e{exponent}").parse().unwrap_or(0.0)
 }
 

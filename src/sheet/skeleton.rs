@@ -753,12 +753,12 @@ impl Artist<'_> {
                 let angle = turn.middle + turn.half * (f64::from(i) / f64::from(pieces) * 2.0 - 1.0);
                 let at = on_circle(turn.centre, turn.radius, angle);
                 let own = Rect::from_center_size(at, (1.0, 1.0));
-                cost += (ink.cost(own).0 + arcs.cost(own).0).min(60.0);
+                cost += (ink.cost_up_to(own, 60.0) + arcs.cost_up_to(own, 60.0)).min(60.0);
             }
             // Room for its name.
             let name = on_circle(turn.centre, turn.radius + 3.4, turn.middle);
             let own = Rect::from_center_size(name, (4.6, 3.0));
-            cost += (ink.cost(own).0 + arcs.cost(own).0).min(80.0);
+            cost += (ink.cost_up_to(own, 80.0) + arcs.cost_up_to(own, 80.0)).min(80.0);
             if best.as_ref().is_none_or(|(_, least)| cost < *least) {
                 best = Some((turn, cost));
             }

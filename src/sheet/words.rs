@@ -245,6 +245,17 @@ pub struct Words {
     pub centrodes_figure: &'static str,
     pub centrode_in: &'static str,
     pub centrodes_loci: &'static str,
+    // Diagrams of a sweep.
+    pub sweep: &'static str,
+    pub sweep_description: &'static str,
+    pub sweep_range: &'static str,
+    pub sweep_duration: &'static str,
+    pub sweep_numbers: &'static str,
+    pub in_unit: &'static str,
+    pub coordinate_of: &'static str,
+    pub path_of: &'static str,
+    pub hodograph_of: &'static str,
+    pub polar_of: &'static str,
 }
 
 const ENGLISH: Words = Words {
@@ -425,6 +436,16 @@ const ENGLISH: Words = Words {
     centrodes_figure: "Centrodes of {centre}",
     centrode_in: "locus in link {link}",
     centrodes_loci: "The locus of {centre} in link {fixed} is solid, that in link {moving} dashed. They touch in {centre}, and the second rolls on the first. The curves hold within {within}.",
+    sweep: "Sweep",
+    sweep_description: "Quantities over the input, paths, hodographs and polar diagrams",
+    sweep_range: "{symbol} from {from} to {to}",
+    sweep_duration: "in {time} at the given rate",
+    sweep_numbers: "the numbers {first} to {last} mark equal steps",
+    in_unit: "{symbol} in {unit}",
+    coordinate_of: "{axis} of {symbol}",
+    path_of: "Path of {symbol}",
+    hodograph_of: "Hodograph of {symbol}",
+    polar_of: "Polar diagram of {symbol} over {input}",
 };
 
 /// The usage of the Syrian textbooks.
@@ -606,6 +627,16 @@ const ARABIC: Words = Words {
     centrodes_figure: "المحل الهندسي للمركز {centre}",
     centrode_in: "المحل في الوصلة {link}",
     centrodes_loci: "محل {centre} في الوصلة {fixed} خط متصل، وفي الوصلة {moving} خط متقطع. يتماسان في {centre} ويتدحرج الثاني على الأول. دقة المنحنيين {within}.",
+    sweep: "مسح الحركة",
+    sweep_description: "المقادير بدلالة الدخل، والمسارات، والهودوغرافات، والمخططات القطبية",
+    sweep_range: "{symbol} من {from} إلى {to}",
+    sweep_duration: "خلال {time} بالمعدل المعطى",
+    sweep_numbers: "الأرقام من {first} إلى {last} تعلّم خطوات متساوية",
+    in_unit: "{symbol} بوحدة {unit}",
+    coordinate_of: "{axis} لـ {symbol}",
+    path_of: "مسار {symbol}",
+    hodograph_of: "هودوغراف {symbol}",
+    polar_of: "المخطط القطبي لـ {symbol} بدلالة {input}",
 };
 
 /// The usage of the Egyptian textbooks.
@@ -787,6 +818,16 @@ const ARABIC_AJALA: Words = Words {
     centrodes_figure: "المحل الهندسي للمركز {centre}",
     centrode_in: "المحل في الوصلة {link}",
     centrodes_loci: "محل {centre} في الوصلة {fixed} خط متصل، وفي الوصلة {moving} خط متقطع. يتماسان في {centre} ويتدحرج الثاني على الأول. دقة المنحنيين {within}.",
+    sweep: "مسح الحركة",
+    sweep_description: "المقادير بدلالة الدخل، والمسارات، والهودوغرافات، والمخططات القطبية",
+    sweep_range: "{symbol} من {from} إلى {to}",
+    sweep_duration: "خلال {time} بالمعدل المعطى",
+    sweep_numbers: "الأرقام من {first} إلى {last} تعلّم خطوات متساوية",
+    in_unit: "{symbol} بوحدة {unit}",
+    coordinate_of: "{axis} لـ {symbol}",
+    path_of: "مسار {symbol}",
+    hodograph_of: "هودوغراف {symbol}",
+    polar_of: "المخطط القطبي لـ {symbol} بدلالة {input}",
 };
 
 const PERSIAN: Words = Words {
@@ -967,4 +1008,14 @@ const PERSIAN: Words = Words {
     centrodes_figure: "مکان هندسی مرکز {centre}",
     centrode_in: "مکان هندسی در بند {link}",
     centrodes_loci: "مکان {centre} در بند {fixed} پیوسته و در بند {moving} خط‌چین است. در {centre} مماس‌اند و دومی روی اولی می‌غلتد. دقت منحنی‌ها {within} است.",
+    sweep: "پیمایش حرکت",
+    sweep_description: "کمیت‌ها برحسب ورودی، مسیرها، هودوگراف‌ها و نمودارهای قطبی",
+    sweep_range: "{symbol} از {from} تا {to}",
+    sweep_duration: "در {time} با آهنگ داده‌شده",
+    sweep_numbers: "شماره‌های {first} تا {last} گام‌های برابر را نشان می‌دهند",
+    in_unit: "{symbol} بر حسب {unit}",
+    coordinate_of: "{axis} از {symbol}",
+    path_of: "مسیر {symbol}",
+    hodograph_of: "هودوگراف {symbol}",
+    polar_of: "نمودار قطبی {symbol} بر حسب {input}",
 };

@@ -1,6 +1,8 @@
 //! The course of a mechanism over its input: where it goes, where it stops, what is extreme on the way.
 
-use super::{Column, Sweep};
+use std::f64::consts::PI;
+
+use super::{Column, InputKind, Sweep};
 use crate::board::{Moving, Place, Reason};
 use crate::mechanism::quantity::Quantity;
 
@@ -26,6 +28,11 @@ pub enum EventKind {
     ChangePoint,
     /// A divisor vanishes: speeds are not determined by the input.
     DeadPosition,
+    /// An instant centre is at infinity: its lines are parallel.
+    AtInfinity {
+        /// Index of the first of its columns.
+        column: usize,
+    },
     /// A column has its least value for the neighbourhood.
     Least {
         /// Index of the column.
@@ -78,6 +85,9 @@ fn halve(size: f64, mut low: f64, mut high: f64, mut left: impl FnMut(f64) -> bo
 /// either side.
 const STILL: f64 = 1e-6;
 
+/// An angle that is so far from the half turns it is measured from is measured from the next ones.
+const FAR: f64 = 0.75 * PI;
+
 struct Walker<'s> {
     sweep: &'s Sweep,
     place: Place,
@@ -89,6 +99,8 @@ struct View {
     chords: Vec<Moving>,
     divisors: Vec<Moving>,
     columns: Vec<Moving>,
+    /// Angles that go on, from the half turns that they are near.
+    turns: Vec<f64>,
 }
 
 impl View {
@@ -108,6 +120,7 @@ impl Walker<'_> {
         let program = &self.sweep.transcribed().program;
         program.look(at, signs, &mut self.place);
         View {
+            turns: program.turns(&self.place, signs).collect(),
             at,
             chords: program.chords(&self.place).collect(),
             divisors: program.divisors(&self.place).collect(),
@@ -155,7 +168,7 @@ impl Walker<'_> {
             // A half chord that shrinks and grows again may touch zero on the way.
             let direction = (next - before.at).signum();
             let mut touched = false;
-            for chord in 0..signs.len() {
+            for chord in 0..now.chords.len() {
                 let (a, b) = (before.chords[chord], now.chords[chord]);
                 if !(a.slope * direction < 0.0 && b.slope * direction >= 0.0) {
                     continue;
@@ -172,6 +185,9 @@ impl Walker<'_> {
                     let (end, _) = halve(size, before.at, low, |x| self.view(x, &signs).closes());
                     close(begin, end, &signs, apart);
                     events.push(self.limit(end, &signs));
+                    if self.sweep.input == InputKind::Time {
+                        return;
+                    }
                     let (_, edge) = halve(size, low, next, |x| !self.view(x, &signs).closes());
                     events.push(self.limit(edge, &signs));
                     (begin, apart) = (edge, true);
@@ -187,7 +203,22 @@ impl Walker<'_> {
                 signs[chord] = -signs[chord];
                 touched = true;
             }
-            if touched {
+            // An angle that comes near to half a turn more, or less, is measured from there, well before it could be
+            // taken for another.
+            let mut turned = false;
+            for turn in 0..now.turns.len() {
+                let side = now.turns[turn].signum();
+                if now.turns[turn].abs() <= FAR {
+                    continue;
+                }
+                let (low, _) =
+                    halve(size, before.at, next, |x| self.view(x, &signs).turns[turn].abs() <= FAR);
+                close(begin, low, &signs, apart);
+                begin = low;
+                signs[now.chords.len() + turn] += side;
+                turned = true;
+            }
+            if touched || turned {
                 now = self.view(next, &signs);
             }
             if now.closes() {
@@ -200,6 +231,10 @@ impl Walker<'_> {
                 close(begin, end, &signs, apart);
                 events.push(self.limit(end, &signs));
                 inside = false;
+                if self.sweep.input == InputKind::Time {
+                    // What drives it has come to a stop.
+                    return;
+                }
             }
             before = now;
         }
@@ -232,11 +267,34 @@ impl Walker<'_> {
             // A pole changes its sign as well, but does not vanish.
             let view = self.view(at, signs);
             let there = view.divisors[index].value.abs();
-            if there < a.abs().max(b.abs()) && view.is_clear() {
-                let reason = self.sweep.transcribed().program.reason_of_divisor(index);
-                events.push(Event { at, kind: EventKind::DeadPosition, reason });
+            if !(there < a.abs().max(b.abs()) && view.is_clear()) {
+                continue;
+            }
+            let reason = self.sweep.transcribed().program.reason_of_divisor(index);
+            match self.centre_of(index) {
+                None => events.push(Event { at, kind: EventKind::DeadPosition, reason }),
+                Some(column) => {
+                    // Other divisors on the way to a centre vanish where two of its lines become one: nothing happens
+                    // to the mechanism there.
+                    let far =
+                        |view: &View| view.columns[column].value.abs() + view.columns[column + 1].value.abs();
+                    if far(&view) > far(before) && far(&view) > far(now) {
+                        events.push(Event { at, kind: EventKind::AtInfinity { column }, reason: None });
+                    }
+                }
             }
         }
+    }
+
+    /// The first column of the only centre that a divisor leads to; `None` where it leads to anything else.
+    fn centre_of(&self, divisor: usize) -> Option<usize> {
+        let program = &self.sweep.transcribed().program;
+        let columns = &self.sweep.columns;
+        let mut led_to = (0..columns.len()).filter(|&column| program.behind(column).contains(&divisor));
+        let first = led_to.next()?;
+        let only = columns[first].is_centre()
+            && led_to.all(|column| columns[column].asked.quantity == columns[first].asked.quantity);
+        only.then_some(first)
     }
 
     fn extremes(&mut self, before: &View, now: &View, signs: &[f64], events: &mut Vec<Event>) {
@@ -257,7 +315,8 @@ impl Walker<'_> {
             let view = self.view(at, signs);
             let value = view.columns[index].value;
             let ascending = now.at > before.at;
-            let beyond = if ascending { a.slope > 0.0 } else { a.slope < 0.0 };
+            // Where the walk begins on the extreme itself its slope is zero: what comes after tells which it is.
+            let beyond = (a.slope < 0.0) != ascending;
             // Where a slope jumps, or passes through infinity, nothing is extreme.
             let vanishes = view.columns[index].slope.abs() <= STILL * a.slope.abs().max(b.slope.abs());
             let near = value.is_finite() && vanishes && view.is_clear();
@@ -281,7 +340,7 @@ fn is_extreme_of_interest(column: &Column) -> bool {
 /// Walks the whole range from the start, up and down.
 pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<Event>) {
     let [from, to] = sweep.range;
-    let signs = vec![1.0; sweep.transcribed().program.chord_count()];
+    let signs = sweep.transcribed().program.signs();
     let go = |end: f64| {
         let (mut stretches, mut events) = (Vec::new(), Vec::new());
         let mut walker = Walker { sweep, place: Place::default() };
@@ -289,7 +348,10 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         (stretches, events)
     };
     let (mut stretches, mut events);
-    if sweep.whole_turn {
+    if sweep.whole_turn && sweep.input == InputKind::Time {
+        // A period, from its beginning.
+        (stretches, events) = go(to);
+    } else if sweep.whole_turn {
         // Once round. Where the way up ends, the way down may still lead on, past the zero of the turn.
         (stretches, events) = go(start + (to - from));
         if stretches.iter().any(|s| s.apart) || stretches.last().is_none_or(|s| s.to < start + (to - from)) {
@@ -311,6 +373,9 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         stretches = down;
         stretches.extend(up);
     }
+    if sweep.whole_turn {
+        extremes_at_the_seam(sweep, start, looks, &stretches, &mut events);
+    }
     stretches.sort_by(|a, b| a.from.total_cmp(&b.from));
     stretches.dedup_by(|next, last| {
         let one = (last.to - next.from).abs() <= seam(sweep)
@@ -325,13 +390,64 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
     (stretches, events)
 }
 
+/// What is extreme just where the turn begins and ends has a slope of rounding at both ends of the walk: a look
+/// across finds it.
+fn extremes_at_the_seam(
+    sweep: &Sweep,
+    start: f64,
+    looks: u32,
+    stretches: &[Stretch],
+    events: &mut Vec<Event>,
+) {
+    let turn = sweep.range[1] - sweep.range[0];
+    let half = turn / f64::from(looks) / 2.0;
+    let home = |x: f64| {
+        let inside = x - turn * ((x - sweep.range[0]) / turn).floor();
+        if sweep.range[1] - inside < seam(sweep) { sweep.range[0] } else { inside }
+    };
+    let here = |x: f64| stretches.iter().find(|s| (s.from..=s.to).contains(&home(x)) && !s.apart);
+    let [Some(before), Some(after)] = [here(start - half), here(start + half)] else { return };
+    if before.signs != after.signs {
+        return;
+    }
+    let mut walker = Walker { sweep, place: Place::default() };
+    let mut found = Vec::new();
+    walker.go(&[start - half, start + half], before.signs.clone(), &mut Vec::new(), &mut found);
+    for event in found {
+        let (EventKind::Least { column, .. } | EventKind::Greatest { column, .. }) = event.kind else {
+            // Whatever else happens here was met on the way.
+            continue;
+        };
+        let same = |other: &Event| match other.kind {
+            EventKind::Least { column: of, .. } => {
+                of == column && matches!(event.kind, EventKind::Least { .. })
+            }
+            EventKind::Greatest { column: of, .. } => {
+                of == column && matches!(event.kind, EventKind::Greatest { .. })
+            }
+            _ => false,
+        };
+        let apart = |other: &Event| {
+            let way = (other.at - home(event.at)).abs();
+            way.min(turn - way)
+        };
+        if !events.iter().any(|other| same(other) && apart(other) < 2.0 * half) {
+            events.push(Event { at: home(event.at), ..event });
+        }
+    }
+}
+
 /// Places to look at, from `a` to `b`.
 fn nodes(a: f64, b: f64, looks: u32, whole: f64) -> Vec<f64> {
     if a == b {
         return Vec::new();
     }
     let count = (f64::from(looks) * ((b - a) / whole).abs()).ceil().max(1.0);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to LOOKS")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "1 to the looks of the sweep"
+    )]
     let count = count as u32;
     (0..=count)
         .map(|i| if i == count { b } else { a + (b - a) * (f64::from(i) / f64::from(count)) })

@@ -7,29 +7,46 @@
 //! extremes are found as roots of what the program reckons, by halving an interval down to neighbouring
 //! doubles, not by sampling; sampling only has to see that there is one.
 //!
-//! The input's rates are those of the scene at every place.
+//! Over the input its rates are those of the scene at every place. Over time ([`Over::Time`]) every input moves
+//! from the scene's instant on, with constant acceleration, and its rate with it.
+//!
+//! [`Sweep::with_bounds`] gives a bound for every number of every position.
 //!
 //! **Architecture Invariant:** nothing here knows paper, a file or the analytic solver.
 
+mod bounds;
 mod course;
 mod curve;
 mod positions;
 mod prepare;
 
-use crate::board::{LANES, Lane, Moving, Place};
+use crate::board::{LANES, Lane, Moving, Place, Variable};
 use crate::graphical::{DrawError, Transcribed, transcribe};
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::mechanism::{Input, LinkId, Mechanism};
-use crate::plan::{Extent, Plan};
+use crate::plan::{CentreSource, Extent, Plan};
 
+pub use bounds::SweepWithBounds;
 pub use course::{Event, EventKind, Stretch};
 pub use curve::Track;
 pub use positions::{PositionError, other_positions};
 
-/// What the input of a sweep measures.
+/// What a sweep goes over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Over {
+    /// The place of the first input.
+    #[default]
+    Input,
+    /// Time from the scene's instant, in which every input moves.
+    Time,
+}
+
+/// What is varied in a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InputKind {
+    /// Time, seconds from the scene's instant.
+    Time,
     /// The angle of a link, radians.
     Angle(LinkId),
     /// The place of a slide (by index) along its guide, metres.
@@ -77,6 +94,11 @@ impl Column {
         }
     }
 
+    /// An instant centre, which may go to infinity.
+    fn is_centre(&self) -> bool {
+        matches!(self.asked.quantity, Quantity::Centre(..))
+    }
+
     /// A quantity without a sense: the program goes on with the sign that it had in the drawing.
     fn is_unsigned(&self) -> bool {
         matches!(self.asked.quantity, Quantity::Rub(..) | Quantity::Transmission(..))
@@ -94,7 +116,7 @@ impl Column {
 /// The mechanism at one place of its input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Position {
-    /// The input, SI units.
+    /// The input or the time, SI units.
     pub at: f64,
     /// One number for each column, SI units; `None` where it is indeterminate here.
     pub values: Vec<Option<f64>>,
@@ -122,7 +144,7 @@ pub struct Sweep {
     pub range: [f64; 2],
     /// Where the scene's own position is in it.
     pub start: f64,
-    /// The range is one whole turn.
+    /// The range is one whole turn, after which everything comes again.
     pub whole_turn: bool,
     /// The columns, those asked for first.
     pub columns: Vec<Column>,
@@ -130,16 +152,28 @@ pub struct Sweep {
     pub stretches: Vec<Stretch>,
     /// What happens on the way, ascending.
     pub events: Vec<Event>,
-    /// The input's rate, SI units per second.
+    /// The rate of what is varied: the first input's, SI units per second; over time 1.
     pub rate: f64,
+    /// At how many places of the range to look.
+    looks: u32,
     transcribed: Transcribed,
+    /// The mechanism as it can move, what varies in it, and whence its centres come.
+    ready: (Mechanism, Variable, CentreSource),
+    /// How many of its asked quantities somebody asked for.
+    asked: usize,
+    /// Points of wheels are carried along by how far these have rolled.
+    rolls_on: bool,
 }
 
-/// How many places are looked at to see that something happens between two of them.
+/// How many places of a turn, or of a slide's range, are looked at to see that something happens between two of
+/// them.
 const LOOKS: u32 = 720;
 
-/// The most positions that sampling to a tolerance may take in one stretch.
-const MOST_HALVINGS: u32 = 12;
+/// No sweep goes over more turns.
+const MOST_TURNS: f64 = 100.0;
+
+/// How often sampling to a tolerance halves an interval: towards a limit places go as a root, and it takes many.
+const MOST_HALVINGS: u32 = 24;
 
 impl Sweep {
     /// Transcribes the drawing of a mechanism and walks the range of its first input: `range` in SI units,
@@ -148,13 +182,34 @@ impl Sweep {
     /// # Errors
     /// See [`SweepError`].
     pub fn new(mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Self, SweepError> {
-        let is_swept = |asked: &&Asked| !matches!(asked.quantity, Quantity::Centre(..));
-        let asked = mechanism.asked.iter().filter(is_swept).count();
-        let (mechanism, swept, start) = prepare::ready(mechanism)?;
+        Self::over(Over::Input, mechanism, range)
+    }
+
+    /// As [`Sweep::new`], over the input or over time; over time `range` is in seconds, else what the first input
+    /// takes for a whole turn, or a slide for as far as it may go.
+    ///
+    /// # Errors
+    /// See [`SweepError`].
+    pub fn over(over: Over, mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Self, SweepError> {
+        let asked = mechanism.asked.len();
+        let placed = mechanism;
+        let (mut mechanism, swept, start) = prepare::ready(placed)?;
         let structure = Structure::of(&mechanism)?;
-        prepare::refuse_rolled_points(&mechanism, &structure)?;
-        let plan = Plan::new(&mechanism, &structure, Extent::Asked);
-        let transcribed = transcribe(&mechanism, &structure, &plan, (swept, asked))?;
+        let starts = prepare::starts(placed, &mechanism, &structure)?;
+        let variable = match over {
+            Over::Input => Variable::Input(swept),
+            Over::Time => Variable::Time(prepare::laws(&mut mechanism)?),
+        };
+        let transcribe_from = |source: CentreSource| {
+            let plan = Plan::with(&mechanism, &structure, Extent::Asked, source);
+            transcribe(&mechanism, &structure, &plan, (variable.clone(), asked), &starts)
+        };
+        let mut source = CentreSource::Diagram;
+        let mut transcribed = transcribe_from(source)?;
+        if transcribed.stalled {
+            source = CentreSource::Velocities;
+            transcribed = transcribe_from(source)?;
+        }
         let mut columns = Vec::new();
         for (index, (asked_here, numbers)) in mechanism.asked.iter().zip(&transcribed.numbers).enumerate() {
             for axis in 0..*numbers {
@@ -172,8 +227,22 @@ impl Sweep {
             Input::Speed { link, .. } => (InputKind::Angle(link), 0.0),
             Input::Slide { slide, velocity, .. } => (InputKind::Slide(slide), velocity.value),
         };
-        let (range, start, whole_turn) = prepare::range(input, range, start, &mechanism)?;
+        // An angle goes round; a slide, and what moves in time, come to an end.
+        let range_is_free = range.is_none() && (over == Over::Time || matches!(input, InputKind::Slide(_)));
+        let (input, rate, range, start, whole_turn) = match &variable {
+            Variable::Input(_) => {
+                let (range, start, whole_turn) = prepare::range(input, range, start, &mechanism)?;
+                (input, rate, range, start, whole_turn)
+            }
+            Variable::Time(laws) => {
+                let (range, whole_turn) = prepare::span(input, range, laws, &mechanism)?;
+                (InputKind::Time, 1.0, range, 0.0, whole_turn)
+            }
+        };
+        // A wheel that has rolled on does not stand as before when the input comes round.
+        let whole_turn = whole_turn && starts.is_empty();
         let mut sweep = Self {
+            rolls_on: !starts.is_empty(),
             input,
             range,
             start,
@@ -182,18 +251,50 @@ impl Sweep {
             stretches: Vec::new(),
             events: Vec::new(),
             rate,
+            looks: looks(&variable, &mechanism, range)?,
             transcribed,
+            ready: (mechanism, variable, source),
+            asked,
         };
-        let (stretches, events) = course::walk(&sweep, start, LOOKS);
+        let (stretches, events) = course::walk(&sweep, start, sweep.looks);
         sweep.stretches = stretches;
         sweep.events = events;
+        if range_is_free {
+            sweep.end_where_it_ends();
+        }
         Ok(sweep)
+    }
+
+    /// Cuts a range that nobody stated down to what is reached without taking the mechanism apart.
+    fn end_where_it_ends(&mut self) {
+        let reached = || self.stretches.iter().filter(|s| !s.apart);
+        let from = reached().map(|s| s.from).fold(f64::INFINITY, f64::min);
+        let to = reached().map(|s| s.to).fold(f64::NEG_INFINITY, f64::max);
+        if from < to {
+            self.whole_turn &= self.range == [from, to];
+            self.range = [from, to];
+            self.stretches.retain(|s| !s.apart);
+            self.events.retain(|e| (from..=to).contains(&e.at));
+        }
+    }
+
+    /// At so many places of the range one sees everything that happens: as many for every turn.
+    #[must_use]
+    pub fn looks(&self) -> u32 {
+        self.looks
     }
 
     /// How many operations one position takes.
     #[must_use]
     pub fn operations(&self) -> usize {
         self.transcribed.lean.len()
+    }
+
+    /// Whether every meet is taken on the same side in two stretches: nothing has happened between them.
+    #[must_use]
+    pub fn is_one_assembly(&self, a: &Stretch, b: &Stretch) -> bool {
+        let chords = self.transcribed.program.chord_count();
+        a.signs.iter().take(chords).eq(b.signs.iter().take(chords))
     }
 
     /// The stretch in which a place lies.
@@ -214,16 +315,18 @@ impl Sweep {
     fn look(&self, at: f64, signs: &[f64], place: &mut Place) -> Vec<Option<Moving>> {
         let program = &self.transcribed.program;
         program.look(at, signs, place);
-        let clear = program.divisors(place).all(course::is_clear);
+        let clear: Vec<bool> = program.divisors(place).map(course::is_clear).collect();
+        let clear = |column: usize| program.behind(column).iter().all(|&divisor| clear[divisor]);
         program
             .asked(place)
             .zip(&self.columns)
-            .map(|(m, column)| {
+            .enumerate()
+            .map(|(index, (m, column))| {
                 let position = matches!(
                     column.asked.quantity,
                     Quantity::Position(_) | Quantity::Angle(_) | Quantity::Transmission(..)
                 );
-                (m.value.is_finite() && (clear || position)).then(|| column.counted(m))
+                (m.value.is_finite() && (position || clear(index))).then(|| column.counted(m))
             })
             .collect()
     }
@@ -234,12 +337,7 @@ impl Sweep {
         let program = &self.transcribed.lean;
         let mut block = program.block();
         let mut row = vec![0.0; self.columns.iter().filter(|c| !c.watched).count()];
-        for stretch in &self.stretches {
-            let inside: &[f64] = {
-                let from = places.partition_point(|p| *p < stretch.from);
-                let to = places.partition_point(|p| *p <= stretch.to);
-                &places[from..to.max(from)]
-            };
+        for (stretch, inside) in self.parts(places) {
             for chunk in inside.chunks(LANES) {
                 let mut lane: Lane = [chunk.last().copied().unwrap_or(0.0); LANES];
                 lane[..chunk.len()].copy_from_slice(chunk);
@@ -254,18 +352,35 @@ impl Sweep {
         }
     }
 
+    /// The places that lie in each stretch; one that lies between two belongs to the first.
+    fn parts<'a>(&'a self, places: &'a [f64]) -> impl Iterator<Item = (&'a Stretch, &'a [f64])> {
+        let mut taken = 0;
+        self.stretches.iter().map(move |stretch| {
+            let from = places.partition_point(|p| *p < stretch.from).max(taken);
+            let to = places.partition_point(|p| *p <= stretch.to).max(from);
+            taken = to;
+            (stretch, &places[from..to])
+        })
+    }
+
     /// Positions at these places, ascending; those that cannot be assembled are left out.
     #[must_use]
     pub fn positions(&self, places: &[f64]) -> Vec<Position> {
+        let mut positions = Vec::new();
+        self.each_position(places, |at, values| positions.push(Position { at, values: values.to_vec() }));
+        positions
+    }
+
+    /// As [`Sweep::positions`], without keeping them: `take` gets the place and one number for each column.
+    pub fn each_position(&self, places: &[f64], mut take: impl FnMut(f64, &[Option<f64>])) {
         let mut place = Place::default();
-        places
-            .iter()
-            .filter_map(|&at| {
-                let stretch = self.stretch_at(at)?;
-                let values = self.look(at, &stretch.signs, &mut place);
-                Some(Position { at, values: values.into_iter().map(|v| v.map(|m| m.value)).collect() })
-            })
-            .collect()
+        let mut values = Vec::new();
+        for &at in places {
+            let Some(stretch) = self.stretch_at(at) else { continue };
+            values.clear();
+            values.extend(self.look(at, &stretch.signs, &mut place).into_iter().map(|v| v.map(|m| m.value)));
+            take(at, &values);
+        }
     }
 
     /// `steps` equal steps over the range: one place more than steps.
@@ -273,11 +388,14 @@ impl Sweep {
     pub fn equal_steps(&self, steps: u32) -> Vec<f64> {
         let [from, to] = self.range;
         let steps = steps.max(1);
-        (0..=steps).map(|i| from + (to - from) * (f64::from(i) / f64::from(steps))).collect()
+        let whole = f64::from(steps);
+        // Weighted from both ends, so that both are met and round numbers stay round.
+        let between = |i: f64| from * ((whole - i) / whole) + to * (i / whole);
+        (0..=steps).map(|i| if i == steps { to } else { between(f64::from(i)) }).collect()
     }
 
     /// Places so close together that between two of them no column strays from the straight line by more
-    /// than `tolerance` times its own range.
+    /// than `tolerance` times its own range. What grows without end is followed up to twice its range elsewhere.
     #[must_use]
     pub fn adapted(&self, tolerance: f64) -> Vec<f64> {
         /// A stretch is first cut into so many parts.
@@ -289,9 +407,12 @@ impl Sweep {
             (at, values.into_iter().map(|v| v.map(|m| m.value)).collect::<Vec<_>>())
         };
         for stretch in &self.stretches {
-            let step = (stretch.to - stretch.from) / f64::from(PARTS);
-            let first: Vec<Node> =
-                (0..=PARTS).map(|i| look(stretch.from + step * f64::from(i), &stretch.signs)).collect();
+            let parts = PARTS * (self.looks / LOOKS);
+            let step = (stretch.to - stretch.from) / f64::from(parts);
+            let first: Vec<Node> = (0..=parts)
+                .map(|i| if i == parts { stretch.to } else { stretch.from + step * f64::from(i) })
+                .map(|at| look(at, &stretch.signs))
+                .collect();
             let ranges = ranges(&first);
             places.push(stretch.from);
             for pair in first.windows(2) {
@@ -375,10 +496,36 @@ impl Sweep {
     }
 }
 
+/// At how many places to look, by how often anything turns round in the range.
+fn looks(variable: &Variable, mechanism: &Mechanism, [from, to]: [f64; 2]) -> Result<u32, SweepError> {
+    let way = |input: &Input, index: usize| match (variable, input) {
+        (_, Input::Slide { .. }) => 0.0,
+        (Variable::Input(swept), _) => {
+            if *swept == index {
+                to - from
+            } else {
+                0.0
+            }
+        }
+        (Variable::Time(laws), _) => laws.get(index).map_or(0.0, |law| {
+            let fastest = [from, to].map(|t| (law.rate.value + law.acceleration.value * t).abs());
+            (to - from) * fastest[0].max(fastest[1])
+        }),
+    };
+    let ways = mechanism.inputs.iter().enumerate().map(|(index, input)| way(input, index));
+    let turns = (ways.fold(0.0, f64::max) / std::f64::consts::TAU).max(1.0);
+    if turns.is_nan() || turns > MOST_TURNS {
+        return Err(SweepError::Range(format!("the input turns more than {MOST_TURNS} times in this range")));
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most MOST_TURNS")]
+    let turns = turns.ceil() as u32;
+    Ok(LOOKS * turns)
+}
+
 type Node = (f64, Vec<Option<f64>>);
 
-/// Largest minus smallest value of each column.
-fn ranges(nodes: &[Node]) -> Vec<f64> {
+/// Smallest and largest value of each column.
+fn ranges(nodes: &[Node]) -> Vec<[f64; 2]> {
     let columns = nodes.first().map_or(0, |n| n.1.len());
     (0..columns)
         .map(|c| {
@@ -387,8 +534,8 @@ fn ranges(nodes: &[Node]) -> Vec<f64> {
             // Without the outermost twentieth: at a limit speeds grow without end.
             let cut = values.len() / 20;
             match (values.get(cut), values.get(values.len().saturating_sub(1 + cut))) {
-                (Some(low), Some(high)) => high - low,
-                _ => 0.0,
+                (Some(&low), Some(&high)) => [low, high],
+                _ => [0.0; 2],
             }
         })
         .collect()
@@ -398,14 +545,20 @@ fn divide(
     look: &mut impl FnMut(f64) -> Node,
     from: &Node,
     to: &Node,
-    ranges: &[f64],
+    ranges: &[[f64; 2]],
     tolerance: f64,
     left: u32,
     places: &mut Vec<f64>,
 ) {
     let middle = look(f64::midpoint(from.0, to.0));
     let strays = (0..ranges.len()).any(|c| match (from.1[c], middle.1[c], to.1[c]) {
-        (Some(a), Some(m), Some(b)) => (m - f64::midpoint(a, b)).abs() > tolerance * ranges[c],
+        (Some(a), Some(m), Some(b)) => {
+            let [low, high] = ranges[c];
+            let range = high - low;
+            // What has gone as far beyond its range grows without end, and is not followed.
+            let followed = (low - range..=high + range).contains(&m);
+            followed && (m - f64::midpoint(a, b)).abs() > tolerance * range
+        }
         _ => false,
     });
     if strays && left > 0 {

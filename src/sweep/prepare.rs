@@ -4,10 +4,15 @@
 use std::f64::consts::PI;
 
 use super::{InputKind, SweepError};
+use crate::board::Law;
 use crate::given::Given;
-use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
+use crate::graphical::{self, Scales};
+use crate::mechanism::quantity::{Answer, Asked, Method, Quantity, Unit};
 use crate::mechanism::structure::{GroupKind, Structure};
-use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider};
+use crate::mechanism::{
+    Direction, Form, GivenPoint, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider,
+};
+use crate::plan::{Extent, Plan};
 
 /// The mechanism without anything that holds at one instant only; the index of its first input; and where
 /// that input stands.
@@ -79,9 +84,7 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
         Some(Input::Slide { at: Some(at), .. }) => at.value,
         _ => return Err(SweepError::Instant("there is no input to sweep".to_owned())),
     };
-    // Whatever the method, the numbers are those of the polygons. A centre that passes through infinity has
-    // no course.
-    ready.asked.retain(|asked| !matches!(asked.quantity, Quantity::Centre(..)));
+    // Whatever the method, the numbers are those of the polygons.
     for asked in &mut ready.asked {
         asked.method = Method::Polygon;
     }
@@ -89,20 +92,61 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
     Ok((ready, 0, start))
 }
 
+/// The wheels of which more is wanted than their centre: where that goes follows from how far they have rolled.
+fn rolled<'m>(
+    mechanism: &'m Mechanism,
+    structure: &'m Structure,
+) -> impl Iterator<Item = (LinkId, PointId)> + 'm {
+    structure.groups.iter().filter_map(|group| match group.kind {
+        GroupKind::Wheel { wheel, centre, .. } | GroupKind::Rolling { wheel, centre, .. } => {
+            let guides = mechanism.slides.iter().any(|s| s.guide.link == wheel);
+            let more = guides || mechanism.link(wheel).points.len() > 1;
+            more.then_some((wheel, centre))
+        }
+        _ => None,
+    })
+}
+
 /// Where a wheel's points go follows from how far it has rolled, and no drawing of one position tells that.
 pub(super) fn refuse_rolled_points(mechanism: &Mechanism, structure: &Structure) -> Result<(), SweepError> {
-    for group in &structure.groups {
-        if let GroupKind::Wheel { wheel, .. } | GroupKind::Rolling { wheel, .. } = group.kind
-            && mechanism.link(wheel).points.len() > 1
-        {
-            let number = mechanism.link(wheel).number;
+    match rolled(mechanism, structure).next() {
+        Some((wheel, _)) => Err(SweepError::Instant(format!(
+            "where the points of wheel {} go follows from how far it has rolled, which a drawing of one position \
+             does not tell",
+            mechanism.link(wheel).number
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// Where the points of rolling wheels stand at the scene's instant; nothing where no wheel has points.
+pub(super) fn starts(
+    placed: &Mechanism,
+    ready: &Mechanism,
+    structure: &Structure,
+) -> Result<Vec<Option<GivenPoint>>, SweepError> {
+    let mut starts = Vec::new();
+    for (wheel, centre) in rolled(ready, structure) {
+        starts.resize(ready.points.len(), None);
+        let link = ready.link(wheel);
+        for &point in &link.points {
+            starts[point.0] = placed.point(point).place.exact();
+        }
+        if starts[centre.0].is_none() {
+            starts[centre.0] = match now(placed, Quantity::Position(centre))? {
+                Some(Answer::Vector { value, bound }) => Some(value.map(|x| Given::within(x, bound))),
+                _ => None,
+            };
+        }
+        let marked = link.points.iter().any(|&p| p != centre && starts[p.0].is_some());
+        if link.points.len() > 1 && !(marked && starts[centre.0].is_some()) {
             return Err(SweepError::Instant(format!(
-                "where the points of wheel {number} go follows from how far it has rolled, which a \
-                 drawing of one position does not tell"
+                "nothing says how wheel {} stands at the scene's instant: place one of its points",
+                link.number
             )));
         }
     }
-    Ok(())
+    Ok(starts)
 }
 
 /// Whether a pin rides on a guide of the frame.
@@ -165,6 +209,111 @@ fn watch(mechanism: &mut Mechanism) {
     }
 }
 
+/// How every input moves in time. An input given by the speed of a point becomes one given by its ω, as drawn at this
+/// instant: a constant ω, or what ε makes of it.
+pub(super) fn laws(mechanism: &mut Mechanism) -> Result<Vec<Law>, SweepError> {
+    for index in 0..mechanism.inputs.len() {
+        if let Input::Speed { link, angle, alpha, .. } = mechanism.inputs[index] {
+            let omega = omega_now(mechanism, link)?;
+            mechanism.inputs[index] = Input::Angle { link, angle, omega, alpha };
+        }
+    }
+    let laws: Vec<Law> = mechanism
+        .inputs
+        .iter()
+        .map(|input| match *input {
+            Input::Angle { omega: rate, alpha: acceleration, .. }
+            | Input::Speed { speed: rate, alpha: acceleration, .. }
+            | Input::Slide { velocity: rate, acceleration, .. } => Law { rate, acceleration },
+        })
+        .collect();
+    if laws.iter().all(|law| law.rate.value == 0.0 && law.acceleration.value == 0.0) {
+        return Err(SweepError::Instant(
+            "nothing moves in time: give the input a rate, such as \"omega\"".to_owned(),
+        ));
+    }
+    Ok(laws)
+}
+
+/// ω of a link as it is drawn at this instant, with its bound.
+fn omega_now(mechanism: &Mechanism, link: LinkId) -> Result<Given, SweepError> {
+    match now(mechanism, Quantity::Omega(link))? {
+        Some(Answer::Scalar { value, bound }) => Ok(Given::within(value, bound)),
+        _ => Err(SweepError::Instant("the speed of the input does not tell how fast it turns".to_owned())),
+    }
+}
+
+/// What a drawing of this instant says of a quantity.
+fn now(mechanism: &Mechanism, quantity: Quantity) -> Result<Option<Answer>, SweepError> {
+    let unit = Unit { symbol: String::new(), si: 1.0 };
+    let mut only = mechanism.clone();
+    only.asked = vec![Asked { name: String::new(), quantity, unit, method: Method::Polygon }];
+    let structure = Structure::of(&only)?;
+    let plan = Plan::new(&only, &structure, Extent::Asked);
+    let scales = Scales { length: 1.0, velocity: 1.0, acceleration: 1.0 };
+    let drawn = graphical::construct(&only, &structure, &plan, scales)?;
+    Ok(drawn.construction.answers.into_iter().next().map(|reading| reading.answer))
+}
+
+/// The span of time to walk, and whether everything comes again after it: in seconds from the scene's instant.
+pub(super) fn span(
+    input: InputKind,
+    stated: Option<[f64; 2]>,
+    laws: &[Law],
+    mechanism: &Mechanism,
+) -> Result<([f64; 2], bool), SweepError> {
+    let way = match input {
+        InputKind::Slide(_) => 2.0 * reach(mechanism),
+        _ => 2.0 * PI,
+    };
+    let turns = matches!(input, InputKind::Angle(_));
+    let uniform = laws.iter().all(|law| law.acceleration.value == 0.0) && laws.len() == 1;
+    let whole = laws.first().map_or(f64::INFINITY, |law| time_for(way, *law));
+    match stated {
+        Some([from, to]) if from < to && (to - from).is_finite() => {
+            if !(from..=to).contains(&0.0) {
+                let what = "the scene's own instant, 0, must lie in the span of time";
+                return Err(SweepError::Range(what.to_owned()));
+            }
+            Ok(([from, to], uniform && turns && from == 0.0 && to == whole))
+        }
+        Some(_) => Err(SweepError::Range("the range ends before it begins".to_owned())),
+        None if whole.is_finite() && whole > 0.0 => Ok(([0.0, whole], uniform && turns)),
+        None => Err(SweepError::Range(
+            "the first input stands still: say how long to look with --from and --to".to_owned(),
+        )),
+    }
+}
+
+/// When an input has first gone so far, to either side: |v t + a t²/2| = way. Without a difference of roots that
+/// nearly cancel.
+fn time_for(way: f64, law: Law) -> f64 {
+    // With v to the right; a speed that is lost and regained the other way counts as well.
+    let (v, a) =
+        (law.rate.value.abs(), law.acceleration.value * if law.rate.value < 0.0 { -1.0 } else { 1.0 });
+    if a == 0.0 {
+        return way / v;
+    }
+    let ahead = v * v + 2.0 * a * way;
+    if ahead >= 0.0 {
+        return 2.0 * way / (v + ahead.sqrt());
+    }
+    (v + (v * v - 2.0 * a * way).sqrt()) / -a
+}
+
+/// Longer than the mechanism can reach: the sum of its dimensions.
+fn reach(mechanism: &Mechanism) -> f64 {
+    let longest = |form: &Form| match form {
+        Form::Length(l) => l.value,
+        Form::Line(p) => p.iter().map(|x| x.value.abs()).fold(0.0, f64::max),
+        Form::Sides { first_second, third_first, .. } => first_second.value.max(third_first.value),
+        Form::Arms { second, third, .. } => second.value.max(third.value),
+        Form::Shape(p) => p.iter().flatten().map(|x| x.value.abs()).fold(0.0, f64::max),
+        Form::Placed | Form::Single => 0.0,
+    };
+    mechanism.links.iter().map(|link| longest(&link.form)).sum()
+}
+
 /// The range to walk, the start in it, and whether it is a whole turn.
 pub(super) fn range(
     input: InputKind,
@@ -176,29 +325,18 @@ pub(super) fn range(
     let range = match (stated, input) {
         (Some([from, to]), _) if from < to && (to - from).is_finite() => [from, to],
         (Some(_), _) => return Err(SweepError::Range("the range ends before it begins".to_owned())),
-        (None, InputKind::Angle(_)) => [0.0, turn],
+        (None, InputKind::Angle(_) | InputKind::Time) => [0.0, turn],
         (None, InputKind::Slide(_)) => {
-            let reach: f64 = mechanism
-                .links
-                .iter()
-                .map(|l| match &l.form {
-                    Form::Length(l) => l.value,
-                    Form::Line(p) => p.iter().map(|x| x.value.abs()).fold(0.0, f64::max),
-                    Form::Sides { first_second, third_first, .. } => {
-                        first_second.value.max(third_first.value)
-                    }
-                    Form::Arms { second, third, .. } => second.value.max(third.value),
-                    Form::Shape(p) => p.iter().flatten().map(|x| x.value.abs()).fold(0.0, f64::max),
-                    Form::Placed | Form::Single => 0.0,
-                })
-                .sum();
+            let reach = reach(mechanism);
             [start - 2.0 * reach, start + 2.0 * reach]
         }
     };
     let whole = matches!(input, InputKind::Angle(_)) && range[1] - range[0] == turn;
     let start = match input {
+        // Where the range is longer than a turn, how often the input has gone round may matter.
+        InputKind::Angle(_) if !whole && (range[0]..=range[1]).contains(&start) => start,
         InputKind::Angle(_) => start + turn * ((range[0] - start) / turn).ceil(),
-        InputKind::Slide(_) => start,
+        InputKind::Slide(_) | InputKind::Time => start,
     };
     // Rounding may put it a hair's breadth beyond.
     let start = if whole { start.clamp(range[0], range[1]) } else { start };
