@@ -915,12 +915,25 @@ fn a_number_that_no_walk_reaches_is_refused_at_once() {
         &["sweep", SIX, "--from", "nan", "--to", "1"][..],
         &["sweep", SIX, "--from", "0", "--to", "inf"],
         &["draw", SIX, "--dpi", "-5"],
+        &["draw", SIX, "--dpi", "300"],
+        &["draw", SIX, "--dpi", "300", "--format", "pdf"],
         &["solve", SIX, "--hand", "-1,0"],
         &["check", SIX, "--tolerance", "-1"],
     ] {
         let ran = run(wrong);
         assert!(ran.code == 2 && !ran.err.contains("tip:"), "{wrong:?}: {}", ran.err);
     }
+}
+
+/// A film is for browsers, which lack the typefaces: they are in it, unless something else is asked.
+#[test]
+fn a_film_brings_its_typefaces() {
+    let faces = |more: &[&str]| {
+        let film = run(&[&["draw", SIX, "--as", "steps", "--play"], more].concat());
+        assert_eq!(film.code, 0, "{}", film.err);
+        film.out.contains("@font-face")
+    };
+    assert!(faces(&[]) && !faces(&["--text", "live"]));
 }
 
 #[cfg(unix)]

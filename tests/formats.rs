@@ -258,6 +258,67 @@ fn arabic_lines_are_told_with_their_blanks() {
     assert!(lines.into_iter().any(|line| line == sentence));
 }
 
+/// One thing asked is not told as many; of two, Arabic has a dual.
+#[test]
+fn a_question_counts_what_it_asks() {
+    let path = sheets::root().join("examples/s000-ch4-1.json");
+    let mut text: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    for (find, told) in [
+        (&["v(B)"][..], ["the velocity VB", "السرعة VB", "السرعة VB", "سرعت VB"]),
+        (&["a(B)"], ["the acceleration AB", "التسارع AB", "العجلة AB", "شتاب AB"]),
+        (
+            &["alpha(3)", "alpha(2)"],
+            [
+                "the angular accelerations α3 and α2",
+                "التسارعان الزاويان α3 و α2",
+                "العجلتان الزاويتان α3 و α2",
+                "شتاب‌های زاویه‌ای α3 و α2",
+            ],
+        ),
+        (
+            &["v(A)", "v(B)", "v(G)"],
+            [
+                "the velocities VA, VB and VG",
+                "السرعات VA، VB و VG",
+                "السرعات VA، VB و VG",
+                "سرعت‌های VA، VB و VG",
+            ],
+        ),
+    ] {
+        text["find"] = find.into();
+        let scene = linkgram::scene::read(&text.to_string(), "x").unwrap();
+        let scales = sheet::scale::for_question;
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, scales).unwrap();
+        for (language, told) in Language::ALL.into_iter().zip(told) {
+            let figure = sheet::question(&scene, &solved.solution.construction, language);
+            let json = json::value(&figure);
+            let pages = json["pages"].as_array().unwrap();
+            let lines = pages.iter().flat_map(|page| list(page, "texts"));
+            let lines: Vec<&str> = lines.map(|t| t["text"].as_str().unwrap()).collect();
+            assert!(lines.contains(&told), "{language:?}: {told} is not among {lines:?}");
+        }
+    }
+}
+
+/// What is asked by two methods is one quantity, and a ratio is no velocity.
+#[test]
+fn a_question_tells_methods_and_ratios_apart() {
+    let path = sheets::root().join("examples/centres/four-bar.json");
+    let scene = linkgram::scene::read(&std::fs::read_to_string(path).unwrap(), "x").unwrap();
+    let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_question).unwrap();
+    let json = json::value(&sheet::question(&scene, &solved.solution.construction, Language::English));
+    let pages = json["pages"].as_array().unwrap();
+    let lines: Vec<&str> =
+        pages.iter().flat_map(|page| list(page, "texts")).map(|t| t["text"].as_str().unwrap()).collect();
+    for told in [
+        "the velocity VB\u{a0}(gauge line, link to link)",
+        "the angular velocity ω4\u{a0}(centres, line of centres)",
+        "the ratios ω4/ω2\u{a0}(centres) and T4/T2\u{a0}(centres)",
+    ] {
+        assert!(lines.contains(&told), "{told} is not among {lines:?}");
+    }
+}
+
 #[test]
 fn formats_have_their_names() {
     for format in Format::ALL {
@@ -327,9 +388,9 @@ mod acceptance {
     use std::sync::Mutex;
 
     fn scenes() -> Vec<PathBuf> {
-        let folders =
-            ["examples", "examples/centres", "examples/constructions", "examples/errata", "examples/pairs"];
-        let folders = folders.into_iter().chain(["src/catalogue", "src/sheet/tests"]);
+        let folders = ["", "/centres", "/constructions", "/errata", "/exam", "/pairs"];
+        let folders = folders.map(|folder| format!("examples{folder}")).into_iter();
+        let folders = folders.chain(["src/catalogue", "src/sheet/tests"].map(str::to_owned));
         let files = folders.flat_map(|folder| std::fs::read_dir(sheets::root().join(folder)).unwrap());
         let mut all: Vec<PathBuf> = files.map(|entry| entry.unwrap().path()).collect();
         all.retain(|path| path.extension().is_some_and(|e| e == "json"));

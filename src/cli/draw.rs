@@ -20,7 +20,7 @@ pub(super) struct Job {
     pub(super) play: bool,
     pub(super) paper: Option<String>,
     pub(super) lang: Option<String>,
-    pub(super) dpi: f32,
+    pub(super) dpi: Option<f32>,
     pub(super) settings: Settings,
     pub(super) theme: Option<String>,
     pub(super) text: Option<String>,
@@ -35,9 +35,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if let Some(unknown) = job.figure.iter().find_map(|name| unknown_figure(name)) {
         return Err(Failure(unknown));
     }
-    if !(job.dpi.is_finite() && (10.0..=2400.0).contains(&job.dpi)) {
-        return Err(Failure(format!("--dpi {}: choose between 10 and 2400", job.dpi)));
-    }
+    let dpi = resolution(job, &formats)?;
     files::spare(&job.scene, &job.output)?;
     let (_, mut scene) = read_scene(&job.scene)?;
     if let Some(paper) = &job.paper {
@@ -63,7 +61,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         language: language(job)?,
         settings: job.settings,
     };
-    let options = render::Options { theme: theme(job, scene)?, lettering, dpi: job.dpi };
+    let options = render::Options { theme: theme(job, scene)?, lettering, dpi };
     let impossible = |error: NoFigure| Failure(error.told(scene));
     if job.play {
         let frames = drawing::film(scene, &wish).map_err(impossible)?;
@@ -121,14 +119,29 @@ fn one_of(names: &[String]) -> String {
 }
 
 fn lettering(job: &Job, formats: &[Format]) -> Result<Lettering, Failure> {
-    let Some(name) = &job.text else { return Ok(Lettering::default()) };
+    let Some(name) = &job.text else {
+        // Only browsers play, and few have the typefaces.
+        return Ok(if job.play { Lettering::Embed } else { Lettering::default() });
+    };
     let known = Lettering::ALL.map(Lettering::name);
     let kind =
         Lettering::from_name(name).ok_or_else(|| Failure(unknown("kind of text", name, name, &known)))?;
     if !formats.contains(&Format::Svg) {
-        return Err(Failure(format!("--text {name} is for SVG, and none is written")));
+        return Err(Failure(format!("--text {name} is for SVG, and none is written: end a name in .svg")));
     }
     Ok(kind)
+}
+
+/// Dots per inch: what is asked, or what is usual.
+fn resolution(job: &Job, formats: &[Format]) -> Result<f32, Failure> {
+    let Some(dpi) = job.dpi else { return Ok(render::Options::default().dpi) };
+    if !(dpi.is_finite() && (10.0..=2400.0).contains(&dpi)) {
+        return Err(Failure(format!("--dpi {dpi}: choose between 10 and 2400")));
+    }
+    if !formats.contains(&Format::Png) {
+        return Err(Failure(format!("--dpi {dpi} is for PNG, and none is written: end a name in .png")));
+    }
+    Ok(dpi)
 }
 
 fn theme(job: &Job, scene: &Scene) -> Result<Theme, Failure> {

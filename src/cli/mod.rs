@@ -56,7 +56,8 @@ enum Command {
         /// What to draw: the question without its answers, the solution, or its steps one by one
         #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = Kind::Solution)]
         kind: Kind,
-        /// With --as steps: one SVG that plays them, without a script
+        /// With --as steps: one SVG that plays them, without a script; its typefaces are embedded unless --text
+        /// says otherwise
         #[arg(long)]
         play: bool,
         /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted
@@ -65,16 +66,16 @@ enum Command {
         /// Language of the sheet: en, ar, ar-x-ajala, fa
         #[arg(long, value_name = "LANG")]
         lang: Option<String>,
-        /// Resolution of a PNG
-        #[arg(long, value_name = "DPI", default_value_t = 150.0, allow_negative_numbers = true)]
-        dpi: f32,
+        /// Resolution of a PNG: 150 where nothing is said
+        #[arg(long, value_name = "DPI", allow_negative_numbers = true)]
+        dpi: Option<f32>,
         /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
         #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
         arith: Arithmetic,
         /// Colours: mono, colour or dark; what the scene says, or mono
         #[arg(long, value_name = "NAME")]
         theme: Option<String>,
-        /// Text of an SVG: live, outline (paths) or embed (with its typefaces)
+        /// Text of an SVG: live, outline (paths) or embed (with its typefaces); live where nothing is said
         #[arg(long, value_name = "KIND")]
         text: Option<String>,
         /// Format on standard output: svg, png, pdf, tex or json

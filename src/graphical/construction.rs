@@ -467,6 +467,13 @@ pub enum Label {
         /// 1, 2, …
         index: u8,
     },
+    /// c_I, c_II: the image of a point in one of two trial polygons.
+    Trial {
+        /// The point.
+        point: PointId,
+        /// Whether it is the second of them.
+        second: bool,
+    },
 }
 
 /// A labelled point of a polygon.
@@ -683,14 +690,16 @@ pub enum Act {
         /// The constraint that is left open.
         closing: Closing,
     },
-    /// Draw two trial polygons: with the trial driver at rest, and with a rate assumed.
+    /// Draw two trial polygons.
     TryPolygon {
         /// The trial driver.
         driver: LinkId,
+        /// The constraint that is left open.
+        closing: Closing,
         /// Velocity or acceleration.
         order: Order,
-        /// The assumed ω or ε, SI.
-        rate: f64,
+        /// The assumed ω or ε of the one and of the other, SI, signed.
+        rates: [f64; 2],
     },
     /// The rate of the trial driver, by proportion.
     TrialRate {

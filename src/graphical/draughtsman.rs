@@ -471,6 +471,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         if corners.len() > 2
             && let Some(polygon) = self.polygon_mut(order)
         {
+            // A link of a group of higher class is drawn by a group inside it before the whole is noted.
+            polygon.link_images.retain(|image| image.link != link);
             polygon.link_images.push(LinkImage { link, corners });
         }
     }

@@ -33,7 +33,7 @@ use crate::board::{
 use crate::double_double::DoubleDouble;
 use crate::given::Given;
 use crate::mechanism::structure::{GroupKind, Structure};
-use crate::mechanism::{Input, LinkId, Mechanism, PointId};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Roll};
 use crate::plan::Plan;
 use construction::{Construction, ConstructionLine, OtherPosition, Polygon, TransferInk};
 use draughtsman::Draughtsman;
@@ -54,6 +54,8 @@ pub struct Scales {
 pub struct Extents {
     /// Width and height of the skeleton, m.
     pub space: [f64; 2],
+    /// Width and height of the skeleton with its pitch circles, m.
+    pub rims: [f64; 2],
     /// Where the skeleton's lower left corner lies, from its origin, m.
     pub least: [f64; 2],
     /// Width and height of the skeleton with the other positions that it shows, m.
@@ -314,11 +316,11 @@ pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Res
     // A tangency can only be told from a miss with a tape; it is rare, so try without one first.
     let bare = || {
         draw(Board::<Trial>::new(Blank), mechanism, structure, plan, scales)
-            .map(|d| measure(d.record(), scales))
+            .map(|d| measure(d.record(), mechanism, scales))
     };
     let taped = || {
         draw(Board::<Recorded>::new(Tape::default()), mechanism, structure, plan, scales)
-            .map(|d| measure(d.record(), scales))
+            .map(|d| measure(d.record(), mechanism, scales))
     };
     bare().or_else(|_| taped()).map_err(|error| with_range(error, mechanism, structure, plan))
 }
@@ -434,7 +436,7 @@ fn provisional_scales(mechanism: &Mechanism) -> Scales {
     Scales { length: per_mm(size), velocity: per_mm(speed), acceleration: per_mm(acceleration) }
 }
 
-fn measure(record: &Construction, scales: Scales) -> Extents {
+fn measure(record: &Construction, mechanism: &Mechanism, scales: Scales) -> Extents {
     let extent = |points: &mut dyn Iterator<Item = [f64; 2]>, start: Option<[f64; 2]>, scale: f64| {
         let mut bounds: Option<[[f64; 2]; 2]> = start.map(|p| [p, p]);
         for p in points {
@@ -468,10 +470,13 @@ fn measure(record: &Construction, scales: Scales) -> Extents {
     let longest = arrows.fold(0.0, f64::max);
     let places = || record.space.places.iter().flatten().copied();
     let space = extent(&mut places(), None, scales.length);
+    let wheels = mechanism.rolls.iter().flat_map(|roll| pitch_circle_corners(roll, record, scales));
+    let rims = extent(&mut places().chain(wheels), None, scales.length);
     let least = [0, 1].map(|axis| places().map(|at| at[axis] * scales.length).fold(f64::INFINITY, f64::min));
     let least = least.map(|x| if x.is_finite() { x } else { 0.0 });
     Extents {
         space,
+        rims,
         least,
         positions: space,
         velocity: match &record.velocity {
@@ -480,6 +485,20 @@ fn measure(record: &Construction, scales: Scales) -> Extents {
         },
         acceleration: polygon(&record.acceleration, scales.acceleration),
     }
+}
+
+/// Opposite corners of the squares about the pitch circles of a roll, on paper.
+fn pitch_circle_corners(roll: &Roll, record: &Construction, scales: Scales) -> Vec<[f64; 2]> {
+    let circles = match roll {
+        Roll::Circles { centres, radii, .. } => [0, 1].map(|i| (centres[i], radii[i].value)).to_vec(),
+        Roll::Line { centre, radius, .. } => vec![(*centre, radius.value)],
+    };
+    let corners = circles.into_iter().filter_map(|(centre, radius)| {
+        let [x, y] = (*record.space.places.get(centre.0)?)?;
+        let r = radius / scales.length;
+        Some([[x - r, y - r], [x + r, y + r]])
+    });
+    corners.flatten().collect()
 }
 
 /// Adds to a chain that does not close the range of the input in which it does, found by turning the

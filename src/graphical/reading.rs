@@ -294,7 +294,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         let found_with = match head.0 {
             Label::Image { point, .. } => home(self.mechanism, self.structure, point),
-            Label::Pole | Label::Foot { .. } => None,
+            Label::Pole | Label::Foot { .. } | Label::Trial { .. } => None,
         };
         self.step(order, found_with.as_slice(), Vec::new());
         let vector = self.note_vector(order, (kind, quantity, None), tail, head);

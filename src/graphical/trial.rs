@@ -8,10 +8,10 @@
 //! the open constraint is found on a scratch board, laid on the real one, and corrected there by one step of
 //! the rule of false position, which leaves on the tape how the place hangs on every given number.
 //!
-//! *Velocity*: two trial polygons, one with the trial driver at rest and one with it turning at any rate. As
-//! the rate changes, the image of the open end moves along the straight line through its two trial images
-//! (every velocity is linear in the rate). Where that line meets the line of the open constraint lies the
-//! image; by proportion the rate, and with it the true polygon.
+//! *Velocity*: two trial polygons, with the trial driver turning at any two rates. As the rate changes, the
+//! image of the open end moves along the straight line through its two trial images (every velocity is linear
+//! in the rate). Where that line meets the line of the open constraint lies the image; by proportion the rate,
+//! and with it the true polygon.
 //!
 //! *Acceleration*: in the same way, with the trial driver's angular acceleration.
 
@@ -39,6 +39,8 @@ const ROOT: f64 = 1e-4;
 const SAME_PLACE: f64 = 1e-4;
 /// Paper length of a trial vector, millimetres.
 const TRIAL_VECTOR: f64 = 50.0;
+/// A rate below this part of the one that gives such a vector is too small to try others near it.
+const LEAST_RATE: f64 = 1e-3;
 
 /// A way to close the group: the trial driver's angle and the sides that its inner groups take.
 struct Root {
@@ -411,25 +413,32 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let steps = trial_steps(&trial, step, self.mechanism);
         self.board.purpose("polygon by trial");
         let links: Vec<LinkId> = trial.groups.iter().flat_map(|g| g.links.clone()).collect();
-        // A first guess shows how large the rate will be; the trial that is kept has a round rate near it,
-        // so that the trial images lie near the true one.
+        // A first guess shows how large the rate will be; the trials that are kept have round rates on both
+        // sides of it, so that the trial images lie near the true one and the polygon fills its panel.
         self.silent = true;
         let guess = self.trial_rate(order, &trial);
-        let rough = self.rate_by_trial(order, &trial, &steps, guess).value();
+        let rough = self.rate_by_trial(order, &trial, &steps, [0.0, guess]).value();
         self.silent = false;
-        let assumed = round_near(rough).unwrap_or(guess);
+        let large = rough.is_normal() && rough.abs() > LEAST_RATE * guess;
+        let rates = if large { around(rough) } else { [0.0, guess] };
         self.step(order, &links, Vec::new());
-        self.act(Act::TryPolygon { driver: trial.driver, order, rate: assumed });
-        let rate = self.rate_by_trial(order, &trial, &steps, assumed);
+        self.act(Act::TryPolygon { driver: trial.driver, closing: trial.closing, order, rates });
+        let rate = self.rate_by_trial(order, &trial, &steps, rates);
         self.act(Act::TrialRate { driver: trial.driver, order, rate: rate.value() });
         self.polygon_at(order, &trial, &steps, rate);
         self.close(order, &trial);
     }
 
-    /// The trial driver's rate, by two trial polygons: at rest, and at an assumed rate.
-    fn rate_by_trial(&mut self, order: Order, trial: &Trial, steps: &[GroupStep], assumed: f64) -> Amount<B> {
+    /// The trial driver's rate, by two trial polygons with assumed rates.
+    fn rate_by_trial(
+        &mut self,
+        order: Order,
+        trial: &Trial,
+        steps: &[GroupStep],
+        assumed: [f64; 2],
+    ) -> Amount<B> {
         let mark = self.mark();
-        let rates = [0.0, assumed].map(|rate| self.board.amount(Given::exact(rate)));
+        let rates = assumed.map(|rate| self.board.amount(Given::exact(rate)));
         let loud = !self.silent;
         let trials = rates.map(|rate| {
             self.silent = true;
@@ -447,15 +456,17 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let links: Vec<LinkId> = trial.groups.iter().flat_map(|g| g.links.clone()).collect();
         let reason = self.reason(&links);
         match (trials, trial.closing) {
-            ([(Some(rest), _), (Some(turning), _)], Closing::Rod { .. } | Closing::Slide { .. }) => {
-                self.rate_by_images(order, trial, [rest, turning], rates[1], reason)
+            ([(Some(first), _), (Some(second), _)], Closing::Rod { .. } | Closing::Slide { .. }) => {
+                self.rate_by_images(order, trial, [first, second], rates, reason)
             }
-            ([(_, Some(rest)), (_, Some(turning))], Closing::Angle { input, .. }) => {
+            ([(_, Some(first)), (_, Some(second))], Closing::Angle { input, .. }) => {
                 let given = self.given_rate(order, input);
-                let wanted = self.board.difference(given, rest);
-                let gained = self.board.difference(turning, rest);
+                let wanted = self.board.difference(given, first);
+                let gained = self.board.difference(second, first);
                 let part = self.board.quotient(wanted, gained, reason);
-                self.board.product(part, rates[1])
+                let step = self.board.difference(rates[1], rates[0]);
+                let further = self.board.product(part, step);
+                self.board.sum(rates[0], further)
             }
             _ => rates[0],
         }
@@ -466,8 +477,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         &mut self,
         order: Order,
         trial: &Trial,
-        [rest, turning]: [Point<B>; 2],
-        unit: Amount<B>,
+        [first, second]: [Point<B>; 2],
+        rates: [Amount<B>; 2],
         reason: crate::board::Reason,
     ) -> Amount<B> {
         let (unknown, end) = closing_unknown(trial.closing);
@@ -475,16 +486,17 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.silent = true;
         let ray = self.closing_line(order, unknown, end);
         self.silent = !loud;
-        let (along, whole) = self.board.toward(rest, turning, reason);
-        let meet = self.board.meet_lines(Line { through: rest, along }, ray, reason);
-        for (index, at) in [rest, turning].into_iter().enumerate() {
-            let index = u8::try_from(index).unwrap_or(0) + if order == Order::Acceleration { 3 } else { 1 };
-            self.note_foot(order, Label::Foot { point: end, link: None, index }, at);
+        let (along, whole) = self.board.toward(first, second, reason);
+        let meet = self.board.meet_lines(Line { through: first, along }, ray, reason);
+        for (at, second) in [(first, false), (second, true)] {
+            self.note_foot(order, Label::Trial { point: end, second }, at);
         }
-        self.note_trial_line(order, rest, turning);
-        self.note_trial_line(order, rest, meet.at);
+        self.note_trial_line(order, first, second);
+        self.note_trial_line(order, first, meet.at);
         let part = self.board.ratio(meet.along[0], whole, reason);
-        self.board.part_of(unit, part)
+        let step = self.board.difference(rates[1], rates[0]);
+        let further = self.board.part_of(step, part);
+        self.board.sum(rates[0], further)
     }
 
     /// Reads what the open constraint has become in the true polygon: ω or ε of the closing rod, the sliding.
@@ -510,15 +522,17 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 }
 
-/// A round number (1, 2, 5 × 10ⁿ) of the size of a value and of its sign.
-fn round_near(value: f64) -> Option<f64> {
-    if !value.is_normal() {
-        return None;
-    }
-    let power = libm::pow(10.0, libm::floor(libm::log10(value.abs())));
-    let part = value.abs() / power;
-    let round = [1.0, 2.0, 5.0, 10.0].into_iter().find(|r| part <= *r)?;
-    Some(round * power * value.signum())
+/// Two round numbers of the sign of a value, one on each side of it and neither at it.
+fn around(value: f64) -> [f64; 2] {
+    const ROUND: [f64; 9] = [0.7, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0];
+    /// A trial that happens to be the answer shows nothing.
+    const APART: f64 = 0.05;
+    let size = value.abs();
+    let power = libm::pow(10.0, libm::floor(libm::log10(size)));
+    let part = size / power;
+    let below = ROUND.into_iter().rev().find(|round| *round <= part * (1.0 - APART));
+    let above = ROUND.into_iter().find(|round| *round >= part * (1.0 + APART));
+    [below.unwrap_or(ROUND[0]), above.unwrap_or(ROUND[8])].map(|round| round * power * value.signum())
 }
 
 fn closing_unknown(closing: Closing) -> (Unknown, PointId) {
@@ -600,4 +614,26 @@ fn halve(
         if (value <= 0.0) == negative { low = middle } else { high = middle }
     }
     (last < ROOT).then(|| f64::midpoint(low, high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::around;
+
+    #[test]
+    fn trial_rates_are_round_and_enclose_the_value() {
+        for (value, trials) in [
+            (2.17, [2.0, 3.0]),
+            (85.8, [70.0, 100.0]),
+            (-12.9, [-10.0, -15.0]),
+            (1.0, [0.7, 1.5]),
+            (9.9, [7.0, 15.0]),
+            (0.003, [0.002, 0.005]),
+        ] {
+            let found = around(value);
+            for (found, trial) in found.into_iter().zip(trials) {
+                assert!((found / trial - 1.0).abs() < 1e-12, "{value}: {found}");
+            }
+        }
+    }
 }

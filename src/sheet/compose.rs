@@ -30,10 +30,16 @@ const LEADING: f64 = 4.9;
 const ARABIC_LEADING: f64 = 5.5;
 /// Blank between the letters of two lines, at least.
 const BETWEEN_LINES: f64 = 0.3;
+/// The steps begin on a page that has so much room left: for a head and some lines in both columns.
+const LEAST_COLUMN: f64 = 28.0;
 /// The result table stands beside the skeleton if it is no taller than this.
 const TALLEST_BESIDE: f64 = 112.0;
 /// The lines of a legend below a drawing may be as wide as this.
 const LEGEND: f64 = 80.0;
+/// Blank below a row of panels.
+const BELOW_ROW: f64 = 6.0;
+/// Rows of panels are moved apart by this at most.
+const MOST_SPREAD: f64 = 16.0;
 /// Everything.
 const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.
@@ -829,6 +835,21 @@ impl Pager {
         }
     }
 
+    /// Moves the rows of a page apart where the next one does not fit on it: what is left blank is not all below.
+    fn spread(&mut self, begins: &[usize]) {
+        let left = self.bottom() - (self.y - BELOW_ROW);
+        let gap = (left / (begins.len() as f64 + 1.0)).min(MOST_SPREAD);
+        let Some(page) = self.pages.last_mut() else { return };
+        for (i, begin) in begins.iter().enumerate() {
+            let end = begins.get(i + 1).copied().unwrap_or(page.children.len());
+            for node in &mut page.children[*begin..end] {
+                if let Node::Group(group) = node {
+                    group.translate(Vec2::new(0.0, gap * (i as f64 + 1.0)));
+                }
+            }
+        }
+    }
+
     /// Panels in their order, side by side where they fit.
     fn rows(&mut self, blocks: &[Block]) {
         let mut rows: Vec<Vec<&Block>> = Vec::new();
@@ -839,11 +860,16 @@ impl Pager {
                 _ => rows.push(vec![block]),
             }
         }
+        // Where each row of this page begins among its pieces.
+        let mut begins: Vec<usize> = Vec::new();
         for row in rows {
             let height = row.iter().map(|b| b.height).fold(0.0, f64::max);
             if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
+                self.spread(&begins);
+                begins.clear();
                 self.page();
             }
+            begins.push(self.pages.last().map_or(0, |page| page.children.len()));
             let blank = self.width() - row.iter().map(|b| b.width).sum::<f64>();
             let between = blank / (row.len() as f64 + 1.0);
             let mut x = MARGIN + between;
@@ -855,7 +881,7 @@ impl Pager {
                 self.add(block.group.clone(), self.indented(x, block.width), y + down);
                 x += block.width + between;
             }
-            self.y += height + 6.0;
+            self.y += height + BELOW_ROW;
         }
     }
 
@@ -912,7 +938,7 @@ impl Pager {
         if chunks.is_empty() {
             return;
         }
-        if self.bottom() - self.y < 40.0 {
+        if self.bottom() - self.y < LEAST_COLUMN {
             self.page();
         }
         let mut rest = &chunks[..];

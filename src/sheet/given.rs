@@ -336,8 +336,10 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         words.asked_centres,
         words.asked_velocities,
         words.asked_omegas,
+        words.asked_ratios,
         words.asked_rubbing,
         words.asked_accelerations,
+        words.asked_radii,
         words.asked_alphas,
     ];
     let kind = |quantity: Quantity| match quantity {
@@ -346,19 +348,35 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         Quantity::Transmission(..) => 2,
         Quantity::Centre(..) => 3,
         Quantity::Omega(_) | Quantity::RelativeOmega(..) => 5,
-        Quantity::Rub(..) => 6,
-        Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => 8,
-        other if other.order() == Order::Acceleration => 7,
+        Quantity::Ratio(..) | Quantity::Advantage(..) => 6,
+        Quantity::Rub(..) => 7,
+        Quantity::PathRadius(_) => 9,
+        Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => 10,
+        other if other.order() == Order::Acceleration => 8,
         _ => 4,
     };
-    let mut lists: [Vec<Rich>; 9] = Default::default();
+    // A quantity that is asked by several methods is one quantity.
+    let mut lists: [Vec<(Quantity, Vec<&str>)>; 11] = Default::default();
     for asked in &notation.mechanism().asked {
-        lists[kind(asked.quantity)].push(notation.symbol(asked.quantity, false));
+        let list = &mut lists[kind(asked.quantity)];
+        let method = notation.method(asked.method);
+        match list.iter_mut().find(|(quantity, _)| *quantity == asked.quantity) {
+            Some((_, methods)) => methods.extend(method),
+            None => list.push((asked.quantity, method.into_iter().collect())),
+        }
     }
+    let name = |(quantity, methods): &(Quantity, Vec<&str>)| {
+        let symbol = notation.symbol(*quantity, false);
+        match methods.as_slice() {
+            [] => symbol,
+            methods => symbol.up(&format!("\u{a0}({})", methods.join(words.comma))),
+        }
+    };
     let told = kinds.into_iter().zip(lists).filter(|(_, list)| !list.is_empty());
     told.map(|(what, list)| {
-        let list = ("list", Rich::join(&list, &Rich::upright(words.comma)));
-        Rich::fill(words.asked, &[("what", Rich::upright(what)), list])
+        let what = what[list.len().min(what.len()) - 1];
+        let list: Vec<Rich> = list.iter().map(name).collect();
+        Rich::fill(words.asked, &[("what", Rich::upright(what)), ("list", notation.list(&list))])
     })
     .collect()
 }

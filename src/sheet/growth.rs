@@ -42,7 +42,7 @@ pub fn after(construction: &Construction, mechanism: &Mechanism, last: usize) ->
 fn point_of(label: Label) -> Option<PointId> {
     match label {
         Label::Image { point, .. } => Some(point),
-        Label::Pole | Label::Foot { .. } => None,
+        Label::Pole | Label::Foot { .. } | Label::Trial { .. } => None,
     }
 }
 
@@ -71,6 +71,9 @@ fn is_placed(construction: &Construction, mechanism: &Mechanism, point: PointId,
 fn known_images(polygon: &Polygon, steps: &[crate::graphical::construction::Step]) -> HashSet<Label> {
     let mut known: HashSet<Label> = polygon.vectors.iter().flat_map(|v| [v.tail, v.head]).collect();
     for step in steps.iter().filter(|step| step.order == polygon.order) {
+        if step.acts.iter().any(|act| matches!(act, Act::TryPolygon { .. })) {
+            known.extend(polygon.images.iter().map(|i| i.label).filter(|l| matches!(l, Label::Trial { .. })));
+        }
         known.extend(step.acts.iter().filter_map(|act| match act {
             Act::MarkMeet { label, .. }
             | Act::DivideImage { label, .. }

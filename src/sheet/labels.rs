@@ -19,6 +19,12 @@ const CLEARANCE: f64 = 0.55;
 const WORD: f64 = 1.6;
 /// Cost of touching ink or another label: more than any preference.
 const TOUCH: f64 = 1000.0;
+/// Cost of standing nearer to another named point: more than a leader that crosses two lines.
+const MISREAD: f64 = 75.0;
+/// What else is named is this much further away than what a name names, or the name might be its.
+const BESIDE: f64 = 1.0;
+/// Lines no further apart than this are named side by side.
+const TOGETHER: f64 = 0.8;
 /// Passes of repair; each label moves to its best place given all others.
 const PASSES: usize = 8;
 /// Moves by which a crowd is untangled: where so many do not suffice there is no room.
@@ -755,11 +761,14 @@ impl Market<'_> {
                 candidate.touches_ink = true;
             }
         }
-        let Some(own) = body.boxes(candidate.centre).next() else { return };
+        // A name that is tied to what it names is no stranger's.
+        if candidate.leader.is_some() {
+            return;
+        }
+        let Some(own) = body.boxes(candidate.centre).reduce(|a, b| a.union(b)) else { return };
         match self.requests[index].sites[candidate.site] {
-            Site::Around { .. } if candidate.leader.is_some() => {}
             Site::Around { at, .. } => {
-                let clear = distance(own, at) + 1.0;
+                let clear = distance(own, at) + BESIDE;
                 let stranger = |i: usize| {
                     let (j, p) = strangers.points[i];
                     j != index && p.distance(at) > 0.2
@@ -771,17 +780,24 @@ impl Market<'_> {
                     if far < clear {
                         candidate.cost += 25.0 + 10.0 * (clear - far);
                     }
+                    if far + BESIDE < clear {
+                        candidate.cost += MISREAD;
+                    }
                 }
             }
             Site::Along { from, to } => {
-                let clear = to_line(own.center(), from, to) + 2.0;
-                let reach = Rect::from_center_size(own.center(), (2.0 * clear, 2.0 * clear));
+                let clear = gap(own, from, to) + BESIDE;
                 let stranger = |i: usize| strangers.lines[i].0 != index;
+                let reach = own.inflate(clear, clear);
                 strangers.line_grid.near(reach, strangers.lines.len(), met, near, stranger);
                 for (_, a, b) in near.iter().map(|i| strangers.lines[*i]) {
-                    let far = to_line(own.center(), a, b);
+                    let far = gap(own, a, b);
                     if far < clear {
-                        candidate.cost += 4.0 + 6.0 * (clear - far).min(4.0);
+                        candidate.cost += 4.0 + 6.0 * (clear - far);
+                    }
+                    // Of two lines that nearly fall together the names stand beside both.
+                    if far + BESIDE + TOGETHER < clear {
+                        candidate.cost += MISREAD;
                     }
                 }
             }
@@ -819,6 +835,16 @@ impl Strangers {
 enum Reach {
     Near,
     Far,
+}
+
+/// How far a box is from a stroke; zero where they meet.
+fn gap(own: Rect, a: Point, b: Point) -> f64 {
+    if clip(a, b, own).is_some() {
+        return 0.0;
+    }
+    let corners = [(own.x0, own.y0), (own.x1, own.y0), (own.x1, own.y1), (own.x0, own.y1)];
+    let corners = corners.into_iter().map(|corner| to_line(corner.into(), a, b));
+    corners.chain([distance(own, a), distance(own, b)]).fold(f64::INFINITY, f64::min)
 }
 
 fn to_line(p: Point, a: Point, b: Point) -> f64 {
@@ -947,6 +973,26 @@ mod tests {
         let mut texts = 0;
         ink.walk(&mut |node| texts += usize::from(matches!(node, Node::Text(_))));
         assert_eq!(texts, 12);
+    }
+
+    /// Two lines close to each other are named from outside, each on its own side.
+    #[test]
+    fn a_name_stands_nearer_to_its_own_line() {
+        let mut ink = Group::default();
+        let lines = [0.0, 1.2].map(|x| (Point::new(x, 0.0), Point::new(x, 13.0)));
+        for (from, to) in lines {
+            ink.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.25)));
+        }
+        let named =
+            |(from, to)| Request::new(Rich::italic("A").sub("DC"), 3.3, Site::Along { from, to }, "label");
+        let placed = place(&ink, &lines.map(named), None);
+        let mut centres = Vec::new();
+        placed.walk(&mut |node| {
+            if let Node::Text(text) = node {
+                centres.extend(text.boxes().into_iter().reduce(|a, b| a.union(b)).map(|own| own.center().x));
+            }
+        });
+        assert!(centres.len() == 2 && centres[0] < 0.0 && centres[1] > 1.2, "{centres:?}");
     }
 
     #[test]

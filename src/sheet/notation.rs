@@ -5,7 +5,7 @@ use super::profile::{Profile, Relative};
 use super::rich::Rich;
 use super::words::Words;
 use crate::graphical::construction::{Claim, Label, Reference};
-use crate::mechanism::quantity::{Order, Quantity, Unit};
+use crate::mechanism::quantity::{Method, Order, Quantity, Unit};
 use crate::mechanism::{Direction, GuidePoint, LinkId, Mechanism, Path, PointId, Rider};
 use crate::scene::{AngularAcceleration, Scene};
 use crate::sheet::font::Face;
@@ -73,6 +73,17 @@ impl<'a> Notation<'a> {
         self.point(from).then(&self.point(to))
     }
 
+    /// What stands side by side in a sentence: A; A and B; A, B and C.
+    #[must_use]
+    pub fn list(&self, parts: &[Rich]) -> Rich {
+        match parts.split_last() {
+            Some((last, rest)) if !rest.is_empty() => {
+                Rich::join(rest, &Rich::upright(self.words.comma)).up(self.words.and).then(last)
+            }
+            _ => Rich::join(parts, &Rich::default()),
+        }
+    }
+
     /// Links in a sentence: link 3; links 3 and 4.
     #[must_use]
     pub fn links(&self, links: &[LinkId]) -> Rich {
@@ -82,12 +93,7 @@ impl<'a> Notation<'a> {
             [_, _] => self.words.two_links,
             _ => self.words.links,
         };
-        let list = match numbers.split_last() {
-            Some((last, rest)) if !rest.is_empty() => {
-                Rich::join(rest, &Rich::upright(self.words.comma)).up(self.words.and).then(last)
-            }
-            _ => Rich::join(&numbers, &Rich::default()),
-        };
+        let list = self.list(&numbers);
         Rich::fill(template, &[("links", list)])
     }
 
@@ -120,17 +126,15 @@ impl<'a> Notation<'a> {
         let (point, link, index) = match label {
             Label::Pole => return ("o".to_owned(), String::new()),
             Label::Image { point, link } => (point, link, None),
-            Label::Foot { point, link, index } => (point, link, Some(index)),
+            Label::Foot { point, link, index } => (point, link, Some(index.to_string())),
+            Label::Trial { point, second } => (point, None, Some(if second { "II" } else { "I" }.to_owned())),
         };
         let (letters, own) = split(self.point_name(point));
-        let indices: Vec<String> = [
-            (!own.is_empty()).then(|| own.to_owned()),
-            link.map(|l| self.number(l)),
-            index.map(|i| i.to_string()),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
+        let indices: Vec<String> =
+            [(!own.is_empty()).then(|| own.to_owned()), link.map(|l| self.number(l)), index]
+                .into_iter()
+                .flatten()
+                .collect();
         (letters.to_lowercase(), indices.join(","))
     }
 
@@ -138,6 +142,19 @@ impl<'a> Notation<'a> {
     #[must_use]
     pub fn image_line(&self, from: Label, to: Label, order: Order) -> Rich {
         self.image(from, order).then(&self.image(to, order))
+    }
+
+    /// The method by which a quantity is asked, where it is not the usual one.
+    #[must_use]
+    pub const fn method(&self, method: Method) -> Option<&'static str> {
+        match method {
+            Method::Polygon => None,
+            Method::Centres => Some(self.words.method_centres),
+            Method::LineOfCentres => Some(self.words.method_line_of_centres),
+            Method::LinkToLink => Some(self.words.method_link_to_link),
+            Method::GaugeLine => Some(self.words.method_gauge_line),
+            Method::Klein => Some(self.words.method_klein),
+        }
     }
 
     /// Letter of angular acceleration.

@@ -196,7 +196,13 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
     }
     let mut requests = Vec::new();
     for (at, labels) in groups {
-        let names: Vec<Rich> = labels.iter().map(|l| notation.image(*l, polygon.order)).collect();
+        // A pin that bears the name of the link's own point, and the contact there, are one name.
+        let mut names: Vec<Rich> = Vec::new();
+        for name in labels.iter().map(|l| notation.image(*l, polygon.order)) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
         let text = Rich::join(&names, &Rich::upright(","));
         let radius = if labels.contains(&Label::Pole) { 0.9 } else { 0.4 };
         let site = Site::Around { at, radius, toward: outward(at, polygon) };

@@ -5,7 +5,7 @@ use super::notation::Notation;
 use super::rich::Rich;
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{Construction, Reading};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
 
 /// The asked quantities of these orders with their values, senses and directions.
 #[must_use]
@@ -61,7 +61,7 @@ fn polygon_of(quantity: Quantity) -> Order {
 fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
     let words = notation.words;
     let mut symbol = notation.symbol(asked.quantity, false);
-    if let Some(method) = method(asked.method, notation) {
+    if let Some(method) = notation.method(asked.method) {
         symbol = symbol.up(",\u{a0}").up(method);
     }
     match &reading.answer {
@@ -103,19 +103,6 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
             vec![symbol, Rich::upright("∞").word(words.at_infinity), text]
         }
         Answer::Indeterminate(why) => vec![symbol, Rich::upright("—"), Rich::italic(reason(why, notation))],
-    }
-}
-
-/// The method by which a quantity was asked, where it is not the usual one.
-fn method(method: Method, notation: &Notation<'_>) -> Option<&'static str> {
-    let words = notation.words;
-    match method {
-        Method::Polygon => None,
-        Method::Centres => Some(words.method_centres),
-        Method::LineOfCentres => Some(words.method_line_of_centres),
-        Method::LinkToLink => Some(words.method_link_to_link),
-        Method::GaugeLine => Some(words.method_gauge_line),
-        Method::Klein => Some(words.method_klein),
     }
 }
 

@@ -32,7 +32,7 @@ pub const QUESTION: (f64, f64) = (112.0, 96.0);
 /// The scales of a question: as for a solution, but the skeleton has the row to itself.
 #[must_use]
 pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
-    let [w, h] = with_wheels(&scene.mechanism, extents.space);
+    let [w, h] = with_wheels(&scene.mechanism, extents.space, extents.rims);
     let (wide, high) = stretch(scene);
     let free = (QUESTION.0 * wide, QUESTION.1 * high);
     let stated = scene.sheet.length_scale.map(|ratio| ratio / 1000.0);
@@ -46,7 +46,7 @@ pub const STEP: (f64, f64) = (66.0, 62.0);
 /// The scales of a sheet that shows the steps one by one: each diagram fits beside its words.
 #[must_use]
 pub fn for_steps(scene: &Scene, extents: Extents) -> Scales {
-    let [w, h] = with_wheels(&scene.mechanism, extents.space);
+    let [w, h] = with_wheels(&scene.mechanism, extents.space, extents.rims);
     let (wide, high) = stretch(scene);
     let free = (STEP.0 * wide, STEP.1 * high);
     let (length, time) = (scene.units.length.si, scene.units.time.si);
@@ -83,7 +83,7 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
     let time = scene.units.time.si;
     let units = [length / time, length / (time * time)];
     let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units, (wide, high));
-    let [w, h] = with_wheels(&scene.mechanism, extents.positions);
+    let [w, h] = with_wheels(&scene.mechanism, extents.positions, extents.rims);
     let upright = choose_length(w, h, stretched(SKELETON));
     let long = choose_length(w, h, stretched(LONG_SKELETON));
     let skeleton = upright.zip(long).map(|(a, b)| a.min(b));
@@ -119,8 +119,10 @@ pub fn for_auxiliary(construction: &Construction, drawing: &AuxiliaryDrawing) ->
     )
 }
 
-/// Width and height of the skeleton, not less than those of the pitch circles about exactly placed centres.
-fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2]) -> [f64; 2] {
+/// Width and height of a skeleton with its pitch circles: those about placed centres have room in it, those about moving
+/// ones may reach a little beyond it, for there is nothing to read at a rim.
+fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2], rims: [f64; 2]) -> [f64; 2] {
+    const BEYOND: f64 = 1.25;
     let place = |p: PointId| mechanism.points.get(p.0)?.place.exact().map(|at| at.map(|x| x.value));
     let mut wheels: Vec<([f64; 2], f64)> = Vec::new();
     for roll in &mechanism.rolls {
@@ -133,7 +135,7 @@ fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2]) -> [f64; 2] {
     let grown = |axis: usize, size: f64| {
         let least = wheels.iter().map(|(at, r)| at[axis] - r).fold(f64::INFINITY, f64::min);
         let most = wheels.iter().map(|(at, r)| at[axis] + r).fold(f64::NEG_INFINITY, f64::max);
-        size.max(most - least)
+        size.max(most - least).max(rims[axis] / BEYOND)
     };
     [grown(0, w), grown(1, h)]
 }

@@ -792,6 +792,17 @@ impl Artist<'_> {
             }
             return all;
         }
+        // About a wheel that is too small for them inside.
+        for (centre, size) in self.wheels(link) {
+            for (i, beyond) in [2.0, 3.5].into_iter().enumerate() {
+                let radius = size + beyond;
+                for k in 0..36 {
+                    let middle = f64::from(k) * (std::f64::consts::TAU / 36.0);
+                    let turn = Turn { centre, radius, middle, half: 5.0 / radius };
+                    all.push((turn, 4.0 + 1.5 * i as f64 + 0.5 * size));
+                }
+            }
+        }
         let Some((_, a, b)) = bar else { return all };
         let along = (b - a).normalize();
         let normal = libm::atan2(-along.x, -along.y);
@@ -805,6 +816,20 @@ impl Artist<'_> {
             }
         }
         all
+    }
+
+    /// Centres and radii of a link's pitch circles.
+    fn wheels(&self, link: LinkId) -> Vec<(Point, f64)> {
+        let circles = |roll: &Roll| match roll {
+            Roll::Circles { links, centres, radii, .. } => {
+                [0, 1].map(|i| (links[i], centres[i], radii[i].value)).to_vec()
+            }
+            Roll::Line { wheel, centre, radius, .. } => vec![(*wheel, *centre, radius.value)],
+        };
+        let all = self.notation.mechanism().rolls.iter().flat_map(circles);
+        let own = all.filter(|(body, ..)| *body == link);
+        own.filter_map(|(_, centre, radius)| Some((self.pose.place(centre)?, self.pose.paper(radius))))
+            .collect()
     }
 
     fn number_links(&mut self) {

@@ -322,17 +322,29 @@ impl Teller<'_> {
                     ),
                 }
             }
-            Act::TryPolygon { driver, order, rate } | Act::TrialRate { driver, order, rate } => {
+            Act::TryPolygon { driver, closing, order, rates } => {
+                let rate = |link: LinkId| match order {
+                    Order::Acceleration => n.symbol(Quantity::Alpha(link), false),
+                    _ => n.symbol(Quantity::Omega(link), false),
+                };
+                let [first, second] = rates.map(|rate| n.rotation(rate, &n.angular_unit(*order)));
+                let tried = [("rate", rate(*driver)), ("first", first), ("second", second)];
+                let told = |template, shown| Rich::fill(template, &[&tried[..], &[shown]].concat());
+                match closing {
+                    Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. } => {
+                        let image = |second| n.image(Label::Trial { point: *point, second }, *order);
+                        told(words.try_polygon, ("images", n.list(&[image(false), image(true)])))
+                    }
+                    Closing::Angle { link, .. } => told(words.try_polygon_rate, ("given", rate(*link))),
+                }
+            }
+            Act::TrialRate { driver, order, rate } => {
                 let quantity = match order {
                     Order::Acceleration => Quantity::Alpha(*driver),
                     _ => Quantity::Omega(*driver),
                 };
                 let value = n.rotation(*rate, &n.angular_unit(*order));
-                let template = match act {
-                    Act::TryPolygon { .. } => words.try_polygon,
-                    _ => words.trial_rate,
-                };
-                Rich::fill(template, &[("rate", n.symbol(quantity, false)), ("value", value)])
+                Rich::fill(words.trial_rate, &[("rate", n.symbol(quantity, false)), ("value", value)])
             }
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(

@@ -30,11 +30,12 @@ fn solved(path: &Path) -> Option<(Scene, Construction)> {
 }
 
 /// Folders of scenes that have sheets.
-const SCENES: [&str; 7] = [
+const SCENES: [&str; 8] = [
     "examples",
     "examples/centres",
     "examples/constructions",
     "examples/errata",
+    "examples/exam",
     "examples/pairs",
     "src/catalogue",
     "src/sheet/tests",
@@ -633,5 +634,41 @@ fn every_fixture_has_all_its_figures() {
         let path = entry.unwrap().path();
         let (scene, construction) = solved(&path).unwrap_or_else(|| panic!("{}", path.display()));
         assert_eq!(figures(&scene, &construction).len(), 7, "{}", path.display());
+    }
+}
+
+/// A group of higher class is drawn by the groups inside it; its links are noted once.
+#[test]
+fn the_image_of_a_link_is_drawn_once() {
+    let wrong = on_all_scenes(|scene, construction, _| {
+        let mut wrong = Vec::new();
+        for name in ["velocity", "acceleration"] {
+            let Some(figure) = single(scene, construction, name, Language::English) else { continue };
+            let mut seen = std::collections::BTreeSet::new();
+            let images = all_of(&figure, "image link-image");
+            wrong.extend(
+                images
+                    .iter()
+                    .map(|image| data(image, "link"))
+                    .filter(|link| !seen.insert(*link))
+                    .map(|link| format!("{name}: the image of link {link} is drawn twice")),
+            );
+        }
+        wrong
+    });
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// The two trial images of a group of higher class are not far away: the polygon itself fills its panel.
+#[test]
+fn a_polygon_found_by_trial_fills_its_panel() {
+    for path in ["examples/pairs/higher-group.json", "src/catalogue/stephenson.json"] {
+        let (_, construction) = solved(&Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
+        for polygon in [&construction.velocity, &construction.acceleration].into_iter().flatten() {
+            let longest =
+                polygon.vectors.iter().map(|v| libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]));
+            let longest = longest.fold(0.0, f64::max);
+            assert!(longest > 0.5 * scale::HALF_POLYGON.0, "{path}: {longest} mm");
+        }
     }
 }

@@ -68,7 +68,10 @@ fn draw(name: &str, options: &[&str], outputs: &[&str]) -> PathBuf {
     let folder = folder(name);
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(format!("{name}.json"));
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkgram"));
-    command.arg("draw").arg(scene).args(options).args(["--dpi", "254"]);
+    command.arg("draw").arg(scene).args(options);
+    if outputs.iter().any(|output| output.ends_with(".png")) {
+        command.args(["--dpi", "254"]);
+    }
     for output in outputs {
         command.arg("-o").arg(folder.join(output));
     }
