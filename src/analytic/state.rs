@@ -145,7 +145,11 @@ impl State {
             let lost = |gradient: &[f64]| {
                 gradient.iter().zip(&solved.undetermined).any(|(g, undetermined)| *undetermined && *g != 0.0)
             };
-            if lost(&rates) || lost(&accels) {
+            let flat = linear.flat.iter().any(|leaf| match leaf {
+                Leaf::Rate(at) | Leaf::Accel(at) => solved.undetermined[*at],
+                Leaf::Pose(_) | Leaf::Param(_) => false,
+            });
+            if lost(&rates) || lost(&accels) || flat {
                 return Err(Indeterminate::Singular);
             }
             let multipliers = solved.system.adjoint(accels);

@@ -72,6 +72,8 @@ pub(super) struct Linear {
     pub(super) rounding: f64,
     /// Partial derivatives, each leaf once, ascending.
     pub(super) terms: Vec<(Leaf, f64)>,
+    /// Leaves on which it hangs through a product of zeros, as on ω in ω² where ω = 0: without a slope.
+    pub(super) flat: Vec<Leaf>,
 }
 
 impl Tape {
@@ -135,13 +137,23 @@ impl Tape {
         let mut adjoint = self.adjoint.borrow_mut();
         adjoint.clear();
         adjoint.resize(last + 1, 0.0);
+        // Behind a product of two zeros there is no slope, but the product hangs on both.
+        let mut behind_zeros: Vec<bool> = Vec::new();
         adjoint[last] = 1.0;
         for at in (0..=last).rev() {
             let weight = adjoint[at];
+            let node = &nodes[at];
+            let levelled = weight != 0.0 && node.parents != [EXACT; 2] && node.partials == [0.0; 2];
+            if levelled || behind_zeros.get(at) == Some(&true) {
+                behind_zeros.resize(last + 1, false);
+                linear.flat.extend(node.leaf);
+                for parent in node.parents.into_iter().filter(|parent| *parent != EXACT) {
+                    behind_zeros[parent as usize] = true;
+                }
+            }
             if weight == 0.0 {
                 continue;
             }
-            let node = &nodes[at];
             linear.rounding += weight.abs() * node.rounding;
             if let Some(leaf) = node.leaf {
                 linear.terms.push((leaf, weight));

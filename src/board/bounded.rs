@@ -3,13 +3,21 @@
 //!
 //! Forward every operation notes its rounding and a running error, by the rules of `reckon.rs`; from each asked
 //! number one sweep back over the operations adds up what every rounding and every uncertain number does to it,
-//! with their correlations. As on the tape the running errors serve only to see that divisors stand clear.
+//! with their correlations. The running errors serve only to see that divisors stand clear; unlike on the tape, where
+//! what first order leaves out is bounded term by term, it counts here by the parts by which the divisors err.
 //!
 //! Numbers that hang on nothing that is varied were reckoned before; each counts with its own error, as if it
 //! were independent of the others.
 
 use super::program::{Kind, Node, TRANSCENDENTAL, Transcript, U};
-use super::tape::{BEND, MOST_SECOND_ORDER, ROUNDED, WEAK_DIVISOR};
+use super::tape::{ROUNDED, WEAK_DIVISOR};
+
+/// A divisor that errs by a part p of itself changes the derivatives behind it by (1 − p)⁻² − 1: for a part up to
+/// an eighth less than this many p.
+const BEND: f64 = 4.0;
+
+/// What second order may add to a first-order bound, at most: all of it again.
+const MOST_SECOND_ORDER: f64 = 1.0;
 
 /// Positions that are bounded together: fewer than are reckoned, for four numbers stand for each.
 pub const FEW: usize = 8;

@@ -41,7 +41,7 @@ impl PencilTape {
 
     /// What all slips together can do to a result, to first order.
     pub fn worst(&mut self, mark: u32) -> f64 {
-        self.tape.first_order_error(mark)
+        self.tape.total_error(mark)
     }
 
     /// Whether every divisor and half chord behind a result stands clear of its own slips; where one does

@@ -63,7 +63,18 @@ impl<B: Bench> Board<B> {
 
     fn push(&mut self, step: Reckoning, value: B::Real, parts: &[(Num<B>, f64)], inner: f64) -> Num<B> {
         let (value, finite) = finite(value);
-        let rounding = inner + value.to_f64().abs() * B::Real::UNIT_ROUNDOFF;
+        let rounding = inner + B::Real::rounding(value.to_f64());
+        self.rounded(step, value, parts, rounding, finite)
+    }
+
+    fn rounded(
+        &mut self,
+        step: Reckoning,
+        value: B::Real,
+        parts: &[(Num<B>, f64)],
+        rounding: f64,
+        finite: bool,
+    ) -> Num<B> {
         let mut marks = [(Default::default(), 0.0); 4];
         for (to, (num, partial)) in marks.iter_mut().zip(parts) {
             *to = (num.mark, *partial);
@@ -74,11 +85,15 @@ impl<B: Bench> Board<B> {
     }
 
     pub(super) fn add(&mut self, a: Num<B>, b: Num<B>) -> Num<B> {
-        self.push(Reckoning::Sum, a.value + b.value, &[(a, 1.0), (b, 1.0)], 0.0)
+        let (value, finite) = finite(a.value + b.value);
+        let rounding = B::Real::rounding_of_sum(a.value, b.value, value);
+        self.rounded(Reckoning::Sum, value, &[(a, 1.0), (b, 1.0)], rounding, finite)
     }
 
     pub(super) fn sub(&mut self, a: Num<B>, b: Num<B>) -> Num<B> {
-        self.push(Reckoning::Difference, a.value - b.value, &[(a, 1.0), (b, -1.0)], 0.0)
+        let (value, finite) = finite(a.value - b.value);
+        let rounding = B::Real::rounding_of_sum(a.value, -b.value, value);
+        self.rounded(Reckoning::Difference, value, &[(a, 1.0), (b, -1.0)], rounding, finite)
     }
 
     /// −a, exact.
@@ -218,7 +233,8 @@ fn underflow<R: Real>(value: f64, not_zero: bool) -> f64 {
 
 /// The roundings of the two products in a sum of them; `parts` holds each factor beside the other.
 fn of_products<R: Real, N>(ab: f64, cd: f64, parts: &[(N, f64); 4]) -> f64 {
-    R::UNIT_ROUNDOFF * (ab.abs() + cd.abs())
+    R::rounding(ab)
+        + R::rounding(cd)
         + underflow::<R>(ab, parts[0].1 != 0.0 && parts[1].1 != 0.0)
         + underflow::<R>(cd, parts[2].1 != 0.0 && parts[3].1 != 0.0)
 }

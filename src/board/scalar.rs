@@ -40,6 +40,16 @@ pub trait Real:
     const SMALLEST: f64;
     /// How much a product or quotient below [`Real::SMALLEST`] may err absolutely.
     const UNDERFLOW: f64;
+    /// What rounding may have done to a result of this size.
+    #[must_use]
+    fn rounding(value: f64) -> f64 {
+        value.abs() * Self::UNIT_ROUNDOFF
+    }
+    /// What rounding has done to the sum of two numbers, or may have done.
+    #[must_use]
+    fn rounding_of_sum(_: Self, _: Self, sum: Self) -> f64 {
+        Self::rounding(sum.to_f64())
+    }
     /// Nearest number.
     fn from_f64(value: f64) -> Self;
     /// Nearest number to one that was stated, and the radius within which that is true.
@@ -56,6 +66,13 @@ pub trait Real:
     fn atan2(self, x: Self) -> Self;
 }
 
+/// The highest power of two that is not above a number's size: half a unit in the last place is a unit roundoff
+/// of this. Zero for numbers so small that they have no more digits to lose than underflow takes.
+fn power_of_two_below(value: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    f64::from_bits(value.to_bits() & EXPONENT)
+}
+
 impl Real for f64 {
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
     // libm's sin, cos and atan2 state less than one unit in the last place, which is two roundoffs.
@@ -63,6 +80,17 @@ impl Real for f64 {
     const SINE_FLOOR: f64 = 0.0;
     const SMALLEST: f64 = f64::MIN_POSITIVE;
     const UNDERFLOW: f64 = f64::MIN_POSITIVE * f64::EPSILON;
+
+    fn rounding(value: f64) -> f64 {
+        power_of_two_below(value) * Self::UNIT_ROUNDOFF
+    }
+
+    fn rounding_of_sum(a: Self, b: Self, sum: Self) -> f64 {
+        // What a sum loses is itself a number (O. Møller, 1965; D. E. Knuth's TwoSum).
+        let of_b = sum - a;
+        let lost = (a - (sum - of_b)) + (b - of_b);
+        if lost.is_finite() { lost.abs() } else { Self::rounding(sum.to_f64()) }
+    }
 
     fn from_f64(value: f64) -> Self {
         value
@@ -101,6 +129,17 @@ impl Real for f32 {
     const SINE_FLOOR: f64 = 0.0;
     const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
     const UNDERFLOW: f64 = f32::MIN_POSITIVE as f64 * f32::EPSILON as f64;
+
+    fn rounding(value: f64) -> f64 {
+        power_of_two_below(value) * Self::UNIT_ROUNDOFF
+    }
+
+    fn rounding_of_sum(a: Self, b: Self, sum: Self) -> f64 {
+        // What a sum loses is itself a number (O. Møller, 1965; D. E. Knuth's TwoSum).
+        let of_b = sum - a;
+        let lost = (a - (sum - of_b)) + (b - of_b);
+        if lost.is_finite() { f64::from(lost.abs()) } else { Self::rounding(sum.to_f64()) }
+    }
 
     fn from_f64(value: f64) -> Self {
         value as f32

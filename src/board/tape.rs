@@ -5,6 +5,14 @@
 //! derivatives by which it hangs on earlier results. One sweep back from an asked result adds up what
 //! every rounding and every uncertain number of the scene does to it, *with* the correlations that
 //! running error bounds lose: a chain of twenty dyads keeps its digits.
+//!
+//! The bound is no estimate of first order. Let a result be reckoned as x̂ₖ = f(x̂) + δₖ, and let eₖ be the error
+//! that it has. Then eₖ = Σ ∂f(x̂)·e + δₖ − ρₖ, where ρₖ is what the errors of the operands do to f beyond its
+//! tangent: eₐ·e_b for a product, the quotient's own error times the divisor's relative one, and so on. These
+//! equations are linear in e, so that the sweep back solves them without neglect: the error of the answer is
+//! Σ ∂answer/∂xₖ·(δₖ − ρₖ), and its bound the sum of the sizes. A bound of ρₖ needs only rough bounds of the
+//! operands' errors, since it is of second order in them: running ones, drawn in by sweeps of their own where
+//! they are too rough for that.
 
 use std::collections::BinaryHeap;
 use std::fmt::Debug;
@@ -175,23 +183,33 @@ const MOST_PARTS: usize = 4;
 struct Slot {
     parts: [(u32, f64); MOST_PARTS],
     count: u8,
-    rounding: f64,
-    /// Running error: never below the first-order error, but without correlations often far above it.
-    running: f64,
+    /// What this reckoning adds to the error: its rounding, and what the tangent leaves out of it.
+    own: f64,
+    /// The error is no larger; without the correlations often much smaller.
+    error: f64,
     /// A coordinate of a point that was drawn.
     is_point: bool,
-    /// The running error has been drawn in by a sweep of its own.
-    is_tight: bool,
+    drawn_in: DrawnIn,
 }
 
+/// How far the error of a slot has been drawn in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum DrawnIn {
+    /// It is a running error.
+    Not,
+    /// From the nearest points behind it, whose errors are drawn in by sweeps that end at points drawn in before.
+    ToPoints,
+    /// From the nearest points behind it, whose errors are drawn in by sweeps through the whole tape.
+    ToExactPoints,
+    /// By a sweep of its own through the whole tape.
+    Wholly,
+}
+
+/// A divisor that does not stand clear of its error.
 #[derive(Debug, Clone, Copy)]
-struct Divisor {
+struct WeakDivisor {
     slot: u32,
-    value: f64,
     reason: Reason,
-    /// Its error as a part of it, as far as that is known.
-    part: f64,
-    weak: Option<bool>,
 }
 
 /// A stroke to be moved after it is drawn, in paper millimetres.
@@ -207,7 +225,7 @@ pub struct Nudge {
 #[derive(Debug, Clone, Default)]
 pub struct Tape {
     slots: Vec<Slot>,
-    divisors: Vec<Divisor>,
+    weak: Vec<WeakDivisor>,
     strokes: Vec<Stroke>,
     nudge: Option<Nudge>,
     adjoint: Vec<f64>,
@@ -216,11 +234,14 @@ pub struct Tape {
     local: Vec<(f64, bool)>,
 }
 
-/// On a shorter tape nothing is drawn in: a divisor's own sweep costs less.
-const LONG: usize = 4000;
+/// How far operands are drawn in, one sweep after the other as long as what the tangent leaves out is more than
+/// these parts of the rounding and of what the operands' errors do along the tangent. Running errors may be
+/// too rough to measure anything by; the longer the sweep, the more must depend on it.
+const SWEEPS: [(DrawnIn, f64, f64); 3] =
+    [(DrawnIn::ToPoints, 1.0 / 64.0, 0.0), (DrawnIn::ToExactPoints, 1.0, 0.0), (DrawnIn::Wholly, 8.0, 1e-6)];
 
-/// From this part of a divisor its running error is drawn in.
-const DOUBTFUL: f64 = 1e-6;
+/// The partial derivatives are reckoned in doubles, by up to three roundings each.
+const OF_PARTIALS: f64 = 2.0 * f64::EPSILON;
 
 impl Recorder for Tape {
     type Mark = u32;
@@ -230,29 +251,41 @@ impl Recorder for Tape {
     }
 
     fn result(&mut self, step: Reckoning, parts: &[(u32, f64)], rounding: f64) -> u32 {
-        let products = match step {
-            Reckoning::Product | Reckoning::Dot | Reckoning::Cross => parts.chunks_exact(2),
-            _ => [].chunks_exact(2),
-        };
-        let lost: f64 = products.map(|pair| self.lost_in_product(pair)).sum();
-        self.push(parts, rounding + lost)
+        let mut beyond = self.beyond_the_tangent(step, parts);
+        for (sweep, of_rounding, of_error) in SWEEPS {
+            let first: f64 = parts.iter().map(|part| self.passed_on(part)).sum();
+            let matters = beyond.left_out > of_rounding * rounding + of_error * first;
+            if !matters || beyond.left_out.is_infinite() {
+                break;
+            }
+            for (part, _) in parts {
+                self.draw_in(*part, sweep);
+            }
+            beyond = self.beyond_the_tangent(step, parts);
+        }
+        if beyond.no_tangent {
+            let still = [0, 1, 2, 3].map(|i| (parts.get(i).map_or(0, |part| part.0), 0.0));
+            return self.push(&still[..parts.len().min(MOST_PARTS)], rounding + beyond.left_out);
+        }
+        let of_partials: f64 = parts.iter().map(|part| OF_PARTIALS * self.passed_on(part)).sum();
+        self.push(parts, rounding + beyond.left_out + of_partials)
     }
 
     fn divisor(&mut self, mark: u32, value: f64, reason: Reason) {
-        let running = |tape: &Self| tape.slots.get(mark as usize).map_or(f64::INFINITY, |slot| slot.running);
-        let mut part = running(self) / value.abs();
-        // Written so that a not-a-number is neither.
-        let sure = part <= DOUBTFUL;
-        if self.slots.len() > LONG && !sure {
-            self.draw_in(mark);
-            part = running(self) / value.abs();
+        // Written so that a not-a-number counts as weak, and a zero that has no error.
+        let clear = |tape: &Self| tape.error_of(mark) < WEAK_DIVISOR * value.abs();
+        for (sweep, ..) in SWEEPS.into_iter().filter(|_| value != 0.0) {
+            if !clear(self) {
+                self.draw_in(mark, sweep);
+            }
         }
-        let weak = (part <= WEAK_DIVISOR).then_some(false);
-        self.divisors.push(Divisor { slot: mark, value, reason, part, weak });
+        if !clear(self) {
+            self.weak.push(WeakDivisor { slot: mark, reason });
+        }
     }
 
     fn error(&mut self, mark: u32) -> Option<f64> {
-        Some(self.first_order_error(mark))
+        Some(self.total_error(mark))
     }
 
     fn stroke(
@@ -277,18 +310,19 @@ impl Recorder for Tape {
     }
 }
 
-/// A divisor is too weak to divide by when its first-order error passes this part of it.
+/// A divisor is too weak to divide by when its error passes this part of it.
 pub(super) const WEAK_DIVISOR: f64 = 1.0 / 8.0;
-
-/// A divisor that errs by a part p of itself changes the derivatives behind it by (1 − p)⁻² − 1: for a part up to
-/// an eighth less than this many p.
-pub(super) const BEND: f64 = 4.0;
-
-/// What second order may add to a first-order bound, at most: all of it again.
-pub(super) const MOST_SECOND_ORDER: f64 = 1.0;
 
 /// The bound is itself reckoned in doubles.
 pub(super) const ROUNDED: f64 = 1e-9;
+
+/// What the errors of the operands do to a result beyond its tangent.
+struct Beyond {
+    /// At most so much; infinite where nobody can tell.
+    left_out: f64,
+    /// The errors are too large for a tangent: `left_out` is all that they do.
+    no_tangent: bool,
+}
 
 impl Tape {
     /// A tape on which one stroke will be moved as it is drawn.
@@ -297,24 +331,80 @@ impl Tape {
         Self { nudge: Some(nudge), ..Self::default() }
     }
 
-    pub(super) fn push(&mut self, parts: &[(u32, f64)], rounding: f64) -> u32 {
+    pub(super) fn push(&mut self, parts: &[(u32, f64)], own: f64) -> u32 {
         let mut slot = Slot {
             parts: [(0, 0.0); MOST_PARTS],
             count: 0,
-            rounding,
-            running: rounding,
+            own,
+            error: own,
             is_point: false,
-            is_tight: false,
+            drawn_in: DrawnIn::Not,
         };
         for (to, from) in slot.parts.iter_mut().zip(parts) {
             *to = *from;
             slot.count += 1;
-            let part = self.slots.get(from.0 as usize).map_or(0.0, |s| s.running);
-            slot.running += from.1.abs() * part;
+            slot.error += self.passed_on(from);
         }
         let mark = u32::try_from(self.slots.len()).unwrap_or(u32::MAX);
         self.slots.push(slot);
         mark
+    }
+
+    /// A bound of the error of a slot.
+    fn error_of(&self, mark: u32) -> f64 {
+        self.slots.get(mark as usize).map_or(f64::INFINITY, |slot| slot.error)
+    }
+
+    /// What an operand's error does to a result along the tangent. What does not move it may err without bound.
+    fn passed_on(&self, &(part, partial): &(u32, f64)) -> f64 {
+        if partial == 0.0 { 0.0 } else { partial.abs() * self.error_of(part) }
+    }
+
+    /// What the errors of the operands, as far as they are known, do to a result beyond its tangent.
+    fn beyond_the_tangent(&self, step: Reckoning, parts: &[(u32, f64)]) -> Beyond {
+        let error = |i: usize| parts.get(i).map_or(0.0, |part| self.error_of(part.0));
+        let partial = |i: usize| parts.get(i).map_or(0.0, |part| part.1);
+        // Exact zeros stay so beside what errs without bound.
+        let both = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
+        let along = |left_out: f64| Beyond { left_out, no_tangent: false };
+        let all = |left_out: f64| Beyond { left_out, no_tangent: true };
+        match step {
+            Reckoning::Sum
+            | Reckoning::Difference
+            | Reckoning::Opposite
+            | Reckoning::Times(_)
+            | Reckoning::Over(_) => along(0.0),
+            Reckoning::Product => along(both(error(0), error(1))),
+            Reckoning::Dot | Reckoning::Cross => along(both(error(0), error(1)) + both(error(2), error(3))),
+            // â/b̂ − a/b is its first order times b̂/b.
+            Reckoning::Quotient => {
+                let part = partial(0).abs() * error(1);
+                let first = self.passed_on(&parts[0]) + self.passed_on(&parts[1]);
+                if part < 0.5 { along(first * part / (1.0 - part)) } else { along(f64::INFINITY) }
+            }
+            // The root r of â = r² moves by r(1 − √(1 − t)) for an error of t â: r t/2, and at most r t²/2 beyond
+            // it as long as t ≤ 1; and never by more than √(t â).
+            Reckoning::Root | Reckoning::HalfChord => {
+                let (twice, moved) = (2.0 * partial(0), error(0));
+                let part = moved * twice * twice;
+                if twice > 0.0 && part <= 1.0 {
+                    along(part * part / (2.0 * twice))
+                } else {
+                    all(moved.sqrt())
+                }
+            }
+            Reckoning::Cosine | Reckoning::Sine => along((0.5 * error(0) * error(0)).min(2.0 + error(0))),
+            // The logarithm of 1 + z for |z| = ρ leaves its tangent by no more than ρ²/(2(1 − ρ)).
+            Reckoning::Angle | Reckoning::Turned => {
+                let reach = libm::hypot(partial(0), partial(1));
+                let part = reach * libm::hypot(error(0), error(1));
+                if reach > 0.0 && part <= 0.5 {
+                    along(part * part / (2.0 * (1.0 - part)))
+                } else {
+                    all(std::f64::consts::PI)
+                }
+            }
+        }
     }
 
     /// The strokes in the order of drawing.
@@ -326,32 +416,26 @@ impl Tape {
     /// Bound of a recorded result: |value − truth| ≤ bound, unless [`Tape::weakness`] says that it has
     /// none.
     pub fn bound(&mut self, mark: u32) -> f64 {
-        let parts: f64 = self.divisors.iter().map(|d| d.part.min(WEAK_DIVISOR)).sum();
-        let second_order = (BEND * parts).min(MOST_SECOND_ORDER);
-        (1.0 + second_order + ROUNDED) * self.first_order_error(mark)
+        (1.0 + ROUNDED) * self.total_error(mark)
+    }
+
+    /// The part of [`Tape::bound`] that the numbers of the scene bring with them, each known to half a unit in its
+    /// last place: no drawing can do better. In unit roundoffs, the conditioning of the result.
+    pub fn inherited(&mut self, mark: u32) -> f64 {
+        self.sweep_back(mark);
+        let given =
+            self.adjoint.iter().zip(&self.slots).filter(|(_, slot)| slot.count == 0 && slot.own > 0.0);
+        given.map(|(adjoint, slot)| adjoint.abs() * slot.own).sum()
     }
 
     /// The reason of the first divisor behind this result that does not stand clear of its own error.
     pub fn weakness(&mut self, mark: u32) -> Option<Reason> {
-        for index in 0..self.divisors.len() {
-            if self.divisors[index].weak.is_none() {
-                // The running error was too large to tell.
-                let Divisor { slot, value, .. } = self.divisors[index];
-                let part = self.first_order_error(slot) / value.abs();
-                self.divisors[index].part = part;
-                // Written so that a not-a-number counts as weak.
-                let clear = part <= WEAK_DIVISOR;
-                self.divisors[index].weak = Some(!clear);
-            }
-        }
-        if !self.divisors.iter().any(|d| d.weak == Some(true)) {
+        if self.weak.is_empty() {
             return None;
         }
         self.sweep_back(mark);
-        self.divisors
-            .iter()
-            .find(|d| d.weak == Some(true) && self.reached.get(d.slot as usize).copied().unwrap_or(false))
-            .map(|d| d.reason)
+        let is_behind = |d: &&WeakDivisor| self.reached.get(d.slot as usize).copied().unwrap_or(false);
+        self.weak.iter().find(is_behind).map(|d| d.reason)
     }
 
     /// ∂(result)/∂(slot): how the result moves when the slot is moved alone.
@@ -360,30 +444,27 @@ impl Tape {
         self.adjoint.get(slot as usize).copied().unwrap_or(0.0)
     }
 
-    pub(super) fn first_order_error(&mut self, mark: u32) -> f64 {
+    /// What all slots together can do to a result.
+    pub(super) fn total_error(&mut self, mark: u32) -> f64 {
         self.sweep_back(mark);
         // What does not lead to the result may err without bound.
         let moves = self.adjoint.iter().zip(&self.slots).filter(|(adjoint, _)| **adjoint != 0.0);
-        moves.map(|(adjoint, slot)| adjoint.abs() * slot.rounding).sum()
+        moves.map(|(adjoint, slot)| adjoint.abs() * slot.own).sum()
     }
 
-    /// The error of a product of which both factors are zero within their errors: first order says nothing of it.
-    /// Each factor stands beside the partial derivative by the other.
-    fn lost_in_product(&mut self, pair: &[(u32, f64)]) -> f64 {
-        let &[(a, value_of_b), (b, value_of_a)] = pair else { return 0.0 };
-        let running = |tape: &Self, mark: u32| tape.slots.get(mark as usize).map_or(0.0, |s| s.running);
-        let vanish = |[e, f]: [f64; 2]| e > 0.0 && f > 0.0 && e >= value_of_a.abs() && f >= value_of_b.abs();
-        if !vanish([running(self, a), running(self, b)]) {
-            return 0.0;
+    /// Draws in the error of a slot, as far as this sweep can.
+    ///
+    /// Where the nearest points behind it are drawn in by sweeps that end at points drawn in before, the
+    /// correlations within some ten groups count, and a long chain costs no more for each of its links than a
+    /// short one.
+    fn draw_in(&mut self, mark: u32, sweep: DrawnIn) {
+        let Some(slot) = self.slots.get(mark as usize).filter(|slot| slot.drawn_in < sweep) else { return };
+        let nothing = slot.error == 0.0;
+        if nothing || sweep == DrawnIn::Wholly {
+            let error = if nothing { 0.0 } else { self.error_behind(mark, false) };
+            self.set_drawn_in(mark, error, sweep);
+            return;
         }
-        let errors = [self.local_error(a), self.local_error(b)];
-        if vanish(errors) { errors[0] * errors[1] } else { 0.0 }
-    }
-
-    /// Draws in the running errors behind a result: those of the nearest points behind it by sweeps that end at
-    /// points drawn in before, and with them those between. So the correlations within some ten groups count,
-    /// and a long chain costs no more for each of its links than a short one.
-    fn draw_in(&mut self, mark: u32) {
         let mut points = Vec::new();
         let mut between = Vec::new();
         let mut heap = BinaryHeap::from([mark]);
@@ -393,7 +474,10 @@ impl Tape {
                 continue;
             }
             let slot = &self.slots[index as usize];
-            if index != mark && slot.is_point {
+            if slot.drawn_in >= sweep {
+                continue;
+            }
+            if slot.is_point {
                 points.push(index);
             } else {
                 between.push(index);
@@ -401,47 +485,53 @@ impl Tape {
             }
         }
         for &point in points.iter().rev() {
-            if !self.slots[point as usize].is_tight {
-                let error = self.local_error(point);
-                let slot = &mut self.slots[point as usize];
-                slot.running = slot.running.min(error);
-                slot.is_tight = true;
-            }
+            let error = self.error_behind(point, sweep == DrawnIn::ToPoints);
+            self.set_drawn_in(point, error, sweep);
         }
         for &index in between.iter().rev() {
             let slot = &self.slots[index as usize];
             let parts = slot.parts[..usize::from(slot.count)].iter();
-            let running = parts
-                .fold(slot.rounding, |sum, (part, by)| sum + by.abs() * self.slots[*part as usize].running);
-            let slot = &mut self.slots[index as usize];
-            slot.running = slot.running.min(running);
+            let error = slot.own + parts.map(|part| self.passed_on(part)).sum::<f64>();
+            self.set_drawn_in(index, error, sweep);
         }
     }
 
-    /// A bound of the first-order error: a sweep back that ends at the points that are drawn in.
-    fn local_error(&mut self, mark: u32) -> f64 {
+    fn set_drawn_in(&mut self, mark: u32, error: f64, sweep: DrawnIn) {
+        if let Some(slot) = self.slots.get_mut(mark as usize) {
+            slot.error = slot.error.min(error);
+            slot.drawn_in = sweep;
+        }
+    }
+
+    /// A bound of the error of a slot, by a sweep back that may end at points that are drawn in.
+    fn error_behind(&mut self, mark: u32, ends_at_points: bool) -> f64 {
         self.local.resize(self.slots.len(), (0.0, false));
-        self.local[mark as usize] = (1.0, true);
-        let mut heap = BinaryHeap::from([mark]);
-        let mut error = 0.0;
-        while let Some(index) = heap.pop() {
-            let slot = &self.slots[index as usize];
-            let (adjoint, _) = std::mem::take(&mut self.local[index as usize]);
-            if index != mark && slot.is_tight {
-                error += adjoint.abs() * slot.running;
-                continue;
-            }
-            error += adjoint.abs() * slot.rounding;
-            for &(part, partial) in &slot.parts[..usize::from(slot.count)] {
-                let (sum, reached) = &mut self.local[part as usize];
-                *sum += adjoint * partial;
-                if !*reached {
-                    *reached = true;
-                    heap.push(part);
+        let mut index = mark as usize;
+        self.local[index] = (1.0, true);
+        let (mut waiting, mut error) = (1_usize, 0.0);
+        loop {
+            let (adjoint, reached) = std::mem::take(&mut self.local[index]);
+            waiting -= usize::from(reached);
+            if adjoint != 0.0 {
+                let slot = &self.slots[index];
+                let known = slot.is_point && slot.drawn_in > DrawnIn::Not && index != mark as usize;
+                if ends_at_points && known {
+                    error += adjoint.abs() * slot.error;
+                } else {
+                    error += adjoint.abs() * slot.own;
+                    for &(part, partial) in &slot.parts[..usize::from(slot.count)] {
+                        let (sum, reached) = &mut self.local[part as usize];
+                        *sum += adjoint * partial;
+                        waiting += usize::from(!*reached);
+                        *reached = true;
+                    }
                 }
             }
+            if waiting == 0 || index == 0 {
+                return error;
+            }
+            index -= 1;
         }
-        error
     }
 
     /// Fills `adjoint` and `reached` for the slots up to `mark`.

@@ -100,7 +100,8 @@ pub(crate) const SLIDER_QUANTITIES: [&str; 4] = ["x(B)", "v(B)", "a(B)", "omega(
 impl Slider {
     pub(crate) fn scene(&self) -> String {
         let ([crank, rod], angle, omega) = (&self.lengths, &self.angle, &self.omega);
-        let near = crank.parse::<f64>().unwrap() + rod.parse::<f64>().unwrap();
+        // Next to the end of the guide's reach the two places are one for a hint from afar.
+        let near = self.closed_form()[0][0].near();
         format!(
             r#"{{ "units": {{ "angle": "rad" }}, "fixed": {{ "O2": [0, 0] }},
                  "links": {{ "2": {{ "joins": ["O2", "A"], "length": {crank} }},

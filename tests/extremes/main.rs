@@ -11,7 +11,12 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+#[path = "../pairs/builder.rs"]
+#[allow(dead_code, clippy::disallowed_methods, reason = "shared with the tests of pairs")]
+mod builder;
 mod campaign;
+mod chain;
+mod dice;
 
 use std::fmt::Write;
 
@@ -50,6 +55,14 @@ fn bar(lengths: [&str; 4], angle: &str) -> FourBar {
     }
 }
 
+fn slider(lengths: [&str; 2], angle: String) -> Slider {
+    Slider { lengths: texts(lengths), angle, omega: "2".to_owned() }
+}
+
+fn slider_crank(name: String, at: &Slider, answers: Option<Arithmetic>) -> Case {
+    Case { name, scene: at.scene(), quantities: &SLIDER_QUANTITIES, truth: Some(at.closed_form()), answers }
+}
+
 /// 10^−n as text.
 fn power(n: i32) -> String {
     format!("1e{n}")
@@ -73,6 +86,17 @@ fn cases() -> Vec<Case> {
         let quarter = Exact::pi() / Exact::ratio(2, 1) - Exact::decimal(&power(-n));
         let at = bar(["4", "3", "2", "3"], &quarter.to_decimal(80));
         cases.push(four_bar(format!("dead-centre-1e-{n}"), &at, finest_to(n, 3, 10, 14)));
+    }
+    // And the coupler folded back onto the rocker: 3² + 4² = (7 − 2)².
+    for n in 1..=14 {
+        let quarter = Exact::pi() / Exact::ratio(2, 1) + Exact::decimal(&power(-n));
+        let at = bar(["4", "3", "7", "2"], &quarter.to_decimal(80));
+        cases.push(four_bar(format!("folded-dead-centre-1e-{n}"), &at, finest_to(n, 3, 10, 14)));
+    }
+    // Links in pairs of one length, well away from the change point: the coupler translates.
+    for angle in ["0.3", "1.1", "2.9"] {
+        let at = bar(["2", "1", "2", "1"], angle);
+        cases.push(four_bar(format!("parallelogram-{angle}"), &at, Some(Arithmetic::Single)));
     }
     // A parallelogram next to its change point: redundant, but movable.
     for n in 1..=14 {
@@ -113,14 +137,15 @@ fn cases() -> Vec<Case> {
     }
     // A slider at the end of its stroke.
     for n in 1..=14 {
-        let slider = Slider { lengths: texts(["0.5", "1.5"]), angle: power(-n), omega: "2".to_owned() };
-        cases.push(Case {
-            name: format!("end-of-stroke-1e-{n}"),
-            scene: slider.scene(),
-            quantities: &SLIDER_QUANTITIES,
-            truth: Some(slider.closed_form()),
-            answers: Some(Arithmetic::Single),
-        });
+        let at = slider(["0.5", "1.5"], power(-n));
+        cases.push(slider_crank(format!("end-of-stroke-1e-{n}"), &at, Some(Arithmetic::Single)));
+    }
+    // A rod shorter than its crank, ever nearer to square to its guide.
+    for n in 1..=14 {
+        let rod = (Exact::ratio(1, 1) + Exact::decimal(&power(-n))).to_decimal(40);
+        let angle = (Exact::pi() / Exact::ratio(6, 1)).to_decimal(80);
+        let at = slider(["2", &rod], angle);
+        cases.push(slider_crank(format!("rod-square-to-guide-1e-{n}"), &at, finest_to(n, 4, 13, 14)));
     }
     // Gears of absurd ratio: the pitch circles roll on each other.
     for n in [2, 4, 6] {
