@@ -1,6 +1,6 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
-use crate::graphical::DrawError;
+use crate::graphical::{DrawError, Missing};
 use crate::mechanism::quantity::{Answer, Asked};
 use crate::mechanism::structure::{Joint, StructureError};
 use crate::mechanism::{Input, Mechanism};
@@ -121,6 +121,18 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 format!("say it, as in \"placed\": {{ \"{name}\": [0, 0] }}"),
             )
         }
+        DrawError::Missing(what) => (
+            match *what {
+                Missing::Place(point) => Subject::Point(point),
+                Missing::OwnPoint(link, _)
+                | Missing::Pose(link)
+                | Missing::Joint(link)
+                | Missing::StraightGuide(link) => Subject::Link(link),
+                Missing::Input(input) => Subject::Input(input),
+            },
+            format!("cannot be drawn: {}", what.say(&scene.mechanism)),
+            "say it by a dimension, or place the points that it follows from".to_owned(),
+        ),
         DrawError::NoConstruction { links } => {
             let names: Vec<String> =
                 links.iter().map(|&l| scene.mechanism.link(l).number.to_string()).collect();

@@ -73,7 +73,7 @@ impl SolveError {
             Self::Unanswered { .. }
             | Self::Structure(_)
             | Self::Position(_)
-            | Self::Draw(DrawError::NoConstruction { .. }) => None,
+            | Self::Draw(DrawError::NoConstruction { .. } | DrawError::Missing(_)) => None,
         }
     }
 }

@@ -374,6 +374,21 @@ impl<B: Bench> Board<B> {
         point
     }
 
+    /// A direction that nobody has drawn: whatever is read from it is indeterminate, with this reason.
+    pub fn no_direction(&mut self, reason: Reason) -> Direction<B> {
+        let direction = Direction { x: self.exact(1.0), y: self.exact(0.0) };
+        self.recorder.divisor(direction.x.mark, 0.0, reason);
+        self.recorder.divisor(direction.y.mark, 0.0, reason);
+        direction
+    }
+
+    /// An amount that nobody has read: whatever is calculated from it is indeterminate, with this reason.
+    pub fn unknown(&mut self, reason: Reason) -> Amount<B> {
+        let amount = self.exact(0.0);
+        self.recorder.divisor(amount.mark, 0.0, reason);
+        Amount(amount)
+    }
+
     /// A point copied from another board, as exact as it stands there.
     pub fn copied(&mut self, at: [f64; 2]) -> Point<B> {
         Point { x: self.exact(at[0]), y: self.exact(at[1]) }

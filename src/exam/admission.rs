@@ -185,9 +185,8 @@ fn refused(error: SolveError) -> Flaw {
         SolveError::Indeterminate { name, .. } | SolveError::Unanswered { name, .. } => {
             Flaw::Undetermined { name }
         }
-        SolveError::Draw(DrawError::NoConstruction { .. }) | SolveError::Structure(_) => {
-            Flaw::NoScene { what: error.to_string() }
-        }
+        SolveError::Draw(DrawError::NoConstruction { .. } | DrawError::Missing(_))
+        | SolveError::Structure(_) => Flaw::NoScene { what: error.to_string() },
     }
 }
 

@@ -1,7 +1,7 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
 use crate::board::{Amount, Angle, Bench, Board, Point, Reason, Scale, Side};
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{Indeterminate, Order, Quantity};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::{Auxiliary, home};
@@ -13,6 +13,7 @@ use super::construction::{
     LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
 use super::departure::Departure;
+use super::missing::Missing;
 use super::pose::Pose;
 use super::rolled::Starts;
 use super::{Scales, scale};
@@ -47,6 +48,15 @@ pub(super) struct Part<B: Bench> {
     pub(super) head: Point<B>,
 }
 
+/// Why what is behind a reason cannot be told.
+#[derive(Debug, Clone, PartialEq)]
+enum Cause {
+    /// A division fails where the links of these numbers are in line.
+    InLine(Vec<u32>),
+    /// Nobody has drawn it.
+    Missing(Missing),
+}
+
 pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) mechanism: &'m Mechanism,
     pub(super) structure: &'m Structure,
@@ -54,7 +64,9 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) scales: Scales,
     /// Places on the skeleton, by point.
     pub(super) places: Vec<Option<Point<B>>>,
-    /// Own figures, by link.
+    /// Given places of fixed and placed points, pricked once, by point.
+    pub(super) pricked: Vec<Option<Point<B>>>,
+    /// Own figures of the links that have dimensions of their own, by link: every point of the link.
     pub(super) figures: Vec<Option<Vec<Point<B>>>>,
     /// How the solved links stand, where that was needed.
     pub(super) poses: Vec<Option<Pose<B>>>,
@@ -101,7 +113,9 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) starts: &'m Starts,
     /// How far wheels have rolled since, by link.
     pub(super) turned_by: Vec<Option<Angle<B>>>,
-    reasons: Vec<Vec<u32>>,
+    /// The first thing that was asked for and nobody has drawn.
+    pub(super) missing: Option<Missing>,
+    reasons: Vec<Cause>,
     record: Construction,
 }
 
@@ -119,6 +133,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             board,
             scales,
             places: vec![None; points],
+            pricked: vec![None; points],
             figures: vec![None; links],
             poses: vec![None; links],
             lengths: Vec::new(),
@@ -142,6 +157,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             departures: &[],
             starts: &[],
             turned_by: vec![None; links],
+            missing: None,
             reasons: Vec::new(),
             record: Construction {
                 space: Space {
@@ -196,21 +212,38 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     pub(super) fn reason(&mut self, links: &[LinkId]) -> Reason {
         let mut numbers: Vec<u32> = links.iter().map(|&l| self.mechanism.link(l).number).collect();
         numbers.sort_unstable();
-        let index = self.reasons.iter().position(|r| *r == numbers).unwrap_or_else(|| {
-            self.reasons.push(numbers);
+        self.reason_for(Cause::InLine(numbers))
+    }
+
+    /// A reason for what is drawn from something that is missing.
+    pub(super) fn reason_missing(&mut self, what: Missing) -> Reason {
+        self.reason_for(Cause::Missing(what))
+    }
+
+    fn reason_for(&mut self, why: Cause) -> Reason {
+        let index = self.reasons.iter().position(|r| *r == why).unwrap_or_else(|| {
+            self.reasons.push(why);
             self.reasons.len() - 1
         });
         Reason::try_from(index).unwrap_or(Reason::MAX)
     }
 
-    /// The links behind a reason.
-    pub(super) fn links_of(&self, reason: Reason) -> Vec<u32> {
-        self.reasons.get(reason as usize).cloned().unwrap_or_default()
+    /// Why an answer behind this reason is not determined.
+    pub(super) fn why(&self, reason: Reason) -> Indeterminate {
+        match self.reasons.get(reason as usize) {
+            Some(Cause::Missing(what)) => Indeterminate::Undefined { why: what.say(self.mechanism) },
+            Some(Cause::InLine(links)) => Indeterminate::DeadCentre { links: links.clone() },
+            None => Indeterminate::DeadCentre { links: Vec::new() },
+        }
     }
 
     /// The links behind every reason.
     pub(super) fn all_reasons(&self) -> Vec<Vec<u32>> {
-        self.reasons.clone()
+        let links = |why: &Cause| match why {
+            Cause::InLine(links) => links.clone(),
+            Cause::Missing(_) => Vec::new(),
+        };
+        self.reasons.iter().map(links).collect()
     }
 
     // --- the record ----------------------------------------------------------------------------

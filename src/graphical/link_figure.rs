@@ -6,6 +6,7 @@ use crate::mechanism::{Form, Link, LinkId, PointId, Sense};
 
 use super::construction::Act;
 use super::draughtsman::Draughtsman;
+use super::missing::Missing;
 
 /// The lengths that a link's form states, for a first idea of the mechanism's size.
 pub(super) fn given_lengths(link: &Link) -> Vec<f64> {
@@ -25,11 +26,11 @@ pub(super) fn given_lengths(link: &Link) -> Vec<f64> {
 }
 
 impl<B: Bench> Draughtsman<'_, B> {
-    fn index_in(&self, link: LinkId, point: PointId) -> usize {
-        self.mechanism.link(link).points.iter().position(|&p| p == point).unwrap_or(0)
+    fn index_in(&self, link: LinkId, point: PointId) -> Option<usize> {
+        self.mechanism.link(link).points.iter().position(|&p| p == point)
     }
 
-    /// The link's own figure, drawn once. A placed link's figure is the skeleton itself.
+    /// The own figure of a link with dimensions of its own, drawn once.
     fn figure(&mut self, link: LinkId) -> Vec<Point<B>> {
         if let Some(points) = &self.figures[link.0] {
             return points.clone();
@@ -66,7 +67,11 @@ impl<B: Bench> Draughtsman<'_, B> {
                 // The scene room has checked the triangle inequality; a flat triangle is a tangency.
                 let third = match board.meet_circles(about_first, about_second, reason) {
                     Ok(pair) => board.take(pair, side),
-                    Err(_) => board.step_off(origin, right, about_first.radius),
+                    Err(_) => {
+                        let behind = second_third.value > first_second.value.max(third_first.value);
+                        let outward = if behind { board.reverse(right) } else { right };
+                        board.step_off(origin, outward, about_first.radius)
+                    }
                 };
                 vec![origin, second, third]
             }
@@ -86,21 +91,27 @@ impl<B: Bench> Draughtsman<'_, B> {
                 })
                 .collect(),
             Form::Single => vec![origin],
-            Form::Placed => {
-                let points = &self.mechanism.link(link).points;
-                points.iter().map(|p| self.places[p.0].unwrap_or(origin)).collect()
-            }
+            // Its points stand in the world as given: see `own`.
+            Form::Placed => Vec::new(),
         };
         self.board.purpose(before);
         self.figures[link.0] = Some(points.clone());
         points
     }
 
-    /// A point of the link's own figure.
+    /// A point of the link's own figure. The own coordinates of the frame, and of a link dimensioned by placement,
+    /// are the world's: there the given places stand before any step is drawn, and the skeleton is their figure.
     pub(super) fn own(&mut self, link: LinkId, point: PointId) -> Point<B> {
-        let index = self.index_in(link, point);
-        let figure = self.figure(link);
-        figure.get(index).copied().unwrap_or_else(|| self.board.origin())
+        let found = if self.stands_in_world(link) {
+            self.given_place(point)
+        } else {
+            let index = self.index_in(link, point);
+            index.and_then(|index| self.figure(link).get(index).copied())
+        };
+        match found {
+            Some(own) => own,
+            None => self.no_point(Missing::OwnPoint(link, point)),
+        }
     }
 
     /// The real distance of two points of a link: as given, or measured and said so.
@@ -110,30 +121,29 @@ impl<B: Bench> Draughtsman<'_, B> {
         {
             return length;
         }
-        let (i, j) = (self.index_in(link, p), self.index_in(link, q));
-        let given = match &self.mechanism.link(link).form {
-            Form::Length(l) => Some(*l),
-            Form::Sides { first_second, second_third, third_first, .. } => match (i.min(j), i.max(j)) {
-                (0, 1) => Some(*first_second),
-                (1, 2) => Some(*second_third),
-                _ => Some(*third_first),
-            },
-            Form::Arms { second, third, .. } => match (i.min(j), i.max(j)) {
-                (0, 1) => Some(*second),
-                (0, 2) => Some(*third),
-                _ => None,
-            },
-            Form::Line(_) | Form::Shape(_) | Form::Placed | Form::Single => None,
+        let ends = self.index_in(link, p).zip(self.index_in(link, q)).map(|(i, j)| (i.min(j), i.max(j)));
+        let form = &self.mechanism.link(link).form;
+        let given = match (form, ends) {
+            (Form::Length(l), Some((0, 1))) => Some(*l),
+            (Form::Sides { first_second, .. }, Some((0, 1))) => Some(*first_second),
+            (Form::Sides { second_third, .. }, Some((1, 2))) => Some(*second_third),
+            (Form::Sides { third_first, .. }, Some((0, 2))) => Some(*third_first),
+            (Form::Arms { second, .. }, Some((0, 1))) => Some(*second),
+            (Form::Arms { third, .. }, Some((0, 2))) => Some(*third),
+            _ => None,
         };
-        let length = match (given, &self.mechanism.link(link).form) {
+        let on_line = match (form, ends) {
+            (Form::Line(positions), Some((i, j))) => positions.get(i).copied().zip(positions.get(j).copied()),
+            _ => None,
+        };
+        let length = match (given, on_line) {
             (Some(given), _) => self.board.amount(given),
-            (None, Form::Line(positions)) => {
-                let (a, b) = (positions[i], positions[j]);
+            (None, Some((a, b))) => {
                 let (a, b) = (self.board.amount(a), self.board.amount(b));
                 let signed = self.board.difference(b, a);
                 self.board.magnitude(signed)
             }
-            (None, _) => {
+            (None, None) => {
                 let (a, b) = (self.own(link, p), self.own(link, q));
                 let mm = self.board.distance(a, b);
                 let scale = self.length_scale();

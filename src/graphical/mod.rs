@@ -14,6 +14,7 @@ mod departure;
 mod draughtsman;
 mod dyad;
 mod link_figure;
+mod missing;
 mod pose;
 mod position;
 mod reading;
@@ -24,6 +25,7 @@ mod velocity;
 
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
+pub use missing::Missing;
 pub use reading::Numbers;
 pub use transcribe::{Transcribed, TranscribedWithBounds, transcribe, transcribe_with_bounds};
 
@@ -128,6 +130,9 @@ pub enum DrawError {
         /// The point.
         point: PointId,
     },
+    /// A construction of the skeleton asks for what nothing in the scene and no step of the drawing gives.
+    #[error("the skeleton asks for something that no step draws")]
+    Missing(Missing),
     /// No construction is known for a group.
     #[error("no construction is known for a group")]
     NoConstruction {

@@ -5,6 +5,7 @@ use crate::given::Given;
 use crate::mechanism::{Form, Guide, GuidePoint, LinkId, Path, PointId, Rider, Slide};
 
 use super::draughtsman::Draughtsman;
+use super::missing::Missing;
 
 /// A link's own figure laid on the skeleton: one point of it, and one direction.
 pub(super) struct Pose<B: Bench> {
@@ -37,8 +38,9 @@ impl<B: Bench> Clone for Track<B> {
 impl<B: Bench> Copy for Track<B> {}
 
 impl<B: Bench> Draughtsman<'_, B> {
-    /// Whether a link's own coordinates are the world's at this instant.
-    fn stands_in_world(&self, link: LinkId) -> bool {
+    /// Whether a link's own coordinates are the world's at this instant. In what moves on from this instant no link
+    /// but the frame does: there the given places have become its own shape.
+    pub(super) fn stands_in_world(&self, link: LinkId) -> bool {
         link == LinkId::FRAME || matches!(self.mechanism.link(link).form, Form::Placed)
     }
 
@@ -52,28 +54,70 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
     }
 
+    /// How a link stands: as a step has noted, or by two of its points that stand.
+    fn pose_of(&mut self, link: LinkId) -> Option<Pose<B>> {
+        if self.poses[link.0].is_none() {
+            let stands = |p: &&PointId| self.places[p.0].is_some();
+            let known: Vec<PointId> =
+                self.mechanism.link(link).points.iter().filter(stands).copied().collect();
+            if let &[p, q, ..] = known.as_slice() {
+                self.pose_by_points(link, p, q);
+            }
+        }
+        self.poses[link.0]
+    }
+
     /// Carries a direction of a link's own figure over to the skeleton, by protractor.
     pub(super) fn carried(&mut self, link: LinkId, own: Direction<B>) -> Direction<B> {
-        match self.poses[link.0] {
-            Some(pose) if !self.stands_in_world(link) => {
+        if self.stands_in_world(link) {
+            return own;
+        }
+        match self.pose_of(link) {
+            Some(pose) => {
                 let turn = self.board.angle_between(pose.own_along, own);
                 self.board.turned(pose.along, turn)
             }
-            _ => own,
+            None => self.no_direction(Missing::Pose(link)),
         }
     }
 
     /// Carries a point of a link's own figure over to the skeleton, with the set square.
     pub(super) fn carried_point(&mut self, link: LinkId, own: Point<B>) -> Point<B> {
-        match self.poses[link.0] {
-            Some(pose) if !self.stands_in_world(link) => {
+        if self.stands_in_world(link) {
+            return own;
+        }
+        match self.pose_of(link) {
+            Some(pose) => {
                 let line = Line { through: pose.own_anchor, along: pose.own_along };
                 let [forward, left] = self.board.square_off(line, own);
                 let foot = self.board.step_off(pose.anchor, pose.along, forward);
                 let square = self.board.quarter_turn(pose.along);
                 self.board.lay_off(foot, square, left)
             }
-            _ => own,
+            None => self.no_point(Missing::Pose(link)),
+        }
+    }
+
+    /// A straight guide in the own figure of its link, where only a straight one will do.
+    fn own_straight(&mut self, guide: &Guide) -> Line<B> {
+        match self.own_line(guide) {
+            Track::Straight(line) => line,
+            Track::Arc(arc) => {
+                let along = self.no_direction(Missing::StraightGuide(guide.link));
+                Line { through: arc.centre, along }
+            }
+        }
+    }
+
+    /// A straight guide of a solved link, where only a straight one will do.
+    pub(super) fn straight_track(&mut self, slide: usize, of: Option<PointId>) -> Line<B> {
+        match self.track(slide, of) {
+            Track::Straight(line) => line,
+            Track::Arc(arc) => {
+                let link = self.mechanism.slides[slide].guide.link;
+                let along = self.no_direction(Missing::StraightGuide(link));
+                Line { through: arc.centre, along }
+            }
         }
     }
 
@@ -95,10 +139,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The straight line of a rack or plane, on the skeleton.
     pub(super) fn line_of(&mut self, guide: &Guide) -> Line<B> {
-        let own = match self.own_line(guide) {
-            Track::Straight(line) => line,
-            Track::Arc(arc) => Line { through: arc.centre, along: self.board.rightward() },
-        };
+        let own = self.own_straight(guide);
         if self.stands_in_world(guide.link) {
             return own;
         }
@@ -115,7 +156,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         if let (Track::Straight(mut line), Rider::Link { link, turned }, Some(of)) =
             (track, self.mechanism.slides[slide].rider, of)
         {
-            line.through = self.beside_guide(line, link, turned, of);
+            line.through = self.beside_guide(slide, line, (link, turned), of);
             return Track::Straight(line);
         }
         track
@@ -161,14 +202,27 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The parallel to a guide on which a point of the rider link moves, through the place it has when the
     /// rider's first joint stands at the guide's start.
-    fn beside_guide(&mut self, line: Line<B>, rider: LinkId, turned: Option<Given>, of: PointId) -> Point<B> {
-        let Some(&first) = self.mechanism.link(rider).points.first() else { return line.through };
+    fn beside_guide(
+        &mut self,
+        slide: usize,
+        line: Line<B>,
+        (rider, turned): (LinkId, Option<Given>),
+        of: PointId,
+    ) -> Point<B> {
+        let Some(&first) = self.mechanism.link(rider).points.first() else {
+            return self.no_point(Missing::Joint(rider));
+        };
         if first == of {
             return line.through;
         }
         let Some(turned) = turned else {
-            // A rider of placed points rides as placed: its points stand where they stand.
-            return self.own(rider, of);
+            // A rider of placed points rides as placed: its points stand where they stand in the world, and so do
+            // they in the figure of a guide's link that stands there as well.
+            let guide = self.mechanism.slides[slide].guide.link;
+            if self.stands_in_world(guide) {
+                return self.own(rider, of);
+            }
+            return self.no_point(Missing::OwnPoint(guide, of));
         };
         let (from, to) = (self.own(rider, first), self.own(rider, of));
         let own_x = self.board.rightward();
@@ -205,20 +259,21 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// that rides. A rider of placed points rides as placed: its own axes are the world's.
     pub(super) fn ride_directions(&mut self, slide: usize, link: LinkId) -> (Direction<B>, Direction<B>) {
         let own_x = self.board.rightward();
-        let Slide { rider: Rider::Link { link: rider, turned: Some(turned) }, guide } =
-            self.mechanism.slides[slide]
-        else {
-            return (own_x, own_x);
-        };
         if self.stands_in_world(link) {
             return (own_x, own_x);
         }
+        let Slide { rider: Rider::Link { link: rider, turned: Some(turned) }, guide } =
+            self.mechanism.slides[slide]
+        else {
+            // What rides as placed does not say how the other link stands.
+            return (own_x, self.no_direction(Missing::Pose(link)));
+        };
         let by = self.board.angle(turned);
         if rider == link {
-            let Track::Straight(line) = self.track(slide, None) else { return (own_x, own_x) };
+            let line = self.straight_track(slide, None);
             return (own_x, self.board.turned(line.along, by));
         }
-        let Track::Straight(line) = self.own_line(&guide) else { return (own_x, own_x) };
+        let line = self.own_straight(&guide);
         (self.board.turned(line.along, by), self.carried(rider, own_x))
     }
 
@@ -233,15 +288,17 @@ impl<B: Bench> Draughtsman<'_, B> {
             return self.track(slide, Some(of));
         }
         // The link carries the guide: its line passes through the first joint of the solved rider.
-        let Some(&first) = self.mechanism.link(rider).points.first() else {
-            return self.track(slide, Some(of));
+        let at = match self.mechanism.link(rider).points.first() {
+            Some(&first) => {
+                let own_first = self.own(rider, first);
+                self.carried_point(rider, own_first)
+            }
+            None => self.no_point(Missing::Joint(rider)),
         };
-        let own_first = self.own(rider, first);
-        let at = self.carried_point(rider, own_first);
         let own_of = self.own(link, of);
         let (own_along, along) = self.ride_directions(slide, link);
         self.poses[link.0] = Some(Pose { own_anchor: own_of, anchor: at, own_along, along });
-        let Track::Straight(own_guide) = self.own_line(&guide) else { return self.track(slide, Some(of)) };
+        let own_guide = self.own_straight(&guide);
         let [_, across] = self.board.square_off(own_guide, own_of);
         let along = self.carried(link, own_guide.along);
         let left = self.board.quarter_turn(along);

@@ -10,6 +10,7 @@ use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Claim, ConstructionLine, Reference};
 use super::draughtsman::Draughtsman;
+use super::missing::Missing;
 use super::pose::{Pose, Track};
 use super::{DrawError, Misfit};
 
@@ -20,6 +21,7 @@ pub(super) fn origin_of_space(mechanism: &crate::mechanism::Mechanism) -> [Given
         let mut points = points.filter(|p| !fixed || matches!(p.place, crate::mechanism::Place::Fixed(_)));
         points.find_map(|p| p.place.exact())
     };
+    // Where nothing has a given place, one's own paper begins where one likes.
     exact(true).or_else(|| exact(false)).unwrap_or([Given::exact(0.0); 2])
 }
 
@@ -43,12 +45,14 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
 
 /// Two hints that differ by less than this part cannot choose between two places.
 pub(super) const HINT_TIE: f64 = 1e-9;
+/// A guide is square to its link's x-axis where the cosine of their angle is no more than this.
+const SQUARE: f64 = 2e-6;
 
 impl<B: Bench> Draughtsman<'_, B> {
     /// Finds the places of one group.
     pub(super) fn position_of(&mut self, step: &GroupStep, group: &Group) -> Result<(), DrawError> {
         match group.kind {
-            GroupKind::Driver { base, input } => self.driver(step, group.links[0], base, input),
+            GroupKind::Driver { base, input } => self.driver(step, group.links[0], base, input)?,
             GroupKind::Rrr { links, bases, pin } => self.rrr(step, links, bases, pin)?,
             GroupKind::Rrp { rod, base, pin, slide, rider } => {
                 self.rrp(step, (rod, base), pin, (slide, rider))?;
@@ -59,11 +63,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
             GroupKind::Prp { pin, slides, riders } => self.prp(step, pin, slides, riders)?,
             GroupKind::Rpp { link, point, lever, base, ride, slot } => {
-                self.rpp(step, (link, point), (lever, base), (ride, slot));
+                self.rpp(step, (link, point), (lever, base), (ride, slot))?;
             }
             GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot)?,
             GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
-            GroupKind::Wheel { wheel, centre, roll } => self.wheel(step, wheel, centre, roll),
+            GroupKind::Wheel { wheel, centre, roll } => self.wheel(step, wheel, centre, roll)?,
             GroupKind::DrivenBar { link, pins, slides, input } => {
                 self.driven_bar(step, link, pins, slides, input)?;
             }
@@ -79,7 +83,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 return Err(DrawError::NoConstruction { links: group.links.clone() });
             }
         }
-        Ok(())
+        self.nothing_missing()
     }
 
     /// Where the skeleton's own frame begins: the first fixed point, else the first placed one.
@@ -104,10 +108,18 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.board.prick(x, y)
     }
 
-    /// Pricks a point whose place is given; says whether it was.
+    /// Where a fixed or placed point stands by its given place, pricked once.
+    pub(super) fn given_place(&mut self, point: PointId) -> Option<Point<B>> {
+        if self.pricked[point.0].is_none() {
+            let world = self.mechanism.point(point).place.exact()?;
+            self.pricked[point.0] = Some(self.prick_world(world));
+        }
+        self.pricked[point.0]
+    }
+
+    /// Notes the place of a point whose place is given; says whether it is.
     fn prick_given(&mut self, point: PointId) -> bool {
-        let Some(world) = self.mechanism.point(point).place.exact() else { return false };
-        let at = self.prick_world(world);
+        let Some(at) = self.given_place(point) else { return false };
         self.place(point, at);
         true
     }
@@ -116,10 +128,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     pub(super) fn at(&mut self, point: PointId) -> Point<B> {
         match self.places[point.0] {
             Some(at) => at,
-            None => {
-                let reason = self.reason(&[]);
-                self.board.nowhere(reason)
-            }
+            None => self.no_point(Missing::Place(point)),
         }
     }
 
@@ -132,28 +141,126 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A driven link: lay its points off along the given angle from its base.
-    fn driver(&mut self, step: &GroupStep, link: LinkId, base: PointId, input: usize) {
+    fn driver(
+        &mut self,
+        step: &GroupStep,
+        link: LinkId,
+        base: PointId,
+        input: usize,
+    ) -> Result<(), DrawError> {
         match self.driven_angle(input) {
             Some(angle) => {
                 let angle = self.board.input_angle(input, angle);
                 let along = self.board.protractor(angle);
                 self.driver_along(step, link, base, along);
+                Ok(())
             }
-            None => self.driver_as_placed(step, link, base),
+            None if matches!(self.mechanism.link(link).form, Form::Single) => {
+                self.board.purpose("driven link");
+                self.one_joint_link(link, base)
+            }
+            None => {
+                self.driver_as_placed(step, link, base);
+                Ok(())
+            }
         }
     }
 
-    /// A driven link whose first two points are placed.
+    /// A driven link that stands by two of its points, which are placed.
     pub(super) fn driver_as_placed(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         let points = self.mechanism.link(link).points.clone();
-        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else { return };
-        for point in [first, second] {
-            self.prick_given(point);
+        let placed: Vec<PointId> = points.iter().copied().filter(|&p| self.prick_given(p)).collect();
+        let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
+            self.miss_of(Missing::Joint(link));
+            return;
+        };
+        if [first, second].iter().all(|p| placed.contains(p)) {
+            let (a, b) = (self.at(first), self.at(second));
+            let reason = self.reason(&[link]);
+            let (along, _) = self.board.toward(a, b, reason);
+            self.driver_along(step, link, base, along);
+            return;
         }
-        let (a, b) = (self.at(first), self.at(second));
+        let Some(&far) = placed.iter().find(|&&p| p != base) else {
+            self.miss_of(Missing::Pose(link));
+            return;
+        };
+        self.pose_by_points(link, base, far);
+        self.act(Act::MarkPlaces);
+        self.transfer_by_pose(step, link);
+    }
+
+    /// How a link of one joint stands, which no input angle tells: where it rides as a link its x-axis follows that
+    /// guide; where it carries a guide through its own joint it is turned until that meets its rider; otherwise its
+    /// x-axis is the world's.
+    fn one_joint_link(&mut self, link: LinkId, base: PointId) -> Result<(), DrawError> {
+        let (own_anchor, anchor) = (self.own(link, base), self.at(base));
+        let ride =
+            self.mechanism.slides.iter().position(
+                |s| matches!(s.rider, Rider::Link { link: rider, turned: Some(_) } if rider == link),
+            );
+        if let Some(slide) = ride {
+            let (own_along, along) = self.ride_directions(slide, link);
+            self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+            return Ok(());
+        }
+        let Some(slide) = self.swivels_by(link) else {
+            let x = self.board.rightward();
+            self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along: x, along: x });
+            return Ok(());
+        };
+        let rider = match self.mechanism.slides[slide].rider {
+            Rider::Pin { point, .. } => Some(point),
+            Rider::Link { link: rider, .. } => self.mechanism.link(rider).points.first().copied(),
+        };
+        let at_rider = match rider {
+            Some(rider) if self.places[rider.0].is_none() && self.given_place(rider).is_none() => None,
+            Some(rider) => self.places[rider.0].or(self.pricked[rider.0]).map(|at| (rider, at)),
+            None => None,
+        };
+        let Some((rider, at_rider)) = at_rider else {
+            self.miss_of(Missing::Pose(link));
+            return Ok(());
+        };
+        let own_line = self.own_track(slide, Some(rider));
+        self.swivel(link, (base, own_line), (slide, rider), at_rider)
+    }
+
+    /// The pair by whose guide a link of one joint swivels: the first that leads through that joint.
+    fn swivels_by(&self, link: LinkId) -> Option<usize> {
+        let joint = self.mechanism.link(link).points.first();
+        let single = matches!(self.mechanism.link(link).form, Form::Single);
+        self.mechanism.slides.iter().position(|slide| {
+            let Path::Straight { through, .. } = slide.guide.path else { return false };
+            let own = match through {
+                GuidePoint::Point(p) => joint == Some(&p),
+                GuidePoint::Own(at) => at.iter().all(|c| *c == Given::exact(0.0)),
+            };
+            single && own && slide.guide.link == link
+        })
+    }
+
+    /// Turns a link of one joint until its guide meets its rider: of the two ends of the line that with the rider
+    /// further along the link's x-axis; where the guide is square to that, its own direction.
+    fn swivel(
+        &mut self,
+        link: LinkId,
+        (base, own_track): (PointId, Track<B>),
+        (slide, rider): (usize, PointId),
+        at_rider: Point<B>,
+    ) -> Result<(), DrawError> {
+        let (own_anchor, anchor) = (self.own(link, base), self.at(base));
         let reason = self.reason(&[link]);
-        let (along, _) = self.board.toward(a, b, reason);
-        self.driver_along(step, link, base, along);
+        let (along, distance) = self.board.toward(anchor, at_rider, reason);
+        let circle = Circle { centre: own_anchor, radius: distance };
+        let pair = self.meet_track(own_track, circle, (link, base), (slide, rider))?;
+        let [first, second] = [Side::First, Side::Second].map(|side| self.board.look(&pair, side)[0]);
+        let behind = second - first > SQUARE * distance.value();
+        let side = if behind && !pair.tangent { Side::Second } else { Side::First };
+        let own_rider = self.board.take(pair, side);
+        let (own_along, _) = self.board.toward(own_anchor, own_rider, reason);
+        self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+        Ok(())
     }
 
     /// A driven link whose first-to-second line points `along`.
@@ -201,12 +308,19 @@ impl<B: Bench> Draughtsman<'_, B> {
             Rider::Pin { point, .. } => Some(point),
             Rider::Link { link, .. } => self.mechanism.link(link).points.first().copied(),
         };
-        let Some(first) = first else { return };
+        let Some(first) = first else {
+            if let Rider::Link { link, .. } = rider {
+                self.miss_of(Missing::Joint(link));
+            }
+            return;
+        };
         self.act(Act::DrawGuide { slide });
-        if !self.prick_given(first)
-            && let (Input::Slide { at: Some(at), .. }, Track::Straight(line)) =
-                (self.mechanism.inputs[input], self.track(slide, None))
-        {
+        if !self.prick_given(first) {
+            let Input::Slide { at: Some(at), .. } = self.mechanism.inputs[input] else {
+                self.miss_of(Missing::Input(input));
+                return;
+            };
+            let line = self.straight_track(slide, None);
             let at = self.board.input_amount(input, at);
             let scale = self.length_scale();
             let mm = self.board.to_paper(at, scale);
@@ -264,8 +378,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.take_hinted(&main, None, centre, pair)?;
         }
         self.transfer_points(step, &main, centre);
-        self.wheel(step, wheel, centre, roll);
-        Ok(())
+        self.wheel(step, wheel, centre, roll)
     }
 
     /// The tracks of a rolling wheel's centre: beside the line on either side, or about the other centre.
@@ -323,14 +436,27 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.act(Act::DrawGuide { slide });
         }
         let (own_first, own_second) = (self.own(link, first), self.own(link, second));
-        let (own_along, along) = match self.driven_angle(input) {
-            Some(angle) if !matches!(self.mechanism.link(link).form, Form::Placed) => {
-                let angle = self.board.angle(angle);
-                (self.own_line_of(link), self.board.protractor(angle))
-            }
-            _ => {
+        let placed: Vec<PointId> =
+            self.mechanism.link(link).points.clone().into_iter().filter(|&p| self.prick_given(p)).collect();
+        let (own_along, along) = match (self.driven_angle(input), placed.as_slice()) {
+            _ if self.stands_in_world(link) => {
                 let x = self.board.rightward();
                 (x, x)
+            }
+            (Some(angle), _) => {
+                let angle = self.board.input_angle(input, angle);
+                (self.own_line_of(link), self.board.protractor(angle))
+            }
+            (None, &[p, .., q]) => {
+                let reason = self.reason(&[link]);
+                let (own_from, own_to) = (self.own(link, p), self.own(link, q));
+                let (own_along, _) = self.board.toward(own_from, own_to, reason);
+                let (from, to) = (self.at(p), self.at(q));
+                (own_along, self.board.toward(from, to, reason).0)
+            }
+            (None, _) => {
+                self.miss_of(Missing::Input(input));
+                return Ok(());
             }
         };
         let pose = |own_anchor, anchor| Some(Pose { own_anchor, anchor, own_along, along });
@@ -365,7 +491,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn own_line_of(&mut self, link: LinkId) -> Direction<B> {
         let points = self.mechanism.link(link).points.clone();
         let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
-            return self.board.rightward();
+            return self.no_direction(Missing::Joint(link));
         };
         let (a, b) = (self.own(link, first), self.own(link, second));
         let reason = self.reason(&[link]);
@@ -415,32 +541,37 @@ impl<B: Bench> Draughtsman<'_, B> {
                 self.driver_along(step, wheel, centre, along);
                 self.contact(wheel, roll);
             }
-            _ => self.wheel(step, wheel, centre, roll),
+            _ => self.wheel(step, wheel, centre, roll)?,
         }
         Ok(())
     }
 
     /// A wheel about its known centre.
-    fn wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
+    fn wheel(
+        &mut self,
+        step: &GroupStep,
+        wheel: LinkId,
+        centre: PointId,
+        roll: usize,
+    ) -> Result<(), DrawError> {
         self.board.purpose("contact point");
         if !self.starts.is_empty() {
             self.roll_on(step, wheel, centre, roll);
             self.contact(wheel, roll);
-            return;
+            return Ok(());
         }
         self.wheel_points(step, wheel, centre);
         if matches!(self.mechanism.link(wheel).form, Form::Single) && self.carries_guide(wheel) {
-            // The axes of a wheel are the world's.
-            let (own_anchor, anchor, x) = (self.own(wheel, centre), self.at(centre), self.board.rightward());
-            self.poses[wheel.0] = Some(Pose { own_anchor, anchor, own_along: x, along: x });
+            self.one_joint_link(wheel, centre)?;
         }
         self.contact(wheel, roll);
+        Ok(())
     }
 
     /// The contact point of a rolling pair: on the line of centres, or the foot of the centre on the line.
     fn contact(&mut self, wheel: LinkId, roll: usize) {
         self.board.purpose("contact point");
-        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        let contact = self.mechanism.contacts[roll];
         let scale = self.length_scale();
         let at = match self.mechanism.rolls[roll] {
             Roll::Circles { centres, radii, internal, .. } => {
@@ -474,7 +605,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             if self.prick_given(point) {
                 continue;
             }
-            let Some(placed) = placed.filter(|_| link == wheel) else { continue };
+            let Some(placed) = placed.filter(|_| link == wheel) else {
+                // Rolling says nothing of where it began.
+                self.miss_of(Missing::Place(point));
+                continue;
+            };
             self.prick_given(placed);
             let (from, to) = (self.at(centre), self.at(placed));
             let at = self.corner(wheel, (centre, from), (placed, to), point);
@@ -655,22 +790,22 @@ impl<B: Bench> Draughtsman<'_, B> {
         let (along, distance) = self.board.toward(at_base, at_pin, reason);
         self.act(Act::DrawGuide { slide });
         let own_anchor = self.own(lever, base);
-        if matches!(self.mechanism.link(lever).form, Form::Placed) {
+        if self.stands_in_world(lever) {
             self.poses[lever.0] =
                 Some(Pose { own_anchor: at_base, anchor: at_base, own_along: along, along });
-        } else if self.stands_upright(lever, base, slide) {
-            let x = self.board.rightward();
-            self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along: x, along: x });
+        } else if matches!(self.mechanism.link(lever).form, Form::Single) {
+            if self.swivels_by(lever) == Some(slide) {
+                let track = self.own_track(slide, Some(pin));
+                self.swivel(lever, (base, track), (slide, pin), at_pin)?;
+            } else {
+                self.one_joint_link(lever, base)?;
+            }
         } else {
             let track = self.own_track(slide, Some(pin));
             let circle = Circle { centre: own_anchor, radius: distance };
             let pair = self.meet_track(track, circle, (lever, base), (slide, pin))?;
             let side = if pair.tangent {
                 Side::First
-            } else if matches!(self.mechanism.link(lever).form, Form::Single) {
-                // It turns until the guide meets its rider, x toward the rider.
-                let [first, second] = [Side::First, Side::Second].map(|side| self.board.look(&pair, side)[0]);
-                if first >= second { Side::First } else { Side::Second }
             } else {
                 self.choose_lever(lever, (own_anchor, at_base), along, pin, pair)?
             };
@@ -680,16 +815,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         self.transfer_by_pose(step, lever);
         Ok(())
-    }
-
-    /// Whether a link of one joint has the world's axes at this instant: unless its guide goes through that
-    /// joint and swivels to meet the rider.
-    fn stands_upright(&self, lever: LinkId, base: PointId, slide: usize) -> bool {
-        let swivels = matches!(
-            self.mechanism.slides[slide].guide.path,
-            Path::Straight { through: GuidePoint::Point(p), .. } if p == base
-        );
-        matches!(self.mechanism.link(lever).form, Form::Single) && !swivels
     }
 
     /// Chooses between the two ways in which a lever's guide can pass through a pin.
@@ -851,7 +976,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         (link, point): (LinkId, PointId),
         (lever, base): (LinkId, PointId),
         (ride, slot): (usize, usize),
-    ) {
+    ) -> Result<(), DrawError> {
         self.board.purpose("link between two guides");
         // Only the direction counts until the joint is found.
         let (own_anchor, anchor) = (self.own(link, point), self.at(base));
@@ -865,14 +990,16 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.act(Act::MarkPlaces);
         } else {
             let tracks = [ride, slot].map(|slide| self.riding_track(slide, Some(link), point));
-            if let [Track::Straight(first), Track::Straight(second)] = tracks {
-                let reason = self.reason(&[link, lever]);
-                let meet = self.board.meet_lines(first, second, reason);
-                self.place(point, meet.at);
-                self.act(Act::MarkIntersection { point, crossing: meet.crossing });
-            }
+            let [Track::Straight(first), Track::Straight(second)] = tracks else {
+                return Err(DrawError::NoConstruction { links: vec![link, lever] });
+            };
+            let reason = self.reason(&[link, lever]);
+            let meet = self.board.meet_lines(first, second, reason);
+            self.place(point, meet.at);
+            self.act(Act::MarkIntersection { point, crossing: meet.crossing });
         }
         self.ride_along(step, ride, Some(link), point);
+        Ok(())
     }
 
     /// A link that rides without turning, with a slot through a pin that stands already: a parallel to the
@@ -889,14 +1016,19 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.board.purpose("yoke through a pin");
         self.act(Act::DrawGuide { slide: ride });
         self.act(Act::DrawGuide { slide: slot });
-        let Some(&first) = self.mechanism.link(link).points.first() else { return Ok(()) };
+        let Some(&first) = self.mechanism.link(link).points.first() else {
+            self.miss_of(Missing::Joint(link));
+            return Ok(());
+        };
         if matches!(self.mechanism.link(link).form, Form::Placed) {
             let (anchor, x) = (self.at(pin), self.board.rightward());
             self.poses[link.0] = Some(Pose { own_anchor: anchor, anchor, own_along: x, along: x });
             self.transfer_by_pose(step, link);
             return Ok(());
         }
-        let Track::Straight(guide) = self.riding_track(ride, Some(link), first) else { return Ok(()) };
+        let Track::Straight(guide) = self.riding_track(ride, Some(link), first) else {
+            return Err(DrawError::NoConstruction { links: vec![link] });
+        };
         let (own_along, rides) = self.ride_directions(ride, link);
         let own_anchor = self.own(link, first);
         let at_pin = self.at(pin);

@@ -120,8 +120,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
             return too_large();
         }
         if let Some(reason) = weak {
-            let links = self.links_of(reason);
-            return (Answer::Indeterminate(Indeterminate::DeadCentre { links }), None);
+            return (Answer::Indeterminate(self.why(reason)), None);
         }
         let bounds: Vec<f64> = numbers.iter().map(|&(mark, _)| self.board.recorder().bound(mark)).collect();
         if !bounds.iter().all(|bound| bound.is_finite()) {

@@ -9,6 +9,7 @@ use crate::plan::GroupStep;
 
 use super::construction::Act;
 use super::draughtsman::Draughtsman;
+use super::missing::Missing;
 use super::pose::Pose;
 
 /// Where points stood when the wheels began to roll, metres in the world, by point; empty in a drawing of one
@@ -18,7 +19,10 @@ pub(crate) type Starts = [Option<GivenPoint>];
 impl<B: Bench> Draughtsman<'_, B> {
     /// Lays the figure of a wheel onto the skeleton as far turned as it has rolled, and its wanted points with it.
     pub(super) fn roll_on(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
-        let Some(by) = self.rolled_through(wheel, centre, roll) else { return };
+        let Some(by) = self.rolled_through(wheel, centre, roll) else {
+            self.miss_of(Missing::Pose(wheel));
+            return;
+        };
         self.turned_by[wheel.0] = Some(by);
         let (own_anchor, anchor) = (self.own(wheel, centre), self.at(centre));
         let (own_along, along) = if matches!(self.mechanism.link(wheel).form, Form::Single) {
@@ -29,6 +33,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             let points = &self.mechanism.link(wheel).points;
             let marked = points.iter().copied().find(|&p| p != centre && start(p).is_some());
             let Some((point, from, to)) = marked.and_then(|p| Some((p, start(centre)?, start(p)?))) else {
+                self.miss_of(Missing::Pose(wheel));
                 return;
             };
             let reason = self.reason(&[wheel]);

@@ -133,7 +133,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         {
             self.pose_by_points(link, far, near);
         }
-        Ok(())
+        self.nothing_missing()
     }
 
     /// By how much the open constraint is missed: paper millimetres, or radians.

@@ -1,0 +1,80 @@
+//! What a construction asks for and no step has drawn.
+//!
+//! A place that does not stand is not a point, and a rate that nobody has read is not zero. Who asks for one gets
+//! ink that leads nowhere: whatever is read from it is refused, with the reason told here. A skeleton in which
+//! something was missing is refused as a whole ([`super::DrawError::Missing`]).
+
+use crate::board::{Bench, Direction, Point, Reason};
+use crate::mechanism::{LinkId, Mechanism, PointId};
+
+use super::DrawError;
+use super::draughtsman::Draughtsman;
+
+/// What is missing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Missing {
+    /// The place of a point.
+    Place(PointId),
+    /// A point of the own figure of a link.
+    OwnPoint(LinkId, PointId),
+    /// How a link stands.
+    Pose(LinkId),
+    /// A joint of a link that has none, or too few.
+    Joint(LinkId),
+    /// A straight guide of a link, where it has an arc.
+    StraightGuide(LinkId),
+    /// The angle, or the place, that an input gives.
+    Input(usize),
+}
+
+impl Missing {
+    /// What is missing, as a clause in plain English.
+    #[must_use]
+    pub fn say(&self, mechanism: &Mechanism) -> String {
+        let name = |point: PointId| &mechanism.point(point).name;
+        let number = |link: LinkId| mechanism.link(link).number;
+        match *self {
+            Self::Place(point) => format!("no step of the drawing finds the place of {}", name(point)),
+            Self::OwnPoint(link, point) => {
+                format!("link {} does not say where its point {} is", number(link), name(point))
+            }
+            Self::Pose(link) => format!("no step of the drawing finds how link {} stands", number(link)),
+            Self::Joint(link) => format!("link {} has too few joints for this construction", number(link)),
+            Self::StraightGuide(link) => {
+                format!("this construction needs a straight guide on link {}, not an arc", number(link))
+            }
+            Self::Input(input) => format!("input {} gives no value to draw with", input + 1),
+        }
+    }
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    /// Notes that something is missing, and gives the reason for whatever is drawn from it.
+    pub(super) fn miss_of(&mut self, what: Missing) -> Reason {
+        self.missing.get_or_insert(what);
+        self.reason_missing(what)
+    }
+
+    /// In the place of a point that is missing: nowhere.
+    pub(super) fn no_point(&mut self, what: Missing) -> Point<B> {
+        let reason = self.miss_of(what);
+        self.board.nowhere(reason)
+    }
+
+    /// In the place of a direction that is missing: no direction.
+    pub(super) fn no_direction(&mut self, what: Missing) -> Direction<B> {
+        let reason = self.miss_of(what);
+        self.board.no_direction(reason)
+    }
+
+    /// A skeleton, or a part of it, stands on nothing that is missing.
+    ///
+    /// # Errors
+    /// [`DrawError::Missing`] with the first thing that was asked for and is not there.
+    pub(super) fn nothing_missing(&mut self) -> Result<(), DrawError> {
+        match self.missing.take() {
+            Some(what) => Err(DrawError::Missing(what)),
+            None => Ok(()),
+        }
+    }
+}
