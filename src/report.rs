@@ -123,11 +123,12 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
         }
         DrawError::Missing(what) => (
             match *what {
-                Missing::Place(point) => Subject::Point(point),
+                Missing::Place(point) | Missing::Image(_, point) => Subject::Point(point),
                 Missing::OwnPoint(link, _)
                 | Missing::Pose(link)
                 | Missing::Joint(link)
-                | Missing::StraightGuide(link) => Subject::Link(link),
+                | Missing::StraightGuide(link)
+                | Missing::Rate(_, link) => Subject::Link(link),
                 Missing::Input(input) => Subject::Input(input),
             },
             format!("cannot be drawn: {}", what.say(&scene.mechanism)),

@@ -14,7 +14,7 @@ use super::model::{Model, REPEATED};
 use super::ordering::{Group, Ordering, order};
 use super::slopes::Here;
 use super::tape::{Leaf, Linear};
-use crate::mechanism::{Place, PointId};
+use crate::mechanism::{Place, PointId, Rider};
 
 /// Two solutions closer than this (in mechanism sizes and radians) are one: near a dead centre Newton's
 /// iteration cannot separate them, and the Jacobian there is refused.
@@ -60,8 +60,34 @@ pub(super) struct Assembly {
 #[derive(Debug, Clone)]
 struct Solution {
     values: Vec<f64>,
-    /// Distance to the hints of the points that it settles; `None` where there is no hint.
-    miss: Option<f64>,
+    /// Distances to the hints of the points that it settles.
+    miss: Miss,
+}
+
+/// How far an assembly lies from its hints. Those of the joints at which a group closes come first; those of its
+/// other points count where these have none, or do not choose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Miss {
+    /// From the hints of joints; zero where there are none.
+    joints: f64,
+    /// From the hints of other points.
+    others: f64,
+}
+
+impl Miss {
+    fn clearly_less(self, other: Self) -> bool {
+        clearly_less(self.joints, other.joints)
+            || (!clearly_less(other.joints, self.joints) && clearly_less(self.others, other.others))
+    }
+}
+
+/// A rough place of a point.
+#[derive(Debug, Clone)]
+struct Hint {
+    site: Site,
+    near: [f64; 2],
+    /// The point is a joint at which its group closes.
+    closes: bool,
 }
 
 /// Residuals and Jacobian of a group at some place.
@@ -88,7 +114,7 @@ struct Assembler<'a> {
     /// The group with which each body is complete.
     ready: Vec<usize>,
     /// Points with a rough place, by the group that settles them.
-    settled: Vec<Vec<(PointId, Site, [f64; 2])>>,
+    settled: Vec<Vec<Hint>>,
     slot: Vec<usize>,
     /// What an equation may miss by.
     coarsest: f64,
@@ -152,12 +178,19 @@ impl<'a> Assembler<'a> {
                 slot[*column] = local;
             }
         }
-        let mut settled = vec![Vec::new(); groups.len()];
+        let mut settled: Vec<Vec<Hint>> = vec![Vec::new(); groups.len()];
         for (index, point) in model.mechanism.points.iter().enumerate() {
             let Place::Near(near) = point.place else { continue };
             let first = model.sites[index].iter().filter(|s| s.body != 0).min_by_key(|s| ready[s.body]);
             if let Some(site) = first {
-                settled[ready[site.body]].push((PointId(index), *site, model.scaled(near)));
+                let group = ready[site.body];
+                let here = model.sites[index].iter().filter(|s| ready[s.body] <= group).count();
+                let rides = model.mechanism.slides.iter().any(|s| {
+                    matches!(s.rider, Rider::Pin { point, .. } if point == PointId(index))
+                        && ready[s.guide.link.0] <= group
+                });
+                let hint = Hint { site: *site, near: model.scaled(near), closes: here > 1 || rides };
+                settled[group].push(hint);
             }
         }
         Self { model, groups, ready, settled, slot, coarsest }
@@ -189,7 +222,7 @@ impl<'a> Assembler<'a> {
     fn search(&self, ordering: &Ordering) -> Result<Vec<f64>, AnalyticError> {
         let mut pose = vec![0.0; self.model.unknowns()];
         let mut choices: Vec<Choice> = Vec::new();
-        let mut best: Option<(f64, Vec<f64>)> = None;
+        let mut best: Option<(Miss, Vec<f64>)> = None;
         let mut rival: Option<Vec<f64>> = None;
         let mut failure: Option<(usize, f64)> = None;
         let mut group = 0;
@@ -209,10 +242,7 @@ impl<'a> Assembler<'a> {
                         let Some(first) = found.pop() else { break };
                         self.take(group, &first, &mut pose);
                         if let Some(next) = found.last() {
-                            let decided = match (first.miss, next.miss) {
-                                (Some(a), Some(b)) => clearly_less(a, b),
-                                _ => false,
-                            };
+                            let decided = first.miss.clearly_less(next.miss);
                             choices.push(Choice { group, rest: found, decided });
                         }
                         group += 1;
@@ -228,8 +258,8 @@ impl<'a> Assembler<'a> {
                 complete += 1;
                 let miss = self.miss(&pose);
                 match &best {
-                    Some((least, _)) if clearly_less(*least, miss) => {}
-                    Some((least, _)) if !clearly_less(miss, *least) => rival = Some(pose.clone()),
+                    Some((least, _)) if least.clearly_less(miss) => {}
+                    Some((least, _)) if !miss.clearly_less(*least) => rival = Some(pose.clone()),
                     _ => {
                         best = Some((miss, pose.clone()));
                         rival = None;
@@ -287,14 +317,19 @@ impl<'a> Assembler<'a> {
     }
 
     /// Distance of an assembly to all hints.
-    fn miss(&self, pose: &[f64]) -> f64 {
-        self.settled.iter().flatten().map(|hint| self.square_miss(hint, pose)).sum::<f64>().sqrt()
+    fn miss(&self, pose: &[f64]) -> Miss {
+        self.miss_of(self.settled.iter().flatten(), pose)
     }
 
-    fn square_miss(&self, (_, site, near): &(PointId, Site, [f64; 2]), pose: &[f64]) -> f64 {
-        let at = self.world(site, pose);
-        let d = [at[0] - near[0], at[1] - near[1]];
-        d[0] * d[0] + d[1] * d[1]
+    fn miss_of<'h>(&self, hints: impl Iterator<Item = &'h Hint>, pose: &[f64]) -> Miss {
+        let mut squares = [0.0; 2];
+        for hint in hints {
+            let at = self.world(&hint.site, pose);
+            let d = [at[0] - hint.near[0], at[1] - hint.near[1]];
+            squares[usize::from(!hint.closes)] += d[0] * d[0] + d[1] * d[1];
+        }
+        let [joints, others] = squares.map(f64::sqrt);
+        Miss { joints, others }
     }
 
     /// The worst of the equations that should hold by themselves, if it does not.
@@ -376,9 +411,7 @@ impl<'a> Assembler<'a> {
                     let values: Vec<f64> = group.columns.iter().map(|c| pose[*c]).collect();
                     ends.push((values.clone(), 1));
                     if self.faces_riders(index, pose) {
-                        let hints = &self.settled[index];
-                        let miss = (!hints.is_empty())
-                            .then(|| hints.iter().map(|h| self.square_miss(h, pose)).sum::<f64>().sqrt());
+                        let miss = self.miss_of(self.settled[index].iter(), pose);
                         found.push(Solution { values, miss });
                     }
                 }
@@ -387,7 +420,11 @@ impl<'a> Assembler<'a> {
         if found.is_empty() {
             return Err(if least.is_finite() { least } else { 1.0 });
         }
-        found.sort_by(|a, b| a.miss.unwrap_or(0.0).total_cmp(&b.miss.unwrap_or(0.0)));
+        found.sort_by(|a, b| a.miss.joints.total_cmp(&b.miss.joints));
+        // Among those that the joints leave open the other points choose.
+        let least = found[0].miss.joints;
+        let open = found.iter().take_while(|s| !clearly_less(least, s.miss.joints)).count();
+        found[..open].sort_by(|a, b| a.miss.others.total_cmp(&b.miss.others));
         Ok(found)
     }
 

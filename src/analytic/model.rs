@@ -29,7 +29,7 @@ pub(super) struct Swivel {
     pub(super) body: usize,
     /// The rider.
     pub(super) rider: Site,
-    /// Own angle of the ray that points to the rider.
+    /// Own angle of the guide, from the joint's foot on it towards the rider.
     pub(super) ray: f64,
 }
 
@@ -849,8 +849,8 @@ impl Model {
             }
             let Track::Line(line) = self.slide_paths[index] else { continue };
             let angle = self.own_angle(&line);
-            // x towards the rider; where the guide is square to x, the guide's own direction.
-            let ray = if libm::cos(angle).abs() > 1e-6 { 0.0 } else { angle };
+            // Of the two ends of the guide that further along x; where it is square to x, the guide's own direction.
+            let ray = if libm::cos(angle) < -1e-6 { angle + std::f64::consts::PI } else { angle };
             let rider = self.placed_rider(&slide.rider, id)?;
             self.swivels.push(Swivel { body, rider, ray });
         }

@@ -16,6 +16,7 @@ use super::departure::Departure;
 use super::missing::Missing;
 use super::pose::Pose;
 use super::rolled::Starts;
+use super::trial::Tried;
 use super::{Scales, scale};
 
 /// Vectors shorter than this are drawn as points (millimetres).
@@ -66,6 +67,8 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) places: Vec<Option<Point<B>>>,
     /// Given places of fixed and placed points, pricked once, by point.
     pub(super) pricked: Vec<Option<Point<B>>>,
+    /// The group that is being tried.
+    pub(super) tried: Tried,
     /// Own figures of the links that have dimensions of their own, by link: every point of the link.
     pub(super) figures: Vec<Option<Vec<Point<B>>>>,
     /// How the solved links stand, where that was needed.
@@ -134,6 +137,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             scales,
             places: vec![None; points],
             pricked: vec![None; points],
+            tried: Tried::default(),
             figures: vec![None; links],
             poses: vec![None; links],
             lengths: Vec::new(),
@@ -419,10 +423,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         match known {
             Some(image) => image,
             None if self.mechanism.is_fixed(point) => self.board.origin(),
-            None => {
-                let reason = self.reason(&[]);
-                self.board.nowhere(reason)
-            }
+            None => self.no_point(Missing::Image(order, point)),
         }
     }
 

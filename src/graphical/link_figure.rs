@@ -102,8 +102,8 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// A point of the link's own figure. The own coordinates of the frame, and of a link dimensioned by placement,
     /// are the world's: there the given places stand before any step is drawn, and the skeleton is their figure.
     pub(super) fn own(&mut self, link: LinkId, point: PointId) -> Point<B> {
-        let found = if self.stands_in_world(link) {
-            self.given_place(point)
+        let found = if self.drawn_in_world(link) {
+            self.world_place(point)
         } else {
             let index = self.index_in(link, point);
             index.and_then(|index| self.figure(link).get(index).copied())

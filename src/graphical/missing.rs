@@ -5,6 +5,7 @@
 //! something was missing is refused as a whole ([`super::DrawError::Missing`]).
 
 use crate::board::{Bench, Direction, Point, Reason};
+use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, Mechanism, PointId};
 
 use super::DrawError;
@@ -25,6 +26,10 @@ pub enum Missing {
     StraightGuide(LinkId),
     /// The angle, or the place, that an input gives.
     Input(usize),
+    /// The image of a point in a polygon.
+    Image(Order, PointId),
+    /// The angular velocity or acceleration of a link.
+    Rate(Order, LinkId),
 }
 
 impl Missing {
@@ -33,6 +38,11 @@ impl Missing {
     pub fn say(&self, mechanism: &Mechanism) -> String {
         let name = |point: PointId| &mechanism.point(point).name;
         let number = |link: LinkId| mechanism.link(link).number;
+        let word = |order: Order| match order {
+            Order::Position => "place",
+            Order::Velocity => "velocity",
+            Order::Acceleration => "acceleration",
+        };
         match *self {
             Self::Place(point) => format!("no step of the drawing finds the place of {}", name(point)),
             Self::OwnPoint(link, point) => {
@@ -42,6 +52,12 @@ impl Missing {
             Self::Joint(link) => format!("link {} has too few joints for this construction", number(link)),
             Self::StraightGuide(link) => {
                 format!("this construction needs a straight guide on link {}, not an arc", number(link))
+            }
+            Self::Image(order, point) => {
+                format!("no step of the drawing finds the {} of {}", word(order), name(point))
+            }
+            Self::Rate(order, link) => {
+                format!("no step of the drawing finds the angular {} of link {}", word(order), number(link))
             }
             Self::Input(input) => format!("input {} gives no value to draw with", input + 1),
         }

@@ -23,6 +23,9 @@ impl<B: Bench> Clone for Pose<B> {
 
 impl<B: Bench> Copy for Pose<B> {}
 
+/// Links that ride on links, and so on; deeper ones are not followed.
+const DEEPEST: usize = 8;
+
 /// A guide on the skeleton.
 pub(super) enum Track<B: Bench> {
     Straight(Line<B>),
@@ -40,8 +43,13 @@ impl<B: Bench> Copy for Track<B> {}
 impl<B: Bench> Draughtsman<'_, B> {
     /// Whether a link's own coordinates are the world's at this instant. In what moves on from this instant no link
     /// but the frame does: there the given places have become its own shape.
-    pub(super) fn stands_in_world(&self, link: LinkId) -> bool {
+    pub(super) fn drawn_in_world(&self, link: LinkId) -> bool {
         link == LinkId::FRAME || matches!(self.mechanism.link(link).form, Form::Placed)
+    }
+
+    /// Whether such a link stands on the skeleton as it is drawn: unless its group is being tried.
+    pub(super) fn stands_in_world(&self, link: LinkId) -> bool {
+        self.drawn_in_world(link) && !self.tried.links.contains(&link)
     }
 
     /// Notes the pose of a link two of whose points stand on the skeleton.
@@ -54,17 +62,54 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
     }
 
-    /// How a link stands: as a step has noted, or by two of its points that stand.
-    fn pose_of(&mut self, link: LinkId) -> Option<Pose<B>> {
-        if self.poses[link.0].is_none() {
-            let stands = |p: &&PointId| self.places[p.0].is_some();
-            let known: Vec<PointId> =
-                self.mechanism.link(link).points.iter().filter(stands).copied().collect();
-            if let &[p, q, ..] = known.as_slice() {
-                self.pose_by_points(link, p, q);
-            }
+    /// How a link stands: as a step has noted, or by what stands of it.
+    pub(super) fn pose_of(&mut self, link: LinkId) -> Option<Pose<B>> {
+        self.pose_by_places(link, DEEPEST)
+    }
+
+    /// How a link stands by the places of its points that stand or are given, and by the guide on which it rides;
+    /// links on which it rides, and riders on those, are asked as well, so `deep` at most.
+    fn pose_by_places(&mut self, link: LinkId, deep: usize) -> Option<Pose<B>> {
+        if self.poses[link.0].is_some() || deep == 0 || self.stands_in_world(link) {
+            return self.poses[link.0];
         }
+        let points = self.mechanism.link(link).points.clone();
+        let mut known: Vec<(PointId, Point<B>)> = Vec::new();
+        for point in points {
+            known.extend(self.places[point.0].or_else(|| self.given_place(point)).map(|at| (point, at)));
+        }
+        let &(first, anchor) = known.first()?;
+        let own_anchor = self.own(link, first);
+        if let Some(&(second, at)) = known.get(1) {
+            let reason = self.reason(&[link]);
+            let own_second = self.own(link, second);
+            let (own_along, _) = self.board.toward(own_anchor, own_second, reason);
+            let (along, _) = self.board.toward(anchor, at, reason);
+            self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+            return self.poses[link.0];
+        }
+        let ride =
+            self.mechanism.slides.iter().position(
+                |s| matches!(s.rider, Rider::Link { link: rider, turned: Some(_) } if rider == link),
+            )?;
+        let on = self.mechanism.slides[ride].guide.link;
+        if !self.stands_in_world(on) {
+            self.pose_by_places(on, deep - 1)?;
+        }
+        let (own_along, along) = self.ride_directions(ride, link);
+        self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
         self.poses[link.0]
+    }
+
+    /// The place of a point, as far as given places tell it before a step has found it.
+    pub(super) fn place_by_places(&mut self, point: PointId) -> Option<Point<B>> {
+        if let Some(at) = self.places[point.0].or_else(|| self.given_place(point)) {
+            return Some(at);
+        }
+        let links = self.mechanism.point(point).links.clone();
+        let link = links.into_iter().find(|&link| self.pose_of(link).is_some())?;
+        let own = self.own(link, point);
+        Some(self.carried_point(link, own))
     }
 
     /// Carries a direction of a link's own figure over to the skeleton, by protractor.
@@ -125,7 +170,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn own_guide_point(&mut self, link: LinkId, point: GuidePoint) -> Point<B> {
         match point {
             GuidePoint::Point(p) => self.own(link, p),
-            GuidePoint::Own(world) if self.stands_in_world(link) => self.prick_world(world),
+            GuidePoint::Own(world) if self.drawn_in_world(link) => self.prick_world(world),
             GuidePoint::Own([x, y]) => {
                 let scale = self.length_scale();
                 let [x, y] = [x, y].map(|given| {

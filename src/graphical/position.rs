@@ -44,13 +44,27 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
 }
 
 /// Two hints that differ by less than this part cannot choose between two places.
-pub(super) const HINT_TIE: f64 = 1e-9;
+const HINT_TIE: f64 = 1e-9;
+/// Nor can two whose distances differ by less than this on paper, millimetres: rounding does.
+const HINT_FLOOR: f64 = 1e-9;
 /// A guide is square to its link's x-axis where the cosine of their angle is no more than this.
 const SQUARE: f64 = 2e-6;
 
+/// Whether a hint is missed by so much less in one way than in another that it chooses: squares of distances in
+/// metres, at a scale of metres per millimetre.
+pub(super) fn chooses(less: f64, more: f64, per_mm: f64) -> bool {
+    more - less > HINT_TIE * (more + less) && more.sqrt() - less.sqrt() > HINT_FLOOR * per_mm
+}
+
 impl<B: Bench> Draughtsman<'_, B> {
-    /// Finds the places of one group.
+    /// Finds the places of one group. Where something was missing that is the reason, whatever else went wrong.
     pub(super) fn position_of(&mut self, step: &GroupStep, group: &Group) -> Result<(), DrawError> {
+        let drawn = self.draw_group(step, group);
+        self.nothing_missing()?;
+        drawn
+    }
+
+    fn draw_group(&mut self, step: &GroupStep, group: &Group) -> Result<(), DrawError> {
         match group.kind {
             GroupKind::Driver { base, input } => self.driver(step, group.links[0], base, input)?,
             GroupKind::Rrr { links, bases, pin } => self.rrr(step, links, bases, pin)?,
@@ -83,7 +97,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 return Err(DrawError::NoConstruction { links: group.links.clone() });
             }
         }
-        self.nothing_missing()
+        Ok(())
     }
 
     /// Where the skeleton's own frame begins: the first fixed point, else the first placed one.
@@ -108,8 +122,14 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.board.prick(x, y)
     }
 
-    /// Where a fixed or placed point stands by its given place, pricked once.
+    /// Where a fixed or placed point stands. While a group is tried that is not placed as a whole, a place in it is
+    /// a hint like any other.
     pub(super) fn given_place(&mut self, point: PointId) -> Option<Point<B>> {
+        if self.tried.points.contains(&point) { None } else { self.world_place(point) }
+    }
+
+    /// The given place of a fixed or placed point, pricked once.
+    pub(super) fn world_place(&mut self, point: PointId) -> Option<Point<B>> {
         if self.pricked[point.0].is_none() {
             let world = self.mechanism.point(point).place.exact()?;
             self.pricked[point.0] = Some(self.prick_world(world));
@@ -169,7 +189,12 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// A driven link that stands by two of its points, which are placed.
     pub(super) fn driver_as_placed(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         let points = self.mechanism.link(link).points.clone();
-        let placed: Vec<PointId> = points.iter().copied().filter(|&p| self.prick_given(p)).collect();
+        let mut placed = Vec::new();
+        for &point in &points {
+            if self.places[point.0].is_some() || self.prick_given(point) {
+                placed.push(point);
+            }
+        }
         let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
             self.miss_of(Missing::Joint(link));
             return;
@@ -213,11 +238,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             Rider::Pin { point, .. } => Some(point),
             Rider::Link { link: rider, .. } => self.mechanism.link(rider).points.first().copied(),
         };
-        let at_rider = match rider {
-            Some(rider) if self.places[rider.0].is_none() && self.given_place(rider).is_none() => None,
-            Some(rider) => self.places[rider.0].or(self.pricked[rider.0]).map(|at| (rider, at)),
-            None => None,
-        };
+        let at_rider = rider.and_then(|rider| Some((rider, self.place_by_places(rider)?)));
         let Some((rider, at_rider)) = at_rider else {
             self.miss_of(Missing::Pose(link));
             return Ok(());
@@ -238,6 +259,16 @@ impl<B: Bench> Draughtsman<'_, B> {
             };
             single && own && slide.guide.link == link
         })
+    }
+
+    /// Whether a link of one joint has the world's axes at this instant.
+    pub(super) fn has_axes_of_world(&self, link: LinkId) -> bool {
+        let rides = self
+            .mechanism
+            .slides
+            .iter()
+            .any(|s| matches!(s.rider, Rider::Link { link: rider, turned: Some(_) } if rider == link));
+        matches!(self.mechanism.link(link).form, Form::Single) && !rides && self.swivels_by(link).is_none()
     }
 
     /// Turns a link of one joint until its guide meets its rider: of the two ends of the line that with the rider
@@ -436,8 +467,8 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.act(Act::DrawGuide { slide });
         }
         let (own_first, own_second) = (self.own(link, first), self.own(link, second));
-        let placed: Vec<PointId> =
-            self.mechanism.link(link).points.clone().into_iter().filter(|&p| self.prick_given(p)).collect();
+        let points = self.mechanism.link(link).points.clone();
+        let placed: Vec<PointId> = points.into_iter().filter(|&p| self.prick_given(p)).collect();
         let (own_along, along) = match (self.driven_angle(input), placed.as_slice()) {
             _ if self.stands_in_world(link) => {
                 let x = self.board.rightward();
@@ -785,6 +816,17 @@ impl<B: Bench> Draughtsman<'_, B> {
         slide: usize,
     ) -> Result<(), DrawError> {
         self.board.purpose("lever through a pin");
+        // Of a rider of placed points its first joint stands on the guide, wherever the pin is.
+        let pin = match self.mechanism.slides[slide].rider {
+            Rider::Link { link, turned: None } => match self.mechanism.link(link).points.first() {
+                Some(&first) => {
+                    self.prick_given(first);
+                    first
+                }
+                None => return Err(DrawError::Missing(Missing::Joint(link))),
+            },
+            _ => pin,
+        };
         let (at_base, at_pin) = (self.at(base), self.at(pin));
         let reason = self.reason(&[lever]);
         let (along, distance) = self.board.toward(at_base, at_pin, reason);
@@ -849,9 +891,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         let tried = poses.map(|pose| self.hints_of_pose(link, pose));
         match tried.map(|(score, _)| score) {
-            [Some(a), Some(b)] if (a - b).abs() > HINT_TIE * (a + b) => {
-                Ok(if a < b { Side::First } else { Side::Second })
-            }
+            [Some(a), Some(b)] if chooses(a, b, self.scales.length) => Ok(Side::First),
+            [Some(a), Some(b)] if chooses(b, a, self.scales.length) => Ok(Side::Second),
             // A lever of which nothing else is named stands with its guide towards the pin.
             [None, None] if tried[0].1.is_none() => Ok(Side::First),
             _ => {
@@ -982,7 +1023,12 @@ impl<B: Bench> Draughtsman<'_, B> {
         let (own_anchor, anchor) = (self.own(link, point), self.at(base));
         let (own_along, along) = self.ride_directions(ride, link);
         self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
-        self.ride_along(step, slot, Some(lever), base);
+        let rides_as_placed = |d: &Self, rider: LinkId| matches!(d.mechanism.slides[slot].rider, Rider::Link { link, turned: None } if link == rider);
+        if rides_as_placed(self, link) && !self.stands_in_world(lever) {
+            self.rpr(step, lever, base, point, slot)?;
+        } else {
+            self.ride_along(step, slot, Some(lever), base);
+        }
         for slide in [ride, slot] {
             self.act(Act::DrawGuide { slide });
         }
@@ -1020,7 +1066,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.miss_of(Missing::Joint(link));
             return Ok(());
         };
-        if matches!(self.mechanism.link(link).form, Form::Placed) {
+        if self.stands_in_world(link) {
             let (anchor, x) = (self.at(pin), self.board.rightward());
             self.poses[link.0] = Some(Pose { own_anchor: anchor, anchor, own_along: x, along: x });
             self.transfer_by_pose(step, link);
@@ -1108,8 +1154,15 @@ impl<B: Bench> Draughtsman<'_, B> {
         for (side, score) in sides.iter().zip(&mut score) {
             *score = self.miss_of_hint(pin, self.board.look(&pair, *side));
         }
-        // No hint for the pin itself: a hint for another point of its links may still tell.
-        if score[0].is_none() {
+        let chosen = |score: [Option<f64>; 2]| match score {
+            [Some(a), Some(b)] if chooses(a, b, per_mm) => Some(Side::First),
+            [Some(a), Some(b)] if chooses(b, a, per_mm) => Some(Side::Second),
+            _ => None,
+        };
+        // The pin's own hint comes first. Where it has none, or lies between both, a hint for another point of its
+        // links may still tell.
+        if chosen(score).is_none() {
+            score = [None; 2];
             let mut hinted: Vec<(LinkId, PointId, PointId)> = Vec::new();
             for &(link, base) in main {
                 for &point in &self.mechanism.link(link).points {
@@ -1135,11 +1188,9 @@ impl<B: Bench> Draughtsman<'_, B> {
                 *score = carried.map(|m| m + score.unwrap_or(0.0)).or(*score);
             }
         }
-        match score {
-            [Some(a), Some(b)] if (a - b).abs() > HINT_TIE * (a + b) => {
-                Ok(if a < b { Side::First } else { Side::Second })
-            }
-            _ => {
+        match chosen(score) {
+            Some(side) => Ok(side),
+            None => {
                 let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
                 Err(DrawError::Ambiguous {
                     pin,
@@ -1161,7 +1212,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Transfers the further points of the group that are wanted.
-    fn transfer_points(&mut self, step: &GroupStep, main: &[(LinkId, PointId)], pin: PointId) {
+    pub(super) fn transfer_points(&mut self, step: &GroupStep, main: &[(LinkId, PointId)], pin: PointId) {
         for &(link, base) in main {
             if self.carries_guide(link) {
                 self.pose_by_points(link, base, pin);

@@ -2,13 +2,14 @@
 
 use crate::board::{Amount, Angle, Bench, Direction, Line, Location, MarkOf, Point, Real, TOO_LARGE, Tape};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
-use crate::mechanism::{Form, LinkId, PointId};
+use crate::mechanism::{LinkId, PointId};
 use crate::plan::{Auxiliary, chord, home, transmission_points};
 
 use super::auxiliary::KleinAnswer;
 use super::centres::{FromCentres, NO_INPUT};
 use super::construction::{Act, Calculation, Fine, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
+use super::missing::Missing;
 
 /// What stands for a quantity on the board.
 enum Read<B: Bench> {
@@ -231,7 +232,11 @@ impl<B: Bench> Draughtsman<'_, B> {
         };
         match known {
             Some(rate) => rate,
-            None => self.rest(),
+            None if self.translates[link.0] => self.rest(),
+            None => {
+                let reason = self.miss_of(Missing::Rate(order, link));
+                self.board.unknown(reason)
+            }
         }
     }
 
@@ -438,18 +443,17 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// Angle of a link's own x-axis, by protractor.
     fn read_angle(&mut self, link: LinkId) -> Angle<B> {
-        if self.poses[link.0].is_none() {
-            let points = self.mechanism.link(link).points.clone();
-            let known: Vec<PointId> = points.into_iter().filter(|p| self.places[p.0].is_some()).collect();
-            if let &[p, q, ..] = known.as_slice() {
-                self.pose_by_points(link, p, q);
+        let in_world = self.stands_in_world(link);
+        match self.pose_of(link) {
+            Some(pose) if !in_world => self.board.angle_between(pose.own_along, pose.along),
+            _ if in_world || self.has_axes_of_world(link) => {
+                self.board.angle(crate::given::Given::exact(0.0))
             }
-        }
-        match self.poses[link.0] {
-            Some(pose) if !matches!(self.mechanism.link(link).form, Form::Placed) => {
-                self.board.angle_between(pose.own_along, pose.along)
+            _ => {
+                let x = self.board.rightward();
+                let nothing = self.no_direction(Missing::Pose(link));
+                self.board.angle_between(x, nothing)
             }
-            _ => self.board.angle(crate::given::Given::exact(0.0)),
         }
     }
 

@@ -19,15 +19,16 @@ use crate::board::{Amount, Angle, Bench, Blank, Board, Line, Mm, Point, Side, Tr
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::{Closing, GroupKind, Trial};
-use crate::mechanism::{Input, LinkId, PointId};
+use crate::mechanism::{Input, LinkId, PointId, Rider};
 use crate::plan::{GroupStep, trial_steps};
 
 use super::DrawError;
 use super::construction::{Act, Label};
 use super::draughtsman::Draughtsman;
 use super::dyad::{Target, Unknown};
+use super::missing::Missing;
 use super::pose::{Pose, Track};
-use super::position::HINT_TIE;
+use super::position::chooses;
 
 /// Trial angles in a whole turn.
 const TRIALS: u32 = 720;
@@ -49,6 +50,14 @@ struct Root {
     places: Vec<(PointId, [f64; 2])>,
 }
 
+/// What moves while a group is tried: its placed points have hints then instead of places, and its links of placed
+/// points are figures to be laid on like any other.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Tried {
+    pub(super) points: Vec<PointId>,
+    pub(super) links: Vec<LinkId>,
+}
+
 /// How far the record had come before a trial.
 struct Mark {
     coincident: usize,
@@ -61,24 +70,56 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.structure.trials[index].clone()
     }
 
-    /// Points of the group's links that are not solved before it.
+    /// Points of the group's links that are not solved before it, and those of the rod that closes it.
     fn points_of(&self, trial: &Trial) -> Vec<PointId> {
         let mut points = Vec::new();
-        for group in &trial.groups {
-            for &link in &group.links {
-                for &point in &self.mechanism.link(link).points {
-                    if !self.mechanism.is_fixed(point) && !points.contains(&point) {
-                        points.push(point);
-                    }
-                }
-            }
-            for &point in &group.points {
-                if !points.contains(&point) {
+        let rod = match trial.closing {
+            Closing::Rod { link, .. } => Some(link),
+            _ => None,
+        };
+        for link in trial.groups.iter().flat_map(|group| &group.links).copied().chain(rod) {
+            for &point in &self.mechanism.link(link).points {
+                if !self.mechanism.is_fixed(point) && !points.contains(&point) {
                     points.push(point);
                 }
             }
         }
+        for &point in trial.groups.iter().flat_map(|group| &group.points) {
+            if !points.contains(&point) {
+                points.push(point);
+            }
+        }
         points
+    }
+
+    /// The points at which the group closes: those that two of its links share, and pins on guides.
+    fn joints_of(&self, trial: &Trial) -> Vec<PointId> {
+        let rod = match trial.closing {
+            Closing::Rod { link, .. } => Some(link),
+            _ => None,
+        };
+        let of_group =
+            |link: &LinkId| rod == Some(*link) || trial.groups.iter().any(|group| group.links.contains(link));
+        let rides = |point: PointId| {
+            self.mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point: p, .. } if p == point))
+        };
+        let mut points = self.points_of(trial);
+        points.retain(|&p| {
+            rides(p) || self.mechanism.point(p).links.iter().filter(|link| of_group(link)).count() > 1
+        });
+        points
+    }
+
+    /// The points of the closing rod among these, besides the two by which it stands.
+    fn on_rod(&self, trial: &Trial, step: &GroupStep) -> GroupStep {
+        let points = match trial.closing {
+            Closing::Rod { link, near, far } => {
+                let further = |(of, p): &&(LinkId, PointId)| *of == link && *p != near && *p != far;
+                step.points.iter().filter(further).copied().collect()
+            }
+            _ => Vec::new(),
+        };
+        GroupStep { group: step.group, points }
     }
 
     // --- position ------------------------------------------------------------------------------
@@ -87,25 +128,42 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     pub(super) fn position_by_trial(&mut self, step: &GroupStep, index: usize) -> Result<(), DrawError> {
         let trial = self.trial(index);
         let steps = trial_steps(&trial, step, self.mechanism);
+        let rod = self.on_rod(&trial, step);
         self.board.purpose("position by trial");
         let exact = |p: &PointId| self.mechanism.point(*p).place.exact().is_some();
-        if self.points_of(&trial).iter().all(exact) {
-            return self.positions(&trial, &steps, None);
+        let points = self.points_of(&trial);
+        let driver = &self.mechanism.link(trial.driver).points;
+        // A driver that stands by its places needs no trial, and neither does a group that is placed as a whole.
+        if points.iter().all(exact) || driver.iter().any(|p| *p != trial.base && exact(p)) {
+            return self.positions(&trial, &steps, &rod, None);
         }
-        let root = self.find_root(&trial)?;
-        let slope = self.slope(&trial, &steps, &root);
+        let closing = match trial.closing {
+            Closing::Rod { link, .. } => Some(link),
+            _ => None,
+        };
+        let links = trial.groups.iter().flat_map(|g| g.links.clone()).chain(closing).collect();
+        self.tried = Tried { points: points.into_iter().filter(exact).collect(), links };
+        let drawn = self.by_trial(&trial, &steps, &rod);
+        self.tried = Tried::default();
+        drawn
+    }
+
+    fn by_trial(&mut self, trial: &Trial, steps: &[GroupStep], rod: &GroupStep) -> Result<(), DrawError> {
+        let root = self.find_root(trial)?;
+        let slope = self.slope(trial, steps, &root);
         self.act(Act::TryPosition { driver: trial.driver, closing: trial.closing });
         // First with the angle found on the scratch board, then with what the tape makes of it.
         let found = self.board.angle(Given::exact(root.angle));
         self.silent = true;
         self.sides = Some(root.sides.clone());
-        let tried = self.positions(&trial, &steps, Some(found));
-        let miss = tried.map(|()| self.miss(&trial));
+        let tried = self.positions(trial, steps, rod, Some(found));
+        let miss = tried.map(|()| self.miss(trial));
         self.silent = false;
+        self.nothing_missing()?;
         let reason = self.reason(&trial.groups.iter().flat_map(|g| g.links.clone()).collect::<Vec<_>>());
         let angle = self.board.corrected(found, miss?, slope, reason);
         self.sides = Some(root.sides);
-        let drawn = self.positions(&trial, &steps, Some(angle));
+        let drawn = self.positions(trial, steps, rod, Some(angle));
         self.sides = None;
         drawn
     }
@@ -114,6 +172,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         &mut self,
         trial: &Trial,
         steps: &[GroupStep],
+        rod: &GroupStep,
         angle: Option<Angle<B>>,
     ) -> Result<(), DrawError> {
         for (group, step) in trial.groups.iter().zip(steps) {
@@ -128,10 +187,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 _ => self.position_of(step, group)?,
             }
         }
-        if let Closing::Rod { link, near, far } = trial.closing
-            && self.carries_guide(link)
-        {
-            self.pose_by_points(link, far, near);
+        if let Closing::Rod { link, near, far } = trial.closing {
+            self.transfer_points(rod, &[(link, far)], near);
         }
         self.nothing_missing()
     }
@@ -160,12 +217,14 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             Closing::Angle { link, input } => {
                 let points = &self.mechanism.link(link).points;
                 let (Some(&p), Some(&q)) = (points.first(), points.get(1)) else {
+                    self.miss_of(Missing::Joint(link));
                     return self.board.no_length();
                 };
                 let along = self.outward(link, p, q);
                 let (Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. }) =
                     self.mechanism.inputs[input]
                 else {
+                    self.miss_of(Missing::Input(input));
                     return self.board.no_length();
                 };
                 let angle = self.board.angle(angle);
@@ -181,6 +240,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let mut sketch =
             Draughtsman::new(Board::<Sketch>::new(Blank), self.mechanism, self.structure, self.scales);
         sketch.silent = true;
+        sketch.tried.clone_from(&self.tried);
         for (to, from) in sketch.places.iter_mut().zip(&self.places) {
             *to = from.map(|p| sketch.board.copied(p.value()));
         }
@@ -199,7 +259,15 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     fn find_root(&mut self, trial: &Trial) -> Result<Root, DrawError> {
         let all: Vec<(LinkId, PointId)> =
             self.points_of(trial).into_iter().map(|p| (trial.driver, p)).collect();
-        let steps = trial_steps(trial, &GroupStep { group: 0, points: all }, self.mechanism);
+        let all = GroupStep { group: 0, points: all };
+        let steps = trial_steps(trial, &all, self.mechanism);
+        let rod_points = match trial.closing {
+            Closing::Rod { link, .. } => {
+                self.mechanism.link(link).points.iter().map(|&p| (link, p)).collect()
+            }
+            _ => Vec::new(),
+        };
+        let rod = self.on_rod(trial, &GroupStep { group: 0, points: rod_points });
         let choices = trial.groups.len() - 1;
         let mut roots: Vec<Root> = Vec::new();
         let mut least = f64::INFINITY;
@@ -211,7 +279,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             let mut evaluate = |angle: f64| -> Option<f64> {
                 let along = sketch.board.angle(Given::exact(angle));
                 sketch.sides = Some(sides.clone());
-                sketch.positions(trial, &steps, Some(along)).ok()?;
+                sketch.positions(trial, &steps, &rod, Some(along)).ok()?;
                 let miss = sketch.miss(trial).value();
                 miss.is_finite().then_some(miss)
             };
@@ -255,7 +323,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             for angle in found {
                 let along = sketch.board.angle(Given::exact(angle));
                 sketch.sides = Some(sides.clone());
-                if sketch.positions(trial, &steps, Some(along)).is_err() {
+                if sketch.positions(trial, &steps, &rod, Some(along)).is_err() {
                     continue;
                 }
                 let places: Vec<(PointId, [f64; 2])> = self
@@ -283,37 +351,37 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             Closing::Rod { near, .. } => near,
             Closing::Slide { pin, .. } => pin,
             Closing::Angle { link, .. } => {
-                self.mechanism.link(link).points.first().copied().unwrap_or(trial.base)
+                self.mechanism.link(link).points.first().map_or(trial.base, |&first| first)
             }
         };
         let origin = self.origin_of_space().map(|g| g.value);
         let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * self.scales.length);
-        let score = |root: &Root| -> Option<f64> {
-            let mut sum = None;
-            for (point, at) in &root.places {
+        // The hints of the group's joints come first; where they have none, or do not choose, those of its other
+        // points.
+        let joints = self.joints_of(trial);
+        let score = |root: &Root, of_joints: bool| -> f64 {
+            let mut sum = 0.0;
+            for (point, at) in root.places.iter().filter(|(p, _)| joints.contains(p) == of_joints) {
                 if let Some(hint) = self.mechanism.point(*point).place.hint() {
                     let at = world(*at);
                     let [dx, dy] = [at[0] - hint[0], at[1] - hint[1]];
-                    sum = Some(sum.unwrap_or(0.0) + dx * dx + dy * dy);
+                    sum += dx * dx + dy * dy;
                 }
             }
             sum
         };
-        let scores: Vec<Option<f64>> = roots.iter().map(score).collect();
-        let best = (0..roots.len()).min_by(|&a, &b| {
-            scores[a].unwrap_or(f64::INFINITY).total_cmp(&scores[b].unwrap_or(f64::INFINITY))
-        });
-        let Some(best) = best else {
+        let mut left: Vec<usize> = (0..roots.len()).collect();
+        for of_joints in [true, false] {
+            let scores: Vec<f64> = left.iter().map(|&root| score(&roots[root], of_joints)).collect();
+            let least = scores.iter().fold(f64::INFINITY, |least, s| least.min(*s));
+            let per_mm = self.scales.length;
+            let open = left.into_iter().zip(scores).filter(|(_, s)| !chooses(least, *s, per_mm));
+            left = open.map(|(root, _)| root).collect();
+        }
+        let Some(&best) = left.first() else {
             return Err(DrawError::NoClosure { pin, least: least * self.scales.length });
         };
-        let rival = (0..roots.len()).find(|&other| {
-            other != best
-                && match (scores[best], scores[other]) {
-                    (Some(a), Some(b)) => (b - a).abs() <= HINT_TIE * (a + b),
-                    _ => true,
-                }
-        });
-        if let Some(rival) = rival {
+        if let Some(&rival) = left.get(1) {
             // Name a point by which the two can be told apart.
             let pairs = roots[best].places.iter().zip(&roots[rival].places);
             let apart = pairs
@@ -331,10 +399,11 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     fn slope(&self, trial: &Trial, steps: &[GroupStep], root: &Root) -> Given {
         const STEP: f64 = 1e-6;
         let mut sketch = self.sketch();
+        let on_rod = GroupStep { group: 0, points: Vec::new() };
         let mut miss_at = |angle: f64| -> Option<f64> {
             let along = sketch.board.angle(Given::exact(angle));
             sketch.sides = Some(root.sides.clone());
-            sketch.positions(trial, steps, Some(along)).ok()?;
+            sketch.positions(trial, steps, &on_rod, Some(along)).ok()?;
             Some(sketch.miss(trial).value())
         };
         let mut difference = |h: f64| -> f64 {
@@ -427,6 +496,16 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.act(Act::TrialRate { driver: trial.driver, order, rate: rate.value() });
         self.polygon_at(order, &trial, &steps, rate);
         self.close(order, &trial);
+        if let Closing::Rod { link, near, far } = trial.closing {
+            for (_, point) in self.on_rod(&trial, step).points {
+                let image = match self.straight_ratio(link, far, near, point) {
+                    Some(ratio) => self.divide_image(order, (far, near), point, ratio),
+                    None => self.similar_image(order, link, (far, near), point),
+                };
+                let image = self.note_image(order, point, image);
+                self.absolute_of(order, point, image);
+            }
+        }
     }
 
     /// The trial driver's rate, by two trial polygons with assumed rates.
@@ -468,7 +547,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 let further = self.board.product(part, step);
                 self.board.sum(rates[0], further)
             }
-            _ => rates[0],
+            _ => {
+                let reason = self.miss_of(Missing::Pose(trial.driver));
+                self.board.unknown(reason)
+            }
         }
     }
 
@@ -481,7 +563,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         rates: [Amount<B>; 2],
         reason: crate::board::Reason,
     ) -> Amount<B> {
-        let (unknown, end) = closing_unknown(trial.closing);
+        let Some((unknown, end)) = closing_unknown(trial.closing) else {
+            let reason = self.miss_of(Missing::Pose(trial.driver));
+            return self.board.unknown(reason);
+        };
         let loud = !self.silent;
         self.silent = true;
         let ray = self.closing_line(order, unknown, end);
@@ -501,10 +586,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// Reads what the open constraint has become in the true polygon: ω or ε of the closing rod, the sliding.
     fn close(&mut self, order: Order, trial: &Trial) {
-        let (unknown, end) = closing_unknown(trial.closing);
-        if matches!(trial.closing, Closing::Angle { .. }) {
-            return;
-        }
+        // A given angle leaves nothing to read.
+        let Some((unknown, end)) = closing_unknown(trial.closing) else { return };
         let links: Vec<LinkId> = match trial.closing {
             Closing::Rod { link, .. } => vec![link],
             _ => Vec::new(),
@@ -514,8 +597,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let head = (self.label(end), image);
         self.read_closing(order, unknown, Target::Pin(end), head);
         if let Closing::Slide { slide, .. } = trial.closing
-            && let crate::mechanism::Rider::Pin { block: Some(block), .. } =
-                self.mechanism.slides[slide].rider
+            && let Rider::Pin { block: Some(block), .. } = self.mechanism.slides[slide].rider
         {
             self.rates_of_blocks(order, &[block]);
         }
@@ -535,11 +617,12 @@ fn around(value: f64) -> [f64; 2] {
     [below.unwrap_or(ROUND[0]), above.unwrap_or(ROUND[8])].map(|round| round * power * value.signum())
 }
 
-fn closing_unknown(closing: Closing) -> (Unknown, PointId) {
+/// What is read of the open constraint, and at which point; nothing where it is an angle that is given.
+fn closing_unknown(closing: Closing) -> Option<(Unknown, PointId)> {
     match closing {
-        Closing::Rod { link, near, far } => (Unknown::Turn { link, base: far, to: near }, near),
-        Closing::Slide { slide, pin } => (Unknown::Slide { slide, back: false }, pin),
-        Closing::Angle { .. } => (Unknown::Slide { slide: 0, back: false }, PointId(0)),
+        Closing::Rod { link, near, far } => Some((Unknown::Turn { link, base: far, to: near }, near)),
+        Closing::Slide { slide, pin } => Some((Unknown::Slide { slide, back: false }, pin)),
+        Closing::Angle { .. } => None,
     }
 }
 

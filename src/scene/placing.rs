@@ -741,5 +741,21 @@ fn size(draft: &Draft<'_>) -> f64 {
             Roll::Line { radius, .. } => radius.value,
         });
     }
-    size
+    for input in &mechanism.inputs {
+        if let Input::Slide { at: Some(at), .. } = input {
+            size = size.max(at.value.abs());
+        }
+    }
+    if size > 0.0 {
+        return size;
+    }
+    // One placed point and nothing else with a length: its coordinates, as its digits have them, and those of the
+    // guides of the frame. (A guide may be given by a point of it that is far away, so these come last.)
+    let on_guides = mechanism.slides.iter().filter_map(|slide| match (slide.guide.link, slide.guide.path) {
+        (LinkId::FRAME, Path::Straight { through: GuidePoint::Own(at), .. }) => Some(at),
+        (LinkId::FRAME, Path::Arc { centre: GuidePoint::Own(at), .. }) => Some(at),
+        _ => None,
+    });
+    let places = mechanism.points.iter().filter_map(|p| p.place.exact()).chain(on_guides);
+    places.flatten().map(|c| c.value.abs()).fold(0.0, f64::max)
 }

@@ -1,0 +1,218 @@
+//! Scenes stated by places: the same mechanism as one stated by dimensions, and the same answers.
+//!
+//! The truth of each is a closed form, or the same mechanism stated by its dimensions, with the places worked out
+//! here by the addition of vectors and nothing else.
+
+#![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
+
+mod common;
+
+use linkgram::mechanism::quantity::Answer;
+use linkgram::plan::Extent;
+use linkgram::scene::Scene;
+use linkgram::solve::{solve, solve_analytically};
+use linkgram::{report, sheet};
+
+/// The answers of both solvers, SI units: coordinates of a vector, one number of a scalar.
+fn answers(scene: &Scene) -> Vec<(String, [Vec<f64>; 2])> {
+    let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene);
+    let solved = solved.unwrap_or_else(|error| panic!("{}", report::diagnose(scene, &error)));
+    let state = solve_analytically(scene).unwrap_or_else(|error| panic!("{error}"));
+    let numbers = |name: &str, answer: &Answer| match answer {
+        Answer::Scalar { value, .. } => vec![*value],
+        Answer::Vector { value, .. } => value.to_vec(),
+        other => panic!("{name} is {other:?}"),
+    };
+    let asked = scene.mechanism.asked.iter().zip(&solved.solution.construction.answers);
+    asked
+        .map(|(asked, reading)| {
+            let drawn = numbers(&asked.name, &reading.answer);
+            let other = numbers(&asked.name, &state.answer(&asked.quantity));
+            (asked.name.clone(), [drawn, other])
+        })
+        .collect()
+}
+
+/// That both solvers give these values, in SI units, to nine digits of the largest of their kind.
+fn gives(text: &str, truth: &[(&str, Vec<f64>)]) {
+    let answers = answers(&common::read(text));
+    for (name, value) in truth {
+        let kind = name.split('(').next();
+        let alike = truth.iter().filter(|(other, _)| other.split('(').next() == kind);
+        let size = alike.flat_map(|(_, v)| v).fold(0.0_f64, |size, v| size.max(v.abs()));
+        let (_, found) = answers.iter().find(|(n, _)| n == name).unwrap_or_else(|| panic!("{name}?"));
+        for (solver, found) in ["graphical", "analytic"].into_iter().zip(found) {
+            let off = found.iter().zip(value).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
+            assert!(off <= 1e-9 * size, "{solver} {name}: {found:?}, not {value:?}\n{text}");
+        }
+    }
+}
+
+/// That two statements of one mechanism have the same answers.
+fn same(one: &str, other: &str) {
+    let truth = answers(&common::read(one));
+    let truth: Vec<(&str, Vec<f64>)> =
+        truth.iter().map(|(name, [_, v])| (name.as_str(), v.clone())).collect();
+    gives(one, &truth);
+    gives(other, &truth);
+}
+
+fn at(angle: f64) -> [f64; 2] {
+    [angle.to_radians().cos(), angle.to_radians().sin()]
+}
+
+/// A point at this distance and angle (degrees) from another.
+fn polar([x, y]: [f64; 2], r: f64, angle: f64) -> [f64; 2] {
+    let [c, s] = at(angle);
+    [x + r * c, y + r * s]
+}
+
+/// ω × r and α × r − ω² r, for a point at this distance and angle from its pivot.
+fn circling(r: f64, angle: f64, omega: f64, alpha: f64) -> [Vec<f64>; 2] {
+    let [c, s] = at(angle);
+    let v = vec![-omega * r * s, omega * r * c];
+    let a = vec![-alpha * r * s - omega * omega * r * c, alpha * r * c - omega * omega * r * s];
+    [v, a]
+}
+
+/// A third point off the line of a placed crank turns about the crank's pivot: v = ω r, a by its two parts.
+#[test]
+fn a_third_point_of_a_placed_crank() {
+    for (order, drive) in
+        [("\"O2\", \"A\", \"C\"", ""), ("\"C\", \"O2\", \"A\"", ""), ("\"A\", \"C\", \"O2\"", "")]
+    {
+        let o2 = [1.25, -0.5];
+        let (a, c) = (polar(o2, 0.3, 40.0), polar(o2, 0.2, 95.0));
+        let [va, aa] = circling(0.3, 40.0, -7.0, 11.0);
+        let [vc, ac] = circling(0.2, 95.0, -7.0, 11.0);
+        gives(
+            &format!(
+                r#"{{ "fixed": {{ "O2": {o2:?} }}, "placed": {{ "A": {a:?}, "C": {c:?} }},
+                  "links": {{ "2": {{ "joins": [{order}] }} }},
+                  "input": {{ "link": 2{drive}, "omega": -7, "alpha": 11 }},
+                  "find": ["v(A)", "a(A)", "v(C)", "a(C)", "x(C)"] }}"#
+            ),
+            &[("v(A)", va), ("a(A)", aa), ("v(C)", vc), ("a(C)", ac), ("x(C)", c.to_vec())],
+        );
+    }
+}
+
+/// A slotted lever through a crank pin, stated by its two places: with and without a block. ω of the lever is the
+/// crank pin's speed square to the lever over its distance.
+#[test]
+fn a_placed_slotted_lever() {
+    let (o4, omega) = ([0.0, -0.25], 12.0);
+    let a = polar([0.0, 0.0], 0.1, 50.0);
+    let arm = [a[0] - o4[0], a[1] - o4[1]];
+    let reach = arm[0].hypot(arm[1]);
+    let c = polar(o4, 0.6, arm[1].atan2(arm[0]).to_degrees());
+    let [va, _] = circling(0.1, 50.0, omega, 0.0);
+    let rate = (arm[0] * va[1] - arm[1] * va[0]) / (reach * reach);
+    let vc = vec![-rate * (c[1] - o4[1]), rate * (c[0] - o4[0])];
+    for block in ["", ", \"block\": 3"] {
+        gives(
+            &format!(
+                r#"{{ "fixed": {{ "O2": [0, 0], "O4": {o4:?} }}, "placed": {{ "A": {a:?}, "C": {c:?} }},
+                  "links": {{ "2": {{ "joins": ["O2", "A"] }}, "4": {{ "joins": ["O4", "C"] }} }},
+                  "slides": [{{ "pin": "A"{block}, "on": {{ "link": 4, "through": "O4", "toward": "C" }} }}],
+                  "input": {{ "link": 2, "omega": {omega} }},
+                  "find": ["omega(4)", "v(C)", "v(A)"] }}"#
+            ),
+            &[("omega(4)", vec![rate]), ("v(C)", vc.clone()), ("v(A)", va.clone())],
+        );
+    }
+}
+
+/// A trammel driven by its bar, stated by places: v of its ends is ω times the distance of the instant centre.
+#[test]
+fn a_placed_trammel_driven_by_its_bar() {
+    let (length, angle, omega) = (0.1, 150.0, -4.0);
+    let a = [0.0, length * at(angle - 180.0)[1].abs()];
+    let b = [length * at(30.0)[0], 0.0];
+    let g = [0.6 * a[0] + 0.4 * b[0] + 0.01, 0.6 * a[1] + 0.4 * b[1] + 0.02];
+    // The instant centre is the corner of the rectangle with the origin, A and B.
+    let centre = [b[0], a[1]];
+    let about = |p: [f64; 2]| vec![-omega * (p[1] - centre[1]), omega * (p[0] - centre[0])];
+    for order in [r#""A", "B", "G""#, r#""G", "B", "A""#] {
+        gives(
+            &format!(
+                r#"{{ "placed": {{ "A": {a:?}, "B": {b:?}, "G": {g:?} }},
+                  "links": {{ "3": {{ "joins": [{order}] }} }},
+                  "slides": [
+                    {{ "pin": "A", "block": 2, "on": {{ "link": 1, "through": [0, 0], "angle": 90 }} }},
+                    {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": [0, 0], "angle": 0 }} }}
+                  ],
+                  "input": {{ "link": 3, "omega": {omega} }},
+                  "find": ["v(A)", "v(B)", "v(G)"] }}"#
+            ),
+            &[("v(A)", about(a)), ("v(B)", about(b)), ("v(G)", about(g))],
+        );
+    }
+}
+
+/// An oscillating cylinder whose rod is stated by places: the rod rides as placed.
+#[test]
+fn a_placed_rod_in_an_oscillating_cylinder() {
+    let a = polar([0.0, 0.0], 0.04, 70.0);
+    let o4 = [0.15, 0.02];
+    let along = (o4[1] - a[1]).atan2(o4[0] - a[0]).to_degrees();
+    // The cylinder's x-axis points to its rider's first joint, A, and the rod's x-axis along it.
+    let e = polar(a, 0.1, along + 180.0);
+    let scene = |rod: &str, placed: &str| {
+        format!(
+            r#"{{ "fixed": {{ "O2": [0, 0], "O4": {o4:?} }}, {placed}
+              "links": {{ "2": {{ "joins": ["O2", "A"], "length": 0.04 }},
+                {rod}, "4": {{ "joins": ["O4"] }} }},
+              "slides": [{{ "link": 3, "on": {{ "link": 4, "through": "O4" }} }}],
+              "input": {{ "link": 2, "angle": 70, "omega": 10, "alpha": 3 }},
+              "near": {{ {near} }},
+              "find": ["v(E)", "a(E)", "omega(4)", "alpha(3)", "slip(A/4)", "x(E)"] }}"#,
+            near = if placed.is_empty() { format!("\"E\": {e:?}") } else { String::new() }
+        )
+    };
+    same(
+        &scene(r#""3": { "joins": ["A", "E"], "length": 0.1 }"#, ""),
+        &scene(r#""3": { "joins": ["A", "E"] }"#, &format!("\"placed\": {{ \"A\": {a:?}, \"E\": {e:?} }},")),
+    );
+}
+
+/// Links that slide without turning on two guides and share a pin, of which one is stated by places.
+#[test]
+fn a_placed_rider_on_a_moving_guide() {
+    let scene = common::example_text("pairs/links-on-two-guides");
+    let mut dimensions: serde_json::Value = serde_json::from_str(&scene).unwrap();
+    dimensions.as_object_mut().unwrap().remove("published");
+    dimensions["find"] =
+        serde_json::json!(["v(C)", "v(D)", "a(C)", "a(D)", "omega(4)", "alpha(5)", "x(C)", "x(D)"]);
+    let truth = answers(&common::read(&dimensions.to_string()));
+    let millimetres = |name: &str| {
+        let (_, [place, _]) = truth.iter().find(|(n, _)| n == name).unwrap();
+        vec![place[0] * 1e3, place[1] * 1e3]
+    };
+    let joins = |link: &str| -> Vec<String> {
+        let joins = dimensions["links"][link]["joins"].as_array().unwrap();
+        joins.iter().map(|j| j.as_str().unwrap().to_owned()).collect()
+    };
+    let find: Vec<String> = truth.iter().map(|(name, _)| name.clone()).collect();
+    for link in ["4", "5"] {
+        let mut places = dimensions.clone();
+        let asked: Vec<String> = joins(link).iter().map(|j| format!("x({j})")).collect();
+        places["find"] = serde_json::json!([find.clone(), asked].concat());
+        let known = answers(&common::read(&places.to_string()));
+        let mut stated = dimensions.clone();
+        stated["links"][link] = serde_json::json!({ "joins": joins(link) });
+        for joint in joins(link) {
+            let (_, [at, _]) = known.iter().find(|(n, _)| *n == format!("x({joint})")).unwrap();
+            stated["placed"][&joint] = serde_json::json!([at[0] * 1e3, at[1] * 1e3]);
+            stated["near"].as_object_mut().map(|near| near.remove(&joint));
+        }
+        for slide in stated["slides"].as_array_mut().unwrap() {
+            if slide["link"].as_u64().map(|n| n.to_string()).as_deref() == Some(link) {
+                slide.as_object_mut().unwrap().remove("turned");
+            }
+        }
+        let truth: Vec<(&str, Vec<f64>)> = truth.iter().map(|(n, [v, _])| (n.as_str(), v.clone())).collect();
+        gives(&stated.to_string(), &truth);
+    }
+    assert!(millimetres("x(C)").iter().all(|x| x.is_finite()));
+}
