@@ -216,3 +216,180 @@ fn a_placed_rider_on_a_moving_guide() {
     }
     assert!(millimetres("x(C)").iter().all(|x| x.is_finite()));
 }
+
+/// A swivelling guide that is driven without an angle stands as its rider's place tells: the crank pin's speed square
+/// to the guide is ω times its distance from the guide's pivot.
+#[test]
+fn a_driven_guide_that_its_rider_directs() {
+    let (o4, omega) = ([0.3, -0.1], 5.0);
+    let a = polar([0.0, 0.0], 0.2, 110.0);
+    let arm = [a[0] - o4[0], a[1] - o4[1]];
+    let across = omega * (arm[0] * arm[0] + arm[1] * arm[1]);
+    // v of A is square to the crank, and its part square to the guide is ω × arm: v · (−arm_y, arm_x) = ω arm².
+    let [c, s] = at(110.0);
+    let speed = across / (arm[1] * s + arm[0] * c);
+    let va = vec![-speed * s, speed * c];
+    for (guide, crank) in [("", ""), (", \"angle\": 140", ""), (", \"angle\": -35", ", \"length\": 0.2")] {
+        gives(
+            &format!(
+                r#"{{ "fixed": {{ "O2": [0, 0], "O4": {o4:?} }}, "placed": {{ "A": {a:?} }},
+                  "links": {{ "2": {{ "joins": ["O2", "A"]{crank} }}, "4": {{ "joins": ["O4"] }} }},
+                  "slides": [{{ "pin": "A", "block": 3, "on": {{ "link": 4, "through": "O4"{guide} }} }}],
+                  "input": {{ "link": 4, "omega": {omega} }},
+                  "find": ["v(A)", "omega(2)", "omega(4)"] }}"#
+            ),
+            &[("v(A)", va.clone()), ("omega(2)", vec![speed / 0.2]), ("omega(4)", vec![omega])],
+        );
+    }
+}
+
+/// A swivelling guide beside its joint meets its rider at the end further along its link's x-axis.
+#[test]
+fn a_swivelling_guide_beside_its_joint() {
+    let (o4, a) = ([0.0, -2.0], at(35.0));
+    let arm = [a[0] - o4[0], a[1] - o4[1]];
+    let (reach, seen) = (arm[0].hypot(arm[1]), arm[1].atan2(arm[0]).to_degrees());
+    for angle in [0.0_f64, 25.0, 60.0, 120.0, 200.0, -70.0] {
+        for offset in [0.0_f64, 0.3, -0.5, 1.9] {
+            // From the joint's foot the rider lies forward where the guide's direction has a part along x.
+            let forward = (reach * reach - offset * offset).sqrt() * at(angle)[0].signum();
+            let stands = seen - offset.atan2(forward).to_degrees() - angle;
+            let stands = stands.rem_euclid(360.0).to_radians();
+            let stands =
+                if stands > std::f64::consts::PI { stands - 2.0 * std::f64::consts::PI } else { stands };
+            gives(
+                &format!(
+                    r#"{{ "fixed": {{ "O2": [0, 0], "O4": {o4:?} }},
+                      "links": {{ "2": {{ "joins": ["O2", "A"], "length": 1 }}, "4": {{ "joins": ["O4"] }} }},
+                      "slides": [{{ "pin": "A", "block": 3,
+                        "on": {{ "link": 4, "through": "O4", "angle": {angle}, "offset": {offset} }} }}],
+                      "input": {{ "link": 2, "angle": 35, "omega": 2 }}, "find": ["angle(4)"] }}"#
+                ),
+                &[("angle(4)", vec![stands])],
+            );
+        }
+    }
+}
+
+/// A gear that carries a guide beside its centre has the world's axes at this instant, in both solvers. B moves with
+/// the guide's point under it square to the guide, so that the lever above the gear turns as fast as the gear.
+#[test]
+fn a_gear_that_carries_a_guide() {
+    let dx = -(150.0_f64 * 150.0 - 145.0 * 145.0).sqrt();
+    gives(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O3": [100, 0], "O5": [100, 200] },
+          "links": { "2": { "joins": ["O2"] }, "3": { "joins": ["O3"] }, "5": { "joins": ["O5", "B"], "length": 150 } },
+          "rolls": [{ "links": [2, 3], "centres": ["O2", "O3"], "radii": [40, 60] }],
+          "slides": [{ "pin": "B", "block": 4, "on": { "link": 3, "through": [0, 55], "angle": 0 } }],
+          "near": { "B": [60, 55] }, "input": { "link": 2, "omega": 3 },
+          "find": ["omega(3)", "omega(5)", "v(B)"] }"#,
+        &[("omega(3)", vec![-2.0]), ("omega(5)", vec![-2.0]), ("v(B)", vec![-0.29, -2.0 * dx * 1e-3])],
+    );
+}
+
+/// A cylinder that is driven by its length: every point of the boom, by the law of cosines and its derivatives.
+#[test]
+fn the_boom_of_a_driven_cylinder() {
+    let (boom, length, v, a) = (0.1_f64, 0.14_f64, 0.01, 0.005);
+    let (base, slope) = (0.15_f64.hypot(0.02), (-0.02_f64).atan2(0.15));
+    let cos = (boom * boom + base * base - length * length) / (2.0 * boom * base);
+    let angle = cos.acos();
+    let sin = angle.sin();
+    // boom · base · sin φ · φ' = L L', and its derivative.
+    let omega = length * v / (boom * base * sin);
+    let alpha = ((v * v + length * a) / (boom * base) - cos * omega * omega) / sin;
+    let turned = (angle + slope).to_degrees();
+    let [vc, ac] = circling(0.18, turned, omega, alpha);
+    let [vd, ad] = circling(0.12_f64.hypot(0.03), turned + 0.03_f64.atan2(0.12).to_degrees(), omega, alpha);
+    gives(
+        r#"{ "fixed": { "O2": [0, 0], "O4": [0.15, -0.02] },
+          "links": { "2": { "joins": ["O2", "A", "C", "D"],
+              "shape": { "O2": [0, 0], "A": [0.1, 0], "C": [0.18, 0], "D": [0.12, 0.03] } },
+            "3": { "joins": ["A", "P"], "length": 0.03 }, "4": { "joins": ["O4"] } },
+          "slides": [{ "link": 3, "turned": 180, "on": { "link": 4, "through": "O4" } }],
+          "near": { "A": [0.05, 0.085] },
+          "input": { "slide": 3, "at": 0.14, "velocity": 0.01, "acceleration": 0.005 },
+          "find": ["v(C)", "a(C)", "v(D)", "a(D)", "omega(2)", "alpha(2)"] }"#,
+        &[
+            ("v(C)", vc),
+            ("a(C)", ac),
+            ("v(D)", vd),
+            ("a(D)", ad),
+            ("omega(2)", vec![omega]),
+            ("alpha(2)", vec![alpha]),
+        ],
+    );
+}
+
+/// The hint of the pin at which a dyad closes comes before that of a coupler point, in both solvers; a coupler point
+/// chooses where the pin has none.
+#[test]
+fn the_hint_of_a_pin_outvotes_that_of_a_coupler_point() {
+    let scene = |near: &str| {
+        format!(
+            r#"{{ "fixed": {{ "O2": [0, 0], "O4": [4, 0] }},
+              "links": {{ "2": {{ "joins": ["O2", "A"], "length": 1 }},
+                "3": {{ "joins": ["A", "B", "C"], "sides": [4, 2, 3] }}, "4": {{ "joins": ["O4", "B"], "length": 3 }} }},
+              "near": {{ {near} }}, "input": {{ "link": 2, "angle": 60, "omega": 2 }}, "find": ["x(B)"] }}"#
+        )
+    };
+    // Above the line from A to O4, and below it: circles of radius 4 and 3 about [1/2, √3/2] and [4, 0].
+    let (ax, ay) = (0.5, 0.75_f64.sqrt());
+    let (dx, dy) = (4.0 - ax, -ay);
+    let d2 = dx * dx + dy * dy;
+    let along = (d2 + 16.0 - 9.0) / (2.0 * d2);
+    let across = (16.0 / d2 - along * along).sqrt();
+    let place = |side: f64| vec![ax + along * dx - side * across * dy, ay + along * dy + side * across * dx];
+    for (near, side) in [
+        (r#""B": [3.5, 0.2]"#, 1.0),
+        (r#""B": [3.5, 0.2], "C": [1, -30]"#, 1.0),
+        (r#""B": [2, -1], "C": [1, 30]"#, -1.0),
+        (r#""C": [1, -30]"#, -1.0),
+        (r#""C": [1, 30]"#, 1.0),
+    ] {
+        gives(&scene(near), &[("x(B)", place(side))]);
+    }
+}
+
+/// One placed point and nothing else with a length: its digits may miss its guide by rounding.
+#[test]
+fn one_placed_point_may_miss_its_guide_by_rounding() {
+    let half = 3.0_f64.sqrt() / 2.0;
+    gives(
+        r#"{ "placed": { "D": [1.7320508, 1.0] }, "links": { "2": { "joins": ["D"] } },
+          "slides": [{ "link": 2, "on": { "link": 1, "through": [0, 0], "angle": 30 } }],
+          "input": { "slide": 2, "velocity": 3 }, "find": ["v(D)"] }"#,
+        &[("v(D)", vec![3.0 * half, 1.5])],
+    );
+}
+
+/// What contradicts itself only when the skeleton stands is refused, and by how much it misses is said.
+#[test]
+fn places_that_contradict_what_follows_are_refused() {
+    for (text, told) in [
+        (
+            // The guide has the world's axes and passes the pin by.
+            r#"{ "fixed": { "O2": [0, 0], "O4": [0, -2] },
+              "links": { "2": { "joins": ["O2", "A"], "length": 1 }, "4": { "joins": ["O4"] } },
+              "slides": [{ "pin": "A", "block": 3, "on": { "link": 4, "through": [0.3, 0.1], "angle": 40 } }],
+              "input": { "link": 2, "angle": 35, "omega": 2 }, "find": ["omega(4)"] }"#,
+            "are missing at A",
+        ),
+        (
+            // A follows from the input, and B is placed farther from it than the rod is long.
+            r#"{ "fixed": { "O2": [0, 0], "O4": [4, 0] }, "placed": { "B": [3.6, 2.9732137494637] },
+              "links": { "2": { "joins": ["O2", "A"], "length": 1 }, "3": { "joins": ["A", "B"], "length": 3.5 },
+                "4": { "joins": ["O4", "B"], "length": 3 } },
+              "input": { "link": 2, "angle": 60, "omega": 2 }, "find": ["omega(4)"] }"#,
+            "are missing at B",
+        ),
+    ] {
+        let scene = common::read(text);
+        let Err(error) = solve(&scene, Extent::Asked, sheet::scale::for_scene) else {
+            panic!("drawn: {text}")
+        };
+        let message = report::diagnose(&scene, &error).to_string();
+        assert!(message.contains("cannot be assembled") && message.contains(told), "{message}");
+        assert!(solve_analytically(&scene).is_err());
+    }
+}

@@ -316,7 +316,7 @@ impl<'t> Formulas for Scope<'t> {
         self.tape.steady(match num {
             Num::Exact(value) => self.tape.constant(value),
             Num::Param(index) => {
-                self.tape.leaf(Leaf::Param(index), self.motion.params.get(index).map_or(0.0, |p| p.value))
+                self.tape.leaf(Leaf::Param(index), self.motion.params[index].value)
             }
         })
     }

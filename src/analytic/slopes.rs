@@ -139,7 +139,7 @@ impl Formulas for Here<'_> {
     fn num(&self, num: Num) -> Slope {
         self.exact(match num {
             Num::Exact(value) => value,
-            Num::Param(index) => self.params.get(index).map_or(0.0, |p| p.value),
+            Num::Param(index) => self.params[index].value,
         })
     }
 
@@ -151,7 +151,7 @@ impl Formulas for Here<'_> {
         if body == 0 {
             return self.exact(0.0);
         }
-        let mut slope = self.exact(self.pose.get(3 * body + axis).copied().unwrap_or(0.0));
+        let mut slope = self.exact(self.pose[3 * body + axis]);
         match self.bodies.iter().position(|b| *b == body) {
             Some(index) => slope.by[3 * index + axis] = 1.0,
             None => self.strange.set(true),

@@ -22,6 +22,7 @@ mod rolled;
 mod transcribe;
 mod trial;
 mod velocity;
+mod verify;
 
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
@@ -319,13 +320,15 @@ fn taped<R: Real>(
 pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Result<Extents, DrawError> {
     let scales = provisional_scales(mechanism);
     // A tangency can only be told from a miss with a tape; it is rare, so try without one first.
-    let bare = || {
-        draw(Board::<Trial>::new(Blank), mechanism, structure, plan, scales)
-            .map(|d| measure(d.record(), mechanism, scales))
+    let bare = || -> Result<Extents, DrawError> {
+        let mut drawn = draw(Board::<Trial>::new(Blank), mechanism, structure, plan, scales)?;
+        verify::verify(&mut drawn)?;
+        Ok(measure(drawn.record(), mechanism, scales))
     };
-    let taped = || {
-        draw(Board::<Recorded>::new(Tape::default()), mechanism, structure, plan, scales)
-            .map(|d| measure(d.record(), mechanism, scales))
+    let taped = || -> Result<Extents, DrawError> {
+        let mut drawn = draw(Board::<Recorded>::new(Tape::default()), mechanism, structure, plan, scales)?;
+        verify::verify(&mut drawn)?;
+        Ok(measure(drawn.record(), mechanism, scales))
     };
     bare().or_else(|_| taped()).map_err(|error| with_range(error, mechanism, structure, plan))
 }

@@ -2,7 +2,7 @@
 
 use crate::board::{Bench, Circle, Direction, Line, Point};
 use crate::given::Given;
-use crate::mechanism::{Form, Guide, GuidePoint, LinkId, Path, PointId, Rider, Slide};
+use crate::mechanism::{Form, Guide, GuidePoint, Input, LinkId, Path, PointId, Rider, Slide};
 
 use super::draughtsman::Draughtsman;
 use super::missing::Missing;
@@ -88,17 +88,45 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
             return self.poses[link.0];
         }
-        let ride =
-            self.mechanism.slides.iter().position(
-                |s| matches!(s.rider, Rider::Link { link: rider, turned: Some(_) } if rider == link),
-            )?;
-        let on = self.mechanism.slides[ride].guide.link;
-        if !self.stands_in_world(on) {
-            self.pose_by_places(on, deep - 1)?;
-        }
-        let (own_along, along) = self.ride_directions(ride, link);
+        let (own_along, along) = self.direction_by_places(link, deep)?;
         self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
         self.poses[link.0]
+    }
+
+    /// A direction of a link's own figure and where it points on the skeleton, by its input or by a link against
+    /// which it slides without turning.
+    fn direction_by_places(&mut self, link: LinkId, deep: usize) -> Option<(Direction<B>, Direction<B>)> {
+        let angle = self.mechanism.inputs.iter().enumerate().find_map(|(index, input)| match *input {
+            Input::Angle { link: driven, angle, .. } | Input::Speed { link: driven, angle, .. }
+                if driven == link =>
+            {
+                angle.map(|angle| (index, angle))
+            }
+            _ => None,
+        });
+        if let Some((input, angle)) = angle {
+            let angle = self.board.input_angle(input, angle);
+            let along = self.board.protractor(angle);
+            let single = matches!(self.mechanism.link(link).form, Form::Single);
+            let own_along = if single { self.board.rightward() } else { self.own_line_of(link) };
+            return Some((own_along, along));
+        }
+        for ride in 0..self.mechanism.slides.len() {
+            let Slide { rider: Rider::Link { link: rider, turned: Some(_) }, guide } =
+                self.mechanism.slides[ride]
+            else {
+                continue;
+            };
+            let other = match (rider == link, guide.link == link) {
+                (true, _) => guide.link,
+                (_, true) => rider,
+                _ => continue,
+            };
+            if self.stands_in_world(other) || self.pose_by_places(other, deep - 1).is_some() {
+                return Some(self.ride_directions(ride, link));
+            }
+        }
+        None
     }
 
     /// The place of a point, as far as given places tell it before a step has found it.

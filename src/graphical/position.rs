@@ -519,7 +519,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The direction of a link's first-to-second line in its own figure.
-    fn own_line_of(&mut self, link: LinkId) -> Direction<B> {
+    pub(super) fn own_line_of(&mut self, link: LinkId) -> Direction<B> {
         let points = self.mechanism.link(link).points.clone();
         let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
             return self.no_direction(Missing::Joint(link));
@@ -600,7 +600,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The contact point of a rolling pair: on the line of centres, or the foot of the centre on the line.
-    fn contact(&mut self, wheel: LinkId, roll: usize) {
+    pub(super) fn contact(&mut self, wheel: LinkId, roll: usize) {
         self.board.purpose("contact point");
         let contact = self.mechanism.contacts[roll];
         let scale = self.length_scale();
@@ -895,11 +895,12 @@ impl<B: Bench> Draughtsman<'_, B> {
             [Some(a), Some(b)] if chooses(b, a, self.scales.length) => Ok(Side::Second),
             // A lever of which nothing else is named stands with its guide towards the pin.
             [None, None] if tried[0].1.is_none() => Ok(Side::First),
-            _ => {
-                let [first, second] = tried.map(|(_, shown)| shown.map_or([0.0; 2], |(_, at)| at));
-                let named = tried[1].1.map_or(pin, |(point, _)| point);
-                Err(DrawError::Ambiguous { pin: named, first, second })
-            }
+            _ => match tried.map(|(_, shown)| shown) {
+                [Some((_, first)), Some((named, second))] => {
+                    Err(DrawError::Ambiguous { pin: named, first, second })
+                }
+                _ => Err(DrawError::Missing(Missing::Place(pin))),
+            },
         }
     }
 
@@ -923,7 +924,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Transfers the wanted points of a link whose pose is known.
-    fn transfer_by_pose(&mut self, step: &GroupStep, link: LinkId) {
+    pub(super) fn transfer_by_pose(&mut self, step: &GroupStep, link: LinkId) {
         for &(of, point) in &step.points {
             if of != link || self.prick_given(point) {
                 continue;

@@ -18,7 +18,7 @@
 use crate::board::{Amount, Angle, Bench, Blank, Board, Line, Mm, Point, Side, Trial as Sketch};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::{Closing, GroupKind, Trial};
+use crate::mechanism::structure::{Closing, GroupKind, Joint, Trial};
 use crate::mechanism::{Input, LinkId, PointId, Rider};
 use crate::plan::{GroupStep, trial_steps};
 
@@ -133,6 +133,9 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let exact = |p: &PointId| self.mechanism.point(*p).place.exact().is_some();
         let points = self.points_of(&trial);
         let driver = &self.mechanism.link(trial.driver).points;
+        if points.iter().any(exact) && self.stand_by_places(&trial, step) {
+            return Ok(());
+        }
         // A driver that stands by its places needs no trial, and neither does a group that is placed as a whole.
         if points.iter().all(exact) || driver.iter().any(|p| *p != trial.base && exact(p)) {
             return self.positions(&trial, &steps, &rod, None);
@@ -146,6 +149,46 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let drawn = self.by_trial(&trial, &steps, &rod);
         self.tried = Tried::default();
         drawn
+    }
+
+    /// Lays on the links of a group whose given places tell how each of them stands, one after the other; says
+    /// whether they do, and leaves the skeleton as it was where they do not.
+    fn stand_by_places(&mut self, trial: &Trial, step: &GroupStep) -> bool {
+        let rod = match trial.closing {
+            Closing::Rod { link, .. } => Some(link),
+            _ => None,
+        };
+        let of_group = trial.groups.iter().flat_map(|group| &group.links).copied().chain(rod);
+        let mut waiting: Vec<LinkId> = of_group.filter(|&l| !self.mechanism.link(l).block).collect();
+        let before = (self.places.clone(), self.poses.clone());
+        loop {
+            let count = waiting.len();
+            for link in std::mem::take(&mut waiting) {
+                if !self.stands_in_world(link) && self.pose_of(link).is_none() {
+                    waiting.push(link);
+                    continue;
+                }
+                let points = self.mechanism.link(link).points.iter().map(|&p| (link, p));
+                let points = points.filter(|(_, p)| self.places[p.0].is_none()).collect();
+                self.transfer_by_pose(&GroupStep { group: step.group, points }, link);
+            }
+            if waiting.is_empty() {
+                break;
+            }
+            if waiting.len() == count {
+                (self.places, self.poses) = before;
+                return false;
+            }
+        }
+        self.act(Act::MarkPlaces);
+        for group in &trial.groups {
+            for joint in &group.joints {
+                if let Joint::Roll(roll) = *joint {
+                    self.contact(trial.driver, roll);
+                }
+            }
+        }
+        true
     }
 
     fn by_trial(&mut self, trial: &Trial, steps: &[GroupStep], rod: &GroupStep) -> Result<(), DrawError> {

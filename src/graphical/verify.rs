@@ -1,0 +1,93 @@
+//! Whether a drawn skeleton is the mechanism: no link longer than it is, no pin beside its guide.
+//!
+//! A construction uses each dimension once. Where places are given besides, the rest is overdetermined, and what
+//! contradicts them shows only when the skeleton stands.
+
+use crate::board::{Bench, Line};
+use crate::mechanism::{LinkId, PointId, Rider, Roll};
+
+use super::DrawError;
+use super::draughtsman::Draughtsman;
+use super::pose::Track;
+
+/// What may be missed by, in sizes of the skeleton: given places may miss dimensions and guides by 1e-6 of the size,
+/// and what is constructed from two of them by a little more.
+const ROUNDING: f64 = 1e-5;
+
+/// Refuses a skeleton that misses a dimension, a guide or a rolling contact.
+///
+/// # Errors
+/// [`DrawError::NoClosure`] with the point that is missed and by how much.
+pub(super) fn verify<B: Bench>(d: &mut Draughtsman<'_, B>) -> Result<(), DrawError> {
+    let places: Vec<[f64; 2]> = d.places.iter().flatten().map(|at| at.value()).collect();
+    let extent = |axis: usize| {
+        let all = || places.iter().map(|at| at[axis]);
+        all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+    };
+    // At the scale of a first drawing the longest known length is 100 mm.
+    let size = libm::hypot(extent(0), extent(1)).max(100.0);
+    let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_, B>| {
+        let fine = miss.abs() <= ROUNDING * size || !miss.is_finite();
+        if fine { Ok(()) } else { Err(DrawError::NoClosure { pin, least: miss.abs() * d.scales.length }) }
+    };
+    for link in d.mechanism.moving() {
+        let stands = |p: &PointId| d.places[p.0].is_some();
+        let points: Vec<PointId> = d.mechanism.link(link).points.iter().copied().filter(stands).collect();
+        for (index, &from) in points.iter().take(2).enumerate() {
+            for &to in &points[index + 1..] {
+                let (own_from, own_to) = (d.own(link, from), d.own(link, to));
+                let own = d.board.distance(own_from, own_to).value();
+                let (at_from, at_to) = (d.at(from), d.at(to));
+                let drawn = d.board.distance(at_from, at_to).value();
+                missed(to, drawn - own, d)?;
+            }
+        }
+    }
+    for index in 0..d.mechanism.slides.len() {
+        let slide = d.mechanism.slides[index];
+        let rider = match slide.rider {
+            Rider::Pin { point, .. } => Some(point),
+            Rider::Link { link, .. } => d.mechanism.link(link).points.first().copied(),
+        };
+        let Some(point) = rider.filter(|p| d.places[p.0].is_some()) else { continue };
+        if !stands(d, slide.guide.link) {
+            continue;
+        }
+        let at = d.at(point);
+        let miss = match d.track(index, None) {
+            Track::Straight(line) => d.board.square_off(line, at)[1].value(),
+            Track::Arc(arc) => d.board.distance(arc.centre, at).value() - arc.radius.value(),
+        };
+        missed(point, miss, d)?;
+    }
+    for roll in &d.mechanism.rolls {
+        match *roll {
+            Roll::Circles { centres, radii, internal, .. } => {
+                if centres.iter().any(|c| d.places[c.0].is_none()) {
+                    continue;
+                }
+                let [a, b] = centres.map(|c| d.at(c));
+                let [r, s] = radii.map(|radius| radius.value / d.scales.length);
+                let apart = if internal { (r - s).abs() } else { r + s };
+                missed(centres[1], d.board.distance(a, b).value() - apart, d)?;
+            }
+            Roll::Line { guide, centre, radius, .. } => {
+                if d.places[centre.0].is_none() || !stands(d, guide.link) {
+                    continue;
+                }
+                let Line { through, along } = d.line_of(&guide);
+                let at = d.at(centre);
+                let across = d.board.square_off(Line { through, along }, at)[1].value();
+                missed(centre, across.abs() - radius.value / d.scales.length, d)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether a link stands on the skeleton, so that its guides do.
+fn stands<B: Bench>(d: &Draughtsman<'_, B>, link: LinkId) -> bool {
+    let points = &d.mechanism.link(link).points;
+    let guides_by_points = points.iter().filter(|p| d.places[p.0].is_some()).count() > 1;
+    d.stands_in_world(link) || d.poses[link.0].is_some() || guides_by_points
+}
