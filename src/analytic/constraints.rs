@@ -315,9 +315,7 @@ impl<'t> Formulas for Scope<'t> {
     fn num(&self, num: Num) -> Jet<'t> {
         self.tape.steady(match num {
             Num::Exact(value) => self.tape.constant(value),
-            Num::Param(index) => {
-                self.tape.leaf(Leaf::Param(index), self.motion.params[index].value)
-            }
+            Num::Param(index) => self.tape.leaf(Leaf::Param(index), self.motion.params[index].value),
         })
     }
 

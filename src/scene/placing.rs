@@ -208,8 +208,50 @@ impl<'b, 's> Board<'b, 's> {
                 Roll::Line { centre, .. } => rolls[centre.0].push(index),
             }
         }
-        let spots = mechanism.points.iter().map(|p| p.place.exact().map(spot_of)).collect();
-        Self { draft, size: size(draft), spots, rides, rolls }
+        let spots = mechanism.points.iter().map(|p| match p.place {
+            Place::Fixed(at) => Some(spot_of(at)),
+            _ => None,
+        });
+        let mut board = Self { draft, size: size(draft), spots: spots.collect(), rides, rolls };
+        board.derive();
+        for (spot, point) in board.spots.iter_mut().zip(&mechanism.points) {
+            *spot = point.place.exact().map(spot_of).or(*spot);
+        }
+        board
+    }
+
+    /// Finds what the inputs alone place: the points of a link that is driven by its angle about a known point, the
+    /// rider of a driven slide, and what rides on them.
+    fn derive(&mut self) {
+        let mechanism = &self.draft.mechanism;
+        for _ in 0..DEEPEST {
+            let mut found: Vec<(PointId, Spot)> = Vec::new();
+            for input in &mechanism.inputs {
+                let Input::Slide { slide, at: Some(at), .. } = input else { continue };
+                let pair = &mechanism.slides[*slide];
+                if let (Some(point), Some((Locus::Line { along: line, .. }, error, origin))) =
+                    (self.draft.riding_point(&pair.rider), self.guide(&pair.guide, 0))
+                {
+                    found.push((point, Spot { xy: along(origin, line, at.value), error: error + at.error }));
+                }
+            }
+            for link in mechanism.moving() {
+                if matches!(self.form(link), Form::Placed | Form::Single) {
+                    continue;
+                }
+                let Some(pose) = self.pose(link, None, 0) else { continue };
+                for &point in &self.draft.link(link).points {
+                    found.extend(self.own(link, point).map(|(own, error)| (point, pose.place(own, error))));
+                }
+            }
+            found.retain(|(point, _)| self.spots[point.0].is_none());
+            if found.is_empty() {
+                return;
+            }
+            for (point, spot) in found {
+                self.spots[point.0].get_or_insert(spot);
+            }
+        }
     }
 
     fn spot(&self, point: PointId) -> Option<Spot> {
@@ -691,7 +733,8 @@ impl<'b, 's> Board<'b, 's> {
                     xy = along(xy, normal, -miss);
                 }
                 let error = spot.error + first.error + rounding;
-                (Spot { xy, error }, partner.is_none() && !held)
+                // Loci that only touch, or are one (a wheel's circle and its arm), do not say where on them it lies.
+                (Spot { xy, error }, !held)
             }
         }
     }
