@@ -271,8 +271,9 @@ impl<B: Bench> Draughtsman<'_, B> {
         matches!(self.mechanism.link(link).form, Form::Single) && !rides && self.swivels_by(link).is_none()
     }
 
-    /// Turns a link of one joint until its guide meets its rider: of the two ends of the line that with the rider
-    /// further along the link's x-axis; where the guide is square to that, its own direction.
+    /// Turns a link of one joint until its guide meets its rider, at the end of its line that lies further along the
+    /// link's x-axis; where the guide is square to that, forward on the guide. Of a link that rides its first joint
+    /// counts, wherever the pin is by which it is found.
     fn swivel(
         &mut self,
         link: LinkId,
@@ -285,13 +286,57 @@ impl<B: Bench> Draughtsman<'_, B> {
         let (along, distance) = self.board.toward(anchor, at_rider, reason);
         let circle = Circle { centre: own_anchor, radius: distance };
         let pair = self.meet_track(own_track, circle, (link, base), (slide, rider))?;
-        let [first, second] = [Side::First, Side::Second].map(|side| self.board.look(&pair, side)[0]);
-        let behind = second - first > SQUARE * distance.value();
-        let side = if behind && !pair.tangent { Side::Second } else { Side::First };
+        let (Track::Straight(guide), Track::Straight(own_line)) = (self.own_track(slide, None), own_track)
+        else {
+            return Err(DrawError::Missing(Missing::StraightGuide(link)));
+        };
+        let [foot, _] = self.board.square_off(guide, own_anchor).map(|mm| mm.value());
+        let ([cos, sin], start) = (guide.along.value(), own_line.through.value());
+        let onward = if cos < -SQUARE { -1.0 } else { 1.0 };
+        let faces = |side: Side| {
+            let at = self.board.look(&pair, side);
+            let forward = (at[0] - start[0]) * cos + (at[1] - start[1]) * sin;
+            (forward - foot) * onward > -SQUARE * distance.value()
+        };
+        let side = match [Side::First, Side::Second].map(faces) {
+            _ if pair.tangent => Side::First,
+            [true, false] => Side::First,
+            [false, true] => Side::Second,
+            [false, false] => return Err(DrawError::NoClosure { pin: rider, least: f64::INFINITY }),
+            [true, true] => self.swivel_by_hints(link, (own_anchor, anchor), along, (slide, rider), pair)?,
+        };
         let own_rider = self.board.take(pair, side);
         let (own_along, _) = self.board.toward(own_anchor, own_rider, reason);
         self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
         Ok(())
+    }
+
+    /// Of two ways in which a swivelling guide meets the link that rides on it, the one that the hints for that
+    /// link's points choose.
+    fn swivel_by_hints(
+        &mut self,
+        link: LinkId,
+        (own_anchor, anchor): (Point<B>, Point<B>),
+        along: Direction<B>,
+        (slide, pin): (usize, PointId),
+        pair: Pair<B>,
+    ) -> Result<Side, DrawError> {
+        let Rider::Link { link: rod, .. } = self.mechanism.slides[slide].rider else {
+            // Both ends of a guide on which a pin rides, in one place.
+            return Ok(Side::First);
+        };
+        let reason = self.reason(&[link]);
+        let at_pin = self.at(pin);
+        let own_pin = self.own(rod, pin);
+        let poses = [Side::First, Side::Second].map(|side| {
+            let own_rider = self.board.take(pair, side);
+            let (own_along, _) = self.board.toward(own_anchor, own_rider, reason);
+            self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along, along });
+            let (own_along, along) = self.ride_directions(slide, rod);
+            Pose { own_anchor: own_pin, anchor: at_pin, own_along, along }
+        });
+        self.poses[link.0] = None;
+        self.choose_pose(rod, poses, pin)
     }
 
     /// A driven link whose first-to-second line points `along`.
@@ -832,9 +877,25 @@ impl<B: Bench> Draughtsman<'_, B> {
         let (along, distance) = self.board.toward(at_base, at_pin, reason);
         self.act(Act::DrawGuide { slide });
         let own_anchor = self.own(lever, base);
+        // A rod that stands by a place of its own directs the lever.
+        let by_rod = match self.mechanism.slides[slide].rider {
+            Rider::Link { link: rod, turned: Some(_) } => {
+                let further = |p: &&PointId| **p != pin && !self.mechanism.is_fixed(**p);
+                let mut points = self.mechanism.link(rod).points.iter().filter(further);
+                let placed = points.any(|p| self.mechanism.point(*p).place.exact().is_some());
+                if placed && self.pose_of(rod).is_some() {
+                    Some(self.ride_directions(slide, lever))
+                } else {
+                    None
+                }
+            }
+            _ => None,
+        };
         if self.stands_in_world(lever) {
             self.poses[lever.0] =
                 Some(Pose { own_anchor: at_base, anchor: at_base, own_along: along, along });
+        } else if let Some((own_along, along)) = by_rod {
+            self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along, along });
         } else if matches!(self.mechanism.link(lever).form, Form::Single) {
             if self.swivels_by(lever) == Some(slide) {
                 let track = self.own_track(slide, Some(pin));
