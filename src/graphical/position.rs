@@ -583,7 +583,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         self.act(Act::MarkPlaces);
         match points.first() {
-            Some(&point) if !placed => Err(DrawError::NotPlaced { point }),
+            Some(&point) if !placed && self.pose_of(link).is_none() => Err(DrawError::NotPlaced { point }),
             _ => Ok(()),
         }
     }
@@ -607,7 +607,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     ) -> Result<(), DrawError> {
         self.board.purpose("driven wheel");
         if !self.prick_given(centre) {
-            return Err(DrawError::NotPlaced { point: centre });
+            match self.place_by_places(centre) {
+                Some(at) => self.place(centre, at),
+                None => return Err(DrawError::NotPlaced { point: centre }),
+            }
         }
         self.act(Act::MarkPlaces);
         match (self.driven_angle(input), self.mechanism.link(wheel).points.len()) {
@@ -681,9 +684,18 @@ impl<B: Bench> Draughtsman<'_, B> {
             if self.prick_given(point) {
                 continue;
             }
-            let Some(placed) = placed.filter(|_| link == wheel) else {
-                // Rolling says nothing of where it began.
-                self.miss_of(Missing::Place(point));
+            if link != wheel {
+                // Of the rod at whose end the wheel turns: found with it.
+                continue;
+            }
+            let Some(placed) = placed else {
+                // Rolling says nothing of where it began; a given angle does.
+                match self.place_by_places(point) {
+                    Some(at) => self.place(point, at),
+                    None => {
+                        self.miss_of(Missing::Place(point));
+                    }
+                }
                 continue;
             };
             self.prick_given(placed);

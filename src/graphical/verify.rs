@@ -13,6 +13,8 @@ use super::pose::Track;
 /// What may be missed by, in sizes of the skeleton: given places may miss dimensions and guides by 1e-6 of the size,
 /// and what is constructed from two of them by a little more.
 const ROUNDING: f64 = 1e-5;
+/// What a straight guide may be missed by for each millimetre to the point by which it is given.
+const FAR: f64 = 1e-13;
 
 /// Refuses a skeleton that misses a dimension, a guide or a rolling contact.
 ///
@@ -55,7 +57,11 @@ pub(super) fn verify<B: Bench>(d: &mut Draughtsman<'_, B>) -> Result<(), DrawErr
         }
         let at = d.at(point);
         let miss = match d.track(index, None) {
-            Track::Straight(line) => d.board.square_off(line, at)[1].value(),
+            Track::Straight(line) => {
+                let [along, across] = d.board.square_off(line, at).map(|mm| mm.value());
+                // A guide may be given by a point of it that is so far away that its place is mostly rounding.
+                if across.abs() <= FAR * along.abs() { 0.0 } else { across }
+            }
             Track::Arc(arc) => d.board.distance(arc.centre, at).value() - arc.radius.value(),
         };
         missed(point, miss, d)?;
