@@ -13,8 +13,8 @@ use super::pose::Track;
 /// What may be missed by, in sizes of the skeleton: given places may miss dimensions and guides by 1e-6 of the size,
 /// and what is constructed from two of them by a little more.
 const ROUNDING: f64 = 1e-5;
-/// What a straight guide may be missed by for each millimetre to the point by which it is given.
-const FAR: f64 = 1e-13;
+/// Units of rounding in a coordinate of a guide that is given by a point of it far away.
+const ROUNDINGS: f64 = 16.0;
 
 /// Refuses a skeleton that misses a dimension, a guide or a rolling contact.
 ///
@@ -28,8 +28,18 @@ pub(super) fn verify<B: Bench>(d: &mut Draughtsman<'_, B>) -> Result<(), DrawErr
     };
     // At the scale of a first drawing the longest known length is 100 mm.
     let size = libm::hypot(extent(0), extent(1)).max(100.0);
+    let mut farthest: f64 = 0.0;
+    for index in 0..d.mechanism.slides.len() {
+        if stands(d, d.mechanism.slides[index].guide.link)
+            && let Track::Straight(line) = d.track(index, None)
+        {
+            let [x, y] = line.through.value();
+            farthest = farthest.max(libm::hypot(x, y));
+        }
+    }
+    let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest;
     let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_, B>| {
-        let fine = miss.abs() <= ROUNDING * size || !miss.is_finite();
+        let fine = miss.abs() <= allowed || !miss.is_finite();
         if fine { Ok(()) } else { Err(DrawError::NoClosure { pin, least: miss.abs() * d.scales.length }) }
     };
     for link in d.mechanism.moving() {
@@ -57,11 +67,7 @@ pub(super) fn verify<B: Bench>(d: &mut Draughtsman<'_, B>) -> Result<(), DrawErr
         }
         let at = d.at(point);
         let miss = match d.track(index, None) {
-            Track::Straight(line) => {
-                let [along, across] = d.board.square_off(line, at).map(|mm| mm.value());
-                // A guide may be given by a point of it that is so far away that its place is mostly rounding.
-                if across.abs() <= FAR * along.abs() { 0.0 } else { across }
-            }
+            Track::Straight(line) => d.board.square_off(line, at)[1].value(),
             Track::Arc(arc) => d.board.distance(arc.centre, at).value() - arc.radius.value(),
         };
         missed(point, miss, d)?;
