@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
-use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial};
+use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial, TrialDriver};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// From what instant centres are found.
@@ -82,14 +82,26 @@ pub enum Extent {
 #[must_use]
 pub fn trial_steps(trial: &Trial, step: &GroupStep, mechanism: &Mechanism) -> Vec<GroupStep> {
     let mut wanted: BTreeSet<PointId> = step.points.iter().map(|(_, p)| *p).collect();
-    match trial.closing {
-        Closing::Rod { near, .. } => wanted.insert(near),
-        Closing::Slide { pin, .. } => wanted.insert(pin),
-        Closing::Angle { link, .. } => {
-            wanted.extend(mechanism.link(link).points.iter().take(2));
-            true
+    for (driver, closing) in &trial.drivers {
+        match *closing {
+            Closing::Rod { near, far, .. } => wanted.extend([near, far]),
+            Closing::Slide { slide, pin } | Closing::Driven { slide, pin, .. } => {
+                wanted.insert(pin);
+                wanted.extend(mechanism.link(mechanism.slides[slide].guide.link).points.first());
+            }
+            Closing::Angle { link, .. } => wanted.extend(mechanism.link(link).points.iter().take(2)),
+            Closing::Roll { roll } | Closing::Contact { roll, .. } => match mechanism.rolls[roll] {
+                Roll::Circles { centres, .. } => wanted.extend(centres),
+                Roll::Line { guide, centre, .. } => {
+                    wanted.insert(centre);
+                    wanted.extend(mechanism.link(guide.link).points.first());
+                }
+            },
         }
-    };
+        if let TrialDriver::Turn(link) = *driver {
+            wanted.extend(mechanism.link(link).points.iter().take(2));
+        }
+    }
     for group in &trial.groups {
         wanted.extend(bases(group.kind).into_iter().flatten());
         wanted.extend(&group.points);
@@ -536,12 +548,14 @@ impl Wanted<'_> {
     }
 
     fn point(&mut self, point: PointId, order: Order) {
-        let Some(link) = home(self.mechanism, self.structure, point) else { return };
-        self.link(link, order);
-        let Some(group) = self.structure.group_of(link) else { return };
+        let Some(group) = self.structure.group_finding(self.mechanism, point) else { return };
+        self.group(group, order);
         if main_points(self.structure.groups[group].kind).contains(&Some(point)) {
             return;
         }
+        // A joint of the group that lies on none of its links is found by solving the group itself.
+        let on_group = |link: LinkId| self.structure.group_of(link) == Some(group);
+        let Some(link) = home(self.mechanism, self.structure, point).filter(|&l| on_group(l)) else { return };
         for lower in lower_orders(order) {
             if let Some(points) = self.steps.get_mut(&(*lower, group)) {
                 points.insert((link, point));
@@ -559,13 +573,47 @@ impl Wanted<'_> {
                 }
                 Joint::Slide(slide) => {
                     let slide = self.mechanism.slides[slide];
+                    if let Rider::Pin { point, .. } = slide.rider
+                        && !self.structure.groups[group].points.contains(&point)
+                    {
+                        self.point(point, order);
+                    }
                     for link in [Some(slide.guide.link), slide_rider(&slide)].into_iter().flatten() {
                         if self.structure.group_of(link) != Some(group) {
                             self.link(link, order);
                         }
                     }
                 }
+                Joint::Roll(roll) => {
+                    for body in self.mechanism.rolls[roll].bodies() {
+                        if self.structure.group_of(body) != Some(group) {
+                            self.link(body, order);
+                        }
+                    }
+                    self.centres_of(roll, group, order);
+                }
+                Joint::Contact(roll) => {
+                    if let Roll::Line { guide, .. } = self.mechanism.rolls[roll]
+                        && self.structure.group_of(guide.link) != Some(group)
+                    {
+                        self.link(guide.link, order);
+                    }
+                    self.centres_of(roll, group, order);
+                }
                 _ => {}
+            }
+        }
+    }
+
+    /// The centres of a rolling pair that a group does not find itself.
+    fn centres_of(&mut self, roll: usize, group: usize, order: Order) {
+        let centres = match self.mechanism.rolls[roll] {
+            Roll::Circles { centres, .. } => centres.to_vec(),
+            Roll::Line { centre, .. } => vec![centre],
+        };
+        for centre in centres {
+            if self.structure.group_finding(self.mechanism, centre) != Some(group) {
+                self.point(centre, order);
             }
         }
     }
@@ -585,8 +633,29 @@ impl Wanted<'_> {
         }
     }
 
+    /// What holds the centre of a wheel by a contact: the other centre, or the body of the line; and the centre
+    /// itself where it is solved.
+    fn leans_on(&mut self, roll: usize, centre: PointId, order: Order) {
+        match self.mechanism.rolls[roll] {
+            Roll::Circles { centres, .. } => {
+                for other in centres.into_iter().filter(|&other| other != centre) {
+                    self.point(other, order);
+                }
+            }
+            Roll::Line { guide, .. } => {
+                self.link(guide.link, order);
+                self.point(centre, order);
+            }
+        }
+    }
+
     fn link(&mut self, link: LinkId, order: Order) {
-        let Some(group) = self.structure.group_of(link) else { return };
+        if let Some(group) = self.structure.group_of(link) {
+            self.group(group, order);
+        }
+    }
+
+    fn group(&mut self, group: usize, order: Order) {
         for &lower in lower_orders(order) {
             if self.steps.contains_key(&(lower, group)) {
                 continue;
@@ -599,12 +668,14 @@ impl Wanted<'_> {
             if let GroupKind::Higher { .. } = kind {
                 self.surroundings(group, lower);
             }
-            if let GroupKind::Wheel { wheel: link, roll, .. }
-            | GroupKind::DrivenWheel { wheel: link, roll, .. }
-            | GroupKind::Rolling { wheel: link, roll, .. }
-            | GroupKind::Rack { link, roll, .. } = kind
-            {
-                self.rolled_on(roll, link, lower);
+            match kind {
+                GroupKind::Wheel { wheel: link, roll, .. }
+                | GroupKind::DrivenWheel { wheel: link, roll, .. }
+                | GroupKind::Rack { link, roll, .. } => self.rolled_on(roll, link, lower),
+                GroupKind::Rolling { centre, roll, .. } | GroupKind::PinnedRack { centre, roll, .. } => {
+                    self.leans_on(roll, centre, lower);
+                }
+                _ => {}
             }
             for slide in slides_of(kind).into_iter().flatten() {
                 let slide = self.mechanism.slides[slide];
@@ -630,18 +701,18 @@ fn lower_orders(order: Order) -> &'static [Order] {
 /// The points on solved links from which a group is solved.
 fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
     match kind {
-        GroupKind::Driver { base, .. } | GroupKind::Rrp { base, .. } | GroupKind::Rolling { base, .. } => {
-            [Some(base), None]
-        }
+        GroupKind::Driver { base, .. }
+        | GroupKind::Rrp { base, .. }
+        | GroupKind::Rolling { base, .. }
+        | GroupKind::PinnedRack { base, .. } => [Some(base), None],
         GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
         GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin)],
         GroupKind::Yoke { pin: base, .. }
         | GroupKind::Rpp { base, .. }
-        | GroupKind::Wheel { centre: base, .. }
-        | GroupKind::TrialDriver { base } => [Some(base), None],
+        | GroupKind::Wheel { centre: base, .. } => [Some(base), None],
+        GroupKind::DrivenBar { pins, under, .. } => [0, 1].map(|i| under[i].then_some(pins[i])),
         GroupKind::Prp { .. }
         | GroupKind::Rack { .. }
-        | GroupKind::DrivenBar { .. }
         | GroupKind::DrivenWheel { .. }
         | GroupKind::DrivenSlide { .. }
         | GroupKind::Higher { .. }
@@ -661,7 +732,7 @@ fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
         GroupKind::DrivenWheel { guide, .. } => [guide, None],
         GroupKind::Wheel { .. }
         | GroupKind::Rolling { .. }
-        | GroupKind::TrialDriver { .. }
+        | GroupKind::PinnedRack { .. }
         | GroupKind::Higher { .. }
         | GroupKind::Driver { .. }
         | GroupKind::Rrr { .. }
@@ -686,10 +757,10 @@ fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
         GroupKind::Rpp { base, point: pin, .. } | GroupKind::Rolling { base, centre: pin, .. } => {
             [Some(base), Some(pin), None]
         }
-        GroupKind::DrivenBar { pins: [a, b], .. } => [Some(a), Some(b), None],
+        GroupKind::DrivenBar { point, pins: [a, b], .. } => [Some(a), Some(b), Some(point)],
         GroupKind::Wheel { centre: base, .. }
         | GroupKind::DrivenWheel { centre: base, .. }
-        | GroupKind::TrialDriver { base } => [Some(base), None, None],
+        | GroupKind::PinnedRack { base, .. } => [Some(base), None, None],
         GroupKind::Rack { .. }
         | GroupKind::DrivenSlide { .. }
         | GroupKind::Higher { .. }

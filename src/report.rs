@@ -2,7 +2,7 @@
 
 use crate::graphical::{DrawError, Missing};
 use crate::mechanism::quantity::{Answer, Asked};
-use crate::mechanism::structure::{Joint, StructureError};
+use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
 use crate::mechanism::{Input, Mechanism};
 use crate::scene::{Diagnostic, Scene, Subject};
 use crate::solve::SolveError;
@@ -67,7 +67,8 @@ fn structure(mechanism: &Mechanism, error: &StructureError) -> (Subject, String,
                 Joint::Slide(index) => Subject::Slide(index),
                 Joint::Roll(index) | Joint::Contact(index) => Subject::Roll(index),
                 Joint::Input(index) => Subject::Input(index),
-                Joint::Trial(link) => Subject::Link(link),
+                Joint::Trial(TrialDriver::Turn(link)) => Subject::Link(link),
+                Joint::Trial(TrialDriver::Slide(slide)) => Subject::Slide(slide),
             },
             error.to_string(),
             match joint {
@@ -124,6 +125,7 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
         DrawError::Missing(what) => (
             match *what {
                 Missing::Place(point) | Missing::Image(_, point) => Subject::Point(point),
+                Missing::Sliding(slide) => Subject::Slide(slide),
                 Missing::OwnPoint(link, _)
                 | Missing::Pose(link)
                 | Missing::Joint(link)

@@ -14,7 +14,7 @@
 
 use crate::board::{Amount, Bench, Direction, Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::{Group, GroupKind};
+use crate::mechanism::structure::{Drive, Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
 use crate::plan::{GroupStep, Plan};
 
@@ -37,25 +37,27 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// Draws the acceleration polygon of one group.
     pub(super) fn acceleration_of(&mut self, step: &GroupStep, group: &Group) {
         match group.kind {
-            GroupKind::Driver { base, input } => {
-                self.acceleration_of_driver(step, group.links[0], base, input);
-            }
+            GroupKind::Driver { base, input } => match input {
+                Drive::Input(input) => self.acceleration_of_driver(step, group.links[0], base, input),
+                Drive::Trial(_) => {
+                    let alpha = self.driven_rate(Order::Acceleration, input);
+                    self.set_rate(Order::Acceleration, group.links[0], alpha);
+                    self.step(Order::Acceleration, &group.links, Vec::new());
+                    self.driven_accelerations(step, group.links[0], base);
+                }
+            },
             GroupKind::DrivenSlide { slide, input } => self.acceleration_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.acceleration_of_wheel(step, wheel, centre, roll),
             GroupKind::DrivenBar { link, input, .. } => {
-                let alpha = self.given_rate(Order::Acceleration, input);
+                let alpha = self.driven_rate(Order::Acceleration, input);
                 self.alphas[link.0] = Some(alpha);
                 self.dyad(Order::Acceleration, step, group);
             }
             GroupKind::DrivenWheel { wheel, centre, input, .. } => {
-                let alpha = self.given_rate(Order::Acceleration, input);
+                let alpha = self.driven_rate(Order::Acceleration, input);
                 self.alphas[wheel.0] = Some(alpha);
                 self.dyad(Order::Acceleration, step, group);
                 self.points_of_wheel(Order::Acceleration, step, wheel, centre);
-            }
-            GroupKind::Rolling { wheel, centre, roll, .. } => {
-                self.dyad(Order::Acceleration, step, group);
-                self.acceleration_of_wheel(step, wheel, centre, roll);
             }
             GroupKind::Higher { trial } => self.polygon_by_trial(Order::Acceleration, step, trial),
             _ => self.dyad(Order::Acceleration, step, group),
@@ -189,24 +191,15 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Coriolis where the guide turns, then the given apparent acceleration along the guide.
-    fn acceleration_of_slide(&mut self, step: &GroupStep, group: &Group, slide: usize, input: usize) {
-        let Input::Slide { acceleration, .. } = self.mechanism.inputs[input] else { return };
+    fn acceleration_of_slide(&mut self, step: &GroupStep, group: &Group, slide: usize, input: Drive) {
         let (rider, guide) = (self.mechanism.slides[slide].rider, self.mechanism.slides[slide].guide.link);
         let first = self.riding_point(slide, PointId(0));
         self.board.purpose("acceleration of a driven slide");
         self.step(Order::Acceleration, &group.links, Vec::new());
         let fixed = guide == LinkId::FRAME;
-        let (along, _) = self.tangent(slide, first);
-        let mut from = (self.label_under(first, guide), self.image_under(Order::Acceleration, first, guide));
-        if let (Some(slip), false) = (self.slips[slide], self.translates[guide.0]) {
-            let coriolis = self.coriolis(slip, (first, guide));
-            let left = self.board.quarter_turn(along);
-            let kind = (VectorKind::Coriolis, Quantity::Coriolis(first, guide));
-            let foot = Label::Foot { point: first, link: Some(guide), index: 1 };
-            from = self.lay_off_part(slide, kind, from, (left, coriolis), (false, foot));
-        }
+        let (from, along) = self.sliding_foot(slide, false, first, 1);
         let scale = self.polygon_scale(Order::Acceleration);
-        let given = self.board.amount(acceleration);
+        let given = self.driven_rate(Order::Acceleration, input);
         let mm = self.board.to_paper(given, scale);
         let (kind, quantity) = if fixed {
             (VectorKind::Absolute, Quantity::Acceleration(first))
@@ -234,7 +227,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// At a rolling contact the tangential parts are equal, so the images of both contact points lie on a
     /// parallel to the common normal; the wheel's own lies where that meets the line of its tangential part.
     fn acceleration_of_wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
-        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        let contact = self.contact_of(roll);
         self.board.purpose("acceleration of a contact point");
         self.step(Order::Acceleration, &[wheel], Vec::new());
         let other = self.rolled_on(roll, wheel);
@@ -266,7 +259,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         tail: (Label, Point<B>),
         head: (Label, Point<B>),
     ) {
-        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        let contact = self.contact_of(roll);
         let relative = Quantity::ContactNormal(contact, self.rolled_on(roll, body), body);
         let part = (VectorKind::Normal, relative, Some(claim));
         let vector = self.note_vector(Order::Acceleration, part, tail, head);
@@ -365,15 +358,14 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// that turns, Coriolis. From their end the line of unknown length.
     pub(super) fn acceleration_roll(
         &mut self,
-        roll: usize,
-        wheel: LinkId,
-        centre: PointId,
+        (roll, wheel, centre): (usize, LinkId, PointId),
+        back: bool,
         index: u8,
     ) -> Route<B> {
-        let unknown = Unknown::Roll { roll, wheel, centre };
+        let unknown = Unknown::Roll { roll, wheel, centre, back };
         let body = self.rolled_on(roll, wheel);
         let scale = self.polygon_scale(Order::Acceleration);
-        if let Some(other) = self.other_centre(roll, wheel) {
+        if let (Some(other), false) = (self.other_centre(roll, wheel), back) {
             let [from, to] = [self.image(Order::Velocity, other), self.image(Order::Velocity, centre)];
             let mm = self.board.distance(from, to);
             let velocity_scale = self.polygon_scale(Order::Velocity);
@@ -414,23 +406,26 @@ impl<B: Bench> Draughtsman<'_, B> {
             return Route { foot: (label, foot), ray: Line { through: foot, along }, claim, unknown };
         }
         let (along, claim) = self.rolling_direction(roll, wheel, centre);
-        let mut from = (self.label_under(centre, body), self.image_under(Order::Acceleration, centre, body));
+        // Backwards, Coriolis has its head at the centre's known image.
+        let mut from = if back {
+            (self.label(centre), self.image(Order::Acceleration, centre))
+        } else {
+            (self.label_under(centre, body), self.image_under(Order::Acceleration, centre, body))
+        };
         if let (Some(speed), false) = (self.rolling_speeds[roll], self.translates[body.0]) {
             let coriolis = self.coriolis(speed, (centre, body));
             let left = self.board.quarter_turn(along);
+            let way = if back { self.board.reverse(left) } else { left };
             let mm = self.board.to_paper(coriolis, scale);
             let label = Label::Foot { point: centre, link: Some(body), index };
             let quantity = Quantity::Coriolis(centre, body);
-            let foot = self.lay_off_vector(quantity, from.1, left, mm);
-            let vector = self.note_vector(
-                Order::Acceleration,
-                (VectorKind::Coriolis, quantity, None),
-                from,
-                (label, foot),
-            );
+            let foot = self.lay_off_vector(quantity, from.1, way, mm);
+            let [tail, head] = if back { [(label, foot), from] } else { [from, (label, foot)] };
+            let kind = (VectorKind::Coriolis, quantity, None);
+            let vector = self.note_vector(Order::Acceleration, kind, tail, head);
             self.act(Act::LayOffVector { vector, value: coriolis.value().abs(), mm: mm.value().abs() });
             self.note_foot(Order::Acceleration, label, foot);
-            self.note_part(quantity, from.1, foot);
+            self.note_part(quantity, tail.1, head.1);
             from = (label, foot);
         }
         self.act(Act::DrawRay { from: from.0, claim });

@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::double_double::DoubleDouble;
 use crate::mechanism::quantity::{Answer, Method, Order, Quantity};
-use crate::mechanism::structure::Closing;
+use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, Mechanism, PointId};
 
 use super::auxiliary::AuxiliaryDrawing;
@@ -683,31 +683,31 @@ pub enum Act {
         /// The contact point.
         contact: PointId,
     },
-    /// Find by trial the angle of a link at which the group closes.
+    /// Find by trial the angle of a link, or the place of a rider, at which the group closes.
     TryPosition {
-        /// The link that is turned by trial.
-        driver: LinkId,
+        /// What is moved by trial.
+        driver: TrialDriver,
         /// The constraint that is left open.
         closing: Closing,
     },
     /// Draw two trial polygons.
     TryPolygon {
         /// The trial driver.
-        driver: LinkId,
+        driver: TrialDriver,
         /// The constraint that is left open.
         closing: Closing,
         /// Velocity or acceleration.
         order: Order,
-        /// The assumed ω or ε of the one and of the other, SI, signed.
+        /// The assumed rates of the one and of the other, SI, signed.
         rates: [f64; 2],
     },
     /// The rate of the trial driver, by proportion.
     TrialRate {
         /// The trial driver.
-        driver: LinkId,
+        driver: TrialDriver,
         /// Velocity or acceleration.
         order: Order,
-        /// ω or ε, SI, signed.
+        /// ω or ε, or the rate along the guide, SI, signed.
         rate: f64,
     },
     /// Choose the pole.

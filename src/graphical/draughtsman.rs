@@ -2,7 +2,7 @@
 
 use crate::board::{Amount, Angle, Bench, Board, Point, Reason, Scale, Side};
 use crate::mechanism::quantity::{Indeterminate, Order, Quantity};
-use crate::mechanism::structure::{GroupKind, Structure};
+use crate::mechanism::structure::{GroupKind, Structure, TrialDriver};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::{Auxiliary, home};
 
@@ -81,7 +81,7 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) accelerations: Images<B>,
     /// ω of each link.
     pub(super) omegas: Vec<Option<Amount<B>>>,
-    /// Which links do not turn at all: the frame, and what slides on such links without turning.
+    /// Which links cannot turn, whatever moves: the frame, and what slides on such links without turning.
     pub(super) translates: Vec<bool>,
     /// ε of each link.
     pub(super) alphas: Vec<Option<Amount<B>>>,
@@ -110,6 +110,10 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) silent: bool,
     /// Sides that the next choices must take, in a trial.
     pub(super) sides: Option<Vec<Side>>,
+    /// Where the trial drivers are tried: an angle, or millimetres along a guide; none where they are placed.
+    pub(super) tried_places: Vec<(TrialDriver, Angle<B>)>,
+    /// How fast the trial drivers are tried, SI.
+    pub(super) tried_rates: Vec<(Order, TrialDriver, Amount<B>)>,
     /// In what this drawing departs from the right one.
     pub(super) departures: &'m [Departure],
     /// Where points stood when wheels began to roll.
@@ -120,6 +124,25 @@ pub(super) struct Draughtsman<'m, B: Bench> {
     pub(super) missing: Option<Missing>,
     reasons: Vec<Cause>,
     record: Construction,
+}
+
+/// The frame, and every link that slides without turning against one of these.
+fn translating(mechanism: &Mechanism) -> Vec<bool> {
+    let mut translates = vec![false; mechanism.links.len()];
+    let mut found = vec![LinkId::FRAME];
+    while let Some(link) = found.pop() {
+        if std::mem::replace(&mut translates[link.0], true) {
+            continue;
+        }
+        for slide in &mechanism.slides {
+            let Rider::Link { link: rider, .. } = slide.rider else { continue };
+            let pair = [rider, slide.guide.link];
+            if pair.contains(&link) {
+                found.extend(pair.into_iter().filter(|&other| other != link));
+            }
+        }
+    }
+    translates
 }
 
 impl<'m, B: Bench> Draughtsman<'m, B> {
@@ -144,7 +167,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             velocities: vec![None; points],
             accelerations: vec![None; points],
             omegas: vec![None; links],
-            translates: (0..links).map(|l| l == LinkId::FRAME.0).collect(),
+            translates: translating(mechanism),
             alphas: vec![None; links],
             feet: Vec::new(),
             coincident: Vec::new(),
@@ -158,6 +181,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             parts: Vec::new(),
             silent: false,
             sides: None,
+            tried_places: Vec::new(),
+            tried_rates: Vec::new(),
             departures: &[],
             starts: &[],
             turned_by: vec![None; links],
@@ -280,6 +305,12 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         if let (Some(step), false) = (self.record.steps.last_mut(), self.silent) {
             step.acts.push(act);
         }
+    }
+
+    /// Whether an act has marked a contact point.
+    pub(super) fn has_marked(&self, point: PointId) -> bool {
+        let marks = |act: &Act| matches!(act, Act::MarkContact { contact } if *contact == point);
+        self.record.steps.iter().any(|step| step.acts.iter().any(marks))
     }
 
     pub(super) fn step_index(&self) -> usize {
@@ -427,6 +458,11 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }
     }
 
+    /// The contact point of a rolling pair.
+    pub(super) fn contact_of(&self, roll: usize) -> PointId {
+        self.mechanism.contacts[roll]
+    }
+
     /// The label of a point's image; the link's number is told where other links have points under it.
     pub(super) fn label(&self, point: PointId) -> Label {
         if self.mechanism.is_fixed(point) {
@@ -438,7 +474,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }) || self.structure.groups.iter().any(|group| match group.kind {
             GroupKind::Rrp { pin, slide, rider: Some(_), .. } => pin == point && moving(slide),
             GroupKind::Prp { pin, slides, .. } => pin == point && slides.into_iter().any(moving),
-            GroupKind::Rpp { point: pin, .. } => pin == point,
+            GroupKind::Rpp { point: pin, .. } | GroupKind::PinnedRack { centre: pin, .. } => pin == point,
+            GroupKind::DrivenBar { pins, slides, riders, .. } => {
+                (0..2).any(|i| pins[i] == point && riders[i].is_some() && moving(slides[i]))
+            }
             _ => false,
         });
         let link = if on_moving_guide { home(self.mechanism, self.structure, point) } else { None };

@@ -40,7 +40,13 @@ pub(super) enum Unknown {
     },
     /// Another pin of a driven link slides along its guide; the link's rotation leads from it to the pin
     /// that is sought.
-    Carried { slide: usize, link: LinkId, pin: PointId },
+    Carried {
+        slide: usize,
+        /// The rider is solved and the guide is sought.
+        back: bool,
+        link: LinkId,
+        pin: PointId,
+    },
     /// A wheel's centre runs along the body on which it rolls.
     Roll {
         /// Index of the rolling pair.
@@ -49,6 +55,8 @@ pub(super) enum Unknown {
         wheel: LinkId,
         /// Its centre.
         centre: PointId,
+        /// The centre is solved and the body of the line is sought.
+        back: bool,
     },
     /// The contact points of a rolling pair have one tangential part; they differ along the common normal.
     Contact {
@@ -121,7 +129,14 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
             GroupKind::Rolling { rod, base, wheel, centre, roll } => (
                 Target::Pin(centre),
-                [Unknown::Turn { link: rod, base, to: centre }, Unknown::Roll { roll, wheel, centre }],
+                [
+                    Unknown::Turn { link: rod, base, to: centre },
+                    Unknown::Roll { roll, wheel, centre, back: false },
+                ],
+            ),
+            GroupKind::PinnedRack { link, base, wheel, centre, roll } => (
+                Target::Under(centre, link),
+                [Unknown::Turn { link, base, to: centre }, Unknown::Roll { roll, wheel, centre, back: true }],
             ),
             GroupKind::Prp { pin, slides, riders } => {
                 (Target::Pin(pin), [0, 1].map(|i| slide(slides[i], riders[i])))
@@ -137,22 +152,20 @@ impl<B: Bench> Draughtsman<'_, B> {
                 (Target::Under(pin, link), [slide(ride, Some(link)), slide(slot, Some(link))])
             }
             GroupKind::Rack { link, ride, roll } => (
-                Target::Under(*self.mechanism.contacts.get(roll)?, link),
+                Target::Under(self.contact_of(roll), link),
                 [slide(ride, Some(link)), Unknown::Contact { roll, body: link }],
             ),
-            GroupKind::DrivenBar { link, pins: [first, second], slides, .. } => (
-                Target::Pin(first),
-                [slide(slides[0], None), Unknown::Carried { slide: slides[1], link, pin: second }],
-            ),
+            GroupKind::DrivenBar { link, point, .. } => {
+                (Target::Pin(point), [0, 1].map(|hold| self.hold_of(kind, hold, (link, point))))
+            }
             GroupKind::DrivenWheel { wheel, centre, roll, guide, .. } => {
                 let held = match guide {
                     Some(guide) => slide(guide, None),
-                    None => Unknown::Roll { roll, wheel, centre },
+                    None => Unknown::Roll { roll, wheel, centre, back: false },
                 };
                 (Target::Pin(centre), [held, Unknown::Spin { roll, wheel, centre }])
             }
             GroupKind::Driver { .. }
-            | GroupKind::TrialDriver { .. }
             | GroupKind::DrivenSlide { .. }
             | GroupKind::Wheel { .. }
             | GroupKind::Higher { .. }
@@ -198,8 +211,8 @@ impl<B: Bench> Draughtsman<'_, B> {
             },
         };
         let route = match (order, unknown) {
-            (_, Unknown::Carried { slide, link, pin: other }) => {
-                self.carried_route(order, slide, link, [other, pin], first)
+            (_, Unknown::Carried { slide, back, link, pin: other }) => {
+                self.carried_route(order, (slide, back), link, [other, pin], first)
             }
             (_, Unknown::Contact { roll, body }) => self.contact_route(order, roll, body),
             (_, Unknown::Spin { roll, wheel, centre }) => {
@@ -208,8 +221,8 @@ impl<B: Bench> Draughtsman<'_, B> {
             (Order::Acceleration, Unknown::Turn { link, base, to }) => {
                 self.acceleration_arm(link, base, to, first)
             }
-            (Order::Acceleration, Unknown::Roll { roll, wheel, centre }) => {
-                self.acceleration_roll(roll, wheel, centre, first)
+            (Order::Acceleration, Unknown::Roll { roll, wheel, centre, back }) => {
+                self.acceleration_roll((roll, wheel, centre), back, first)
             }
             (Order::Acceleration, Unknown::Slide { slide, back }) => {
                 // Feet behind a pin's image bear no link's number, so they are counted by themselves.
@@ -217,7 +230,9 @@ impl<B: Bench> Draughtsman<'_, B> {
                 self.acceleration_slide(slide, back, pin, if behind { 1 } else { first })
             }
             (_, Unknown::Turn { link, base, to }) => self.velocity_arm(link, base, to),
-            (_, Unknown::Roll { roll, wheel, centre }) => self.velocity_roll(roll, wheel, centre),
+            (_, Unknown::Roll { roll, wheel, centre, back }) => {
+                self.velocity_roll((roll, wheel, centre), back)
+            }
             (_, Unknown::Slide { slide, back }) => self.velocity_slide(slide, back, pin),
         };
         self.ray_as_drawn(order, route)
@@ -264,13 +279,17 @@ impl<B: Bench> Draughtsman<'_, B> {
             (_, Unknown::Slide { slide, back }) => {
                 self.read_slip(route, target, (slide, back), head, along);
             }
-            (_, Unknown::Roll { roll, wheel, centre }) => {
+            (_, Unknown::Roll { roll, wheel, centre, back }) => {
                 if order == Order::Velocity {
                     let scale = self.polygon_scale(order);
-                    self.rolling_speeds[roll] = Some(self.board.read(along, scale));
+                    let read = self.board.read(along, scale);
+                    // Read from the body's point to the centre: against the ray where it was drawn backwards.
+                    let speed = if back { self.board.opposite(read) } else { read };
+                    self.rolling_speeds[roll] = Some(speed);
                 }
                 let (quantity, kind) = self.rolling_unknown(order, (roll, wheel, centre), route.foot.0);
-                let vector = self.note_vector(order, (kind, quantity, Some(route.claim)), route.foot, head);
+                let [tail, head] = if back { [head, route.foot] } else { [route.foot, head] };
+                let vector = self.note_vector(order, (kind, quantity, Some(route.claim)), tail, head);
                 self.act_read(order, vector);
             }
             (Order::Acceleration, Unknown::Contact { roll, body }) => {
@@ -297,22 +316,22 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn carried_route(
         &mut self,
         order: Order,
-        slide: usize,
+        (slide, back): (usize, bool),
         link: LinkId,
         [other, pin]: [PointId; 2],
         index: u8,
     ) -> Route<B> {
         let (start, along) = match order {
-            Order::Acceleration => self.sliding_foot(slide, false, other, 1),
+            Order::Acceleration => self.sliding_foot(slide, back, other, 1),
             _ => {
                 let (along, _) = self.tangent(slide, other);
-                (self.slide_start(order, (slide, false), other), along)
+                (self.slide_start(order, (slide, back), other), along)
             }
         };
         let foot = self.lay_off_turn(order, link, [other, pin], start, (index, None));
         let claim = Claim::Parallel(Reference::Guide(slide));
         self.act(Act::DrawRay { from: foot.0, claim });
-        let unknown = Unknown::Carried { slide, link, pin: other };
+        let unknown = Unknown::Carried { slide, back, link, pin: other };
         Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
     }
 
@@ -376,29 +395,53 @@ impl<B: Bench> Draughtsman<'_, B> {
         foot
     }
 
-    /// The second pin of a driven link: its image about the first, and what its sliding is.
-    fn second_pin(&mut self, order: Order, kind: GroupKind) {
-        let GroupKind::DrivenBar { link, pins: [first, second], slides, .. } = kind else { return };
-        let image = self.image_about(order, link, first, second);
-        let image = self.note_image(order, second, image);
-        self.absolute_of(order, second, image);
-        let loud = !std::mem::replace(&mut self.silent, true);
-        let slide = Unknown::Slide { slide: slides[1], back: false };
-        self.read_closing(order, slide, Target::Pin(second), (self.label(second), image));
-        self.silent = !loud;
+    /// What one of the two sliding pairs of a driven link leaves unknown.
+    fn hold_of(&self, kind: GroupKind, hold: usize, (link, point): (LinkId, PointId)) -> Unknown {
+        let GroupKind::DrivenBar { pins, slides, riders, under, .. } = kind else {
+            return Unknown::Slide { slide: 0, back: false };
+        };
+        let (slide, pin) = (slides[hold], pins[hold]);
+        let back = under[hold] || riders[hold] == Some(self.mechanism.slides[slide].guide.link);
+        if pin == point && !under[hold] {
+            Unknown::Slide { slide, back }
+        } else {
+            Unknown::Carried { slide, back, link, pin }
+        }
     }
 
-    fn contact_label(&self, roll: usize, body: LinkId) -> Label {
-        self.mechanism.contacts.get(roll).map_or(Label::Pole, |&contact| self.label_under(contact, body))
+    /// The other pins of a driven link: their images, and what their sliding is.
+    fn other_pins(&mut self, order: Order, kind: GroupKind) {
+        let GroupKind::DrivenBar { link, point, under, .. } = kind else { return };
+        for hold in 0..2 {
+            let Unknown::Carried { slide, back, pin, .. } = self.hold_of(kind, hold, (link, point)) else {
+                continue;
+            };
+            let (target, head) = if under[hold] {
+                let image = self.image_under(order, pin, link);
+                (Target::Under(pin, link), (self.label_under(pin, link), image))
+            } else {
+                let image = self.image_about(order, link, point, pin);
+                let image = self.note_image(order, pin, image);
+                self.absolute_of(order, pin, image);
+                (Target::Pin(pin), (self.label(pin), image))
+            };
+            let loud = !std::mem::replace(&mut self.silent, true);
+            self.read_closing(order, Unknown::Slide { slide, back }, target, head);
+            self.silent = !loud;
+        }
+    }
+
+    pub(super) fn contact_label(&self, roll: usize, body: LinkId) -> Label {
+        self.label_under(self.contact_of(roll), body)
     }
 
     /// The line from a wheel's centre to its contact point.
-    fn common_normal(&mut self, roll: usize) -> (crate::board::Direction<B>, Claim) {
+    pub(super) fn common_normal(&mut self, roll: usize) -> (crate::board::Direction<B>, Claim) {
         let (wheel, centre) = match self.mechanism.rolls[roll] {
             Roll::Circles { links, centres, .. } => (links[1], centres[1]),
             Roll::Line { wheel, centre, .. } => (wheel, centre),
         };
-        let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+        let contact = self.contact_of(roll);
         let along = self.outward(wheel, centre, contact);
         (along, Claim::Parallel(Reference::Points(centre, contact)))
     }
@@ -414,7 +457,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     ) -> Point<B> {
         let other = self.rolled_on(roll, wheel);
         let start = (self.contact_label(roll, other), self.contact_image(order, roll, other));
-        let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+        let contact = self.contact_of(roll);
         let rate = self.rate(order, wheel);
         let radius = self.length_to(wheel, centre, contact);
         let part = self.board.product(rate, radius);
@@ -498,7 +541,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.set_rate(order, rod, rate);
         }
         self.whole_vectors(order, target, unknowns, (label, at));
-        self.second_pin(order, kind);
+        self.other_pins(order, kind);
         self.further_images(order, step, kind);
     }
 
@@ -616,7 +659,18 @@ impl<B: Bench> Draughtsman<'_, B> {
                 };
                 drawn.push(sought(quantity, Claim::Perpendicular(line)));
             }
-            Unknown::Roll { roll, wheel, centre } => {
+            Unknown::Roll { roll, wheel, centre, back: true } => {
+                known.push(self.found_image(order, centre));
+                if second {
+                    let coriolis = Quantity::Coriolis(centre, self.rolled_on(roll, wheel));
+                    drawn.extend(self.laid_off(order, coriolis, TermDirection::Found));
+                }
+                let claim = self.rolling_direction(roll, wheel, centre).1;
+                let (quantity, _) = self.rolling_unknown(order, (roll, wheel, centre), Label::Pole);
+                drawn.push(sought(quantity, claim));
+                return Side { known, unknown: drawn, back: true };
+            }
+            Unknown::Roll { roll, wheel, centre, back: false } => {
                 let body = self.rolled_on(roll, wheel);
                 let claim = match self.other_centre(roll, wheel) {
                     Some(other) => {
@@ -664,11 +718,13 @@ impl<B: Bench> Draughtsman<'_, B> {
                 drawn.push(sought(quantity, Claim::Parallel(line)));
                 return Side { known, unknown: drawn, back: reversed };
             }
-            Unknown::Carried { slide, pin: other, .. } => {
-                let sliding = Unknown::Slide { slide, back: false };
+            Unknown::Carried { slide, back, pin: other, .. } => {
+                let sliding = Unknown::Slide { slide, back };
                 let side = self.side_of(order, Target::Pin(other), sliding);
                 known.extend(side.known);
-                drawn.extend(side.unknown);
+                if !side.back {
+                    drawn.extend(side.unknown.iter().copied());
+                }
                 let line = Reference::Points(other, pin);
                 let (parallel, square) = (Claim::Parallel(line), Claim::Perpendicular(line));
                 let parts = if second {
@@ -681,6 +737,11 @@ impl<B: Bench> Draughtsman<'_, B> {
                 };
                 for (part, claim) in parts {
                     drawn.extend(self.laid_off(order, part, TermDirection::Claim(claim)));
+                }
+                if side.back {
+                    // What slides stands on the other side of the equation, what the link's turning gives on this.
+                    known.append(&mut drawn);
+                    return Side { known, unknown: side.unknown, back: true };
                 }
             }
             Unknown::Contact { roll, body } => {
@@ -696,7 +757,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
             Unknown::Spin { roll, wheel, centre } => {
                 let other = self.rolled_on(roll, wheel);
-                let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+                let contact = self.contact_of(roll);
                 if other != LinkId::FRAME {
                     known.push(self.found_under(order, contact, other));
                 }
@@ -735,14 +796,19 @@ impl<B: Bench> Draughtsman<'_, B> {
             let about = match kind {
                 GroupKind::Rpr { lever, base, .. } if link == lever => Some(base),
                 GroupKind::Rpp { lever, base, .. } if link == lever => Some(base),
-                GroupKind::Rpr { pin, .. } | GroupKind::DrivenBar { pins: [pin, _], .. } => Some(pin),
+                GroupKind::PinnedRack { base, .. } => Some(base),
+                GroupKind::Rpr { pin, .. } => Some(pin),
+                GroupKind::DrivenBar { link: bar, point: pin, .. } if link == bar => Some(pin),
                 _ => None,
             };
             let carried = match kind {
                 GroupKind::Yoke { pin, .. } => Some(pin),
-                GroupKind::Rack { roll, .. } => self.mechanism.contacts.get(roll).copied(),
+                GroupKind::Rack { roll, .. } => Some(self.contact_of(roll)),
                 GroupKind::Rpp { point: pin, .. } | GroupKind::Prp { pin, .. } => Some(pin),
                 GroupKind::Rrp { rider: Some(rider), pin, .. } if rider == link => Some(pin),
+                GroupKind::DrivenBar { pins, riders, .. } => {
+                    (0..2).find(|&i| riders[i] == Some(link)).map(|i| pins[i])
+                }
                 _ => None,
             };
             let image = match (about, carried, main_base(kind, link)) {

@@ -4,8 +4,9 @@
 //! ink that leads nowhere: whatever is read from it is refused, with the reason told here. A skeleton in which
 //! something was missing is refused as a whole ([`super::DrawError::Missing`]).
 
-use crate::board::{Bench, Direction, Point, Reason};
+use crate::board::{Amount, Bench, Direction, Point, Reason};
 use crate::mechanism::quantity::Order;
+use crate::mechanism::structure::TrialDriver;
 use crate::mechanism::{LinkId, Mechanism, PointId};
 
 use super::DrawError;
@@ -30,9 +31,19 @@ pub enum Missing {
     Image(Order, PointId),
     /// The angular velocity or acceleration of a link.
     Rate(Order, LinkId),
+    /// How fast a rider slides, or how its sliding changes; by index of the pair.
+    Sliding(usize),
 }
 
 impl Missing {
+    /// The rate of a trial driver.
+    pub(super) fn rate_of(order: Order, driver: TrialDriver) -> Self {
+        match driver {
+            TrialDriver::Turn(link) => Self::Rate(order, link),
+            TrialDriver::Slide(slide) => Self::Sliding(slide),
+        }
+    }
+
     /// What is missing, as a clause in plain English.
     #[must_use]
     pub fn say(&self, mechanism: &Mechanism) -> String {
@@ -55,6 +66,10 @@ impl Missing {
             }
             Self::Image(order, point) => {
                 format!("no step of the drawing finds the {} of {}", word(order), name(point))
+            }
+            Self::Sliding(slide) => {
+                let guide = mechanism.slides[slide].guide.link;
+                format!("no step of the drawing finds how its rider slides on link {}", number(guide))
             }
             Self::Rate(order, link) => {
                 format!("no step of the drawing finds the angular {} of link {}", word(order), number(link))
@@ -81,6 +96,12 @@ impl<B: Bench> Draughtsman<'_, B> {
     pub(super) fn no_direction(&mut self, what: Missing) -> Direction<B> {
         let reason = self.miss_of(what);
         self.board.no_direction(reason)
+    }
+
+    /// In the place of a rate that no step has found: unknown.
+    pub(super) fn no_rate(&mut self, what: Missing) -> Amount<B> {
+        let reason = self.miss_of(what);
+        self.board.unknown(reason)
     }
 
     /// A skeleton, or a part of it, stands on nothing that is missing.

@@ -15,6 +15,7 @@ mod draughtsman;
 mod dyad;
 mod link_figure;
 mod missing;
+mod pinned_rack;
 mod pose;
 mod position;
 mod reading;
@@ -35,7 +36,7 @@ use crate::board::{
 };
 use crate::double_double::DoubleDouble;
 use crate::given::Given;
-use crate::mechanism::structure::{GroupKind, Structure};
+use crate::mechanism::structure::{Drive, GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Roll};
 use crate::plan::Plan;
 use construction::{Construction, ConstructionLine, OtherPosition, Polygon, TransferInk};
@@ -519,7 +520,7 @@ fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, pl
         .groups
         .iter()
         .filter_map(|g| match g.kind {
-            GroupKind::Driver { input, .. } => Some(input),
+            GroupKind::Driver { input: Drive::Input(input), .. } => Some(input),
             _ => None,
         })
         .collect();

@@ -235,7 +235,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         track
     }
 
-    fn own_line(&mut self, guide: &Guide) -> Track<B> {
+    pub(super) fn own_line(&mut self, guide: &Guide) -> Track<B> {
         match guide.path {
             Path::Arc { centre, radius } => {
                 let centre = self.own_guide_point(guide.link, centre);

@@ -1,10 +1,10 @@
 //! The kinematic skeleton, by protractor, compass and guide (`s000-ch3a` 2.3: choose a length scale; draw;
 //! measure any missing length on it).
 
-use crate::board::{Bench, Circle, Direction, Line, Pair, Point, Side};
+use crate::board::{Angle, Bench, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::{Group, GroupKind};
+use crate::mechanism::structure::{Drive, Group, GroupKind, TrialDriver};
 use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
@@ -82,9 +82,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             GroupKind::Yoke { link, ride, pin, slot } => self.yoke(step, link, ride, pin, slot)?,
             GroupKind::DrivenSlide { slide, input } => self.driven_slide(step, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.wheel(step, wheel, centre, roll)?,
-            GroupKind::DrivenBar { link, pins, slides, input } => {
-                self.driven_bar(step, link, pins, slides, input)?;
-            }
+            GroupKind::DrivenBar { .. } => self.driven_bar(step, group.kind)?,
             GroupKind::Rack { link, roll, .. } => self.rack(step, link, roll)?,
             GroupKind::DrivenWheel { wheel, centre, roll, input, .. } => {
                 self.driven_wheel(step, (wheel, centre), roll, input)?;
@@ -92,8 +90,11 @@ impl<B: Bench> Draughtsman<'_, B> {
             GroupKind::Rolling { rod, base, wheel, centre, roll } => {
                 self.rolling(step, (rod, base), wheel, centre, roll)?;
             }
+            GroupKind::PinnedRack { link, base, wheel, centre, roll } => {
+                self.pinned_rack(step, (link, base), (wheel, centre), roll)?;
+            }
             GroupKind::Higher { trial } => self.position_by_trial(step, trial)?,
-            GroupKind::TrialDriver { .. } | GroupKind::Other => {
+            GroupKind::Other => {
                 return Err(DrawError::NoConstruction { links: group.links.clone() });
             }
         }
@@ -138,7 +139,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Notes the place of a point whose place is given; says whether it is.
-    fn prick_given(&mut self, point: PointId) -> bool {
+    pub(super) fn prick_given(&mut self, point: PointId) -> bool {
         let Some(at) = self.given_place(point) else { return false };
         self.place(point, at);
         true
@@ -153,11 +154,21 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The angle of a driven link, where the input states it.
-    fn driven_angle(&self, input: usize) -> Option<Given> {
-        match self.mechanism.inputs[input] {
-            Input::Angle { angle, .. } | Input::Speed { angle, .. } => angle,
-            Input::Slide { .. } => None,
+    fn driven_angle(&mut self, input: Drive) -> Option<Angle<B>> {
+        match input {
+            Drive::Input(input) => match self.mechanism.inputs[input] {
+                Input::Angle { angle, .. } | Input::Speed { angle, .. } => {
+                    angle.map(|angle| self.board.input_angle(input, angle))
+                }
+                Input::Slide { .. } => None,
+            },
+            Drive::Trial(driver) => self.tried_place(driver),
         }
+    }
+
+    /// Where a trial driver is tried; none where it is placed.
+    pub(super) fn tried_place(&self, driver: TrialDriver) -> Option<Angle<B>> {
+        self.tried_places.iter().find(|(of, _)| *of == driver).map(|&(_, place)| place)
     }
 
     /// A driven link: lay its points off along the given angle from its base.
@@ -166,11 +177,10 @@ impl<B: Bench> Draughtsman<'_, B> {
         step: &GroupStep,
         link: LinkId,
         base: PointId,
-        input: usize,
+        input: Drive,
     ) -> Result<(), DrawError> {
         match self.driven_angle(input) {
             Some(angle) => {
-                let angle = self.board.input_angle(input, angle);
                 let along = self.board.protractor(angle);
                 self.driver_along(step, link, base, along);
                 Ok(())
@@ -377,7 +387,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A slide whose place along its guide is given.
-    fn driven_slide(&mut self, step: &GroupStep, slide: usize, input: usize) {
+    fn driven_slide(&mut self, step: &GroupStep, slide: usize, input: Drive) {
         self.board.purpose("driven slide");
         let rider = self.mechanism.slides[slide].rider;
         let first = match rider {
@@ -391,17 +401,37 @@ impl<B: Bench> Draughtsman<'_, B> {
             return;
         };
         self.act(Act::DrawGuide { slide });
-        if !self.prick_given(first) {
-            let Input::Slide { at: Some(at), .. } = self.mechanism.inputs[input] else {
-                self.miss_of(Missing::Input(input));
-                return;
-            };
-            let line = self.straight_track(slide, None);
-            let at = self.board.input_amount(input, at);
-            let scale = self.length_scale();
-            let mm = self.board.to_paper(at, scale);
-            let place = self.board.lay_off(line.through, line.along, mm);
-            self.place(first, place);
+        match input {
+            Drive::Input(_) if self.prick_given(first) => {}
+            Drive::Input(input) => {
+                let Input::Slide { at: Some(at), .. } = self.mechanism.inputs[input] else {
+                    self.miss_of(Missing::Input(input));
+                    return;
+                };
+                let line = self.straight_track(slide, None);
+                let at = self.board.input_amount(input, at);
+                let scale = self.length_scale();
+                let mm = self.board.to_paper(at, scale);
+                let place = self.board.lay_off(line.through, line.along, mm);
+                self.place(first, place);
+            }
+            Drive::Trial(driver) => match (self.tried_place(driver), self.track(slide, None)) {
+                (Some(at), Track::Straight(line)) => {
+                    let mm = self.board.arc_length(at);
+                    let place = self.board.lay_off(line.through, line.along, mm);
+                    self.place(first, place);
+                }
+                (Some(at), Track::Arc(arc)) => {
+                    let along = self.board.protractor(at);
+                    let place = self.board.lay_off(arc.centre, along, arc.radius);
+                    self.place(first, place);
+                }
+                (None, _) => {
+                    if !self.prick_given(first) {
+                        self.miss_of(Missing::Place(first));
+                    }
+                }
+            },
         }
         self.act(Act::MarkPlaces);
         if let Rider::Link { link, .. } = rider {
@@ -413,7 +443,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// A wheel at the end of a rod: its centre runs on the parallel to the line, or the circle, on which it
+    /// A wheel's centre at the end of a rod: it runs on the parallel to the line, or the circle, on which it
     /// rolls.
     fn rolling(
         &mut self,
@@ -454,11 +484,12 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.take_hinted(&main, None, centre, pair)?;
         }
         self.transfer_points(step, &main, centre);
-        self.wheel(step, wheel, centre, roll)
+        self.contact(wheel, roll);
+        Ok(())
     }
 
     /// The tracks of a rolling wheel's centre: beside the line on either side, or about the other centre.
-    fn centre_tracks(&mut self, roll: usize, wheel: LinkId) -> Vec<Track<B>> {
+    pub(super) fn centre_tracks(&mut self, roll: usize, wheel: LinkId) -> Vec<Track<B>> {
         let scale = self.length_scale();
         match self.mechanism.rolls[roll] {
             Roll::Circles { links, centres, radii, internal } => {
@@ -497,70 +528,102 @@ impl<B: Bench> Draughtsman<'_, B> {
         })
     }
 
-    /// A driven link with two pins on guides: where its second pin may stand, the first lies on that guide
-    /// carried over by the link's own length and direction.
-    fn driven_bar(
-        &mut self,
-        step: &GroupStep,
-        link: LinkId,
-        [first, second]: [PointId; 2],
-        slides: [usize; 2],
-        input: usize,
-    ) -> Result<(), DrawError> {
+    /// A driven link that two sliding pairs hold: each of them is a track of one of its points, by the link's own
+    /// lengths and its direction.
+    fn driven_bar(&mut self, step: &GroupStep, kind: GroupKind) -> Result<(), DrawError> {
+        let GroupKind::DrivenBar { link, point, pins, slides, riders, under, input } = kind else {
+            return Ok(());
+        };
         self.board.purpose("driven link on two guides");
         for slide in slides {
             self.act(Act::DrawGuide { slide });
         }
-        let (own_first, own_second) = (self.own(link, first), self.own(link, second));
-        let points = self.mechanism.link(link).points.clone();
-        let placed: Vec<PointId> = points.into_iter().filter(|&p| self.prick_given(p)).collect();
-        let (own_along, along) = match (self.driven_angle(input), placed.as_slice()) {
-            _ if self.stands_in_world(link) => {
-                let x = self.board.rightward();
-                (x, x)
-            }
-            (Some(angle), _) => {
-                let angle = self.board.input_angle(input, angle);
-                (self.own_line_of(link), self.board.protractor(angle))
-            }
-            (None, &[p, .., q]) => {
-                let reason = self.reason(&[link]);
-                let (own_from, own_to) = (self.own(link, p), self.own(link, q));
-                let (own_along, _) = self.board.toward(own_from, own_to, reason);
-                let (from, to) = (self.at(p), self.at(q));
-                (own_along, self.board.toward(from, to, reason).0)
-            }
-            (None, _) => {
-                self.miss_of(Missing::Input(input));
-                return Ok(());
-            }
-        };
+        let own_point = self.own(link, point);
+        let Some((own_along, along)) = self.bar_direction(link, input) else { return Ok(()) };
         let pose = |own_anchor, anchor| Some(Pose { own_anchor, anchor, own_along, along });
-        if self.prick_given(first) {
+        if self.prick_given(point) {
             self.act(Act::MarkPlaces);
         } else {
-            let own_track = self.track(slides[0], Some(first));
-            let track = self.track(slides[1], Some(second));
-            let from = match track {
-                Track::Straight(line) => line.through,
-                Track::Arc(arc) => arc.centre,
-            };
-            self.poses[link.0] = pose(own_second, from);
-            let through = self.carried_point(link, own_first);
-            let carried = match track {
-                Track::Straight(line) => Track::Straight(Line { through, along: line.along }),
-                Track::Arc(arc) => Track::Arc(Circle { centre: through, radius: arc.radius }),
-            };
-            self.meet_tracks([own_track, carried], first, slides)?;
+            let mut tracks = Vec::new();
+            for i in 0..2 {
+                // The track of what the pair holds, and where that lies in the link's own figure.
+                let (held, track) = if under[i] {
+                    let at = self.at(pins[i]);
+                    match self.own_track(slides[i], Some(pins[i])) {
+                        Track::Straight(line) => {
+                            let along = self.turned_with(line.along, own_along, along);
+                            (line.through, Track::Straight(Line { through: at, along }))
+                        }
+                        Track::Arc(arc) => {
+                            (arc.centre, Track::Arc(Circle { centre: at, radius: arc.radius }))
+                        }
+                    }
+                } else {
+                    let track = self.riding_track(slides[i], riders[i], pins[i]);
+                    if pins[i] == point {
+                        tracks.push(track);
+                        continue;
+                    }
+                    (self.own(link, pins[i]), track)
+                };
+                let from = match track {
+                    Track::Straight(line) => line.through,
+                    Track::Arc(arc) => arc.centre,
+                };
+                self.poses[link.0] = pose(held, from);
+                let through = self.carried_point(link, own_point);
+                tracks.push(match track {
+                    Track::Straight(line) => Track::Straight(Line { through, along: line.along }),
+                    Track::Arc(arc) => Track::Arc(Circle { centre: through, radius: arc.radius }),
+                });
+            }
+            if let [first, second] = tracks[..] {
+                self.meet_tracks([first, second], point, slides)?;
+            }
         }
-        self.poses[link.0] = pose(own_first, self.at(first));
-        if !self.prick_given(second) {
-            let at = self.carried_point(link, own_second);
-            self.place(second, at);
-            self.act(Act::TransferPoint { link, point: second });
+        self.poses[link.0] = pose(own_point, self.at(point));
+        for i in 0..2 {
+            if under[i] || pins[i] == point || self.prick_given(pins[i]) {
+                continue;
+            }
+            let own = self.own(link, pins[i]);
+            let at = self.carried_point(link, own);
+            self.place(pins[i], at);
+            self.act(Act::TransferPoint { link, point: pins[i] });
         }
         self.transfer_by_pose(step, link);
+        for ((slide, rider), pin) in slides.into_iter().zip(riders).zip(pins) {
+            self.ride_along(step, slide, rider, pin);
+        }
         Ok(())
+    }
+
+    /// A direction of a figure turned as another one of it is turned.
+    fn turned_with(&mut self, own: Direction<B>, from: Direction<B>, to: Direction<B>) -> Direction<B> {
+        let turn = self.board.angle_between(from, own);
+        self.board.turned(to, turn)
+    }
+
+    /// A direction of a driven link's own figure, and where it points on the skeleton; none where nothing says it.
+    fn bar_direction(&mut self, link: LinkId, input: Drive) -> Option<(Direction<B>, Direction<B>)> {
+        let placed: Vec<PointId> =
+            self.mechanism.link(link).points.clone().into_iter().filter(|&p| self.prick_given(p)).collect();
+        if self.stands_in_world(link) {
+            let x = self.board.rightward();
+            return Some((x, x));
+        }
+        if let Some(angle) = self.driven_angle(input) {
+            return Some((self.own_line_of(link), self.board.protractor(angle)));
+        }
+        let &[p, .., q] = placed.as_slice() else {
+            self.miss_of(Missing::Pose(link));
+            return None;
+        };
+        let reason = self.reason(&[link]);
+        let (own_from, own_to) = (self.own(link, p), self.own(link, q));
+        let (own_along, _) = self.board.toward(own_from, own_to, reason);
+        let (from, to) = (self.at(p), self.at(q));
+        Some((own_along, self.board.toward(from, to, reason).0))
     }
 
     /// The direction of a link's first-to-second line in its own figure.
@@ -603,7 +666,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         step: &GroupStep,
         (wheel, centre): (LinkId, PointId),
         roll: usize,
-        input: usize,
+        input: Drive,
     ) -> Result<(), DrawError> {
         self.board.purpose("driven wheel");
         if !self.prick_given(centre) {
@@ -615,7 +678,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.act(Act::MarkPlaces);
         match (self.driven_angle(input), self.mechanism.link(wheel).points.len()) {
             (Some(angle), 2..) => {
-                let angle = self.board.angle(angle);
                 let along = self.board.protractor(angle);
                 self.driver_along(step, wheel, centre, along);
                 self.contact(wheel, roll);
@@ -650,7 +712,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// The contact point of a rolling pair: on the line of centres, or the foot of the centre on the line.
     pub(super) fn contact(&mut self, wheel: LinkId, roll: usize) {
         self.board.purpose("contact point");
-        let contact = self.mechanism.contacts[roll];
+        let contact = self.contact_of(roll);
         let scale = self.length_scale();
         let at = match self.mechanism.rolls[roll] {
             Roll::Circles { centres, radii, internal, .. } => {
@@ -672,7 +734,9 @@ impl<B: Bench> Draughtsman<'_, B> {
             }
         };
         self.place(contact, at);
-        self.act(Act::MarkContact { contact });
+        if !self.has_marked(contact) {
+            self.act(Act::MarkContact { contact });
+        }
     }
 
     /// The further points of a wheel: as placed, or transferred from its centre and a placed one.
@@ -979,7 +1043,11 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// How far the points of a link would stand from their hints (square metres), and where one of them
     /// would stand, if the link stood so.
-    fn hints_of_pose(&mut self, link: LinkId, pose: Pose<B>) -> (Option<f64>, Option<(PointId, [f64; 2])>) {
+    pub(super) fn hints_of_pose(
+        &mut self,
+        link: LinkId,
+        pose: Pose<B>,
+    ) -> (Option<f64>, Option<(PointId, [f64; 2])>) {
         let origin = self.origin_of_space().map(|g| g.value);
         let before = self.poses[link.0].replace(pose);
         let (mut score, mut shown) = (None, None);

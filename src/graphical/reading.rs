@@ -245,12 +245,24 @@ impl<B: Bench> Draughtsman<'_, B> {
         let drawn = self.parts.iter().rev().find(|p| p.quantity == *quantity).map(|p| (p.tail, p.head));
         match drawn {
             Some((tail, head)) => self.read_vector(order, tail, head),
-            // A guide that stands still has no Coriolis acceleration, and no velocity of its own.
-            None if link == LinkId::FRAME => Read::Vector([self.rest(), self.rest()]),
+            // A guide that cannot turn gives no Coriolis acceleration.
             None if matches!(quantity, Quantity::Coriolis(..)) && self.translates[link.0] => {
                 Read::Vector([self.rest(), self.rest()])
             }
             None => match *quantity {
+                Quantity::Slip(pin, _) => {
+                    let (under, image) = (self.image_under(order, pin, link), self.image(order, pin));
+                    self.read_vector(order, under, image)
+                }
+                Quantity::CoincidentNormal(..) | Quantity::CoincidentTangential(..)
+                    if link == LinkId::FRAME =>
+                {
+                    Read::Vector([self.rest(), self.rest()])
+                }
+                Quantity::SlipAcceleration(pin, _) if link == LinkId::FRAME => {
+                    let (pole, image) = (self.board.origin(), self.image(order, pin));
+                    self.read_vector(order, pole, image)
+                }
                 Quantity::CoincidentVelocity(pin, _) | Quantity::CoincidentAcceleration(pin, _) => {
                     self.step(order, &[link], Vec::new());
                     let (pole, image) = (self.board.origin(), self.image_under(order, pin, link));

@@ -111,9 +111,11 @@ fn write_down(
     plan: &Plan,
     starts: &Starts,
 ) -> Result<Written, DrawError> {
-    let higher = plan.position.iter().map(|step| &structure.groups[step.group]).find(|group| {
-        matches!(group.kind, GroupKind::Higher { .. } | GroupKind::TrialDriver { .. } | GroupKind::Other)
-    });
+    let higher = plan
+        .position
+        .iter()
+        .map(|step| &structure.groups[step.group])
+        .find(|group| matches!(group.kind, GroupKind::Higher { .. } | GroupKind::Other));
     if let Some(group) = higher {
         let links: Vec<LinkId> = group.links.clone();
         return Err(DrawError::NoConstruction { links });

@@ -18,14 +18,15 @@
 use crate::board::{Amount, Angle, Bench, Blank, Board, Line, Mm, Point, Side, Trial as Sketch};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::{Closing, GroupKind, Joint, Trial};
-use crate::mechanism::{Input, LinkId, PointId, Rider};
+use crate::mechanism::structure::{Closing, Drive, Joint, Trial, TrialDriver};
+use crate::mechanism::{Input, LinkId, Mechanism, Path, PointId, Rider};
 use crate::plan::{GroupStep, trial_steps};
 
 use super::DrawError;
 use super::construction::{Act, Label};
-use super::draughtsman::Draughtsman;
+use super::draughtsman::{Draughtsman, Images};
 use super::dyad::{Target, Unknown};
+use super::link_figure::given_lengths;
 use super::missing::Missing;
 use super::pose::{Pose, Track};
 use super::position::chooses;
@@ -59,10 +60,11 @@ pub(super) struct Tried {
 }
 
 /// How far the record had come before a trial.
-struct Mark {
+struct Mark<B: Bench> {
     coincident: usize,
     parts: usize,
     feet: usize,
+    images: Images<B>,
 }
 
 impl<'m, B: Bench> Draughtsman<'m, B> {
@@ -73,11 +75,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     /// Points of the group's links that are not solved before it, and those of the rod that closes it.
     fn points_of(&self, trial: &Trial) -> Vec<PointId> {
         let mut points = Vec::new();
-        let rod = match trial.closing {
-            Closing::Rod { link, .. } => Some(link),
-            _ => None,
-        };
-        for link in trial.groups.iter().flat_map(|group| &group.links).copied().chain(rod) {
+        let rods = closing_rods(trial);
+        for link in trial.groups.iter().flat_map(|group| &group.links).copied().chain(rods) {
             for &point in &self.mechanism.link(link).points {
                 if !self.mechanism.is_fixed(point) && !points.contains(&point) {
                     points.push(point);
@@ -94,12 +93,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// The points at which the group closes: those that two of its links share, and pins on guides.
     fn joints_of(&self, trial: &Trial) -> Vec<PointId> {
-        let rod = match trial.closing {
-            Closing::Rod { link, .. } => Some(link),
-            _ => None,
+        let rods = closing_rods(trial);
+        let of_group = |link: &LinkId| {
+            rods.contains(link) || trial.groups.iter().any(|group| group.links.contains(link))
         };
-        let of_group =
-            |link: &LinkId| rod == Some(*link) || trial.groups.iter().any(|group| group.links.contains(link));
         let rides = |point: PointId| {
             self.mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point: p, .. } if p == point))
         };
@@ -110,16 +107,14 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         points
     }
 
-    /// The points of the closing rod among these, besides the two by which it stands.
-    fn on_rod(&self, trial: &Trial, step: &GroupStep) -> GroupStep {
-        let points = match trial.closing {
-            Closing::Rod { link, near, far } => {
-                let further = |(of, p): &&(LinkId, PointId)| *of == link && *p != near && *p != far;
-                step.points.iter().filter(further).copied().collect()
-            }
-            _ => Vec::new(),
+    /// The points of the closing rods among these, besides the two by which each stands.
+    fn on_rods(&self, trial: &Trial, points: &[(LinkId, PointId)]) -> GroupStep {
+        let further = |(of, p): &&(LinkId, PointId)| {
+            trial.drivers.iter().any(|&(_, closing)| {
+                matches!(closing, Closing::Rod { link, near, far } if *of == link && *p != near && *p != far)
+            })
         };
-        GroupStep { group: step.group, points }
+        GroupStep { group: 0, points: points.iter().filter(further).copied().collect() }
     }
 
     // --- position ------------------------------------------------------------------------------
@@ -128,37 +123,72 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     pub(super) fn position_by_trial(&mut self, step: &GroupStep, index: usize) -> Result<(), DrawError> {
         let trial = self.trial(index);
         let steps = trial_steps(&trial, step, self.mechanism);
-        let rod = self.on_rod(&trial, step);
         self.board.purpose("position by trial");
         let exact = |p: &PointId| self.mechanism.point(*p).place.exact().is_some();
         let points = self.points_of(&trial);
-        let driver = &self.mechanism.link(trial.driver).points;
         if points.iter().any(exact) && self.stand_by_places(&trial, step) {
             return Ok(());
         }
-        // A driver that stands by its places needs no trial, and neither does a group that is placed as a whole.
-        if points.iter().all(exact) || driver.iter().any(|p| *p != trial.base && exact(p)) {
-            return self.positions(&trial, &steps, &rod, None);
+        let rod = self.on_rods(&trial, &step.points);
+        let loose = trial.drivers.iter().find_map(|&(driver, _)| self.not_placed(driver));
+        // Rolling says nothing of where it began: what is tried stands as placed.
+        let rolls = trial.drivers.iter().any(|(_, closing)| matches!(closing, Closing::Roll { .. }));
+        if loose.is_none() {
+            if points.iter().all(exact) {
+                return self.positions(&trial, &steps, &rod, &[]);
+            }
+            // What is driven is placed; only which way the groups between are assembled is open.
+            let roots = self.roots_as_placed(&trial);
+            if !roots.is_empty() || rolls || trial.drivers.len() > 1 {
+                let root = self.choose_root(&trial, roots, f64::INFINITY)?;
+                self.sides = Some(root.sides);
+                let drawn = self.positions(&trial, &steps, &rod, &[]);
+                self.sides = None;
+                return drawn;
+            }
         }
-        let closing = match trial.closing {
-            Closing::Rod { link, .. } => Some(link),
-            _ => None,
-        };
-        let links = trial.groups.iter().flat_map(|g| g.links.clone()).chain(closing).collect();
+        if rolls || trial.drivers.len() > 1 {
+            let point = loose.or_else(|| points.into_iter().find(|p| !exact(p)));
+            return Err(point.map_or_else(
+                || DrawError::NoConstruction { links: self.links_of_trial(&trial) },
+                |point| DrawError::NotPlaced { point },
+            ));
+        }
+        let links = self.links_of_trial(&trial).into_iter().chain(closing_rods(&trial)).collect();
         self.tried = Tried { points: points.into_iter().filter(exact).collect(), links };
         let drawn = self.by_trial(&trial, &steps, &rod);
         self.tried = Tried::default();
         drawn
     }
 
+    fn by_trial(&mut self, trial: &Trial, steps: &[GroupStep], rod: &GroupStep) -> Result<(), DrawError> {
+        let root = self.find_root(trial)?;
+        let slope = self.slope(trial, steps, &root);
+        let links = self.links_of_trial(trial);
+        let Some(&(driver, closing)) = trial.drivers.first() else {
+            return Err(DrawError::NoConstruction { links });
+        };
+        self.act(Act::TryPosition { driver, closing });
+        // First with the angle found on the scratch board, then with what the tape makes of it.
+        let found = self.board.angle(Given::exact(root.angle));
+        self.silent = true;
+        self.sides = Some(root.sides.clone());
+        let tried = self.positions(trial, steps, rod, &[found]);
+        let miss = tried.map(|()| self.miss(closing));
+        self.silent = false;
+        self.nothing_missing()?;
+        let reason = self.reason(&links);
+        let angle = self.board.corrected(found, miss?, slope, reason);
+        self.sides = Some(root.sides);
+        let drawn = self.positions(trial, steps, rod, &[angle]);
+        self.sides = None;
+        drawn
+    }
+
     /// Lays on the links of a group whose given places tell how each of them stands, one after the other; says
     /// whether they do, and leaves the skeleton as it was where they do not.
     fn stand_by_places(&mut self, trial: &Trial, step: &GroupStep) -> bool {
-        let rod = match trial.closing {
-            Closing::Rod { link, .. } => Some(link),
-            _ => None,
-        };
-        let of_group = trial.groups.iter().flat_map(|group| &group.links).copied().chain(rod);
+        let of_group = trial.groups.iter().flat_map(|group| &group.links).copied().chain(closing_rods(trial));
         let mut waiting: Vec<LinkId> = of_group.filter(|&l| !self.mechanism.link(l).block).collect();
         let before = (self.places.clone(), self.poses.clone());
         loop {
@@ -180,65 +210,138 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 return false;
             }
         }
-        self.act(Act::MarkPlaces);
-        for group in &trial.groups {
-            for joint in &group.joints {
-                if let Joint::Roll(roll) = *joint {
-                    self.contact(trial.driver, roll);
-                }
+        for point in self.points_of(trial) {
+            if self.places[point.0].is_none() && !self.prick_given(point) {
+                (self.places, self.poses) = before;
+                return false;
             }
+        }
+        self.act(Act::MarkPlaces);
+        let joints = trial.groups.iter().flat_map(|group| &group.joints);
+        let rolls = joints.filter_map(|joint| match *joint {
+            Joint::Roll(roll) | Joint::Contact(roll) => Some(roll),
+            _ => None,
+        });
+        let open = trial.drivers.iter().filter_map(|&(_, closing)| match closing {
+            Closing::Roll { roll } | Closing::Contact { roll, .. } => Some(roll),
+            _ => None,
+        });
+        let mut rolls: Vec<usize> = rolls.chain(open).collect();
+        rolls.sort_unstable();
+        rolls.dedup();
+        for roll in rolls {
+            let [body, _] = self.mechanism.rolls[roll].bodies();
+            self.contact(body, roll);
         }
         true
     }
 
-    fn by_trial(&mut self, trial: &Trial, steps: &[GroupStep], rod: &GroupStep) -> Result<(), DrawError> {
-        let root = self.find_root(trial)?;
-        let slope = self.slope(trial, steps, &root);
-        self.act(Act::TryPosition { driver: trial.driver, closing: trial.closing });
-        // First with the angle found on the scratch board, then with what the tape makes of it.
-        let found = self.board.angle(Given::exact(root.angle));
-        self.silent = true;
-        self.sides = Some(root.sides.clone());
-        let tried = self.positions(trial, steps, rod, Some(found));
-        let miss = tried.map(|()| self.miss(trial));
-        self.silent = false;
-        self.nothing_missing()?;
-        let reason = self.reason(&trial.groups.iter().flat_map(|g| g.links.clone()).collect::<Vec<_>>());
-        let angle = self.board.corrected(found, miss?, slope, reason);
-        self.sides = Some(root.sides);
-        let drawn = self.positions(trial, steps, rod, Some(angle));
-        self.sides = None;
-        drawn
+    /// Every way in which the group closes with what is driven standing as placed.
+    fn roots_as_placed(&mut self, trial: &Trial) -> Vec<Root> {
+        let (steps, rod) = self.all_steps(trial);
+        let choices = trial.groups.len();
+        let mut roots: Vec<Root> = Vec::new();
+        let mut sketch = self.sketch();
+        for combination in 0..(1_usize << choices.min(6)) {
+            let sides: Vec<Side> = (0..choices)
+                .map(|k| if combination >> k & 1 == 0 { Side::First } else { Side::Second })
+                .collect();
+            sketch.sides = Some(sides.clone());
+            if sketch.positions(trial, &steps, &rod, &[]).is_err() {
+                continue;
+            }
+            let closes = trial.drivers.iter().all(|&(_, closing)| sketch.miss(closing).value().abs() < ROOT);
+            if closes {
+                self.add_root(trial, &mut roots, &sketch, (0.0, sides));
+            }
+        }
+        roots
     }
 
+    /// The steps of the group with every point.
+    fn all_steps(&self, trial: &Trial) -> (Vec<GroupStep>, GroupStep) {
+        let any = trial.groups.iter().find_map(|g| g.links.first()).copied().unwrap_or(LinkId::FRAME);
+        let all: Vec<(LinkId, PointId)> = self.points_of(trial).into_iter().map(|p| (any, p)).collect();
+        let on_rods: Vec<(LinkId, PointId)> = closing_rods(trial)
+            .into_iter()
+            .flat_map(|rod| self.mechanism.link(rod).points.iter().map(move |&p| (rod, p)))
+            .collect();
+        let rod = self.on_rods(trial, &on_rods);
+        (trial_steps(trial, &GroupStep { group: 0, points: all }, self.mechanism), rod)
+    }
+
+    /// Notes a way to close the group, unless it is known.
+    fn add_root(
+        &self,
+        trial: &Trial,
+        roots: &mut Vec<Root>,
+        sketch: &Draughtsman<'_, Sketch>,
+        (angle, sides): (f64, Vec<Side>),
+    ) {
+        let places: Vec<(PointId, [f64; 2])> = self
+            .points_of(trial)
+            .into_iter()
+            .filter_map(|p| sketch.places[p.0].map(|at| (p, at.value())))
+            .collect();
+        let same = |other: &Root| {
+            let pairs = other.places.iter().zip(&places);
+            pairs.into_iter().all(|((_, a), (_, b))| libm::hypot(a[0] - b[0], a[1] - b[1]) < SAME_PLACE)
+        };
+        if !roots.iter().any(same) {
+            roots.push(Root { angle, sides, places });
+        }
+    }
+
+    fn links_of_trial(&self, trial: &Trial) -> Vec<LinkId> {
+        trial.groups.iter().flat_map(|g| g.links.clone()).collect()
+    }
+
+    /// A point that is not placed, but would have to be if what a trial moves were to stand as placed.
+    fn not_placed(&self, driver: TrialDriver) -> Option<PointId> {
+        let exact = |p: PointId| self.mechanism.point(p).place.exact().is_some();
+        match driver {
+            TrialDriver::Turn(link) => {
+                let points = &self.mechanism.link(link).points;
+                // A link of one joint stands as its own coordinates say.
+                points.iter().copied().take(2).find(|&p| !exact(p))
+            }
+            TrialDriver::Slide(slide) => match self.mechanism.slides[slide].rider {
+                Rider::Pin { point, .. } => (!exact(point)).then_some(point),
+                Rider::Link { link, .. } => {
+                    self.mechanism.link(link).points.first().copied().filter(|&p| !exact(p))
+                }
+            },
+        }
+    }
+
+    /// Finds the places of the trial's groups, with what is driven as tried; as placed where nothing is tried.
     fn positions(
         &mut self,
         trial: &Trial,
         steps: &[GroupStep],
         rod: &GroupStep,
-        angle: Option<Angle<B>>,
+        tried: &[Angle<B>],
     ) -> Result<(), DrawError> {
-        for (group, step) in trial.groups.iter().zip(steps) {
-            match (group.kind, angle) {
-                (GroupKind::TrialDriver { base }, Some(angle)) => {
-                    let along = self.board.protractor(angle);
-                    self.driver_along(step, trial.driver, base, along);
+        let drivers = trial.drivers.iter().map(|&(driver, _)| driver);
+        self.tried_places = drivers.zip(tried.iter().copied()).collect();
+        let mut groups = trial.groups.iter().zip(steps);
+        groups.try_for_each(|(group, step)| self.position_of(step, group))?;
+        for &(_, closing) in &trial.drivers {
+            match closing {
+                Closing::Rod { link, near, far } => self.transfer_points(rod, &[(link, far)], near),
+                Closing::Roll { roll } | Closing::Contact { roll, .. } => {
+                    let [body, _] = self.mechanism.rolls[roll].bodies();
+                    self.contact(body, roll);
                 }
-                (GroupKind::TrialDriver { base }, None) => {
-                    self.driver_as_placed(step, trial.driver, base);
-                }
-                _ => self.position_of(step, group)?,
+                _ => {}
             }
-        }
-        if let Closing::Rod { link, near, far } = trial.closing {
-            self.transfer_points(rod, &[(link, far)], near);
         }
         self.nothing_missing()
     }
 
     /// By how much the open constraint is missed: paper millimetres, or radians.
-    fn miss(&mut self, trial: &Trial) -> Mm<B> {
-        match trial.closing {
+    fn miss(&mut self, closing: Closing) -> Mm<B> {
+        match closing {
             Closing::Rod { link, near, far } => {
                 let (a, b) = (self.at(near), self.at(far));
                 let distance = self.board.distance(a, b);
@@ -260,21 +363,65 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             Closing::Angle { link, input } => {
                 let points = &self.mechanism.link(link).points;
                 let (Some(&p), Some(&q)) = (points.first(), points.get(1)) else {
-                    self.miss_of(Missing::Joint(link));
                     return self.board.no_length();
                 };
                 let along = self.outward(link, p, q);
-                let (Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. }) =
-                    self.mechanism.inputs[input]
-                else {
-                    self.miss_of(Missing::Input(input));
-                    return self.board.no_length();
+                let angle = match self.mechanism.inputs[input] {
+                    Input::Angle { angle, .. } | Input::Speed { angle, .. } => angle,
+                    Input::Slide { .. } => None,
                 };
-                let angle = self.board.angle(angle);
-                let given = self.board.protractor(angle);
+                let given = match (angle, self.given_place(p), self.given_place(q)) {
+                    (Some(angle), ..) => {
+                        let angle = self.board.angle(angle);
+                        self.board.protractor(angle)
+                    }
+                    (None, Some(from), Some(to)) => {
+                        let reason = self.reason(&[link]);
+                        self.board.toward(from, to, reason).0
+                    }
+                    _ => self.no_direction(Missing::Input(input)),
+                };
                 let turn = self.board.angle_between(given, along);
                 self.board.arc_length(turn)
             }
+            Closing::Driven { slide, pin, input } => {
+                let at = self.at(pin);
+                let line = self.straight_track(slide, None);
+                let [along, _] = self.board.square_off(line, at);
+                let given = match (self.mechanism.inputs[input], self.given_place(pin)) {
+                    (Input::Slide { at: Some(given), .. }, _) => {
+                        let given = self.board.amount(given);
+                        let scale = self.length_scale();
+                        self.board.to_paper(given, scale)
+                    }
+                    (_, Some(given)) => self.board.square_off(line, given)[0],
+                    _ => {
+                        self.miss_of(Missing::Input(input));
+                        self.board.no_length()
+                    }
+                };
+                self.board.less(along, given)
+            }
+            Closing::Contact { roll, wheel, centre } => {
+                let at = self.at(centre);
+                let tracks = self.centre_tracks(roll, wheel);
+                let mut least: Option<Mm<B>> = None;
+                for track in tracks {
+                    let miss = match track {
+                        Track::Straight(line) => self.board.square_off(line, at)[1],
+                        Track::Arc(arc) => {
+                            let distance = self.board.distance(arc.centre, at);
+                            self.board.less(distance, arc.radius)
+                        }
+                    };
+                    if least.is_none_or(|least| miss.value().abs() < least.value().abs()) {
+                        least = Some(miss);
+                    }
+                }
+                least.unwrap_or_else(|| self.board.no_length())
+            }
+            // The position is placed, not tried.
+            Closing::Roll { .. } => self.board.no_length(),
         }
     }
 
@@ -300,18 +447,12 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// Every way in which the group closes, then the one that the hints choose.
     fn find_root(&mut self, trial: &Trial) -> Result<Root, DrawError> {
-        let all: Vec<(LinkId, PointId)> =
-            self.points_of(trial).into_iter().map(|p| (trial.driver, p)).collect();
-        let all = GroupStep { group: 0, points: all };
-        let steps = trial_steps(trial, &all, self.mechanism);
-        let rod_points = match trial.closing {
-            Closing::Rod { link, .. } => {
-                self.mechanism.link(link).points.iter().map(|&p| (link, p)).collect()
-            }
-            _ => Vec::new(),
+        let Some(&(driver, closing)) = trial.drivers.first() else {
+            return Err(DrawError::NoConstruction { links: self.links_of_trial(trial) });
         };
-        let rod = self.on_rod(trial, &GroupStep { group: 0, points: rod_points });
+        let (steps, rod) = self.all_steps(trial);
         let choices = trial.groups.len() - 1;
+        let reach = self.reach_of_trial(driver);
         let mut roots: Vec<Root> = Vec::new();
         let mut least = f64::INFINITY;
         let mut sketch = self.sketch();
@@ -322,13 +463,13 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             let mut evaluate = |angle: f64| -> Option<f64> {
                 let along = sketch.board.angle(Given::exact(angle));
                 sketch.sides = Some(sides.clone());
-                sketch.positions(trial, &steps, &rod, Some(along)).ok()?;
-                let miss = sketch.miss(trial).value();
+                sketch.positions(trial, &steps, &rod, &[along]).ok()?;
+                let miss = sketch.miss(closing).value();
                 miss.is_finite().then_some(miss)
             };
             // A root may hide between the last trial that closes and the edge of what closes, or where the
             // miss only just turns back: both are looked into.
-            let angle_of = |k: u32| std::f64::consts::PI * (2.0 * f64::from(k) / f64::from(TRIALS) - 1.0);
+            let angle_of = |k: u32| reach * (2.0 * f64::from(k) / f64::from(TRIALS) - 1.0);
             let mut found = Vec::new();
             let mut seen: Vec<(f64, f64)> = Vec::new();
             let mut before = evaluate(angle_of(0));
@@ -366,36 +507,45 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             for angle in found {
                 let along = sketch.board.angle(Given::exact(angle));
                 sketch.sides = Some(sides.clone());
-                if sketch.positions(trial, &steps, &rod, Some(along)).is_err() {
+                if sketch.positions(trial, &steps, &rod, &[along]).is_err() {
                     continue;
                 }
-                let places: Vec<(PointId, [f64; 2])> = self
-                    .points_of(trial)
-                    .into_iter()
-                    .filter_map(|p| sketch.places[p.0].map(|at| (p, at.value())))
-                    .collect();
-                let same = |other: &Root| {
-                    other
-                        .places
-                        .iter()
-                        .zip(&places)
-                        .all(|((_, a), (_, b))| libm::hypot(a[0] - b[0], a[1] - b[1]) < SAME_PLACE)
-                };
-                if !roots.iter().any(same) {
-                    roots.push(Root { angle, sides: sides.clone(), places });
-                }
+                self.add_root(trial, &mut roots, &sketch, (angle, sides.clone()));
             }
         }
         self.choose_root(trial, roots, least)
     }
 
-    fn choose_root(&self, trial: &Trial, mut roots: Vec<Root>, least: f64) -> Result<Root, DrawError> {
-        let pin = match trial.closing {
-            Closing::Rod { near, .. } => near,
-            Closing::Slide { pin, .. } => pin,
-            Closing::Angle { link, .. } => {
-                self.mechanism.link(link).points.first().map_or(trial.base, |&first| first)
+    /// Half of the range in which a driver is tried: half a turn, or as far along a guide as the mechanism is large.
+    fn reach_of_trial(&self, driver: TrialDriver) -> f64 {
+        let turns = match driver {
+            TrialDriver::Turn(_) => true,
+            TrialDriver::Slide(slide) => {
+                matches!(self.mechanism.slides[slide].guide.path, Path::Arc { .. })
             }
+        };
+        if turns {
+            return std::f64::consts::PI;
+        }
+        let lengths: f64 = self.mechanism.links.iter().flat_map(given_lengths).map(f64::abs).sum::<f64>()
+            / self.scales.length;
+        let places = self.places.iter().flatten().map(|p| libm::hypot(p.value()[0], p.value()[1]));
+        let origin = self.origin_of_space().map(|g| g.value);
+        let hints = self.mechanism.points.iter().filter_map(|p| p.place.hint());
+        let hints = hints.map(|h| libm::hypot(h[0] - origin[0], h[1] - origin[1]) / self.scales.length);
+        lengths + 2.0 * places.chain(hints).fold(0.0, f64::max)
+    }
+
+    fn choose_root(&self, trial: &Trial, mut roots: Vec<Root>, least: f64) -> Result<Root, DrawError> {
+        let pin = trial.drivers.first().and_then(|&(_, closing)| match closing {
+            Closing::Rod { near, .. } => Some(near),
+            Closing::Slide { pin, .. } | Closing::Driven { pin, .. } => Some(pin),
+            Closing::Contact { centre, .. } => Some(centre),
+            Closing::Angle { link, .. } => self.mechanism.link(link).points.first().copied(),
+            Closing::Roll { roll } => Some(self.contact_of(roll)),
+        });
+        let Some(pin) = pin else {
+            return Err(DrawError::NoConstruction { links: self.links_of_trial(trial) });
         };
         let origin = self.origin_of_space().map(|g| g.value);
         let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * self.scales.length);
@@ -442,12 +592,13 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     fn slope(&self, trial: &Trial, steps: &[GroupStep], root: &Root) -> Given {
         const STEP: f64 = 1e-6;
         let mut sketch = self.sketch();
+        let closing = trial.drivers.first().map(|&(_, closing)| closing);
         let on_rod = GroupStep { group: 0, points: Vec::new() };
         let mut miss_at = |angle: f64| -> Option<f64> {
             let along = sketch.board.angle(Given::exact(angle));
             sketch.sides = Some(root.sides.clone());
-            sketch.positions(trial, steps, &on_rod, Some(along)).ok()?;
-            Some(sketch.miss(trial).value())
+            sketch.positions(trial, steps, &on_rod, &[along]).ok()?;
+            Some(sketch.miss(closing?).value())
         };
         let mut difference = |h: f64| -> f64 {
             match (miss_at(root.angle + h), miss_at(root.angle - h)) {
@@ -462,60 +613,54 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     // --- velocity ------------------------------------------------------------------------------
 
-    fn mark(&self) -> Mark {
-        Mark { coincident: self.coincident.len(), parts: self.parts.len(), feet: self.feet.len() }
-    }
-
-    /// Takes a trial polygon off the board.
-    fn rub_out(&mut self, order: Order, trial: &Trial, mark: &Mark) {
-        self.coincident.truncate(mark.coincident);
-        self.parts.truncate(mark.parts);
-        self.feet.truncate(mark.feet);
-        for point in self.points_of(trial) {
-            let solved_before = self.mechanism.point(point).links.iter().any(|link| {
-                !trial.groups.iter().any(|g| g.links.contains(link))
-                    && !matches!(trial.closing, Closing::Rod { link: rod, .. } if rod == *link)
-                    && self.omegas[link.0].is_some()
-                    && *link != LinkId::FRAME
-            });
-            if !solved_before {
-                self.images(order)[point.0] = None;
-            }
+    fn mark(&mut self, order: Order) -> Mark<B> {
+        Mark {
+            coincident: self.coincident.len(),
+            parts: self.parts.len(),
+            feet: self.feet.len(),
+            images: self.images(order).clone(),
         }
     }
 
-    /// One polygon with an assumed rate of the trial driver.
-    fn polygon_at(&mut self, order: Order, trial: &Trial, steps: &[GroupStep], rate: Amount<B>) {
+    /// Takes a trial polygon off the board.
+    fn rub_out(&mut self, order: Order, mark: &Mark<B>) {
+        self.coincident.truncate(mark.coincident);
+        self.parts.truncate(mark.parts);
+        self.feet.truncate(mark.feet);
+        self.images(order).clone_from(&mark.images);
+    }
+
+    /// One polygon with the rates that are tried at present.
+    fn polygon_at(&mut self, order: Order, trial: &Trial, steps: &[GroupStep]) {
         for (group, step) in trial.groups.iter().zip(steps) {
-            match (group.kind, order) {
-                (GroupKind::TrialDriver { base }, Order::Acceleration) => {
-                    self.set_rate(order, trial.driver, rate);
-                    self.step(order, &[trial.driver], Vec::new());
-                    self.driven_accelerations(step, trial.driver, base);
-                }
-                (GroupKind::TrialDriver { base }, _) => {
-                    self.set_rate(order, trial.driver, rate);
-                    self.step(order, &[trial.driver], Vec::new());
-                    self.driven_velocities(step, trial.driver, base);
-                }
-                (_, Order::Acceleration) => self.acceleration_of(step, group),
+            match order {
+                Order::Acceleration => self.acceleration_of(step, group),
                 _ => self.velocity_of(step, group),
             }
         }
     }
 
+    fn try_rate(&mut self, order: Order, driver: TrialDriver, rate: Amount<B>) {
+        self.tried_rates.retain(|(of, tried, _)| (*of, *tried) != (order, driver));
+        self.tried_rates.push((order, driver, rate));
+    }
+
     /// A rate at which trial vectors have a good length on paper.
-    fn trial_rate(&self, order: Order, trial: &Trial) -> f64 {
-        let reach = self
-            .mechanism
-            .link(trial.driver)
-            .points
-            .iter()
-            .filter_map(|p| Some((self.places[p.0]?.value(), self.places[trial.base.0]?.value())))
-            .map(|(a, b)| libm::hypot(a[0] - b[0], a[1] - b[1]))
-            .fold(0.0, f64::max);
+    fn trial_rate(&self, order: Order, driver: TrialDriver) -> f64 {
         let si_per_mm = self.polygon_scale(order).si_per_mm;
-        let rate = TRIAL_VECTOR * si_per_mm / (reach.max(1e-3) * self.scales.length);
+        let rate = match driver {
+            TrialDriver::Slide(_) => TRIAL_VECTOR * si_per_mm,
+            TrialDriver::Turn(link) => {
+                let places =
+                    self.mechanism.link(link).points.iter().filter_map(|p| Some(self.places[p.0]?.value()));
+                let places: Vec<[f64; 2]> = places.collect();
+                let reach = places
+                    .iter()
+                    .flat_map(|a| places.iter().map(move |b| libm::hypot(a[0] - b[0], a[1] - b[1])))
+                    .fold(0.0, f64::max);
+                TRIAL_VECTOR * si_per_mm / (reach.max(1e-3) * self.scales.length)
+            }
+        };
         if rate.is_normal() { rate } else { 1.0 }
     }
 
@@ -524,23 +669,19 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let trial = self.trial(index);
         let steps = trial_steps(&trial, step, self.mechanism);
         self.board.purpose("polygon by trial");
-        let links: Vec<LinkId> = trial.groups.iter().flat_map(|g| g.links.clone()).collect();
-        // A first guess shows how large the rate will be; the trials that are kept have round rates on both
-        // sides of it, so that the trial images lie near the true one and the polygon fills its panel.
-        self.silent = true;
-        let guess = self.trial_rate(order, &trial);
-        let rough = self.rate_by_trial(order, &trial, &steps, [0.0, guess]).value();
-        self.silent = false;
-        let large = rough.is_normal() && rough.abs() > LEAST_RATE * guess;
-        let rates = if large { around(rough) } else { [0.0, guess] };
-        self.step(order, &links, Vec::new());
-        self.act(Act::TryPolygon { driver: trial.driver, closing: trial.closing, order, rates });
-        let rate = self.rate_by_trial(order, &trial, &steps, rates);
-        self.act(Act::TrialRate { driver: trial.driver, order, rate: rate.value() });
-        self.polygon_at(order, &trial, &steps, rate);
-        self.close(order, &trial);
-        if let Closing::Rod { link, near, far } = trial.closing {
-            for (_, point) in self.on_rod(&trial, step).points {
+        for level in 0..trial.drivers.len() {
+            self.find_rate(order, &trial, &steps, level);
+        }
+        self.polygon_at(order, &trial, &steps);
+        for &(_, closing) in &trial.drivers {
+            self.close(order, closing);
+        }
+        for (rod, point) in self.on_rods(&trial, &step.points).points {
+            for &(_, closing) in &trial.drivers {
+                let Closing::Rod { link, near, far } = closing else { continue };
+                if link != rod {
+                    continue;
+                }
                 let image = match self.straight_ratio(link, far, near, point) {
                     Some(ratio) => self.divide_image(order, (far, near), point, ratio),
                     None => self.similar_image(order, link, (far, near), point),
@@ -551,65 +692,117 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }
     }
 
-    /// The trial driver's rate, by two trial polygons with assumed rates.
+    /// Finds the rate of one driver, those before it being tried or found; those after it are found with each
+    /// trial.
+    fn find_rate(&mut self, order: Order, trial: &Trial, steps: &[GroupStep], level: usize) {
+        let (driver, closing) = trial.drivers[level];
+        // A first guess shows how large the rate will be; the trials that are kept have round rates on both
+        // sides of it, so that the trial images lie near the true one and the polygon fills its panel.
+        let loud = !std::mem::replace(&mut self.silent, true);
+        let guess = self.trial_rate(order, driver);
+        let rough = self.rate_by_trial(order, trial, steps, level, [0.0, guess]).value();
+        self.silent = !loud;
+        let large = rough.is_normal() && rough.abs() > LEAST_RATE * guess;
+        let rates = if large { around(rough) } else { [0.0, guess] };
+        self.step(order, &self.links_of_trial(trial), Vec::new());
+        self.act(Act::TryPolygon { driver, closing, order, rates });
+        let rate = self.rate_by_trial(order, trial, steps, level, rates);
+        self.act(Act::TrialRate { driver, order, rate: rate.value() });
+        self.try_rate(order, driver, rate);
+    }
+
+    /// A driver's rate, by two trial polygons with assumed rates.
     fn rate_by_trial(
         &mut self,
         order: Order,
         trial: &Trial,
         steps: &[GroupStep],
+        level: usize,
         assumed: [f64; 2],
     ) -> Amount<B> {
-        let mark = self.mark();
+        let (driver, closing) = trial.drivers[level];
+        let mark = self.mark(order);
         let rates = assumed.map(|rate| self.board.amount(Given::exact(rate)));
+        let by_images = trial.drivers.len() == 1 && closes_outside(self.mechanism, trial, closing);
         let loud = !self.silent;
         let trials = rates.map(|rate| {
             self.silent = true;
-            self.polygon_at(order, trial, steps, rate);
-            self.silent = !loud;
-            let seen = match trial.closing {
-                Closing::Rod { near: end, .. } | Closing::Slide { pin: end, .. } => {
-                    (Some(self.image(order, end)), None)
-                }
-                Closing::Angle { link, .. } => (None, Some(self.rate(order, link))),
+            self.try_rate(order, driver, rate);
+            for inner in level + 1..trial.drivers.len() {
+                self.find_rate(order, trial, steps, inner);
+            }
+            self.polygon_at(order, trial, steps);
+            let seen = match closing_unknown(closing) {
+                Some((_, end)) if by_images => (Some(self.image(order, end)), None),
+                _ => (None, Some(self.rate_missed(order, closing))),
             };
-            self.rub_out(order, trial, &mark);
+            self.silent = !loud;
+            self.rub_out(order, &mark);
             seen
         });
-        let links: Vec<LinkId> = trial.groups.iter().flat_map(|g| g.links.clone()).collect();
+        let links = self.links_of_trial(trial);
         let reason = self.reason(&links);
-        match (trials, trial.closing) {
-            ([(Some(first), _), (Some(second), _)], Closing::Rod { .. } | Closing::Slide { .. }) => {
-                self.rate_by_images(order, trial, [first, second], rates, reason)
+        match trials {
+            [(Some(first), _), (Some(second), _)] => {
+                self.rate_by_images(order, closing, [first, second], rates, reason)
             }
-            ([(_, Some(first)), (_, Some(second))], Closing::Angle { input, .. }) => {
-                let given = self.given_rate(order, input);
-                let wanted = self.board.difference(given, first);
+            [(_, Some(first)), (_, Some(second))] => {
                 let gained = self.board.difference(second, first);
+                let wanted = self.board.opposite(first);
                 let part = self.board.quotient(wanted, gained, reason);
                 let step = self.board.difference(rates[1], rates[0]);
                 let further = self.board.product(part, step);
                 self.board.sum(rates[0], further)
             }
-            _ => {
-                let reason = self.miss_of(Missing::Pose(trial.driver));
-                self.board.unknown(reason)
-            }
+            _ => self.no_rate(Missing::rate_of(order, driver)),
         }
+    }
+
+    /// How far an image lies off the line on which an open constraint wants it.
+    fn off_line(&mut self, order: Order, unknown: Unknown, end: PointId) -> Amount<B> {
+        let scale = self.polygon_scale(order);
+        let ray = self.closing_line(order, unknown, end);
+        let image = self.image(order, end);
+        let [_, across] = self.board.square_off(ray, image);
+        self.board.read(across, scale)
+    }
+
+    /// By how much a trial polygon does not satisfy an open constraint.
+    fn rate_missed(&mut self, order: Order, closing: Closing) -> Amount<B> {
+        let scale = self.polygon_scale(order);
+        let (has, given) = match closing {
+            Closing::Angle { link, input } => (self.rate(order, link), self.given_rate(order, input)),
+            Closing::Driven { slide, pin, input } => {
+                let ray = self.closing_line(order, Unknown::Slide { slide, back: false }, pin);
+                let image = self.image(order, pin);
+                let [along, _] = self.board.square_off(ray, image);
+                let has = self.board.read(along, scale);
+                (has, self.driven_rate(order, Drive::Input(input)))
+            }
+            Closing::Roll { roll } => return self.slip_at_contact(order, roll),
+            Closing::Rod { link, near, far } => {
+                return self.off_line(order, Unknown::Turn { link, base: far, to: near }, near);
+            }
+            Closing::Slide { slide, pin } => {
+                return self.off_line(order, Unknown::Slide { slide, back: false }, pin);
+            }
+            Closing::Contact { roll, wheel, centre } => {
+                return self.off_line(order, Unknown::Roll { roll, wheel, centre, back: false }, centre);
+            }
+        };
+        self.board.difference(has, given)
     }
 
     /// The rate by which the open end's image falls on the line of the open constraint.
     fn rate_by_images(
         &mut self,
         order: Order,
-        trial: &Trial,
+        closing: Closing,
         [first, second]: [Point<B>; 2],
         rates: [Amount<B>; 2],
         reason: crate::board::Reason,
     ) -> Amount<B> {
-        let Some((unknown, end)) = closing_unknown(trial.closing) else {
-            let reason = self.miss_of(Missing::Pose(trial.driver));
-            return self.board.unknown(reason);
-        };
+        let Some((unknown, end)) = closing_unknown(closing) else { return rates[0] };
         let loud = !self.silent;
         self.silent = true;
         let ray = self.closing_line(order, unknown, end);
@@ -627,11 +820,40 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         self.board.sum(rates[0], further)
     }
 
+    /// How fast two bodies slip on each other at their contact: that part of the difference of the contact
+    /// points' images which is square to the common normal.
+    fn slip_at_contact(&mut self, order: Order, roll: usize) -> Amount<B> {
+        let [first, second] = self.mechanism.rolls[roll].bodies();
+        let [from, to] = [first, second].map(|body| self.contact_image(order, roll, body));
+        let normal = self.common_normal(roll).0;
+        let [_, across] = self.board.square_off(Line { through: from, along: normal }, to);
+        let scale = self.polygon_scale(order);
+        self.board.read(across, scale)
+    }
+
+    /// Shows in the true polygon that the contact points of both bodies have one velocity, or accelerations that
+    /// differ along the common normal.
+    fn show_contact(&mut self, order: Order, roll: usize) {
+        let [first, second] = self.mechanism.rolls[roll].bodies();
+        self.step(order, &[first, second], Vec::new());
+        let images = [first, second]
+            .map(|body| (self.contact_label(roll, body), self.contact_image(order, roll, body)));
+        if order == Order::Acceleration {
+            let claim = self.common_normal(roll).1;
+            self.note_ray(order, images[0].1, images[1].1, claim);
+            self.read_contact_normal((roll, first), claim, images[0], images[1]);
+        } else {
+            self.act(Act::SameImage { label: images[0].0, with: images[1].0 });
+        }
+    }
+
     /// Reads what the open constraint has become in the true polygon: ω or ε of the closing rod, the sliding.
-    fn close(&mut self, order: Order, trial: &Trial) {
-        // A given angle leaves nothing to read.
-        let Some((unknown, end)) = closing_unknown(trial.closing) else { return };
-        let links: Vec<LinkId> = match trial.closing {
+    fn close(&mut self, order: Order, closing: Closing) {
+        if let Closing::Roll { roll } = closing {
+            self.show_contact(order, roll);
+        }
+        let Some((unknown, end)) = closing_unknown(closing) else { return };
+        let links: Vec<LinkId> = match closing {
             Closing::Rod { link, .. } => vec![link],
             _ => Vec::new(),
         };
@@ -639,7 +861,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         let image = self.image(order, end);
         let head = (self.label(end), image);
         self.read_closing(order, unknown, Target::Pin(end), head);
-        if let Closing::Slide { slide, .. } = trial.closing
+        if let Closing::Slide { slide, .. } = closing
             && let Rider::Pin { block: Some(block), .. } = self.mechanism.slides[slide].rider
         {
             self.rates_of_blocks(order, &[block]);
@@ -660,12 +882,38 @@ fn around(value: f64) -> [f64; 2] {
     [below.unwrap_or(ROUND[0]), above.unwrap_or(ROUND[8])].map(|round| round * power * value.signum())
 }
 
-/// What is read of the open constraint, and at which point; nothing where it is an angle that is given.
+/// The rods that a trial leaves open.
+fn closing_rods(trial: &Trial) -> Vec<LinkId> {
+    let rod = |&(_, closing): &(TrialDriver, Closing)| match closing {
+        Closing::Rod { link, .. } => Some(link),
+        _ => None,
+    };
+    trial.drivers.iter().filter_map(rod).collect()
+}
+
+/// The route along which an open constraint leads to its end; none where the end is no image.
 fn closing_unknown(closing: Closing) -> Option<(Unknown, PointId)> {
     match closing {
         Closing::Rod { link, near, far } => Some((Unknown::Turn { link, base: far, to: near }, near)),
         Closing::Slide { slide, pin } => Some((Unknown::Slide { slide, back: false }, pin)),
-        Closing::Angle { .. } => None,
+        Closing::Contact { roll, wheel, centre } => {
+            Some((Unknown::Roll { roll, wheel, centre, back: false }, centre))
+        }
+        Closing::Angle { .. } | Closing::Driven { .. } | Closing::Roll { .. } => None,
+    }
+}
+
+/// Whether the line of an open constraint is the same in every trial: it runs from what is solved before the group.
+fn closes_outside(mechanism: &Mechanism, trial: &Trial, closing: Closing) -> bool {
+    let inside = |link: LinkId| trial.groups.iter().any(|group| group.links.contains(&link));
+    let found = |point: PointId| {
+        trial.groups.iter().any(|group| group.points.contains(&point))
+            || mechanism.point(point).links.iter().any(|&link| inside(link))
+    };
+    match closing {
+        Closing::Rod { far, .. } => !found(far),
+        Closing::Slide { slide, pin } => !inside(mechanism.slides[slide].guide.link) && found(pin),
+        _ => false,
     }
 }
 

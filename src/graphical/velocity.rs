@@ -14,13 +14,14 @@
 use crate::board::{Amount, Bench, Direction, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::{Group, GroupKind};
+use crate::mechanism::structure::{Drive, Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Calculation, Claim, Label, Reference, VectorKind};
 use super::draughtsman::Draughtsman;
 use super::dyad::{Route, Target, Unknown};
+use super::missing::Missing;
 
 /// Two sides of an image triangle that cross flatter than this are not constructed from but replaced by
 /// the similar figure (sine of about 3°, `drawing.md`).
@@ -41,18 +42,22 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// Draws the velocity polygon of one group.
     pub(super) fn velocity_of(&mut self, step: &GroupStep, group: &Group) {
         match group.kind {
-            GroupKind::Driver { base, input } => self.velocity_of_driver(step, group.links[0], base, input),
+            GroupKind::Driver { base, input } => match input {
+                Drive::Input(input) => self.velocity_of_driver(step, group.links[0], base, input),
+                Drive::Trial(_) => {
+                    let omega = self.driven_rate(Order::Velocity, input);
+                    self.set_rate(Order::Velocity, group.links[0], omega);
+                    self.step(Order::Velocity, &group.links, Vec::new());
+                    self.driven_velocities(step, group.links[0], base);
+                }
+            },
             GroupKind::DrivenSlide { slide, input } => self.velocity_of_slide(step, group, slide, input),
             GroupKind::Wheel { wheel, centre, roll } => self.velocity_of_wheel(step, wheel, centre, roll),
             GroupKind::DrivenWheel { .. } => self.velocity_of_driven_wheel(step, group.kind),
             GroupKind::DrivenBar { link, input, .. } => {
-                let omega = self.given_rate(Order::Velocity, input);
+                let omega = self.driven_rate(Order::Velocity, input);
                 self.omegas[link.0] = Some(omega);
                 self.dyad(Order::Velocity, step, group);
-            }
-            GroupKind::Rolling { wheel, centre, roll, .. } => {
-                self.dyad(Order::Velocity, step, group);
-                self.velocity_of_wheel(step, wheel, centre, roll);
             }
             GroupKind::Higher { trial } => self.polygon_by_trial(Order::Velocity, step, trial),
             _ => self.dyad(Order::Velocity, step, group),
@@ -92,13 +97,34 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.driven_velocities(step, link, base);
     }
 
+    /// ω or ε of a driven link, or the rate of a driven slide: given, or tried.
+    pub(super) fn driven_rate(&mut self, order: Order, input: Drive) -> Amount<B> {
+        match input {
+            Drive::Input(index) => match (self.mechanism.inputs[index], order) {
+                (Input::Slide { acceleration, .. }, Order::Acceleration) => self.board.amount(acceleration),
+                (Input::Slide { velocity, .. }, _) => self.board.input_speed(index, velocity),
+                _ => self.given_rate(order, index),
+            },
+            Drive::Trial(driver) => {
+                let tried = self.tried_rates.iter().rev();
+                let mut tried = tried.filter(|(of, tried, _)| (*of, *tried) == (order, driver));
+                match tried.next() {
+                    Some(&(.., rate)) => rate,
+                    None => self.no_rate(Missing::rate_of(order, driver)),
+                }
+            }
+        }
+    }
+
     /// ω or ε of a driven link; ω from the speed of one of its points where that is given.
     pub(super) fn given_rate(&mut self, order: Order, input: usize) -> Amount<B> {
         let rate = match (self.mechanism.inputs[input], order) {
             (Input::Angle { alpha, .. } | Input::Speed { alpha, .. }, Order::Acceleration) => alpha,
             (Input::Angle { omega, .. }, _) => return self.board.input_speed(input, omega),
             (Input::Speed { link, point, speed, .. }, _) => {
-                let Some(&first) = self.mechanism.link(link).points.first() else { return self.rest() };
+                let Some(&first) = self.mechanism.link(link).points.first() else {
+                    return self.no_rate(Missing::Rate(order, link));
+                };
                 let length = self.length(link, first, point);
                 let speed = self.board.amount(speed);
                 let reason = self.reason(&[link]);
@@ -113,7 +139,11 @@ impl<B: Bench> Draughtsman<'_, B> {
                 }));
                 return omega;
             }
-            (Input::Slide { .. }, _) => Given::exact(0.0),
+            // A driven slide says nothing of a link's rotation.
+            (Input::Slide { slide, .. }, _) => {
+                let link = self.mechanism.slides[slide].guide.link;
+                return self.no_rate(Missing::Rate(order, link));
+            }
         };
         self.board.amount(rate)
     }
@@ -157,15 +187,14 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The given sliding velocity, laid off along the guide from the image of the guide's point.
-    fn velocity_of_slide(&mut self, step: &GroupStep, group: &Group, slide: usize, input: usize) {
-        let Input::Slide { velocity, .. } = self.mechanism.inputs[input] else { return };
+    fn velocity_of_slide(&mut self, step: &GroupStep, group: &Group, slide: usize, input: Drive) {
         let (rider, guide) = (self.mechanism.slides[slide].rider, self.mechanism.slides[slide].guide.link);
         let first = self.riding_point(slide, PointId(0));
         self.board.purpose("velocity of a driven slide");
         self.step(Order::Velocity, &group.links, Vec::new());
         let (along, _) = self.tangent(slide, first);
         let scale = self.polygon_scale(Order::Velocity);
-        let speed = self.board.input_speed(input, velocity);
+        let speed = self.driven_rate(Order::Velocity, input);
         let mm = self.board.to_paper(speed, scale);
         let from = self.image_under(Order::Velocity, first, guide);
         let fixed = guide == LinkId::FRAME;
@@ -188,7 +217,6 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
         if let Rider::Link { link, .. } = rider {
             let rate = self.rate(Order::Velocity, guide);
-            self.translates[link.0] = self.translates[guide.0];
             self.set_rate(Order::Velocity, link, rate);
             self.riding_points(Order::Velocity, step, link, first);
         }
@@ -214,7 +242,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// The contact points of both bodies have one velocity; ω of the wheel is that velocity, seen from its
     /// centre, over its radius.
     fn velocity_of_wheel(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
-        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        let contact = self.contact_of(roll);
         self.board.purpose("velocity of a contact point");
         self.step(Order::Velocity, &[wheel], Vec::new());
         let other = self.rolled_on(roll, wheel);
@@ -268,10 +296,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// centre against it.
     fn velocity_of_driven_wheel(&mut self, step: &GroupStep, kind: GroupKind) {
         let GroupKind::DrivenWheel { wheel, centre, roll, input, .. } = kind else { return };
-        let Some(&contact) = self.mechanism.contacts.get(roll) else { return };
+        let contact = self.contact_of(roll);
         self.board.purpose("velocity of a driven wheel");
         self.step(Order::Velocity, &[wheel], Vec::new());
-        let omega = self.given_rate(Order::Velocity, input);
+        let omega = self.driven_rate(Order::Velocity, input);
         self.omegas[wheel.0] = Some(omega);
         let other = self.rolled_on(roll, wheel);
         let image = self.contact_image(Order::Velocity, roll, other);
@@ -315,8 +343,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The image of the contact point as a point of a solved body: about its own centre where it is a wheel.
     pub(super) fn contact_image(&mut self, order: Order, roll: usize, body: LinkId) -> Point<B> {
-        let Some(&contact) = self.mechanism.contacts.get(roll) else { return self.board.origin() };
-        self.image_under(order, contact, body)
+        self.image_under(order, self.contact_of(roll), body)
     }
 
     /// From the image of the base a line perpendicular to the link.
@@ -355,10 +382,19 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// From the image of the other centre a line perpendicular to the line of centres; on a straight line
-    /// from the image of the point under the centre a line along it.
-    pub(super) fn velocity_roll(&mut self, roll: usize, wheel: LinkId, centre: PointId) -> Route<B> {
-        let unknown = Unknown::Roll { roll, wheel, centre };
+    /// from the image of the point under the centre a line along it, or backwards from the centre's.
+    pub(super) fn velocity_roll(
+        &mut self,
+        (roll, wheel, centre): (usize, LinkId, PointId),
+        back: bool,
+    ) -> Route<B> {
+        let unknown = Unknown::Roll { roll, wheel, centre, back };
         let body = self.rolled_on(roll, wheel);
+        if back {
+            let image = self.image(Order::Velocity, centre);
+            let (along, claim) = self.rolling_direction(roll, wheel, centre);
+            return self.velocity_ray((self.label(centre), image), along, claim, unknown);
+        }
         if let Some(other) = self.other_centre(roll, wheel) {
             let image = self.image(Order::Velocity, other);
             let along = self.square_to(body, other, centre);
@@ -377,7 +413,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         wheel: LinkId,
         centre: PointId,
     ) -> (Direction<B>, Claim) {
-        let contact = self.mechanism.contacts.get(roll).copied().unwrap_or(centre);
+        let contact = self.contact_of(roll);
         let along = self.square_to(wheel, centre, contact);
         (along, Claim::Perpendicular(Reference::Points(centre, contact)))
     }
@@ -574,7 +610,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 [Some((ride, link, link)), None]
             }
             GroupKind::Rrp { slide, rider, .. } => [rider.map(|link| (slide, link, link)), None],
-            GroupKind::Prp { slides, riders, .. } => {
+            GroupKind::Prp { slides, riders, .. } | GroupKind::DrivenBar { slides, riders, .. } => {
                 [0, 1].map(|i| riders[i].map(|link| (slides[i], link, link)))
             }
             GroupKind::Rpp { link, lever, ride, .. } => [Some((ride, link, link)), Some((ride, link, lever))],
@@ -588,7 +624,6 @@ impl<B: Bench> Draughtsman<'_, B> {
                 _ => slide.guide.link,
             };
             let rate = self.rate(order, carrier);
-            self.translates[link.0] = self.translates[carrier.0];
             self.set_rate(order, link, rate);
         }
     }
@@ -673,7 +708,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let solved_by = self.coincident.iter().find(|c| c.order == order && c.link == link).map(|c| c.pin);
         match solved_by {
             Some(pin) => self.riding_image(order, link, pin, point),
-            None => self.board.origin(),
+            None => self.no_point(Missing::Image(order, point)),
         }
     }
 
@@ -714,8 +749,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         }));
     }
 
-    /// A point of a link that slides without turning: the image under its pin, where the link it slides on
-    /// does not turn either; else V = ω l from there.
+    /// A point of a link that slides without turning: the image under its pin, where what it slides on cannot
+    /// turn either; else V = ω l from there, whatever ω is at this instant.
     pub(super) fn riding_image(
         &mut self,
         order: Order,
@@ -724,9 +759,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         point: PointId,
     ) -> Point<B> {
         let from = self.image_under(order, pin, link);
-        let omega = self.rate(Order::Velocity, link);
-        let alpha = self.rate(Order::Acceleration, link);
-        if omega.value() == 0.0 && (order == Order::Velocity || alpha.value() == 0.0) {
+        if self.translates[link.0] {
             self.act(Act::SameImage {
                 label: self.label_under(point, link),
                 with: self.label_under(pin, link),

@@ -2,7 +2,7 @@
 //! frame.
 
 use super::quantity::Quantity;
-use super::structure::{GroupKind, Structure};
+use super::structure::{Drive, GroupKind, Structure};
 use super::{Input, LinkId, Mechanism, Path, PointId};
 
 /// A slider-crank whose crank is driven: what Klein's construction starts from.
@@ -30,7 +30,7 @@ impl Engine {
     pub fn all(mechanism: &Mechanism, structure: &Structure) -> Vec<Self> {
         let crank_with = |pin: PointId| {
             structure.groups.iter().find_map(|group| match group.kind {
-                GroupKind::Driver { base, input } if mechanism.is_fixed(base) => {
+                GroupKind::Driver { base, input: Drive::Input(input) } if mechanism.is_fixed(base) => {
                     let (Input::Angle { link, .. } | Input::Speed { link, .. }) = mechanism.inputs[input]
                     else {
                         return None;

@@ -330,10 +330,7 @@ fn redundant_in_space(mobility: &Mobility) -> i64 {
 fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
     let links = group.links.iter().map(|l| mechanism.link(*l).number).collect();
     let (class, order) = match group.kind {
-        GroupKind::Driver { .. }
-        | GroupKind::DrivenSlide { .. }
-        | GroupKind::DrivenWheel { .. }
-        | GroupKind::TrialDriver { .. } => (1, 1),
+        GroupKind::Driver { .. } | GroupKind::DrivenSlide { .. } | GroupKind::DrivenWheel { .. } => (1, 1),
         GroupKind::DrivenBar { .. } => (1, 2),
         GroupKind::Higher { .. } | GroupKind::Other => contour(mechanism, group),
         GroupKind::Rrr { .. }
@@ -344,7 +341,8 @@ fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
         | GroupKind::Yoke { .. }
         | GroupKind::Wheel { .. }
         | GroupKind::Rack { .. }
-        | GroupKind::Rolling { .. } => (2, 2),
+        | GroupKind::Rolling { .. }
+        | GroupKind::PinnedRack { .. } => (2, 2),
     };
     GroupReport { kind: group.kind.to_string(), links, class, order, after: group.after.clone() }
 }

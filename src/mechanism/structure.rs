@@ -24,8 +24,26 @@ pub enum Joint {
     Contact(usize),
     /// Index into [`Mechanism::inputs`].
     Input(usize),
-    /// A link whose angle is assumed, to try a group that no construction solves at once.
-    Trial(LinkId),
+    /// What is assumed, to try a group that no construction solves at once.
+    Trial(TrialDriver),
+}
+
+/// What a trial moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TrialDriver {
+    /// A link is turned.
+    Turn(LinkId),
+    /// A rider is moved along its guide; index into [`Mechanism::slides`].
+    Slide(usize),
+}
+
+/// What says how a driver moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drive {
+    /// Index into [`Mechanism::inputs`].
+    Input(usize),
+    /// It is assumed for a trial.
+    Trial(TrialDriver),
 }
 
 /// The count of mobility.
@@ -69,8 +87,8 @@ pub enum GroupKind {
     Driver {
         /// Its pin on a solved link.
         base: PointId,
-        /// Index into [`Mechanism::inputs`].
-        input: usize,
+        /// What says how it turns.
+        input: Drive,
     },
     /// Two links, three turning pairs.
     Rrr {
@@ -151,8 +169,8 @@ pub enum GroupKind {
     DrivenSlide {
         /// Index into [`Mechanism::slides`].
         slide: usize,
-        /// Index into [`Mechanism::inputs`].
-        input: usize,
+        /// What says how it slides.
+        input: Drive,
     },
     /// A wheel pivoted to a solved link and rolling on another.
     Wheel {
@@ -172,16 +190,25 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
-    /// A driven link of which two pins ride on guides of solved links (trammel driven by its bar).
+    /// A driven link that two sliding pairs hold: its pins ride on guides of solved links, themselves or with
+    /// links that slide without turning (trammel driven by its bar); or it carries guides for pins of solved
+    /// links.
     DrivenBar {
         /// The link.
         link: LinkId,
-        /// Its pins.
+        /// The point of it by which it is found: the first of its own pins, else its first joint.
+        point: PointId,
+        /// The pins: of the link, or solved ones under which its guides run; its own first.
         pins: [PointId; 2],
         /// For each pin the index into [`Mechanism::slides`].
         slides: [usize; 2],
-        /// Index into [`Mechanism::inputs`].
-        input: usize,
+        /// For each pin the link that has it and slides without turning against the solved one, where it is
+        /// not the pin itself or its block that slides.
+        riders: [Option<LinkId>; 2],
+        /// For each pin whether it is solved and rides on a guide of the link.
+        under: [bool; 2],
+        /// What says how it turns.
+        input: Drive,
     },
     /// A driven wheel that rolls on a solved body; its centre is held by the contact, or rides on a guide.
     DrivenWheel {
@@ -193,28 +220,36 @@ pub enum GroupKind {
         roll: usize,
         /// Index into [`Mechanism::slides`]: the centre on a guide of a solved link.
         guide: Option<usize>,
-        /// Index into [`Mechanism::inputs`].
-        input: usize,
+        /// What says how it turns.
+        input: Drive,
     },
-    /// A rod and a wheel pinned to its end, which rolls on a solved body and is held against it.
+    /// A rod that carries the centre of a wheel, which is held against a solved body.
     Rolling {
         /// The rod.
         rod: LinkId,
         /// Its pin on a solved link.
         base: PointId,
-        /// The wheel.
+        /// The wheel; how it turns is found after it.
         wheel: LinkId,
         /// The wheel's centre, on the rod.
         centre: PointId,
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
-    /// A link whose motion is assumed for a trial.
-    TrialDriver {
+    /// A link whose own line is held against a wheel whose centre is solved (a rack pinned to a crank).
+    PinnedRack {
+        /// The link.
+        link: LinkId,
         /// Its pin on a solved link.
         base: PointId,
+        /// The wheel; how it turns is found after it.
+        wheel: LinkId,
+        /// The wheel's centre, solved.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
     },
-    /// A group of higher class: one of its links is driven by trial until the group closes.
+    /// A group of higher class: something in it is driven by trial until the group closes.
     Higher {
         /// Index into [`Structure::trials`].
         trial: usize,
@@ -223,33 +258,29 @@ pub enum GroupKind {
     Other,
 }
 
-/// How a group of higher class is tried: with one link driven and one constraint left open it falls apart
-/// into groups that can be constructed; the trial that satisfies the open constraint is the solution.
+/// How a group of higher class is tried: with one thing driven and one constraint left open (or two and two) it
+/// falls apart into groups that can be constructed; the trial that satisfies what is open is the solution.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Trial {
-    /// The link that is driven by trial.
-    pub driver: LinkId,
-    /// Its pin on a solved link.
-    pub base: PointId,
-    /// The constraint that is left open.
-    pub closing: Closing,
-    /// The groups into which the rest falls, in order of transmission; the first is the trial driver.
+    /// What is driven by trial, each until the constraint beside it is satisfied.
+    pub drivers: Vec<(TrialDriver, Closing)>,
+    /// The groups into which the rest falls, in order of transmission.
     pub groups: Vec<Group>,
 }
 
-/// The constraint that a trial leaves open.
+/// A constraint that a trial leaves open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Closing {
-    /// A rod from a point of the group to a pin on a solved link.
+    /// A rod from a point of the group to another one, or to a pin on a solved link.
     Rod {
         /// The rod.
         link: LinkId,
         /// Its end in the group.
         near: PointId,
-        /// Its pin on a solved link.
+        /// Its other end.
         far: PointId,
     },
-    /// A pin on a guide of a solved link.
+    /// A pin on a guide.
     Slide {
         /// Index into [`Mechanism::slides`].
         slide: usize,
@@ -262,6 +293,29 @@ pub enum Closing {
         link: LinkId,
         /// Index into [`Mechanism::inputs`].
         input: usize,
+    },
+    /// A rider whose place along its guide is given.
+    Driven {
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// The pin, or the riding link's first joint.
+        pin: PointId,
+        /// Index into [`Mechanism::inputs`].
+        input: usize,
+    },
+    /// Two bodies that are held against each other.
+    Contact {
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// A wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+    },
+    /// Two bodies that roll on each other without slip. It says nothing of the position, which is placed.
+    Roll {
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
     },
 }
 
@@ -281,7 +335,7 @@ impl fmt::Display for GroupKind {
             Self::DrivenBar { .. } => "driven bar",
             Self::DrivenWheel { .. } => "driven wheel",
             Self::Rolling { .. } => "rod with a rolling wheel",
-            Self::TrialDriver { .. } => "trial driver",
+            Self::PinnedRack { .. } => "pinned rack",
             Self::Higher { .. } => "group of higher class",
             Self::Other => "group without a construction",
         })
@@ -515,7 +569,7 @@ impl Structure {
         for (index, roll) in mechanism.rolls.iter().enumerate() {
             if game.left() > mechanism.inputs.len()
                 && !holds_distance(mechanism, roll)
-                && game.insert(roll_ends(roll), Joint::Contact(index))
+                && game.insert(contact_ends(&nodes, roll), Joint::Contact(index))
             {
                 mobility.higher -= 1;
                 mobility.rolling += 1;
@@ -588,7 +642,10 @@ impl Structure {
         let mut groups: Vec<Group> = Vec::new();
         loop {
             let ready = |&c: &usize| needed[c].iter().all(|&n| group_of_component[n].is_some());
-            let rides = |c: usize| members[c].iter().all(|&n| n >= nodes.links) && needed[c].len() == 1;
+            let pinned =
+                |node: usize| game.pays[node].iter().all(|&e| matches!(game.edges[e].joint, Joint::Pin(..)));
+            let rides =
+                |c: usize| members[c].iter().all(|&n| n >= nodes.links && pinned(n)) && needed[c].len() == 1;
             let next =
                 waiting.iter().position(|c| ready(c) && rides(*c)).or_else(|| waiting.iter().position(ready));
             let Some(index) = next else { break };
@@ -627,6 +684,17 @@ impl Structure {
     pub fn group_of(&self, link: LinkId) -> Option<usize> {
         self.group_of[link.0]
     }
+
+    /// The group that finds a point: that which it is a joint of, whether or not it lies on a link; else the first
+    /// that solves a link on which it rides. `None` for a point of the frame.
+    #[must_use]
+    pub fn group_finding(&self, mechanism: &Mechanism, point: PointId) -> Option<usize> {
+        if mechanism.is_fixed(point) {
+            return None;
+        }
+        let own = self.groups.iter().position(|group| group.points.contains(&point));
+        own.or_else(|| mechanism.point(point).links.iter().filter_map(|&link| self.group_of(link)).min())
+    }
 }
 
 /// Every pair as (joint, the two nodes, number of constraints).
@@ -640,13 +708,8 @@ fn constraints(mechanism: &Mechanism, nodes: &Nodes) -> Vec<(Joint, [usize; 2], 
         }
     }
     for (index, slide) in mechanism.slides.iter().enumerate() {
-        let guide = slide.guide.link.0;
-        let (rider, count) = match slide.rider {
-            Rider::Pin { block: Some(block), .. } => (block.0, 2),
-            Rider::Link { link, .. } => (link.0, 2),
-            Rider::Pin { point, block: None } => (nodes.point(point).unwrap_or(guide), 1),
-        };
-        list.push((Joint::Slide(index), [guide, rider], count));
+        let count = if matches!(slide.rider, Rider::Pin { block: None, .. }) { 1 } else { 2 };
+        list.push((Joint::Slide(index), slide_ends(mechanism, nodes, index), count));
     }
     for (index, roll) in mechanism.rolls.iter().enumerate() {
         list.push((Joint::Roll(index), roll_ends(roll), 1));
@@ -658,6 +721,16 @@ fn roll_ends(roll: &Roll) -> [usize; 2] {
     match roll {
         Roll::Circles { links, .. } => [links[0].0, links[1].0],
         Roll::Line { guide, wheel, .. } => [guide.link.0, wheel.0],
+    }
+}
+
+/// What a contact holds together: the distance of two centres, or of a centre from the body of a line. Whoever has
+/// a centre as a joint is held by it; how a wheel turns about it is another matter.
+fn contact_ends(nodes: &Nodes, roll: &Roll) -> [usize; 2] {
+    let node = |centre: PointId, wheel: LinkId| nodes.point(centre).unwrap_or(wheel.0);
+    match *roll {
+        Roll::Circles { links, centres, .. } => [0, 1].map(|side| node(centres[side], links[side])),
+        Roll::Line { guide, wheel, centre, .. } => [guide.link.0, node(centre, wheel)],
     }
 }
 
@@ -692,11 +765,17 @@ fn holds_distance(mechanism: &Mechanism, roll: &Roll) -> bool {
 fn input_ends(mechanism: &Mechanism, nodes: &Nodes, input: &Input) -> [usize; 2] {
     match input {
         Input::Angle { link, .. } | Input::Speed { link, .. } => [FRAME, link.0],
-        Input::Slide { slide, .. } => constraints(mechanism, nodes)
-            .iter()
-            .find(|(joint, ..)| *joint == Joint::Slide(*slide))
-            .map_or([FRAME, FRAME], |(_, ends, _)| *ends),
+        Input::Slide { slide, .. } => slide_ends(mechanism, nodes, *slide),
     }
+}
+
+fn slide_ends(mechanism: &Mechanism, nodes: &Nodes, slide: usize) -> [usize; 2] {
+    let Slide { rider, guide } = mechanism.slides[slide];
+    let rider = match rider {
+        Rider::Pin { block: Some(link), .. } | Rider::Link { link, .. } => link.0,
+        Rider::Pin { point, block: None } => nodes.point(point).unwrap_or(guide.link.0),
+    };
+    [guide.link.0, rider]
 }
 
 fn name_of(mechanism: &Mechanism, joint: Joint) -> String {
@@ -717,7 +796,8 @@ fn name_of(mechanism: &Mechanism, joint: Joint) -> String {
             let [a, b] = roll_ends(&mechanism.rolls[index]);
             format!("the rolling of links {} and {}", mechanism.links[a].number, mechanism.links[b].number)
         }
-        Joint::Trial(link) => format!("the trial angle of link {}", number(link)),
+        Joint::Trial(TrialDriver::Turn(link)) => format!("the trial angle of link {}", number(link)),
+        Joint::Trial(TrialDriver::Slide(slide)) => name_of(mechanism, Joint::Slide(slide)),
         Joint::Input(index) => match mechanism.inputs[index] {
             Input::Angle { link, .. } | Input::Speed { link, .. } => {
                 format!("the input of link {}", number(link))
@@ -800,10 +880,10 @@ fn components(game: &Game) -> Vec<usize> {
 /// not change the kind.
 fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints: &[Joint]) -> GroupKind {
     let rods: Vec<LinkId> = links.iter().copied().filter(|&l| !mechanism.link(l).block).collect();
-    let mut inputs = Vec::new();
+    let mut turned = Vec::new();
+    let mut moved = Vec::new();
     let mut slides = Vec::new();
     let mut rolls = Vec::new();
-    let mut tried = false;
     let mut held = Vec::new();
     let mut outer = Vec::new();
     for joint in joints {
@@ -813,33 +893,36 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             }
             Joint::Pin(..) => {}
             Joint::Slide(index) => slides.push(index),
-            Joint::Input(index) => inputs.push(index),
-            Joint::Trial(_) => tried = true,
+            Joint::Input(index) => match mechanism.inputs[index] {
+                Input::Angle { link, .. } | Input::Speed { link, .. } => {
+                    turned.push((link, Drive::Input(index)));
+                }
+                Input::Slide { slide, .. } => moved.push((slide, Drive::Input(index))),
+            },
+            Joint::Trial(tried) => match tried {
+                TrialDriver::Turn(link) => turned.push((link, Drive::Trial(tried))),
+                TrialDriver::Slide(slide) => moved.push((slide, Drive::Trial(tried))),
+            },
             Joint::Roll(index) => rolls.push(index),
             Joint::Contact(index) => held.push(index),
         }
     }
-    if tried {
-        return match (rods.as_slice(), points, outer.as_slice()) {
-            ([_], [], &[(_, base)]) if rolls.is_empty() && slides.is_empty() => {
-                GroupKind::TrialDriver { base }
-            }
-            _ => GroupKind::Other,
-        };
-    }
-    if let (&[roll], &[contact], &[a, b], &[centre], &[(rod, base)]) =
-        (rolls.as_slice(), held.as_slice(), rods.as_slice(), points, outer.as_slice())
+    if let ([], &[roll], &[rod], &[(_, base)], [], []) = (
+        rolls.as_slice(),
+        held.as_slice(),
+        rods.as_slice(),
+        outer.as_slice(),
+        turned.as_slice(),
+        slides.as_slice(),
+    ) && moved.is_empty()
     {
-        let wheel = if a == rod { b } else { a };
-        let simple = roll == contact && slides.is_empty() && inputs.is_empty();
-        return if simple && turns_about(&mechanism.rolls[roll], wheel, centre) {
-            GroupKind::Rolling { rod, base, wheel, centre, roll }
-        } else {
-            GroupKind::Other
-        };
+        return leaning(mechanism, (rod, base), points, roll);
     }
     if let (&[roll], &[link]) = (rolls.as_slice(), rods.as_slice()) {
-        return match (outer.as_slice(), inputs.as_slice(), slides.as_slice(), held.as_slice()) {
+        if !moved.is_empty() {
+            return GroupKind::Other;
+        }
+        return match (outer.as_slice(), turned.as_slice(), slides.as_slice(), held.as_slice()) {
             (&[(_, centre)], [], [], []) if turns_about(&mechanism.rolls[roll], link, centre) => {
                 GroupKind::Wheel { wheel: link, centre, roll }
             }
@@ -849,59 +932,60 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                     _ => GroupKind::Other,
                 }
             }
-            ([], &[input], guides, contacts) if guides.len() + contacts.len() == 1 => {
+            ([], &[(_, input)], guides, contacts) if guides.len() + contacts.len() == 1 => {
                 driven_wheel(mechanism, link, points, (roll, guides.first().copied(), input))
             }
             _ => GroupKind::Other,
         };
     }
-    if !rolls.is_empty() {
+    if !rolls.is_empty() || !held.is_empty() {
         return GroupKind::Other;
     }
-    match (rods.as_slice(), points, inputs.as_slice(), slides.as_slice()) {
-        ([_], [], &[input], []) => match (outer.as_slice(), mechanism.inputs[input]) {
-            (&[(_, base)], Input::Angle { .. } | Input::Speed { .. }) => GroupKind::Driver { base, input },
-            _ => GroupKind::Other,
-        },
-        ([], _, &[input], &[slide]) | ([_], [], &[input], &[slide])
-            if outer.is_empty()
-                && matches!(mechanism.inputs[input], Input::Slide { slide: s, .. } if s == slide) =>
-        {
-            GroupKind::DrivenSlide { slide, input }
-        }
-        (&[link], &[_, _], &[input], &[first, second]) if outer.is_empty() => {
-            let slides = [first, second];
-            let pin_of = |slide: usize| match mechanism.slides[slide] {
-                Slide { rider: Rider::Pin { point, .. }, guide } if guide.link != link => Some(point),
-                _ => None,
-            };
-            match (slides.map(pin_of), mechanism.inputs[input]) {
-                ([Some(a), Some(b)], Input::Angle { .. } | Input::Speed { .. }) if a != b => {
-                    GroupKind::DrivenBar { link, pins: [a, b], slides, input }
+    match (turned.as_slice(), moved.as_slice()) {
+        ([], []) => {}
+        (&[(_, input)], []) => {
+            return match (rods.as_slice(), points, slides.as_slice(), outer.as_slice()) {
+                ([_], [], [], &[(_, base)]) => GroupKind::Driver { base, input },
+                (_, _, &[first, second], []) => {
+                    driven_bar(mechanism, &rods, points, [first, second], (turned[0].0, input))
                 }
                 _ => GroupKind::Other,
-            }
+            };
         }
-        (&[first, second], &[pin], [], []) => match outer.as_slice() {
+        ([], &[(driven, input)]) => {
+            let sought = |link: LinkId| rods.contains(&link);
+            return match (rods.as_slice(), points, slides.as_slice(), outer.as_slice()) {
+                ([], _, &[slide], []) | ([_], [], &[slide], [])
+                    if slide == driven && !sought(mechanism.slides[slide].guide.link) =>
+                {
+                    GroupKind::DrivenSlide { slide, input }
+                }
+                _ => GroupKind::Other,
+            };
+        }
+        _ => return GroupKind::Other,
+    }
+    match (rods.as_slice(), points, slides.as_slice()) {
+        (&[first, second], &[pin], []) => match outer.as_slice() {
             &[(a, base_a), (b, base_b)] if a != b => {
                 let bases = if a == first { [base_a, base_b] } else { [base_b, base_a] };
                 GroupKind::Rrr { links: [first, second], bases, pin }
             }
             _ => GroupKind::Other,
         },
-        (&[rod], &[pin], [], &[slide]) => match (outer.as_slice(), mechanism.slides[slide].rider) {
+        (&[rod], &[pin], &[slide]) => match (outer.as_slice(), mechanism.slides[slide].rider) {
             (&[(_, base)], Rider::Pin { point, .. }) if point == pin => {
                 GroupKind::Rrp { rod, base, pin, slide, rider: None }
             }
             _ => GroupKind::Other,
         },
-        (&[_, _], &[pin], [], &[slide]) => match (outer.as_slice(), glider(mechanism, &rods, slide)) {
+        (&[_, _], &[pin], &[slide]) => match (outer.as_slice(), glider(mechanism, &rods, slide)) {
             (&[(rod, base)], Some(rider)) if rider != rod => {
                 GroupKind::Rrp { rod, base, pin, slide, rider: Some(rider) }
             }
             _ => GroupKind::Other,
         },
-        (_, &[pin], [], &[first, second]) if outer.is_empty() => {
+        (_, &[pin], &[first, second]) if outer.is_empty() => {
             let slides = [first, second];
             let riders = slides.map(|slide| glider(mechanism, &rods, slide));
             let rides = |slide: usize| match mechanism.slides[slide].rider {
@@ -915,7 +999,7 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                 GroupKind::Other
             }
         }
-        (&[lever], [], [], &[slide]) => {
+        (&[lever], [], &[slide]) => {
             let Slide { rider, guide } = mechanism.slides[slide];
             match (outer.as_slice(), rider) {
                 (&[(_, base)], Rider::Pin { point, .. }) if guide.link == lever => {
@@ -924,7 +1008,7 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                 _ => GroupKind::Other,
             }
         }
-        (&[a, b], [], [], &[slide]) => {
+        (&[a, b], [], &[slide]) => {
             let Slide { rider, guide } = mechanism.slides[slide];
             let pins = [a, b].map(|link| outer.iter().find(|(l, _)| *l == link).map(|(_, p)| *p));
             let lever_is_a = guide.link == a;
@@ -939,7 +1023,7 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                 _ => GroupKind::Other,
             }
         }
-        (&[a, b], [], [], &[first, second]) => {
+        (&[a, b], [], &[first, second]) => {
             let Some(&(lever, base)) = outer.first().filter(|_| outer.len() == 1) else {
                 return GroupKind::Other;
             };
@@ -956,7 +1040,7 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
                 _ => GroupKind::Other,
             }
         }
-        (&[link], [], [], &[first, second]) if outer.is_empty() => {
+        (&[link], [], &[first, second]) if outer.is_empty() => {
             let pair = |ride: usize, slot: usize| {
                 let on = mechanism.slides[slot];
                 match (glider(mechanism, &rods, ride), on.rider) {
@@ -972,6 +1056,32 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     }
 }
 
+/// A link that is pinned to a solved one and held by a contact: by a centre that it carries, or by its line.
+fn leaning(
+    mechanism: &Mechanism,
+    (link, base): (LinkId, PointId),
+    points: &[PointId],
+    roll: usize,
+) -> GroupKind {
+    let sides: Vec<(LinkId, PointId)> = match mechanism.rolls[roll] {
+        Roll::Circles { links, centres, .. } => vec![(links[0], centres[0]), (links[1], centres[1])],
+        Roll::Line { wheel, centre, .. } => vec![(wheel, centre)],
+    };
+    let carried = |centre: PointId| centre != base && mechanism.link(link).points.contains(&centre);
+    match (mechanism.rolls[roll], points) {
+        (Roll::Line { guide, wheel, centre, .. }, []) if guide.link == link => {
+            GroupKind::PinnedRack { link, base, wheel, centre, roll }
+        }
+        (_, [] | [_]) => match sides.into_iter().find(|&(_, centre)| carried(centre)) {
+            Some((wheel, centre)) if points.iter().all(|&p| p == centre) => {
+                GroupKind::Rolling { rod: link, base, wheel, centre, roll }
+            }
+            _ => GroupKind::Other,
+        },
+        _ => GroupKind::Other,
+    }
+}
+
 /// The link of a group that slides without turning against a solved link: it rides on a guide of that link,
 /// or carries the guide on which that link rides.
 fn glider(mechanism: &Mechanism, rods: &[LinkId], slide: usize) -> Option<LinkId> {
@@ -983,19 +1093,66 @@ fn glider(mechanism: &Mechanism, rods: &[LinkId], slide: usize) -> Option<LinkId
     }
 }
 
+/// A driven link that two sliding pairs hold.
+fn driven_bar(
+    mechanism: &Mechanism,
+    rods: &[LinkId],
+    points: &[PointId],
+    slides: [usize; 2],
+    (link, input): (LinkId, Drive),
+) -> GroupKind {
+    let on_bar = |pin: PointId| mechanism.link(link).points.contains(&pin);
+    // The pin, the link that rides for it, and whether it is a solved pin on a guide of the link.
+    let hold = |slide: usize| match (mechanism.slides[slide], glider(mechanism, rods, slide)) {
+        (Slide { rider: Rider::Pin { point, .. }, guide }, _) if guide.link == link => {
+            (!points.contains(&point) && !on_bar(point)).then_some((slide, point, None, true))
+        }
+        (Slide { rider: Rider::Pin { point, .. }, guide }, _) if !rods.contains(&guide.link) => {
+            on_bar(point).then_some((slide, point, None, false))
+        }
+        (_, Some(rider)) if rider != link => {
+            let shared = |p: &PointId| mechanism.point(*p).links.contains(&rider) && on_bar(*p);
+            points.iter().copied().find(shared).map(|pin| (slide, pin, Some(rider), false))
+        }
+        _ => None,
+    };
+    let (Some(first), Some(second)) = (hold(slides[0]), hold(slides[1])) else { return GroupKind::Other };
+    let [first, second] = if first.3 && !second.3 { [second, first] } else { [first, second] };
+    let found = if first.3 { mechanism.link(link).points.first().copied() } else { Some(first.1) };
+    let own = [first, second].iter().filter(|hold| !hold.3).count();
+    let riders = [first.2, second.2];
+    match found {
+        Some(point)
+            if (first.1 != second.1 || first.3 != second.3)
+                && points.len() == own
+                && rods.len() == 1 + riders.iter().flatten().count() =>
+        {
+            GroupKind::DrivenBar {
+                link,
+                point,
+                pins: [first.1, second.1],
+                slides: [first.0, second.0],
+                riders,
+                under: [first.3, second.3],
+                input,
+            }
+        }
+        _ => GroupKind::Other,
+    }
+}
+
 /// A driven wheel whose centre is free but for its rolling, or rides on a guide of a solved link.
 fn driven_wheel(
     mechanism: &Mechanism,
     wheel: LinkId,
     points: &[PointId],
-    (roll, guide, input): (usize, Option<usize>, usize),
+    (roll, guide, input): (usize, Option<usize>, Drive),
 ) -> GroupKind {
     let centre = match mechanism.rolls[roll] {
         Roll::Circles { links, centres, .. } => (0..2).find(|&i| links[i] == wheel).map(|i| centres[i]),
         Roll::Line { wheel: own, centre, .. } => (own == wheel).then_some(centre),
     };
-    let turned = matches!(mechanism.inputs[input], Input::Angle { .. } | Input::Speed { .. });
-    let Some(centre) = centre.filter(|c| turned && points.iter().all(|p| p == c)) else {
+    let Some(centre) = centre.filter(|c| points.iter().all(|p| p == c)) else {
         return GroupKind::Other;
     };
     let rides = |slide: usize| {
@@ -1023,92 +1180,188 @@ fn turns_about(roll: &Roll, wheel: LinkId, centre: PointId) -> bool {
     }
 }
 
+/// How many drivers and open constraints a group is tried with, at most, where one of each does not do.
+const TRIED_TOGETHER: usize = 12;
+
 impl Trial {
-    /// Finds a link to drive and a constraint to leave open, so that the rest can be constructed.
+    /// Finds what to drive and which constraints to leave open, so that the rest can be constructed.
     fn of(mechanism: &Mechanism, held: &[usize], group: &Group) -> Option<Self> {
-        let outer: Vec<(LinkId, PointId)> = group
-            .joints
-            .iter()
-            .filter_map(|joint| match *joint {
-                Joint::Pin(link, point)
-                    if group.links.contains(&link)
-                        && !group.points.contains(&point)
-                        && !mechanism.link(link).block =>
-                {
-                    Some((link, point))
+        let mut drivers = Self::drivers(mechanism, group);
+        let mut closings = closings(mechanism, group);
+        for &(closing, _) in &closings {
+            for &(driver, _) in &drivers {
+                let drivers = vec![(driver, closing)];
+                if let Some(groups) = subgroups(mechanism, held, group, &drivers) {
+                    return Some(Self { drivers, groups });
                 }
-                _ => None,
-            })
-            .collect();
-        let closings = closings(mechanism, group, &outer);
-        for &closing in &closings {
-            for &(driver, base) in &outer {
-                if matches!(closing, Closing::Rod { link, .. } if link == driver) {
-                    continue;
-                }
-                if let Some(groups) = subgroups(mechanism, held, group, driver, closing) {
-                    return Some(Self { driver, base, closing, groups });
+            }
+        }
+        // What is pinned to a solved link and what hangs on one come first in both lists.
+        drivers.truncate(TRIED_TOGETHER);
+        closings.truncate(TRIED_TOGETHER);
+        for (index, &(first, _)) in closings.iter().enumerate() {
+            for &(second, _) in &closings[index + 1..] {
+                for (index, &(one, _)) in drivers.iter().enumerate() {
+                    for &(other, _) in &drivers[index + 1..] {
+                        let drivers = vec![(one, first), (other, second)];
+                        if let Some(groups) = subgroups(mechanism, held, group, &drivers) {
+                            return Some(Self { drivers, groups });
+                        }
+                    }
                 }
             }
         }
         None
     }
+
+    /// What can be driven, and how good it is: links pinned to solved ones, riders on guides of solved links, other
+    /// links.
+    fn drivers(mechanism: &Mechanism, group: &Group) -> Vec<(TrialDriver, u8)> {
+        let rod = |link: &LinkId| !mechanism.link(*link).block;
+        let mut list = Vec::new();
+        for joint in &group.joints {
+            if let Joint::Pin(link, point) = *joint
+                && group.links.contains(&link)
+                && !group.points.contains(&point)
+                && rod(&link)
+            {
+                list.push((TrialDriver::Turn(link), 0));
+            }
+        }
+        for joint in &group.joints {
+            if let Joint::Slide(slide) = *joint
+                && !group.links.contains(&mechanism.slides[slide].guide.link)
+            {
+                let sought = match mechanism.slides[slide].rider {
+                    Rider::Pin { point, .. } => group.points.contains(&point),
+                    Rider::Link { link, .. } => group.links.contains(&link),
+                };
+                if sought {
+                    list.push((TrialDriver::Slide(slide), 1));
+                }
+            }
+        }
+        for &link in group.links.iter().filter(|link| rod(link)) {
+            if list.iter().all(|&(driver, _)| driver != TrialDriver::Turn(link)) {
+                list.push((TrialDriver::Turn(link), 2));
+            }
+        }
+        list
+    }
 }
 
-/// The constraints of a group that a trial may leave open.
-fn closings(mechanism: &Mechanism, group: &Group, outer: &[(LinkId, PointId)]) -> Vec<Closing> {
+/// The constraints of a group that a trial may leave open, and how good they are: those to solved links first.
+fn closings(mechanism: &Mechanism, group: &Group) -> Vec<(Closing, u8)> {
     let mut list = Vec::new();
+    let inside = |point: &PointId| group.points.contains(point);
     for joint in &group.joints {
         if let Joint::Input(input) = *joint
             && let Input::Angle { link, .. } | Input::Speed { link, .. } = mechanism.inputs[input]
         {
-            list.push(Closing::Angle { link, input });
+            list.push((Closing::Angle { link, input }, 0));
         }
     }
-    for &(link, far) in outer {
-        let inner: Vec<PointId> =
-            mechanism.link(link).points.iter().copied().filter(|p| group.points.contains(p)).collect();
-        // A rod on which the group itself slides cannot be left open; what is solved later may slide on it.
-        let slides = group.joints.iter().any(|joint| match *joint {
+    // In the order of their pins on solved links, then the others.
+    let outer = group.joints.iter().filter_map(|joint| match *joint {
+        Joint::Pin(link, point) if group.links.contains(&link) && !inside(&point) => Some(link),
+        _ => None,
+    });
+    let mut rods: Vec<LinkId> = Vec::new();
+    for link in outer.chain(group.links.iter().copied()) {
+        if !mechanism.link(link).block && !rods.contains(&link) {
+            rods.push(link);
+        }
+    }
+    for link in rods {
+        let ends: Vec<PointId> = group
+            .joints
+            .iter()
+            .filter_map(|joint| if let Joint::Pin(l, p) = *joint { (l == link).then_some(p) } else { None })
+            .collect();
+        // A rod on which the group itself slides or rolls cannot be left open; what is solved later may hang on it.
+        let more = group.joints.iter().any(|joint| match *joint {
             Joint::Slide(slide) => {
                 let Slide { rider, guide } = mechanism.slides[slide];
-                guide.link == link || matches!(rider, Rider::Link { link: rider, .. } if rider == link)
+                guide.link == link
+                    || match rider {
+                        Rider::Link { link: rider, .. } => rider == link,
+                        Rider::Pin { point, block } => {
+                            block.is_none() && mechanism.point(point).links == [link]
+                        }
+                    }
             }
+            Joint::Roll(roll) => mechanism.rolls[roll].bodies().contains(&link),
+            Joint::Contact(roll) => mechanism.rolls[roll].bodies().contains(&link),
+            Joint::Input(input) => matches!(mechanism.inputs[input],
+                Input::Angle { link: driven, .. } | Input::Speed { link: driven, .. } if driven == link),
             _ => false,
         });
-        if let (&[near], false) = (inner.as_slice(), slides) {
-            list.push(Closing::Rod { link, near, far });
+        match ends.as_slice() {
+            &[a, b] if !more && (inside(&a) || inside(&b)) => {
+                let (near, far) = if inside(&a) { (a, b) } else { (b, a) };
+                list.push((Closing::Rod { link, near, far }, if inside(&far) { 2 } else { 0 }));
+            }
+            _ => {}
         }
     }
     for joint in &group.joints {
-        if let Joint::Slide(slide) = *joint
-            && let Slide { rider: Rider::Pin { point, .. }, guide } = mechanism.slides[slide]
-            && group.points.contains(&point)
-            && !group.links.contains(&guide.link)
-        {
-            list.push(Closing::Slide { slide, pin: point });
+        match *joint {
+            Joint::Slide(slide) => {
+                if let Slide { rider: Rider::Pin { point, .. }, guide } = mechanism.slides[slide] {
+                    let outside = inside(&point) && !group.links.contains(&guide.link);
+                    list.push((Closing::Slide { slide, pin: point }, if outside { 0 } else { 2 }));
+                }
+            }
+            Joint::Input(input) => {
+                if let Input::Slide { slide, .. } = mechanism.inputs[input] {
+                    let pin = match mechanism.slides[slide].rider {
+                        Rider::Pin { point, .. } => Some(point),
+                        Rider::Link { link, .. } => mechanism.link(link).points.first().copied(),
+                    };
+                    list.extend(pin.map(|pin| (Closing::Driven { slide, pin, input }, 1)));
+                }
+            }
+            Joint::Roll(roll) => list.push((Closing::Roll { roll }, 1)),
+            Joint::Contact(roll) => {
+                let (wheel, centre) = match mechanism.rolls[roll] {
+                    Roll::Circles { links, centres, .. } => {
+                        let side = usize::from(!inside(&centres[0]));
+                        (links[side], centres[side])
+                    }
+                    Roll::Line { wheel, centre, .. } => (wheel, centre),
+                };
+                list.push((Closing::Contact { roll, wheel, centre }, 2));
+            }
+            _ => {}
         }
     }
+    list.sort_by_key(|&(_, rank)| rank);
     list
 }
 
-/// The groups into which a group falls with one link driven and one constraint open, if all of them can be
-/// constructed.
+/// Whether a joint is left open.
+fn is_open(closing: Closing, joint: Joint) -> bool {
+    match (closing, joint) {
+        (Closing::Rod { link, far, .. }, Joint::Pin(l, p)) => (l, p) == (link, far),
+        (Closing::Slide { slide, .. }, Joint::Slide(s)) => s == slide,
+        (Closing::Angle { input, .. } | Closing::Driven { input, .. }, Joint::Input(i)) => i == input,
+        (Closing::Roll { roll }, Joint::Roll(r)) => r == roll,
+        (Closing::Contact { roll, .. }, Joint::Contact(r)) => r == roll,
+        _ => false,
+    }
+}
+
+/// The groups into which a group falls with its trial drivers driven and as many constraints open, if all of them
+/// can be constructed.
 fn subgroups(
     mechanism: &Mechanism,
     contacts: &[usize],
     group: &Group,
-    driver: LinkId,
-    closing: Closing,
+    drivers: &[(TrialDriver, Closing)],
 ) -> Option<Vec<Group>> {
     let nodes = Nodes::of(mechanism);
     let mut game = Game::new(&nodes);
-    let open = |joint: Joint| match (closing, joint) {
-        (Closing::Rod { link, far, .. }, Joint::Pin(l, p)) => (l, p) == (link, far),
-        (Closing::Slide { slide, .. }, Joint::Slide(s)) => s == slide,
-        (Closing::Angle { input, .. }, Joint::Input(i)) => i == input,
-        _ => false,
-    };
+    let open = |joint: Joint| drivers.iter().any(|&(_, closing)| is_open(closing, joint));
     for (joint, ends, count) in constraints(mechanism, &nodes) {
         for _ in 0..count {
             if !open(joint) && !game.insert(ends, joint) {
@@ -1117,7 +1370,8 @@ fn subgroups(
         }
     }
     for &roll in contacts {
-        if !game.insert(roll_ends(&mechanism.rolls[roll]), Joint::Contact(roll)) {
+        let ends = contact_ends(&nodes, &mechanism.rolls[roll]);
+        if !open(Joint::Contact(roll)) && !game.insert(ends, Joint::Contact(roll)) {
             return None;
         }
     }
@@ -1127,19 +1381,33 @@ fn subgroups(
             return None;
         }
     }
-    // What dangles from the open constraint is held by an assumed angle of its own.
-    let mut held = vec![driver];
-    match closing {
-        Closing::Rod { link, .. } => held.push(link),
-        Closing::Slide { slide, .. } => {
-            if let Rider::Pin { block: Some(block), .. } = mechanism.slides[slide].rider {
-                held.push(block);
+    // What dangles from an open constraint is held by an assumed angle of its own.
+    let mut held: Vec<TrialDriver> = drivers.iter().map(|&(driver, _)| driver).collect();
+    let mut dangling = Vec::new();
+    for &(_, closing) in drivers {
+        match closing {
+            Closing::Rod { link, .. } => dangling.push(link),
+            Closing::Slide { slide, .. } => {
+                if let Rider::Pin { block: Some(block), .. } = mechanism.slides[slide].rider {
+                    dangling.push(block);
+                }
             }
+            Closing::Angle { .. }
+            | Closing::Driven { .. }
+            | Closing::Contact { .. }
+            | Closing::Roll { .. } => {}
         }
-        Closing::Angle { .. } => {}
     }
-    for &link in &held {
-        if !game.insert([FRAME, link.0], Joint::Trial(link)) {
+    held.extend(dangling.iter().map(|&link| TrialDriver::Turn(link)));
+    for (index, &driver) in held.iter().enumerate() {
+        if held[..index].contains(&driver) {
+            return None;
+        }
+        let ends = match driver {
+            TrialDriver::Turn(link) => [FRAME, link.0],
+            TrialDriver::Slide(slide) => slide_ends(mechanism, &nodes, slide),
+        };
+        if !game.insert(ends, Joint::Trial(driver)) {
             return None;
         }
     }
@@ -1156,7 +1424,7 @@ fn subgroups(
         .filter(|g| {
             let within = g.links.iter().any(|l| group.links.contains(l))
                 || g.points.iter().any(|p| group.points.contains(p));
-            let dangles = g.links.iter().any(|l| held[1..].contains(l));
+            let dangles = g.links.iter().any(|l| dangling.contains(l));
             within && !dangles
         })
         .collect();
@@ -1164,6 +1432,5 @@ fn subgroups(
         sub.after.clear();
     }
     let known = |g: &Group| !matches!(g.kind, GroupKind::Other | GroupKind::Higher { .. });
-    let first_drives = groups.first().is_some_and(|g| g.links == [driver]);
-    (groups.len() > 1 && first_drives && groups.iter().all(known)).then_some(groups)
+    (groups.len() > 1 && groups.iter().all(known)).then_some(groups)
 }

@@ -10,8 +10,8 @@ use crate::graphical::construction::{
     Vector, VectorKind,
 };
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::Closing;
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::structure::{Closing, TrialDriver};
+use crate::mechanism::{LinkId, PointId, Rider};
 
 /// What is shorter than this on paper, mm, is not there: the drawing is written down no finer.
 const NOISE: f64 = 1e-6;
@@ -279,6 +279,46 @@ impl Teller<'_> {
         }
     }
 
+    /// The point by which the sliding of a pair is named.
+    fn rider(&self, slide: usize) -> Option<PointId> {
+        match self.notation.mechanism().slides[slide].rider {
+            Rider::Pin { point, .. } => Some(point),
+            Rider::Link { link, .. } => self.notation.mechanism().link(link).points.first().copied(),
+        }
+    }
+
+    /// What the rate of a trial driver is called.
+    fn trial_symbol(&self, driver: TrialDriver, order: Order) -> Option<Rich> {
+        let second = order == Order::Acceleration;
+        let quantity = match driver {
+            TrialDriver::Turn(link) if second => Quantity::Alpha(link),
+            TrialDriver::Turn(link) => Quantity::Omega(link),
+            TrialDriver::Slide(slide) => {
+                let (pin, guide) = (self.rider(slide)?, self.notation.mechanism().slides[slide].guide.link);
+                if second { Quantity::SlipAcceleration(pin, guide) } else { Quantity::Slip(pin, guide) }
+            }
+        };
+        Some(self.notation.symbol(quantity, false))
+    }
+
+    fn trial_value(&self, driver: TrialDriver, order: Order, si: f64) -> Rich {
+        match driver {
+            TrialDriver::Turn(_) => self.notation.rotation(si, &self.notation.angular_unit(order)),
+            TrialDriver::Slide(_) => human::quantity(si, &self.notation.unit(order)),
+        }
+    }
+
+    /// Whether a diagram has the two trial images of a point.
+    fn shows_trials(&self, point: PointId, order: Order) -> bool {
+        let polygon = match order {
+            Order::Acceleration => &self.construction.acceleration,
+            _ => &self.construction.velocity,
+        };
+        polygon.as_ref().is_some_and(|polygon| {
+            polygon.images.iter().any(|i| matches!(i.label, Label::Trial { point: of, .. } if of == point))
+        })
+    }
+
     /// The sentence of an act; none where it refers to what is not there.
     fn act(&self, act: &Act) -> Option<Rich> {
         let n = self.notation;
@@ -307,7 +347,12 @@ impl Teller<'_> {
                 )
             }
             Act::TryPosition { driver, closing } => {
-                let link = ("link", Rich::upright(n.number(*driver)));
+                let TrialDriver::Turn(link) = *driver else {
+                    let TrialDriver::Slide(slide) = *driver else { return None };
+                    let pin = self.rider(slide)?;
+                    return Some(Rich::fill(words.try_position_slide, &[("pin", n.point(pin))]));
+                };
+                let link = ("link", Rich::upright(n.number(link)));
                 match closing {
                     Closing::Rod { near, far, .. } => Rich::fill(
                         words.try_position_rod,
@@ -320,31 +365,48 @@ impl Teller<'_> {
                         words.try_position_angle,
                         &[link, ("driven", Rich::upright(n.number(*driven)))],
                     ),
+                    Closing::Driven { .. } | Closing::Contact { .. } => {
+                        Rich::fill(words.try_position_turn, &[link])
+                    }
+                    // Rolling says nothing of the position.
+                    Closing::Roll { .. } => return None,
                 }
             }
             Act::TryPolygon { driver, closing, order, rates } => {
-                let rate = |link: LinkId| match order {
-                    Order::Acceleration => n.symbol(Quantity::Alpha(link), false),
-                    _ => n.symbol(Quantity::Omega(link), false),
-                };
-                let [first, second] = rates.map(|rate| n.rotation(rate, &n.angular_unit(*order)));
-                let tried = [("rate", rate(*driver)), ("first", first), ("second", second)];
+                let [first, second] = rates.map(|rate| self.trial_value(*driver, *order, rate));
+                let tried =
+                    [("rate", self.trial_symbol(*driver, *order)?), ("first", first), ("second", second)];
                 let told = |template, shown| Rich::fill(template, &[&tried[..], &[shown]].concat());
                 match closing {
-                    Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. } => {
+                    Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. }
+                        if self.shows_trials(*point, *order) =>
+                    {
                         let image = |second| n.image(Label::Trial { point: *point, second }, *order);
                         told(words.try_polygon, ("images", n.list(&[image(false), image(true)])))
                     }
-                    Closing::Angle { link, .. } => told(words.try_polygon_rate, ("given", rate(*link))),
+                    Closing::Angle { link, .. } => told(
+                        words.try_polygon_rate,
+                        ("given", self.trial_symbol(TrialDriver::Turn(*link), *order)?),
+                    ),
+                    Closing::Driven { slide, .. } => told(
+                        words.try_polygon_rate,
+                        ("given", self.trial_symbol(TrialDriver::Slide(*slide), *order)?),
+                    ),
+                    Closing::Roll { roll } => {
+                        let contact = n.mechanism().contacts[*roll];
+                        told(words.try_polygon_roll, ("contact", n.point(contact)))
+                    }
+                    Closing::Rod { near: point, .. }
+                    | Closing::Slide { pin: point, .. }
+                    | Closing::Contact { centre: point, .. } => {
+                        told(words.try_polygon_miss, ("point", n.point(*point)))
+                    }
                 }
             }
             Act::TrialRate { driver, order, rate } => {
-                let quantity = match order {
-                    Order::Acceleration => Quantity::Alpha(*driver),
-                    _ => Quantity::Omega(*driver),
-                };
-                let value = n.rotation(*rate, &n.angular_unit(*order));
-                Rich::fill(words.trial_rate, &[("rate", n.symbol(quantity, false)), ("value", value)])
+                let value = self.trial_value(*driver, *order, *rate);
+                let symbol = self.trial_symbol(*driver, *order)?;
+                Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)])
             }
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
             Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(

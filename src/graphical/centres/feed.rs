@@ -4,7 +4,7 @@
 use crate::board::{Bench, Line};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::GroupKind;
-use crate::mechanism::{LinkId, PointId, Rider};
+use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
 
 use super::super::construction::{Act, Claim, Label, Reference, VectorKind};
@@ -47,10 +47,6 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn lay_off_velocities(&mut self, link: LinkId) -> Result<(), Why> {
         let omega = self.omega_of(link, false)?;
         self.omegas[link.0] = Some(omega);
-        self.translates[link.0] = self.mechanism.slides.iter().any(|s| {
-            matches!(s.rider, Rider::Link { link: rider, .. } if rider == link)
-                && self.translates[s.guide.link.0]
-        });
         for point in self.mechanism.link(link).points.clone() {
             let standing = self.places[point.0].is_some() && !self.mechanism.is_fixed(point);
             if !standing || self.velocities[point.0].is_some() {

@@ -1,0 +1,111 @@
+//! A rack that is pinned to a solved link and held against a wheel whose centre stands already. In the rack's own
+//! figure the wheel's centre lies on a parallel to its line, one radius away on either side; an arc about the pin,
+//! with the distance of the centre, meets that parallel, and the figure is laid on.
+
+use crate::board::{Bench, Circle, Line, Side};
+use crate::mechanism::{Form, LinkId, PointId, Roll};
+use crate::plan::GroupStep;
+
+use super::draughtsman::Draughtsman;
+use super::pose::{Pose, Track};
+use super::position::chooses;
+use super::{DrawError, Misfit};
+
+impl<B: Bench> Draughtsman<'_, B> {
+    /// The pose of a pinned rack, with its wanted points and the contact.
+    pub(super) fn pinned_rack(
+        &mut self,
+        step: &GroupStep,
+        (link, base): (LinkId, PointId),
+        (wheel, centre): (LinkId, PointId),
+        roll: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("rack on a pin and a wheel");
+        let mut placed = self.mechanism.link(link).points.iter().copied();
+        let placed = placed.find(|&p| p != base && self.mechanism.point(p).place.exact().is_some());
+        if matches!(self.mechanism.link(link).form, Form::Placed) {
+            let (anchor, x) = (self.at(base), self.board.rightward());
+            self.poses[link.0] = Some(Pose { own_anchor: anchor, anchor, own_along: x, along: x });
+        } else if let Some(point) = placed {
+            self.prick_given(point);
+            self.pose_by_points(link, base, point);
+        } else {
+            self.poses[link.0] = Some(self.pose_against((link, base), centre, roll)?);
+        }
+        self.transfer_by_pose(step, link);
+        self.contact(wheel, roll);
+        Ok(())
+    }
+
+    /// The pose in which a rack through its pin touches the wheel, of up to four the one that the hints choose.
+    fn pose_against(
+        &mut self,
+        (link, base): (LinkId, PointId),
+        centre: PointId,
+        roll: usize,
+    ) -> Result<Pose<B>, DrawError> {
+        let reason = self.reason(&[link]);
+        let (anchor, at_centre) = (self.at(base), self.at(centre));
+        let (along, distance) = self.board.toward(anchor, at_centre, reason);
+        let own_anchor = self.own(link, base);
+        let circle = Circle { centre: own_anchor, radius: distance };
+        let mut poses = Vec::new();
+        for track in self.own_centre_tracks(roll) {
+            let Ok(pair) = self.board.meet_line_circle(track, circle, reason) else { continue };
+            let sides = if pair.tangent { &[Side::First][..] } else { &[Side::First, Side::Second] };
+            for &side in sides {
+                let own_centre = self.board.take(pair, side);
+                let (own_along, _) = self.board.toward(own_anchor, own_centre, reason);
+                poses.push(Pose { own_anchor, anchor, own_along, along });
+            }
+        }
+        let tried: Vec<_> = poses.iter().map(|&pose| self.hints_of_pose(link, pose)).collect();
+        let score = |index: usize| tried[index].0.unwrap_or(f64::INFINITY);
+        let Some(best) = (0..poses.len()).min_by(|&a, &b| score(a).total_cmp(&score(b))) else {
+            return Err(self.too_near(base, centre, distance.value()));
+        };
+        let per_mm = self.scales.length;
+        let rival = (0..poses.len()).find(|&other| {
+            other != best
+                && match (tried[best].0, tried[other].0) {
+                    (Some(a), Some(b)) => !chooses(a, b, per_mm),
+                    _ => true,
+                }
+        });
+        if let Some(rival) = rival {
+            let [first, second] = [best, rival].map(|i| tried[i].1.map_or([0.0; 2], |(_, at)| at));
+            let pin = tried[best].1.map_or(base, |(point, _)| point);
+            return Err(DrawError::Ambiguous { pin, first, second });
+        }
+        self.chosen(best);
+        Ok(poses[best])
+    }
+
+    /// In a rack's own figure the parallels to its line on which the wheel's centre can lie.
+    fn own_centre_tracks(&mut self, roll: usize) -> Vec<Line<B>> {
+        let Roll::Line { guide, radius, .. } = self.mechanism.rolls[roll] else { return Vec::new() };
+        let Track::Straight(line) = self.own_line(&guide) else { return Vec::new() };
+        let scale = self.length_scale();
+        let radius = self.board.amount(radius);
+        let mm = self.board.to_paper(radius, scale);
+        let left = self.board.quarter_turn(line.along);
+        let right = self.board.reverse(left);
+        [left, right].map(|way| Line { through: self.board.lay_off(line.through, way, mm), ..line }).to_vec()
+    }
+
+    /// The wheel is too near to the pin for the rack to pass between.
+    fn too_near(&self, base: PointId, centre: PointId, distance: f64) -> DrawError {
+        let name = |point: PointId| self.mechanism.point(point).name.clone();
+        let distance = distance * self.scales.length;
+        DrawError::CannotAssemble {
+            pin: centre,
+            why: Box::new(Misfit {
+                first: (name(base), distance),
+                second: (String::new(), None),
+                pin: name(centre),
+                distance,
+            }),
+            range: None,
+        }
+    }
+}

@@ -1,0 +1,290 @@
+//! Groups of every make: both solvers agree, and closed forms agree with both.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
+
+mod common;
+
+use std::f64::consts::PI;
+
+use common::Drawn;
+use linkgram::check::agreement;
+use linkgram::plan::Extent;
+use linkgram::{sheet, solve};
+
+/// Draws a scene, and has the other solver confirm every number of it.
+fn confirmed(text: &str) -> Drawn {
+    let scene = common::read(text);
+    let solved = solve::solve(&scene, Extent::Asked, sheet::scale::for_scene);
+    let solved = solved.unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let agreement = agreement(&scene, &solved, &solve::solve_analytically(&scene));
+    let (refused, branch) = (&agreement.refused, &agreement.wrong_branch);
+    assert!(agreement.ok(), "{refused:?} {branch:?} {}\n{text}", agreement.worst_ratio());
+    common::draw(&scene)
+}
+
+fn near_enough(found: f64, expected: f64) {
+    assert!((found - expected).abs() <= 1e-9 * (1.0 + expected.abs()), "{found} instead of {expected}");
+}
+
+fn vector(drawn: &Drawn, name: &str, expected: [f64; 2]) {
+    let (found, _) = drawn.vector(name);
+    for axis in 0..2 {
+        near_enough(found[axis], expected[axis]);
+    }
+}
+
+/// First and second derivative of a motion at time 0, by differences of high order.
+fn rates(motion: impl Fn(f64) -> f64) -> (f64, f64) {
+    let h = 1e-3;
+    let f = |k: i32| motion(f64::from(k) * h);
+    let first = ((f(1) - f(-1)) * 45.0 - (f(2) - f(-2)) * 9.0 + (f(3) - f(-3))) / (60.0 * h);
+    let second = (270.0 * (f(1) + f(-1)) - 27.0 * (f(2) + f(-2)) + 2.0 * (f(3) + f(-3)) - 490.0 * f(0))
+        / (180.0 * h * h);
+    (first, second)
+}
+
+/// A bare pin on a line of the frame, driven along it: `slides` without a block, on no link.
+#[test]
+fn a_driven_bare_pin_is_found_and_leads_a_rod() {
+    let drawn = confirmed(
+        r#"{
+          "fixed": { "O": [0, 0] },
+          "links": {
+            "2": { "joins": ["P", "B"], "length": 2 },
+            "3": { "joins": ["O", "B"], "length": 1.5 }
+          },
+          "slides": [ { "pin": "P", "on": { "link": 1, "through": [0, -3], "angle": 90 } } ],
+          "near": { "P": [0, -1.8], "B": [1.5, -0.4] },
+          "input": { "slide": "P", "at": 1.2, "velocity": 0.7, "acceleration": 0.3 },
+          "find": ["x(P)", "v(P)", "a(P)", "v(B)", "a(B)", "omega(3)", "alpha(3)"]
+        }"#,
+    );
+    vector(&drawn, "x(P)", [0.0, -1.8]);
+    vector(&drawn, "v(P)", [0.0, 0.7]);
+    vector(&drawn, "a(P)", [0.0, 0.3]);
+    // P at height y, O at 0: y² + 1.5² − 2·1.5·y·sin θ = 2².
+    let angle = |t: f64| {
+        let y = -1.8 + 0.7 * t + 0.15 * t * t;
+        libm::asin((y * y + 1.5 * 1.5 - 4.0) / (3.0 * y))
+    };
+    let (omega, alpha) = rates(angle);
+    near_to(drawn.scalar("omega(3)").0, omega);
+    near_to(drawn.scalar("alpha(3)").0, alpha);
+}
+
+/// As near as differences come.
+fn near_to(found: f64, expected: f64) {
+    assert!((found - expected).abs() <= 1e-6 * (1.0 + expected.abs()), "{found} instead of {expected}");
+}
+
+/// A bare pin of no link, in the slot of a crank and on a line of the frame: x = 2, y = 2 tan θ.
+#[test]
+fn a_bare_pin_on_two_guides_leads_a_rod() {
+    let drawn = confirmed(
+        r#"{
+          "fixed": { "O": [0, 0], "Q": [5, 1] },
+          "links": {
+            "2": { "joins": ["O", "A"], "length": 1 },
+            "3": { "joins": ["P", "B"], "length": 2 },
+            "4": { "joins": ["Q", "B"], "length": 2.5 }
+          },
+          "slides": [
+            { "pin": "P", "on": { "link": 2, "through": "O", "angle": 0 } },
+            { "pin": "P", "on": { "link": 1, "through": [2, 0], "angle": 90 } }
+          ],
+          "near": { "P": [2, 0.7], "B": [4, 2.8] },
+          "input": { "link": 2, "angle": 20, "omega": 3, "alpha": 1 },
+          "find": ["x(P)", "v(P)", "a(P)", "v(B)", "a(B)", "slip(P/2)", "omega(4)", "alpha(4)"]
+        }"#,
+    );
+    let height = |t: f64| 2.0 * libm::tan(20.0 * PI / 180.0 + 3.0 * t + 0.5 * t * t);
+    let (speed, acceleration) = rates(height);
+    vector(&drawn, "x(P)", [2.0, height(0.0)]);
+    near_to(drawn.vector("v(P)").0[1], speed);
+    near_to(drawn.vector("a(P)").0[1], acceleration);
+}
+
+/// A bare pin that is driven along a crank's own slot: r = 0.8 + 0.4 t − 0.1 t², θ = 20° + 3 t + t²/2.
+#[test]
+fn a_bare_pin_driven_along_a_turning_slot() {
+    let drawn = confirmed(
+        r#"{
+          "fixed": { "O": [0, 0], "Q": [3, 1] },
+          "links": {
+            "2": { "joins": ["O", "A"], "length": 1 },
+            "3": { "joins": ["P", "B"], "length": 2 },
+            "4": { "joins": ["Q", "B"], "length": 2.5 }
+          },
+          "slides": [ { "pin": "P", "on": { "link": 2, "through": "O", "angle": 0 } } ],
+          "near": { "P": [0.7, 0.3], "B": [1.2, 2.2] },
+          "inputs": [
+            { "link": 2, "angle": 20, "omega": 3, "alpha": 1 },
+            { "slide": "P", "at": 0.8, "velocity": 0.4, "acceleration": -0.2 }
+          ],
+          "find": ["x(P)", "v(P)", "a(P)", "slip(P/2)", "coriolis(P/2)", "aslip(P/2)", "a(B)"]
+        }"#,
+    );
+    let at = |t: f64| {
+        let (r, angle) = (0.8 + 0.4 * t - 0.1 * t * t, 20.0 * PI / 180.0 + 3.0 * t + 0.5 * t * t);
+        [r * libm::cos(angle), r * libm::sin(angle)]
+    };
+    for axis in 0..2 {
+        let (speed, acceleration) = rates(|t| at(t)[axis]);
+        near_to(drawn.vector("v(P)").0[axis], speed);
+        near_to(drawn.vector("a(P)").0[axis], acceleration);
+    }
+}
+
+/// A bare pin in the slot of a link that only translates, and on a line of the frame.
+#[test]
+fn a_bare_pin_in_the_slot_of_a_link_that_only_translates() {
+    let drawn = confirmed(
+        r#"{
+          "fixed": { "O": [0, 0] },
+          "links": { "2": { "joins": ["A"] }, "3": { "joins": ["P", "B"], "length": 2 } },
+          "slides": [
+            { "link": 2, "on": { "link": 1, "through": [0, 0], "angle": 0 } },
+            { "pin": "P", "on": { "link": 2, "through": "A", "angle": 45 } },
+            { "pin": "P", "on": { "link": 1, "through": [0, 1], "angle": 0 } },
+            { "pin": "B", "on": { "link": 1, "through": [0, 0], "angle": 0 } }
+          ],
+          "near": { "P": [1.8, 1], "B": [3.5, 0] },
+          "input": { "slide": 2, "at": 0.8, "velocity": 0.4, "acceleration": -0.2 },
+          "find": ["x(P)", "v(P)", "a(P)", "slip(P/2)"]
+        }"#,
+    );
+    vector(&drawn, "x(P)", [1.8, 1.0]);
+    vector(&drawn, "v(P)", [0.4, 0.0]);
+    vector(&drawn, "a(P)", [-0.2, 0.0]);
+    vector(&drawn, "slip(P/2)", [0.0, 0.0]);
+}
+
+/// A rack pinned to a crank and held against a pinion on a fixed shaft, stated by places: crank angle 60°.
+fn rack_on_crank(driver: u32, dimensions: bool) -> String {
+    let (crank, radius, shaft) = (0.1, 0.04, 0.25);
+    let pin = [crank * libm::cos(PI / 3.0), crank * libm::sin(PI / 3.0)];
+    let way = [shaft - pin[0], -pin[1]];
+    let direction = libm::atan2(way[1], way[0]) + libm::asin(radius / libm::hypot(way[0], way[1]));
+    let end = [pin[0] + 0.3 * libm::cos(direction), pin[1] + 0.3 * libm::sin(direction)];
+    let (known, sizes, angle) = if dimensions {
+        let [x, y] = end;
+        (
+            format!(r#""near": {{ "E": [{x}, {y}] }}"#),
+            [r#", "length": 0.1"#, r#", "length": 0.3"#],
+            r#""angle": 60, "#,
+        )
+    } else {
+        let ([a, b], [x, y]) = (pin, end);
+        (format!(r#""placed": {{ "A": [{a}, {b}], "E": [{x}, {y}] }}"#), ["", ""], "")
+    };
+    let [crank, rack] = sizes;
+    format!(
+        r#"{{
+          "fixed": {{ "O": [0, 0], "G": [0.25, 0] }}, {known},
+          "links": {{
+            "2": {{ "joins": ["O", "A"]{crank} }},
+            "3": {{ "joins": ["A", "E"]{rack} }},
+            "4": {{ "joins": ["G"] }}
+          }},
+          "rolls": [
+            {{ "links": [3, 4], "line": {{ "link": 3, "through": "A", "toward": "E" }}, "centre": "G", "radius": 0.04 }}
+          ],
+          "input": {{ "link": {driver}, {angle}"omega": 5, "alpha": 2 }},
+          "find": ["v(A)", "v(E)", "a(E)", "omega(2)", "omega(3)", "omega(4)", "alpha(2)", "alpha(3)", "alpha(4)"]
+        }}"#
+    )
+}
+
+/// Direction of the rack and turn of the pinion by the crank's angle: the rack's line is tangent to the pinion, and
+/// what of it has passed the contact has turned the pinion.
+fn rack_and_pinion(crank: f64) -> [f64; 2] {
+    let way = [0.25 - 0.1 * libm::cos(crank), -0.1 * libm::sin(crank)];
+    let reach = libm::hypot(way[0], way[1]);
+    let direction = libm::atan2(way[1], way[0]) + libm::asin(0.04 / reach);
+    let past = libm::sqrt(reach * reach - 0.04 * 0.04);
+    // The contact lies to the left of the way from the centre; the material past it goes with the pinion's rim.
+    [direction, direction + past / 0.04]
+}
+
+#[test]
+fn a_rack_on_a_crank_turns_a_pinion_whichever_is_driven() {
+    let motion = |part: usize| rates(|t| rack_and_pinion(PI / 3.0 + 5.0 * t + t * t)[part]);
+    let (rack, pinion) = (motion(0), motion(1));
+    for dimensions in [false, true] {
+        let by_crank = confirmed(&rack_on_crank(2, dimensions));
+        near_to(by_crank.scalar("omega(3)").0, rack.0);
+        near_to(by_crank.scalar("alpha(3)").0, rack.1);
+        near_to(by_crank.scalar("omega(4)").0, pinion.0);
+        near_to(by_crank.scalar("alpha(4)").0, pinion.1);
+    }
+    // The other way about: the ratio of the rates is the same, and the first derivative gives ω.
+    for driver in [3, 4] {
+        let drawn = confirmed(&rack_on_crank(driver, false));
+        let ratio = 5.0 / pinion.0;
+        near_to(drawn.scalar("omega(2)").0 / drawn.scalar("omega(4)").0, ratio);
+        near_to(drawn.scalar("omega(3)").0 / drawn.scalar("omega(4)").0, rack.0 / pinion.0);
+    }
+}
+
+/// Willis: with a ring at rest ω_arm = ω_sun r_sun / (r_sun + r_ring); the planet turns at −ω_arm (r_ring − r_planet)
+/// / r_planet.
+#[test]
+fn an_epicyclic_train_driven_at_its_sun() {
+    let drawn = confirmed(
+        r#"{
+          "units": { "length": "mm" },
+          "fixed": { "O": [0, 0] },
+          "placed": { "C": [60, 0] },
+          "links": { "2": { "joins": ["O"] }, "3": { "joins": ["C"] }, "4": { "joins": ["O", "C"] } },
+          "rolls": [
+            { "links": [2, 3], "centres": ["O", "C"], "radii": [40, 20] },
+            { "links": [1, 3], "centres": ["O", "C"], "radii": [80, 20], "internal": true }
+          ],
+          "input": { "link": 2, "omega": 10, "alpha": 4 },
+          "find": ["omega(3)", "omega(4)", "alpha(3)", "alpha(4)", "v(C)", "a(C)"]
+        }"#,
+    );
+    near_enough(drawn.scalar("omega(4)").0, 10.0 / 3.0);
+    near_enough(drawn.scalar("alpha(4)").0, 4.0 / 3.0);
+    near_enough(drawn.scalar("omega(3)").0, -10.0);
+    near_enough(drawn.scalar("alpha(3)").0, -4.0);
+    vector(&drawn, "v(C)", [0.0, 0.2]);
+    vector(&drawn, "a(C)", [-0.06 * 100.0 / 9.0, 0.08]);
+}
+
+/// A bar driven by its angle, one end on a line of the frame, the other on a link that rides another line:
+/// x_A + 2 cos θ = s cos φ and 2 sin θ = s sin φ.
+#[test]
+fn a_driven_bar_with_an_end_on_a_riding_link() {
+    let text = |rider: &str, ride: &str| {
+        format!(
+            r#"{{
+              "fixed": {{ "O": [0, 0] }},
+              "links": {{ "3": {{ "joins": ["A", "B"], "length": 2 }}, "4": {{ {rider} }} }},
+              "slides": [
+                {{ "pin": "A", "on": {{ "link": 1, "through": "O", "angle": 0 }} }},
+                {{ {ride} }}
+              ],
+              "near": {{ "A": [1.3, 0], "B": [0.3, 1.73] }},
+              "input": {{ "link": 3, "angle": 120, "omega": 2, "alpha": 1 }},
+              "find": ["x(A)", "v(A)", "a(A)", "v(B)", "a(B)"]
+            }}"#
+        )
+    };
+    let riding = text(r#""joins": ["B"]"#, r#""link": 4, "on": { "link": 1, "through": "O", "angle": 80 }"#);
+    let beside = text(
+        r#""joins": ["D", "B"], "length": 0.5"#,
+        r#""link": 4, "on": { "link": 1, "through": "O", "angle": 80 }"#,
+    );
+    let x = |t: f64| {
+        let bar = 2.0 * PI / 3.0 + 2.0 * t + 0.5 * t * t;
+        2.0 * libm::sin(bar) / libm::tan(80.0 * PI / 180.0) - 2.0 * libm::cos(bar)
+    };
+    let (speed, acceleration) = rates(x);
+    for text in [riding, beside] {
+        let drawn = confirmed(&text);
+        vector(&drawn, "x(A)", [x(0.0), 0.0]);
+        near_to(drawn.vector("v(A)").0[0], speed);
+        near_to(drawn.vector("a(A)").0[0], acceleration);
+    }
+}
