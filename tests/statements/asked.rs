@@ -62,7 +62,8 @@ pub(crate) fn ask(m: &Mechanism, state: &State, said: &Said, dice: &mut Dice) ->
     let e = turns.iter().fold(0.0_f64, |s, t| s.max(t.second.abs())).max(w * w);
     let v = moving.iter().fold(0.0_f64, |s, p| s.max(length(p.velocity())));
     let a = moving.iter().fold(0.0_f64, |s, p| s.max(length(p.acceleration())));
-    let scales = [far, v.max(w * size), a.max(e * size), w.max(v / size), e.max(a / size)];
+    let a = a.max(e * size).max(v * v / size);
+    let scales = [far, v.max(w * size), a, w.max(v / size), e.max(a / size)];
     let mut ask = Asker { m, state, said, asked: vec![], scales };
     for (i, p) in m.points.iter().enumerate() {
         let name = &p.name;
@@ -141,6 +142,7 @@ pub(crate) fn ask(m: &Mechanism, state: &State, said: &Said, dice: &mut Dice) ->
         }
         centre(&mut ask, b, c);
     }
+    transmissions(&mut ask);
     for slide in &m.slides {
         let (point, _) = m.rider(slide);
         let on = slide.on;
@@ -177,6 +179,27 @@ pub(crate) fn ask(m: &Mechanism, state: &State, said: &Said, dice: &mut Dice) ->
     asked
 }
 
+/// Angles at the pins of two bars.
+fn transmissions(ask: &mut Asker) {
+    let m = ask.m;
+    for (i, pin) in m.points.iter().enumerate() {
+        let [b, c] = pin.of.as_slice() else { continue };
+        let ends = [*b, *c].map(|b| match m.bodies[b].joins.as_slice() {
+            [p, q] if *p == i => Some(*q),
+            [p, q] if *q == i => Some(*p),
+            _ => None,
+        });
+        let [Some(p), Some(q)] = ends else { continue };
+        if m.points[p].of.len() < 2 || m.points[q].of.len() < 2 {
+            continue;
+        }
+        let (arm, other) = (minus(m.at(p), pin.at), minus(m.at(q), pin.at));
+        let between = libm::atan2(cross(arm, other).abs(), dot(arm, other));
+        let name = format!("transmission({}/{})", m.bodies[*b].number, m.bodies[*c].number);
+        ask.add(name, Truth::Scalar(between), 0, 0);
+    }
+}
+
 /// The instant centre of two bodies.
 fn centre(ask: &mut Asker, b: usize, c: usize) {
     let (m, state) = (ask.m, ask.state);
@@ -204,5 +227,4 @@ fn centre(ask: &mut Asker, b: usize, c: usize) {
     if let Some(last) = ask.asked.last_mut() {
         last.off *= off;
     }
-    let _ = cross(place, place);
 }

@@ -2,7 +2,7 @@
 
 use crate::dice::Dice;
 use crate::mechanism::{
-    Contact, Driver, FRAME, Input, Kind, Mechanism, Path, Place, Rider, Roll, Slide, cross, direction, dot, left,
+    Contact, Driver, FRAME, Input, Kind, Mechanism, Path, Place, Rider, Roll, Slide, direction, left,
     length, minus, plus, unit,
 };
 
@@ -198,8 +198,66 @@ impl Grower<'_> {
         Ok(Driver::Link(link))
     }
 
+    /// An arm, a planet, a sun, and perhaps a ring that stands or turns.
+    fn epicyclic(&mut self) -> Result<Vec<Driver>, NoRoom> {
+        let o = self.fixed()?;
+        let (arm, c) = self.rod(o)?;
+        let apart = length(minus(self.m.at(c), self.m.at(o)));
+        let planet = self.link();
+        self.m.join(planet, c);
+        let sun = self.link();
+        self.m.join(sun, o);
+        let mut wheels = vec![planet, sun];
+        let r = (apart * self.dice.between(0.25, 0.7) * 10.0).round() / 10.0;
+        let s = apart - r;
+        let mesh = |bodies, radii, internal| Roll {
+            bodies,
+            contact: Contact::Wheels { centres: [o, c], radii, internal },
+            keeps_distance: false,
+        };
+        self.m.rolls.push(mesh([sun, planet], [r, s], false));
+        let mut drivers = vec![arm, sun];
+        match self.dice.below(3) {
+            0 => {}
+            1 => {
+                self.m.rolls.push(mesh([FRAME, planet], [apart + s, s], true));
+                drivers.push(planet);
+                self.dice.shuffle(&mut drivers);
+                drivers.truncate(1);
+            }
+            _ => {
+                let ring = self.link();
+                self.m.join(ring, o);
+                wheels.push(ring);
+                self.m.rolls.push(mesh([ring, planet], [apart + s, s], true));
+                drivers.push(ring);
+                self.dice.shuffle(&mut drivers);
+                drivers.truncate(2);
+            }
+        }
+        for wheel in wheels {
+            if self.dice.chance(0.6) {
+                let at = self.somewhere()?;
+                self.m.point(wheel, at);
+            }
+        }
+        self.made.push("epicyclic");
+        if !drivers.contains(&arm) {
+            self.made.push("led-by-wheels");
+        }
+        Ok(drivers.into_iter().map(Driver::Link).collect())
+    }
+
+    /// Something that moves, and how it is driven.
+    fn base(&mut self) -> Result<Vec<Driver>, NoRoom> {
+        if self.dice.chance(0.05) {
+            return self.epicyclic();
+        }
+        self.base_of_one().map(|driver| vec![driver])
+    }
+
     /// Something that moves with one degree of freedom, and how it is driven.
-    fn base(&mut self) -> Result<Driver, NoRoom> {
+    fn base_of_one(&mut self) -> Result<Driver, NoRoom> {
         match self.dice.below(100) {
             0..58 => self.crank(),
             58..68 => {
@@ -260,13 +318,17 @@ impl Grower<'_> {
 
     fn contact_with_plane(&mut self, plane: usize, wheel: usize, centre: usize) {
         let along = self.some_direction();
+        self.pitch_line(plane, wheel, centre, along, true);
+    }
+
+    fn pitch_line(&mut self, rack: usize, wheel: usize, centre: usize, along: Place, keeps_distance: bool) {
         let radius = (self.dice.between(0.5, 2.0) * 10.0).round() / 10.0;
         let foot = plus(self.m.at(centre), left(along), -radius * self.dice.side());
         let through = plus(foot, along, self.dice.between(-2.0, 2.0));
         self.m.rolls.push(Roll {
-            bodies: [plane, wheel],
+            bodies: [rack, wheel],
             contact: Contact::Rack { through, along, centre, radius },
-            keeps_distance: true,
+            keeps_distance,
         });
     }
 
@@ -502,6 +564,12 @@ impl Grower<'_> {
 
     fn radii(&mut self, apart: f64) -> ([f64; 2], bool) {
         if self.dice.chance(0.6) {
+            if self.dice.chance(0.4) {
+                // As of 20 and 30 teeth.
+                #[expect(clippy::cast_precision_loss, reason = "few teeth")]
+                let [z, y] = [self.dice.below(40) + 12, self.dice.below(40) + 12].map(|z| z as f64);
+                return ([apart * z / (z + y), apart * y / (z + y)], false);
+            }
             let r = apart * self.dice.between(0.25, 0.75);
             ([r, apart - r], false)
         } else {
@@ -575,14 +643,7 @@ impl Grower<'_> {
         self.m.point(rack, e);
         let Path::Line { through, along } = self.guide(FRAME, b) else { return Err(NoRoom) };
         self.rides(rack, FRAME, Path::Line { through, along }, false);
-        let radius = (self.dice.between(0.5, 2.0) * 10.0).round() / 10.0;
-        let foot = plus(self.m.at(o), left(along), -radius * self.dice.side());
-        let through = plus(foot, along, self.dice.between(-2.0, 2.0));
-        self.m.rolls.push(Roll {
-            bodies: [rack, a],
-            contact: Contact::Rack { through, along, centre: o, radius },
-            keeps_distance: false,
-        });
+        self.pitch_line(rack, a, o, along, false);
         Ok(())
     }
 
@@ -600,9 +661,61 @@ impl Grower<'_> {
         Ok(())
     }
 
+    /// A rack in a guide of an arm, moved by the planet on that arm.
+    fn rack_on_arm(&mut self) -> Grown {
+        let planets: Vec<(usize, usize)> = self
+            .m
+            .rolls
+            .iter()
+            .filter_map(|roll| match roll.contact {
+                Contact::Wheels { centres, .. } if !roll.keeps_distance => Some((roll.bodies[1], centres[1])),
+                _ => None,
+            })
+            .filter(|(_, c)| !self.m.is_fixed(*c))
+            .collect();
+        if planets.is_empty() {
+            return Err(NoRoom);
+        }
+        let (planet, c) = self.dice.of(&planets);
+        let arm = self.m.points[c].of[0];
+        if arm == planet {
+            return Err(NoRoom);
+        }
+        let rack = self.link();
+        let b = self.somewhere()?;
+        self.m.point(rack, b);
+        let e = self.somewhere()?;
+        self.m.point(rack, e);
+        let Path::Line { through, along } = self.guide(arm, b) else { return Err(NoRoom) };
+        self.rides(rack, arm, Path::Line { through, along }, false);
+        self.pitch_line(rack, planet, c, along, false);
+        Ok(())
+    }
+
+    /// A gear about a moving point of a link, and one that rolls on it at the end of a rocker.
+    fn eccentric(&mut self) -> Grown {
+        let p = self.moving()?;
+        let a = self.m.points[p].of[0];
+        if self.m.bodies[a].kind != Kind::Link {
+            return Err(NoRoom);
+        }
+        let o = self.other(p)?;
+        let (_, b) = self.rod(o)?;
+        let wheel = self.link();
+        self.m.join(wheel, b);
+        if self.dice.chance(0.4) {
+            let at = self.somewhere()?;
+            self.m.point(wheel, at);
+        }
+        let (radii, internal) = self.radii(length(minus(self.m.at(b), self.m.at(p))));
+        let contact = Contact::Wheels { centres: [p, b], radii, internal };
+        self.m.rolls.push(Roll { bodies: [a, wheel], contact, keeps_distance: true });
+        Ok(())
+    }
+
     fn group(&mut self) -> Grown {
         type Group<'a> = (usize, &'static str, fn(&mut Grower<'a>) -> Grown);
-        let groups: [Group; 14] = [
+        let groups: [Group; 16] = [
             (20, "rrr", |g| {
                 let p = g.moving()?;
                 g.rrr_at(p)
@@ -620,6 +733,8 @@ impl Grower<'_> {
             (4, "wheel-on-rod", Self::wheel_on_rod),
             (3, "rack", Self::rack),
             (3, "rack-on-crank", Self::rack_on_crank),
+            (3, "rack-on-arm", Self::rack_on_arm),
+            (3, "eccentric", Self::eccentric),
         ];
         let all: usize = groups.iter().map(|g| g.0).sum();
         let mut n = self.dice.below(all);
@@ -732,9 +847,9 @@ fn drivable(m: &Mechanism, slide: usize) -> bool {
 pub(crate) fn grow(dice: &mut Dice) -> Option<Growth> {
     let regular = dice.chance(0.3);
     let mut g = Grower { dice, m: Mechanism::new(), regular, made: vec![] };
-    let mut drivers = vec![g.base().ok()?];
+    let mut drivers = g.base().ok()?;
     if g.dice.chance(0.12) {
-        drivers.push(g.base().ok()?);
+        drivers.extend(g.base().ok()?);
     }
     g.interest(0.35);
     let groups = g.dice.of(&[0, 1, 1, 1, 1, 2, 2, 2, 3, 4]);
@@ -787,6 +902,5 @@ pub(crate) fn grow(dice: &mut Dice) -> Option<Growth> {
             i.second *= scale;
         }
     }
-    let _ = (cross([0.0; 2], [0.0; 2]), dot([0.0; 2], [0.0; 2]));
     Some(Growth { mechanism: m, made })
 }

@@ -121,3 +121,30 @@ pub(crate) fn judge(scene: &Value, asked: &[Asked]) -> Verdict {
     verdict.right = right;
     verdict
 }
+
+/// What a sweep says wrongly of the scene's own position.
+pub(crate) fn at_start(sweep: &linkgram::sweep::Sweep, asked: &[Asked]) -> Vec<String> {
+    let Some(row) = sweep.at(sweep.start) else { return vec!["the start is in no stretch".to_owned()] };
+    let mut complaints = Vec::new();
+    for (column, found) in sweep.columns.iter().zip(&row) {
+        let Some(asked) = asked.iter().find(|a| a.name == column.asked.name) else { continue };
+        let Some(found) = found else {
+            complaints.push(format!("{} is not there", asked.name));
+            continue;
+        };
+        let turn = 2.0 * std::f64::consts::PI;
+        let truth = match (&asked.truth, column.axis) {
+            (Truth::Scalar(truth) | Truth::Angle(truth), None) => *truth,
+            (Truth::Vector(truth), Some(axis)) => truth[axis],
+            _ => continue,
+        };
+        let mut apart = found.value - truth;
+        if matches!(asked.truth, Truth::Angle(_)) {
+            apart -= turn * (apart / turn).round();
+        }
+        if apart.abs() > asked.off + found.error {
+            complaints.push(format!("{} = {} should be {truth}", column.name(), found.value));
+        }
+    }
+    complaints
+}

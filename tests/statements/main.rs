@@ -20,6 +20,7 @@ mod jet;
 mod judge;
 mod mechanism;
 mod minimise;
+mod restated;
 mod statement;
 mod truth;
 
@@ -28,7 +29,11 @@ use std::collections::BTreeMap;
 use asked::Asked;
 use dice::Dice;
 use judge::{Fault, Verdict};
+use linkgram::plan::Extent;
+use linkgram::sheet::{self, Language, scale};
+use mechanism::{length, minus};
 use serde_json::Value;
+use truth::State;
 
 /// A scene with its truth.
 struct Case {
@@ -38,16 +43,22 @@ struct Case {
     ways: Vec<&'static str>,
 }
 
-/// The scene of this seed; why there is none, otherwise.
-fn case(seed: u64) -> Result<Case, &'static str> {
+/// The mechanism of this seed with its motion, its groups, and the dice that go on; why there is none, otherwise.
+fn moving(seed: u64) -> Result<(grow::Growth, State, Dice), &'static str> {
     let mut dice = Dice::new(seed);
     let growth = grow::grow(&mut dice).ok_or("nothing grew")?;
-    let m = growth.mechanism;
-    let state = truth::solve(&m).map_err(|why| match why {
-        truth::NoTruth::Mobility { .. } => "mobility",
-        truth::NoTruth::Open(_) => "open",
+    let state = truth::solve(&growth.mechanism).map_err(|why| match why {
+        truth::NoTruth::Mobility { .. } => "another mobility",
+        truth::NoTruth::Open(_) => "places that do not close",
         truth::NoTruth::Singular(_) => "next to a dead centre",
     })?;
+    Ok((growth, state, dice))
+}
+
+/// The scene of this seed; why there is none, otherwise.
+fn case(seed: u64) -> Result<Case, &'static str> {
+    let (growth, state, mut dice) = moving(seed)?;
+    let m = growth.mechanism;
     let said = statement::say(&m, &growth.made, &mut dice);
     let asked = asked::ask(&m, &state, &said, &mut dice);
     if asked.is_empty() {
@@ -119,6 +130,62 @@ fn shape(scene: &Value) -> String {
 
 fn from_environment(name: &str, default: u64) -> u64 {
     std::env::var(name).ok().and_then(|s| s.parse().ok()).unwrap_or(default)
+}
+
+/// The equations of the truth say what the places do when they are solved a little later and a little earlier.
+#[test]
+fn the_truth_is_the_derivative_of_places() {
+    let mut held = 0;
+    for seed in 0..400 {
+        let Ok((growth, state, _)) = moving(seed) else { continue };
+        let m = growth.mechanism;
+        let turns = (1..m.bodies.len()).map(|b| state.turn(b));
+        let points: Vec<_> = m.points.iter().map(|p| state.place(p.of[0], p.at)).collect();
+        let size = m.size();
+        let mut w = turns.fold(0.0_f64, |w, t| w.max(t.rate.abs()).max(t.second.abs().sqrt()));
+        for p in &points {
+            w = w.max(length(p.velocity()) / size).max((length(p.acceleration()) / size).sqrt());
+        }
+        let h = 1e-3 / w;
+        let times = [-2.0, -1.0, 1.0, 2.0];
+        let states: Option<Vec<State>> = times.iter().map(|t| truth::later(&m, t * h)).collect();
+        let states = states.unwrap();
+        for (i, p) in m.points.iter().enumerate() {
+            let places: Vec<[f64; 2]> = states.iter().map(|s| s.place(p.of[0], p.at).value()).collect();
+            for k in [0, 1] {
+                let at = |j: usize| places[j][k] - p.at[k];
+                let v = (at(0) - 8.0 * at(1) + 8.0 * at(2) - at(3)) / (12.0 * h);
+                let a = (-at(0) + 16.0 * at(1) + 16.0 * at(2) - at(3)) / (12.0 * h * h);
+                let off = (v - points[i].velocity()[k]).abs() / (size * w);
+                assert!(off < 1e-6, "seed {seed}: v({}) is off by {off:e}", p.name);
+                let off = (a - points[i].acceleration()[k]).abs() / (size * w * w);
+                assert!(off < 1e-5, "seed {seed}: a({}) is off by {off:e}", p.name);
+            }
+        }
+        held += 1;
+    }
+    assert!(held > 300, "{held} mechanisms");
+}
+
+/// The first of the asked quantities of so many scenes, swept and drawn.
+#[test]
+fn sheets_and_sweeps_of_the_statements() {
+    let mut swept = 0;
+    for seed in 0..from_environment("LINKGRAM_SHEETS", 120) {
+        let Ok(case) = case(seed) else { continue };
+        let text = judge::asking(&case.scene, &case.asked).to_string();
+        let scene = linkgram::scene::read(&text, "scene.json").unwrap();
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, scale::for_scene);
+        let solved = solved.unwrap_or_else(|error| panic!("seed {seed}: {error}\n{text}"));
+        let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+        let svg = linkgram::render::svg::write(&figure);
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "seed {seed}: a sheet with no number");
+        let Ok(sweep) = linkgram::sweep::Sweep::new(&scene.mechanism, None) else { continue };
+        let complaints = judge::at_start(&sweep, &case.asked);
+        assert!(complaints.is_empty(), "seed {seed}: {complaints:?}\n{text}");
+        swept += 1;
+    }
+    assert!(swept > 50, "{swept} sweeps");
 }
 
 #[test]

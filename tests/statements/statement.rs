@@ -464,10 +464,16 @@ impl Writer<'_> {
         match roll.contact {
             Contact::Wheels { centres, radii, internal } => {
                 let [p, q] = centres.map(|p| self.name(p).to_owned());
-                let radii = radii.map(|r| self.length(r));
-                let [r, s] = radii;
                 said.insert("centres".into(), if swap { json!([q, p]) } else { json!([p, q]) });
-                said.insert("radii".into(), if swap { json!([s, r]) } else { json!([r, s]) });
+                if let Some((teeth, module)) = teeth(radii) {
+                    let [z, y] = teeth;
+                    said.insert("teeth".into(), if swap { json!([y, z]) } else { json!([z, y]) });
+                    let module = self.length(module);
+                    said.insert("module".into(), module);
+                } else {
+                    let [r, s] = radii.map(|r| self.length(r));
+                    said.insert("radii".into(), if swap { json!([s, r]) } else { json!([r, s]) });
+                }
                 if internal || self.dice.chance(0.3) {
                     said.insert("internal".into(), json!(internal));
                 }
@@ -498,6 +504,11 @@ impl Writer<'_> {
                         let at = self.angle(at);
                         said.insert("angle".into(), at);
                     }
+                }
+                let swivels = self.m.slides.iter().any(|s| s.on == body && s.swivel);
+                if joins.len() == 1 && swivels && self.dice.chance(0.5) {
+                    let at = self.angle(self.own[body].angle);
+                    said.insert("angle".into(), at);
                 }
                 if joins.len() > 1 && self.m.is_fixed(joins[0]) && self.dice.chance(0.2) {
                     let to = self.dice.of(&joins[1..]);
@@ -552,6 +563,17 @@ impl Writer<'_> {
     }
 }
 
+/// Numbers of teeth and a module for these radii, where few teeth will do.
+fn teeth(radii: [f64; 2]) -> Option<([u32; 2], f64)> {
+    (12..52).find_map(|z| {
+        let other = f64::from(z) * radii[1] / radii[0];
+        let whole = other.round();
+        let fits = (other - whole).abs() < 1e-13 * other && (12.0..60.0).contains(&whole);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "12 to 60")]
+        fits.then(|| ([z, whole as u32], 2.0 * radii[0] / f64::from(z)))
+    })
+}
+
 /// What comes of dividing by a number of degrees is nearly whole more often than chance has it.
 fn tidy(x: f64) -> f64 {
     if (x - x.round()).abs() < 1e-12 * (1.0 + x.abs()) { x.round() } else { x }
@@ -565,7 +587,7 @@ pub(crate) fn say(m: &Mechanism, made: &[&'static str], dice: &mut Dice) -> Said
         time: if dice.chance(0.8) { TIMES[0] } else { dice.of(&TIMES) },
     };
     let mut ways = Vec::new();
-    let exotic = made.contains(&"driven-elsewhere") && !m.rolls.is_empty();
+    let exotic = made.contains(&"led-by-wheels") || made.contains(&"driven-elsewhere") && !m.rolls.is_empty();
     let part = match dice.below(100) {
         _ if exotic => 1.0,
         0..40 => 1.0,
