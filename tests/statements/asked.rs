@@ -1,9 +1,8 @@
 //! Every name that a scene may ask for, with the truth of it, in SI units.
 
 use crate::dice::Dice;
-use crate::mechanism::{
-    FRAME, Kind, Mechanism, Path, Place, cross, dot, left, length, minus, plus, unit,
-};
+use crate::jet::Moving;
+use crate::mechanism::{FRAME, Kind, Mechanism, Path, Place, cross, dot, left, length, minus, plus, unit};
 use crate::statement::Said;
 use crate::truth::State;
 
@@ -42,7 +41,8 @@ impl Asker<'_> {
     fn add(&mut self, name: String, truth: Truth, lengths: i32, times: usize) {
         let (l, t) = (self.said.units.length.1, self.said.units.time.1);
         let si = if lengths == 1 { l } else { 1.0 } / [1.0, t, t * t][times];
-        let scale = if lengths == 1 { self.scales[times] } else { [1.0, self.scales[3], self.scales[4]][times] };
+        let scale =
+            if lengths == 1 { self.scales[times] } else { [1.0, self.scales[3], self.scales[4]][times] };
         let truth = match truth {
             Truth::Scalar(x) => Truth::Scalar(x * si),
             Truth::Vector(x) => Truth::Vector(x.map(|x| x * si)),
@@ -110,7 +110,8 @@ pub(crate) fn ask(m: &Mechanism, state: &State, said: &Said, dice: &mut Dice) ->
             let arm = minus(m.at(p), m.at(q));
             let turn = turns[i];
             let pair = format!("{}/{}", m.points[p].name, m.points[q].name);
-            let both: Vec<usize> = m.points[p].of.iter().copied().filter(|b| m.points[q].of.contains(b)).collect();
+            let both: Vec<usize> =
+                m.points[p].of.iter().copied().filter(|b| m.points[q].of.contains(b)).collect();
             if both.len() == 1 {
                 let an = arm.map(|x| -x * turn.rate * turn.rate);
                 ask.add(format!("an({pair})"), Truth::Vector(an), 1, 2);
@@ -123,9 +124,9 @@ pub(crate) fn ask(m: &Mechanism, state: &State, said: &Said, dice: &mut Dice) ->
         let (p, q) = (dice.below(m.points.len()), dice.below(m.points.len()));
         if p != q {
             let pair = format!("{}/{}", m.points[p].name, m.points[q].name);
-            let by = |f: fn(crate::jet::Moving) -> Place| minus(f(moving[p]), f(moving[q]));
-            ask.add(format!("v({pair})"), Truth::Vector(by(crate::jet::Moving::velocity)), 1, 1);
-            ask.add(format!("a({pair})"), Truth::Vector(by(crate::jet::Moving::acceleration)), 1, 2);
+            let by = |f: fn(Moving) -> Place| minus(f(moving[p]), f(moving[q]));
+            ask.add(format!("v({pair})"), Truth::Vector(by(Moving::velocity)), 1, 1);
+            ask.add(format!("a({pair})"), Truth::Vector(by(Moving::acceleration)), 1, 2);
         }
     }
     let named: Vec<usize> = (0..m.bodies.len()).filter(|b| m.bodies[*b].kind != Kind::Particle).collect();
@@ -204,16 +205,24 @@ fn transmissions(ask: &mut Asker) {
 fn centre(ask: &mut Asker, b: usize, c: usize) {
     let (m, state) = (ask.m, ask.state);
     let name = format!("I({},{})", m.bodies[b].number, m.bodies[c].number);
-    let turn = state.turn(b).rate - state.turn(c).rate;
     let at = m.points[0].at;
-    let apart = minus(state.place(b, at).velocity(), state.place(c, at).velocity());
-    let (v, w, far) = (ask.scales[1], ask.scales[3], ask.scales[0]);
+    let apart = |f: fn(Moving) -> Place| minus(f(state.place(b, at)), f(state.place(c, at)));
+    // At a momentary rest of everything, accelerations are as velocities a moment later.
+    let rest = m.inputs.iter().all(|i| i.rate == 0.0);
+    let ((turn, apart), (v, w)) = if rest {
+        let turn = state.turn(b).second - state.turn(c).second;
+        ((turn, apart(Moving::acceleration)), (ask.scales[2], ask.scales[4]))
+    } else {
+        let turn = state.turn(b).rate - state.turn(c).rate;
+        ((turn, apart(Moving::velocity)), (ask.scales[1], ask.scales[3]))
+    };
+    let far = ask.scales[0];
     if turn.abs() < 1e-9 * w {
-        if length(apart) < 1e-6 * v {
-            return;
+        if length(apart) > 1e-6 * v {
+            let direction = unit(left(apart));
+            let off = EXACT * v / length(apart);
+            ask.asked.push(Asked { name, truth: Truth::AtInfinity(direction), off });
         }
-        let direction = unit(left(apart));
-        ask.asked.push(Asked { name, truth: Truth::AtInfinity(direction), off: EXACT * v / length(apart) });
         return;
     }
     if turn.abs() < 1e-3 * w {

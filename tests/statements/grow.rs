@@ -2,8 +2,8 @@
 
 use crate::dice::Dice;
 use crate::mechanism::{
-    Contact, Driver, FRAME, Input, Kind, Mechanism, Path, Place, Rider, Roll, Slide, direction, left,
-    length, minus, plus, unit,
+    Contact, Driver, FRAME, Input, Kind, Mechanism, Path, Place, Rider, Roll, Slide, direction, left, length,
+    minus, plus, unit,
 };
 
 /// Points nearer to each other than this are no joints of one mechanism.
@@ -79,7 +79,15 @@ impl Grower<'_> {
             let n = self.dice.below(8) as f64;
             // Axes are exact.
             let d = direction(n * eighth);
-            d.map(|x| if x.abs() < 1e-9 { 0.0 } else if (x.abs() - 1.0).abs() < 1e-9 { x.signum() } else { x })
+            d.map(|x| {
+                if x.abs() < 1e-9 {
+                    0.0
+                } else if (x.abs() - 1.0).abs() < 1e-9 {
+                    x.signum()
+                } else {
+                    x
+                }
+            })
         } else {
             direction(self.dice.between(-3.1, 3.1))
         }
@@ -176,7 +184,12 @@ impl Grower<'_> {
     fn pin_in_block(&mut self, point: usize, on: usize, path: Path) {
         let block = self.m.body(Kind::Block);
         self.m.join(block, point);
-        self.m.slides.push(Slide { rider: Rider::Pin { point, block: Some(block) }, on, path, swivel: false });
+        self.m.slides.push(Slide {
+            rider: Rider::Pin { point, block: Some(block) },
+            on,
+            path,
+            swivel: false,
+        });
     }
 
     fn rides(&mut self, link: usize, on: usize, path: Path, swivel: bool) {
@@ -448,7 +461,12 @@ impl Grower<'_> {
             }
         };
         let path = self.guide(a, at);
-        self.m.slides.push(Slide { rider: Rider::Pin { point: p, block: Some(block) }, on: a, path, swivel: false });
+        self.m.slides.push(Slide {
+            rider: Rider::Pin { point: p, block: Some(block) },
+            on: a,
+            path,
+            swivel: false,
+        });
         let path = self.guide(b, at);
         self.pin_in_block(p, b, path);
         Ok(())
@@ -596,7 +614,8 @@ impl Grower<'_> {
 
     fn planet(&mut self) -> Grown {
         let (a, o) = self.pivoted()?;
-        let ends: Vec<usize> = self.m.bodies[a].joins.iter().copied().filter(|p| !self.m.is_fixed(*p)).collect();
+        let ends: Vec<usize> =
+            self.m.bodies[a].joins.iter().copied().filter(|p| !self.m.is_fixed(*p)).collect();
         if ends.is_empty() {
             return Err(NoRoom);
         }
@@ -869,7 +888,8 @@ pub(crate) fn grow(dice: &mut Dice) -> Option<Growth> {
     let mut made = made;
     // Another link or slide drives instead.
     if dice.chance(0.25) {
-        let mut all: Vec<Driver> = (0..m.slides.len()).filter(|s| drivable(&m, *s)).map(Driver::Slide).collect();
+        let mut all: Vec<Driver> =
+            (0..m.slides.len()).filter(|s| drivable(&m, *s)).map(Driver::Slide).collect();
         all.extend((1..m.bodies.len()).filter(|b| m.bodies[*b].kind == Kind::Link).map(Driver::Link));
         let other = dice.of(&all);
         if m.inputs.iter().all(|i| i.driver != other) {

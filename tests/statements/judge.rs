@@ -42,7 +42,15 @@ fn ratio(answer: &Answer, asked: &Asked) -> Result<f64, String> {
             (cross(*direction, *truth).abs(), *bound)
         }
         (Answer::Indeterminate(why), _) => return Err(why.to_string()),
-        (other, truth) => return Ok(if matches!(truth, Truth::AtInfinity(_)) || matches!(other, Answer::AtInfinity { .. }) { 1e30 } else { f64::NAN }),
+        (other, truth) => {
+            return Ok(
+                if matches!(truth, Truth::AtInfinity(_)) || matches!(other, Answer::AtInfinity { .. }) {
+                    1e30
+                } else {
+                    f64::NAN
+                },
+            );
+        }
     };
     if apart == 0.0 {
         return Ok(0.0);
@@ -70,7 +78,8 @@ pub(crate) fn judge(scene: &Value, asked: &[Asked]) -> Verdict {
     };
     let run = std::panic::catch_unwind(|| {
         let read = linkgram::scene::read(&text, "scene.json").map_err(|e| ("unreadable", e.to_string()))?;
-        let solved = linkgram::solve::solve(&read, Extent::Asked, scale::for_scene).map_err(|e| ("refused", e.to_string()))?;
+        let solved = linkgram::solve::solve(&read, Extent::Asked, scale::for_scene)
+            .map_err(|e| ("refused", e.to_string()))?;
         let analytic = linkgram::solve::solve_analytically(&read);
         let agreement = agreement(&read, &solved, &analytic);
         Ok((agreement, analytic.err().map(|e| e.to_string())))
@@ -100,7 +109,11 @@ pub(crate) fn judge(scene: &Value, asked: &[Asked]) -> Verdict {
         match ratio(&compared.graphical.answer, asked) {
             Err(why) => fault("graphical indeterminate", name, why),
             Ok(r) if r <= 1.0 => right += 1,
-            Ok(r) => fault("graphical wrong", name, format!("{:?} should be {:?} ({r:.1e})", compared.graphical.answer, asked.truth)),
+            Ok(r) => fault(
+                "graphical wrong",
+                name,
+                format!("{:?} should be {:?} ({r:.1e})", compared.graphical.answer, asked.truth),
+            ),
         }
         match ratio(&compared.analytic, asked) {
             Err(why) => {
@@ -111,12 +124,20 @@ pub(crate) fn judge(scene: &Value, asked: &[Asked]) -> Verdict {
             Ok(r) if r <= 1.0 => {}
             Ok(r) => {
                 right = before;
-                fault("analytic wrong", name, format!("{:?} should be {:?} ({r:.1e})", compared.analytic, asked.truth));
+                fault(
+                    "analytic wrong",
+                    name,
+                    format!("{:?} should be {:?} ({r:.1e})", compared.analytic, asked.truth),
+                );
             }
         }
     }
     if !agreement.ok() && verdict.faults.is_empty() {
-        verdict.faults.push(Fault { kind: "disagree", name: None, why: format!("ratio {:e}, branch {:?}", agreement.worst_ratio(), agreement.wrong_branch) });
+        verdict.faults.push(Fault {
+            kind: "disagree",
+            name: None,
+            why: format!("ratio {:e}, branch {:?}", agreement.worst_ratio(), agreement.wrong_branch),
+        });
     }
     verdict.right = right;
     verdict

@@ -12,6 +12,7 @@
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
 mod asked;
+mod campaign;
 #[path = "../extremes/dice.rs"]
 #[allow(dead_code, reason = "shared with the extremes")]
 mod dice;
@@ -24,14 +25,11 @@ mod restated;
 mod statement;
 mod truth;
 
-use std::collections::BTreeMap;
-
 use asked::Asked;
 use dice::Dice;
-use judge::{Fault, Verdict};
 use linkgram::plan::Extent;
 use linkgram::sheet::{self, Language, scale};
-use mechanism::{length, minus};
+use mechanism::length;
 use serde_json::Value;
 use truth::State;
 
@@ -68,64 +66,6 @@ fn case(seed: u64) -> Result<Case, &'static str> {
     made.sort_unstable();
     made.dedup();
     Ok(Case { scene: said.scene, asked, made, ways: said.ways })
-}
-
-/// A fault without its names and numbers.
-fn class(fault: &Fault) -> String {
-    let mut why = String::new();
-    let wrong = fault.kind.ends_with("wrong");
-    if !wrong {
-        for word in fault.why.split_whitespace() {
-            let plain = word.trim_matches(|c: char| !c.is_alphanumeric());
-            let name = plain.len() <= 2 && plain.starts_with(|c: char| c.is_ascii_uppercase());
-            let number = plain.contains(|c: char| c.is_ascii_digit());
-            why += if number { "#" } else if name { "P" } else { word };
-            why.push(' ');
-        }
-    }
-    format!("{} {why}", fault.kind)
-}
-
-/// What comes first of what follows from it.
-fn rank(fault: &Fault) -> usize {
-    let name = fault.name.as_deref().and_then(|n| n.split('(').next()).unwrap_or("");
-    ["", "x", "angle", "v", "omega", "slip", "I", "rub", "a", "alpha"].iter().position(|n| *n == name).unwrap_or(20)
-}
-
-/// What a scene consists of.
-fn shape(scene: &Value) -> String {
-    let links = scene["links"].as_object().unwrap();
-    let list = |key: &str| scene.get(key).and_then(Value::as_array).cloned().unwrap_or_default();
-    let mut parts = Vec::new();
-    let joins = |n: &Value| {
-        links.get(&n.to_string()).map_or("block".to_owned(), |l| format!("{}j", l["joins"].as_array().unwrap().len()))
-    };
-    for slide in list("slides") {
-        let rider = if slide.get("link").is_some() { format!("link{}", joins(&slide["link"])) } else if slide.get("block").is_some() { "block".to_owned() } else { "pin".to_owned() };
-        let on = if slide["on"]["link"] == 1 { "frame".to_owned() } else { joins(&slide["on"]["link"]) };
-        let arc = if slide["on"].get("radius").is_some() { "arc" } else { "" };
-        parts.push(format!("{rider}/{on}{arc}"));
-    }
-    for roll in list("rolls") {
-        parts.push(if roll.get("line").is_some() { "rack".to_owned() } else { "wheels".to_owned() });
-    }
-    parts.sort();
-    let mut drives = Vec::new();
-    let mut inputs = list("inputs");
-    inputs.extend(scene.get("input").cloned());
-    for input in inputs {
-        let angle = if input.get("angle").is_some() || input.get("at").is_some() { "+at" } else { "" };
-        drives.push(if let Some(n) = input.get("link") {
-            format!("link{}{angle}", joins(n))
-        } else if input["slide"].is_string() {
-            format!("pin{angle}")
-        } else {
-            format!("slide{}{angle}", joins(&input["slide"]))
-        });
-    }
-    let placed = scene.get("placed").is_some();
-    let near = scene.get("near").is_some();
-    format!("{} links, [{}], by {}{}{}", links.len(), parts.join(" "), drives.join(" & "), if placed { ", placed" } else { "" }, if near { ", near" } else { "" })
 }
 
 fn from_environment(name: &str, default: u64) -> u64 {
@@ -167,99 +107,64 @@ fn the_truth_is_the_derivative_of_places() {
     assert!(held > 300, "{held} mechanisms");
 }
 
-/// The first of the asked quantities of so many scenes, swept and drawn.
+/// Whole sheets of a sample, and their sweeps at the place from which they start.
 #[test]
 fn sheets_and_sweeps_of_the_statements() {
-    let mut swept = 0;
-    for seed in 0..from_environment("LINKGRAM_SHEETS", 120) {
+    let (mut drawn, mut swept) = (0, 0);
+    let mut complaints = Vec::new();
+    for seed in 0..from_environment("LINKGRAM_SHEETS", 150) {
         let Ok(case) = case(seed) else { continue };
+        if !judge::judge(&case.scene, &case.asked).faults.is_empty() {
+            continue;
+        }
         let text = judge::asking(&case.scene, &case.asked).to_string();
         let scene = linkgram::scene::read(&text, "scene.json").unwrap();
-        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, scale::for_scene);
-        let solved = solved.unwrap_or_else(|error| panic!("seed {seed}: {error}\n{text}"));
-        let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
-        let svg = linkgram::render::svg::write(&figure);
-        assert!(!svg.contains("NaN") && !svg.contains("inf"), "seed {seed}: a sheet with no number");
+        match linkgram::solve::solve(&scene, Extent::WholeSkeleton, scale::for_scene) {
+            Ok(solved) => {
+                let figure = sheet::solution(&scene, &solved.solution.construction, Language::English);
+                let svg = linkgram::render::svg::write(&figure);
+                if svg.contains("NaN") || svg.contains("\"inf") {
+                    complaints.push(format!("seed {seed}: the sheet has no number\n{text}"));
+                }
+                drawn += 1;
+            }
+            Err(error) => complaints.push(format!("seed {seed}: {error}\n{text}")),
+        }
         let Ok(sweep) = linkgram::sweep::Sweep::new(&scene.mechanism, None) else { continue };
-        let complaints = judge::at_start(&sweep, &case.asked);
-        assert!(complaints.is_empty(), "seed {seed}: {complaints:?}\n{text}");
+        let found = judge::at_start(&sweep, &case.asked);
+        if !found.is_empty() {
+            complaints.push(format!("seed {seed}: {found:?}\n{text}"));
+        }
         swept += 1;
     }
-    assert!(swept > 50, "{swept} sweeps");
+    assert!(complaints.is_empty(), "{} complaints\n{}", complaints.len(), complaints.join("\n\n"));
+    assert!(drawn > 70 && swept > 40, "{drawn} sheets, {swept} sweeps");
+}
+
+/// Both solvers give the truth of every statement.
+#[test]
+fn every_statement_has_the_truth() {
+    let tally = campaign::run(0..from_environment("LINKGRAM_SAMPLE", 2000), 2);
+    println!("{}", tally.table());
+    assert!(tally.scenes() > 1500, "{}", tally.table());
+    assert!(tally.is_clean(), "{}\n{}", tally.table(), tally.smallest());
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn campaign() {
-    let (from, count) = (from_environment("LINKGRAM_SEED", 0), from_environment("LINKGRAM_CAMPAIGN", 2000));
-    let out = std::env::var("LINKGRAM_FOUND").ok();
-    let mut none: BTreeMap<&str, u64> = BTreeMap::new();
-    type Smallest = Option<(usize, u64, Value, String)>;
-    let mut classes: BTreeMap<String, (u64, Smallest)> = BTreeMap::new();
-    let mut plain: BTreeMap<String, u64> = BTreeMap::new();
-    let minimised = from_environment("LINKGRAM_MINIMISED", 10);
-    let (mut scenes, mut whole, mut right) = (0_u64, 0_u64, 0_usize);
-    let mut by_group: BTreeMap<String, (u64, u64)> = BTreeMap::new();
-    std::panic::set_hook(Box::new(|_| {}));
-    for seed in from..from + count {
-        let case = match case(seed) {
-            Ok(case) => case,
-            Err(why) => {
-                *none.entry(why).or_default() += 1;
-                continue;
-            }
-        };
-        scenes += 1;
-        let started = std::time::Instant::now();
-        let verdict: Verdict = judge::judge(&case.scene, &case.asked);
-        if started.elapsed().as_secs_f64() > 1.0 {
-            println!("{seed} took {:?}: {:?}", started.elapsed(), case.made);
-        }
-        right += verdict.right;
-        for key in case.made.iter().chain(&case.ways) {
-            let counted = by_group.entry((*key).to_owned()).or_default();
-            counted.0 += 1;
-            counted.1 += u64::from(verdict.faults.is_empty());
-        }
-        if verdict.faults.is_empty() {
-            whole += 1;
-        }
-        if count == 1 {
-            println!("{:#}\n{:?}\n{:#?}", judge::asking(&case.scene, &case.asked), case.made, verdict.faults);
-        }
-        let Some(fault) = verdict.faults.iter().min_by_key(|f| rank(f)) else { continue };
-        let known = class(fault);
-        *plain.entry(known.clone()).or_default() += 1;
-        if plain[&known] > minimised || started.elapsed().as_secs_f64() > 3.0 {
-            continue;
-        }
-        let (small, why) = minimise::minimise(&case.scene, &case.asked, fault, &known);
-        let entry = classes.entry(format!("{known} | {}", shape(&small))).or_default();
-        entry.0 += 1;
-        let size = small.to_string().len();
-        if entry.1.as_ref().is_none_or(|(least, ..)| size < *least) {
-            if entry.0 == 1 && let Some(path) = &out {
-                let shape = shape(&small);
-                let text = format!("## {known} | {shape} (seed {seed}, {:?})\n{why}\n```json\n{small}\n```\n\n", case.made);
-                use std::io::Write;
-                std::fs::OpenOptions::new().append(true).create(true).open(path).unwrap().write_all(text.as_bytes()).unwrap();
-            }
-            entry.1 = Some((size, seed, small, why));
-        }
+    let from = from_environment("LINKGRAM_SEED", 0);
+    let count = from_environment("LINKGRAM_CAMPAIGN", 100_000);
+    if count == 1 {
+        let case = case(from).unwrap();
+        let faults = judge::judge(&case.scene, &case.asked).faults;
+        println!("{:#}\n{:?}\n{faults:#?}", judge::asking(&case.scene, &case.asked), case.made);
+        return;
     }
-    drop(std::panic::take_hook());
-    println!("{scenes} scenes, {whole} wholly right; {right} quantities right; no scene: {none:?}");
-    for (group, (all, right)) in by_group {
-        println!("  {group}: {right} of {all}");
+    let tally = campaign::run(from..from + count, from_environment("LINKGRAM_MINIMISED", 10));
+    println!("{}", tally.table());
+    if let Ok(path) = std::env::var("LINKGRAM_FOUND") {
+        std::fs::write(path, tally.smallest()).unwrap();
     }
-    for (class, times) in &plain {
-        println!("{times:6} {class}");
-    }
-    println!();
-    let mut table: Vec<_> = classes.into_iter().collect();
-    table.sort_by_key(|(_, entry)| std::cmp::Reverse(entry.0));
-    for (class, (times, smallest)) in &table {
-        let Some((_, seed, ..)) = smallest else { continue };
-        println!("{times:6} {class} ({seed})");
-    }
+    assert!(tally.is_clean(), "{}", tally.smallest());
 }

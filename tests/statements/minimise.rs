@@ -12,7 +12,7 @@ pub(crate) fn minimise(scene: &Value, asked: &[Asked], fault: &Fault, class: &st
         None => asked.to_vec(),
     };
     let same = |scene: &Value, asked: &[Asked]| {
-        !asked.is_empty() && judge(scene, asked).faults.iter().any(|f| crate::class(f) == class)
+        !asked.is_empty() && judge(scene, asked).faults.iter().any(|f| crate::campaign::class(f) == class)
     };
     let mut scene = scene.clone();
     if !same(&scene, &asked) {
@@ -110,7 +110,8 @@ fn take(scene: &mut Value, part: &Part) -> bool {
             }
             for key in ["slides", "rolls", "placed", "near", "pins"] {
                 let empty = scene.get(key).is_some_and(|v| {
-                    v.as_array().is_some_and(Vec::is_empty) || v.as_object().is_some_and(serde_json::Map::is_empty)
+                    v.as_array().is_some_and(Vec::is_empty)
+                        || v.as_object().is_some_and(serde_json::Map::is_empty)
                 });
                 if empty {
                     scene.as_object_mut().unwrap().remove(key);

@@ -19,7 +19,9 @@ use crate::mechanism::{Place, angle, direction, length, minus};
 fn examples() -> Vec<(String, Value)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut all = Vec::new();
-    for folder in ["examples", "examples/centres", "examples/errata", "examples/pairs", "examples/constructions"] {
+    for folder in
+        ["examples", "examples/centres", "examples/errata", "examples/pairs", "examples/constructions"]
+    {
         for entry in std::fs::read_dir(root.join(folder)).unwrap() {
             let path = entry.unwrap().path();
             if path.extension().is_some_and(|e| e == "json") {
@@ -97,7 +99,9 @@ fn by_places(scene: &Value) -> Option<Value> {
     let dimensioned: Vec<String> = scene["links"]
         .as_object()?
         .iter()
-        .filter(|(_, l)| l["joins"].as_array().is_some_and(|j| j.len() > 1) && l.as_object().is_some_and(|l| l.len() > 1))
+        .filter(|(_, l)| {
+            l["joins"].as_array().is_some_and(|j| j.len() > 1) && l.as_object().is_some_and(|l| l.len() > 1)
+        })
         .map(|(n, _)| n.clone())
         .collect();
     let mut names: Vec<String> = points.iter().map(|p| format!("x({p})")).collect();
@@ -135,10 +139,8 @@ fn by_places(scene: &Value) -> Option<Value> {
         for key in ["through", "centre"] {
             if let Some(at) = guide.get(key).filter(|p| p.is_array()) {
                 let p = [number(&at[0])?, number(&at[1])?];
-                let world = [
-                    own.origin[0] + p[0] * x[0] - p[1] * x[1],
-                    own.origin[1] + p[0] * x[1] + p[1] * x[0],
-                ];
+                let world =
+                    [own.origin[0] + p[0] * x[0] - p[1] * x[1], own.origin[1] + p[0] * x[1] + p[1] * x[0]];
                 guide[key] = json!(world);
             }
         }
@@ -236,7 +238,9 @@ fn complaints(name: &str, example: &Value) -> Option<Vec<String>> {
     let mut all = Vec::new();
     let mut hold = |solver: &str, n: &String, answer: &Answer| match apart(answer, &expected[n]) {
         Some((apart, allowed)) if apart <= allowed + 1e-9 * largest(&n[..1]) => {}
-        Some((apart, allowed)) => all.push(format!("{name}, {solver}: {n} off by {apart:e} of {allowed:e}\n{scene}")),
+        Some((apart, allowed)) => {
+            all.push(format!("{name}, {solver}: {n} off by {apart:e} of {allowed:e}\n{scene}"))
+        }
         None => all.push(format!("{name}, {solver}: {n} is {answer:?}, not {:?}\n{scene}", expected[n])),
     };
     match solve(&read, Extent::Asked, scale::for_scene) {

@@ -4,8 +4,8 @@ use serde_json::{Map, Value, json};
 
 use crate::dice::Dice;
 use crate::mechanism::{
-    Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, angle, cross, direction, dot, left, length, minus,
-    plus, unit,
+    Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, angle, cross, direction, dot, left, length,
+    minus, plus, unit,
 };
 
 const TURN: f64 = 2.0 * std::f64::consts::PI;
@@ -209,7 +209,8 @@ impl Writer<'_> {
             return;
         }
         let straight = here.iter().all(|p| {
-            cross(unit(minus(here[1], here[0])), minus(*p, here[0])).abs() < 1e-9 * length(minus(here[1], here[0]))
+            cross(unit(minus(here[1], here[0])), minus(*p, here[0])).abs()
+                < 1e-9 * length(minus(here[1], here[0]))
         });
         let mut ways = vec![Dimensions::Shape];
         if straight {
@@ -270,7 +271,14 @@ impl Writer<'_> {
     }
 
     /// A straight guide of a body, with the place on it from which it counts.
-    fn line(&mut self, on: usize, through: Place, along: Place, swivel: bool, link_said: bool) -> (Map<String, Value>, Place) {
+    fn line(
+        &mut self,
+        on: usize,
+        through: Place,
+        along: Place,
+        swivel: bool,
+        link_said: bool,
+    ) -> (Map<String, Value>, Place) {
         let mut guide = Map::new();
         let number = self.m.bodies[on].number;
         if on != FRAME || link_said || self.dice.chance(0.7) {
@@ -296,8 +304,11 @@ impl Writer<'_> {
                 .copied()
                 .filter(|p| cross(along, minus(self.m.at(*p), through)).abs() < 1e-9 * self.m.size())
                 .collect();
-            let choice =
-                if !on_line.is_empty() && self.dice.chance(0.7) { self.dice.of(&on_line) } else { self.dice.of(&points) };
+            let choice = if !on_line.is_empty() && self.dice.chance(0.7) {
+                self.dice.of(&on_line)
+            } else {
+                self.dice.of(&points)
+            };
             from_point = Some(choice);
             from = self.m.at(choice);
             // Left of the line is where its offset goes.
@@ -319,8 +330,11 @@ impl Writer<'_> {
                 guide.insert("through".into(), place)
             }
         };
-        let others: Vec<usize> =
-            points.iter().copied().filter(|p| length(minus(self.m.at(*p), from)) > 0.05 * self.m.size()).collect();
+        let others: Vec<usize> = points
+            .iter()
+            .copied()
+            .filter(|p| length(minus(self.m.at(*p), from)) > 0.05 * self.m.size())
+            .collect();
         let mut turned;
         if !others.is_empty() && self.dice.chance(0.5) {
             let toward = self.dice.of(&others);
@@ -427,7 +441,8 @@ impl Writer<'_> {
             }
             Dimensions::Line => {
                 let x = direction(own.angle);
-                let all: Vec<Value> = here.iter().map(|p| self.length(dot(x, minus(*p, own.origin)))).collect();
+                let all: Vec<Value> =
+                    here.iter().map(|p| self.length(dot(x, minus(*p, own.origin)))).collect();
                 said.insert("line".into(), json!(all));
             }
             Dimensions::Sides => {
@@ -643,11 +658,7 @@ pub(crate) fn say(m: &Mechanism, made: &[&'static str], dice: &mut Dice) -> Said
         }
     }
     let mut scene = Map::new();
-    let names = [
-        (units.length, "length", "m"),
-        (units.angle, "angle", "deg"),
-        (units.time, "time", "s"),
-    ];
+    let names = [(units.length, "length", "m"), (units.angle, "angle", "deg"), (units.time, "time", "s")];
     let mut said_units = Map::new();
     for (unit, key, default) in names {
         if unit.0 != default || w.dice.chance(0.3) {
@@ -687,7 +698,8 @@ pub(crate) fn say(m: &Mechanism, made: &[&'static str], dice: &mut Dice) -> Said
     if w.dice.chance(0.4) {
         w.dice.shuffle(&mut order);
     }
-    let said: Map<String, Value> = order.iter().map(|b| (m.bodies[*b].number.to_string(), w.link(*b))).collect();
+    let said: Map<String, Value> =
+        order.iter().map(|b| (m.bodies[*b].number.to_string(), w.link(*b))).collect();
     scene.insert("links".into(), Value::Object(said));
     let mut slides = Vec::new();
     let mut zeros = Vec::new();

@@ -5,7 +5,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::jet::{Jet, Moving};
-use crate::mechanism::{Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, dot, left, length, minus};
+use crate::mechanism::{
+    Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, dot, left, length, minus,
+};
 
 /// Coordinates of all bodies but the frame, three to each.
 pub(crate) struct State {
@@ -108,7 +110,8 @@ fn equations(mechanism: &Mechanism, state: &State) -> Vec<Jet> {
                 let place = mechanism.at(centre);
                 let arm = state.place(b, place).minus(state.place(a, through));
                 let side = if dot(left(along), minus(place, through)) > 0.0 { 1.0 } else { -1.0 };
-                let run = state.direction(a, along).dot(arm) - Jet::constant(dot(along, minus(place, through)));
+                let run =
+                    state.direction(a, along).dot(arm) - Jet::constant(dot(along, minus(place, through)));
                 all.push(run + (state.turn(b) - state.turn(a)) * (side * radius));
                 if roll.keeps_distance {
                     all.push(state.direction(a, left(along)).dot(arm) - Jet::constant(side * radius));
@@ -135,7 +138,9 @@ fn drives(mechanism: &Mechanism, state: &State, after: f64) -> Vec<Jet> {
                 let place = mechanism.at(point);
                 let arm = state.place(body, place).minus(state.place(slide.on, through));
                 let start = dot(along, minus(place, through));
-                state.direction(slide.on, along).dot(arm) - Jet::constant(start) - driven(input.rate, input.second)
+                state.direction(slide.on, along).dot(arm)
+                    - Jet::constant(start)
+                    - driven(input.rate, input.second)
             }
         })
         .collect()
@@ -193,9 +198,7 @@ fn solve_linear(linear: &Linear, rights: &[f64]) -> Option<Vec<f64>> {
 
 fn start(mechanism: &Mechanism) -> State {
     let pivots = (0..mechanism.bodies.len())
-        .map(|body| {
-            mechanism.points.iter().find(|p| p.of.contains(&body)).map_or([0.0, 0.0], |p| p.at)
-        })
+        .map(|body| mechanism.points.iter().find(|p| p.of.contains(&body)).map_or([0.0, 0.0], |p| p.at))
         .collect();
     State { jets: vec![Jet::default(); 3 * (mechanism.bodies.len() - 1)], pivots, condition: 1.0 }
 }
@@ -243,7 +246,8 @@ fn rates(mechanism: &Mechanism, state: &mut State, after: f64) -> Result<(), NoT
 pub(crate) fn solve(mechanism: &Mechanism) -> Result<State, NoTruth> {
     let mut state = start(mechanism);
     let open = equations(mechanism, &state).iter().fold(0.0_f64, |worst, e| worst.max(e.value.abs()));
-    if open > 1e-12 * (mechanism.size() + mechanism.points.iter().fold(0.0, |s: f64, p| s.max(length(p.at)))) {
+    if open > 1e-12 * (mechanism.size() + mechanism.points.iter().fold(0.0, |s: f64, p| s.max(length(p.at))))
+    {
         return Err(NoTruth::Open(open));
     }
     rates(mechanism, &mut state, 0.0)?;
