@@ -14,7 +14,7 @@ use crate::minimise::minimise;
 
 /// Refusals of the drawing that are not what the truth says: a text of each, and what is missing. A number is never
 /// let through.
-const OPEN: [(&str, &str); 7] = [
+const OPEN: [(&str, &str); 8] = [
     (
         "refused: no construction is known for a group",
         "racks on cranks, trains led by a wheel, groups led elsewhere",
@@ -28,9 +28,10 @@ const OPEN: [(&str, &str); 7] = [
     ),
     ("refused: rolling does not say where the point stands", "trains that are led by a wheel"),
     (
-        "indeterminate: no two triangles of the circle diagram lead to this centre",
+        "indeterminate centre: no two triangles of the circle diagram lead to this centre",
         "centres of links driven apart",
     ),
+    ("indeterminate centre: dead centre at link", "centres of links driven apart"),
 ];
 
 /// A scene that takes longer is told by its seed.
@@ -66,10 +67,11 @@ pub(crate) struct Tally {
 
 /// A fault without its names and numbers.
 pub(crate) fn class(fault: &Fault) -> String {
+    let centre = fault.name.as_deref().is_some_and(|n| n.starts_with("I("));
+    let mut why = fault.kind.to_owned() + if centre { " centre:" } else { ":" };
     if fault.kind.ends_with("wrong") {
-        return fault.kind.to_owned();
+        return why;
     }
-    let mut why = fault.kind.to_owned() + ":";
     for word in fault.why.split_whitespace() {
         let plain = word.trim_matches(|c: char| !c.is_alphanumeric());
         let name = plain.len() <= 2 && plain.starts_with(|c: char| c.is_ascii_uppercase());
@@ -88,7 +90,7 @@ pub(crate) fn class(fault: &Fault) -> String {
 
 /// A class that is known not to hold.
 fn is_open(class: &str) -> bool {
-    class.starts_with("graphical ") | class.starts_with("refused")
+    (class.starts_with("graphical ") || class.starts_with("refused"))
         && OPEN.iter().any(|(text, _)| class.contains(text))
 }
 

@@ -25,16 +25,6 @@ impl Jet {
         let (w, e) = (self.rate, self.second);
         (Self::new(cos, -sin * w, -sin * e - cos * w * w), Self::new(sin, cos * w, cos * e - sin * w * w))
     }
-
-    fn reciprocal(self) -> Self {
-        let r = 1.0 / self.value;
-        Self::new(r, -self.rate * r * r, (2.0 * self.rate * self.rate * r - self.second) * r * r)
-    }
-
-    #[allow(dead_code)]
-    pub(crate) fn over(self, other: Self) -> Self {
-        self * other.reciprocal()
-    }
 }
 
 impl Add for Jet {

@@ -36,22 +36,23 @@ impl State {
     pub(crate) fn place(&self, body: usize, at: Place) -> Moving {
         let [x, y, turn] = self.body(body);
         let pivot = self.pivots[body];
-        let arm = self.direction_by(turn, minus(at, pivot));
+        let arm = turned(turn, minus(at, pivot));
         Moving { x: arm.x + x + Jet::constant(pivot[0]), y: arm.y + y + Jet::constant(pivot[1]) }
-    }
-
-    #[allow(clippy::unused_self)]
-    fn direction_by(&self, turn: Jet, along: Place) -> Moving {
-        let (c, s) = turn.cos_sin();
-        Moving { x: c * along[0] - s * along[1], y: s * along[0] + c * along[1] }
     }
 
     /// A direction of a body.
     pub(crate) fn direction(&self, body: usize, along: Place) -> Moving {
-        self.direction_by(self.turn(body), along)
+        turned(self.turn(body), along)
     }
 }
 
+/// A direction that has turned.
+fn turned(turn: Jet, along: Place) -> Moving {
+    let (c, s) = turn.cos_sin();
+    Moving { x: c * along[0] - s * along[1], y: s * along[0] + c * along[1] }
+}
+
+/// What holds the bodies together: zero in every position, with its rates.
 fn equations(mechanism: &Mechanism, state: &State) -> Vec<Jet> {
     let mut all = Vec::new();
     for point in &mechanism.points {
@@ -122,6 +123,7 @@ fn equations(mechanism: &Mechanism, state: &State) -> Vec<Jet> {
     all
 }
 
+/// What the inputs say, so long after the instant.
 fn drives(mechanism: &Mechanism, state: &State, after: f64) -> Vec<Jet> {
     let driven = |rate: f64, second: f64| {
         Jet::new(rate * after + 0.5 * second * after * after, rate + second * after, second)
