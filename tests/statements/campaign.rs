@@ -14,18 +14,19 @@ use crate::minimise::minimise;
 
 /// Refusals of the drawing that are not what the truth says: a text of each, and what is missing. A number is never
 /// let through.
-const OPEN: [(&str, &str); 8] = [
+const OPEN: [(&str, &str); 9] = [
     (
         "refused: no construction is known for a group",
         "racks on cranks, trains led by a wheel, groups led elsewhere",
     ),
     ("refused: the skeleton asks for something that no step draws", "driven pins without a block"),
-    ("indeterminate: no step of the drawing finds", "driven pins without a block"),
+    ("no step of the drawing finds", "driven pins without a block"),
     ("refused: cannot be assembled: P", "driven pins without a block"),
     (
         "refused: cannot be assembled: the group of the pin closes in no position",
         "groups of higher class led elsewhere",
     ),
+    ("no construction drew this vector", "driven pins without a block"),
     ("refused: rolling does not say where the point stands", "trains that are led by a wheel"),
     (
         "indeterminate centre: no two triangles of the circle diagram lead to this centre",

@@ -112,7 +112,7 @@ fn the_truth_is_the_derivative_of_places() {
 fn sheets_and_sweeps_of_the_statements() {
     let (mut drawn, mut swept) = (0, 0);
     let mut complaints = Vec::new();
-    for seed in 0..from_environment("LINKGRAM_SHEETS", 150) {
+    for seed in 0..from_environment("LINKGRAM_SHEETS", 120) {
         let Ok(case) = case(seed) else { continue };
         if !judge::judge(&case.scene, &case.asked).faults.is_empty() {
             continue;
@@ -138,15 +138,15 @@ fn sheets_and_sweeps_of_the_statements() {
         swept += 1;
     }
     assert!(complaints.is_empty(), "{} complaints\n{}", complaints.len(), complaints.join("\n\n"));
-    assert!(drawn > 70 && swept > 40, "{drawn} sheets, {swept} sweeps");
+    assert!(drawn > 60 && swept > 40, "{drawn} sheets, {swept} sweeps");
 }
 
-/// Both solvers give the truth of every statement.
+/// Both solvers give the truth of every statement. Few of them while some take seconds; the campaign takes more.
 #[test]
 fn every_statement_has_the_truth() {
-    let tally = campaign::run(0..from_environment("LINKGRAM_SAMPLE", 2000), 2);
+    let tally = campaign::run(0..from_environment("LINKGRAM_SAMPLE", 280), 2);
     println!("{}", tally.table());
-    assert!(tally.scenes() > 1500, "{}", tally.table());
+    assert!(tally.scenes() > 200, "{}", tally.table());
     assert!(tally.is_clean(), "{}\n{}", tally.table(), tally.smallest());
 }
 
