@@ -2,8 +2,10 @@
 
 use thiserror::Error;
 
+use crate::check::{Unconfirmed, confirm};
 use crate::graphical::Scales;
 use crate::graphical::construction::Construction;
+use crate::parallel;
 use crate::plan::{Auxiliary, Extent};
 use crate::render::theme::Theme;
 use crate::report::{diagnose, short};
@@ -52,6 +54,10 @@ pub enum NoFigure {
     /// The scene has no solution.
     #[error(transparent)]
     Unsolved(#[from] SolveError),
+    /// The figure would show something that the independent solver does not confirm. [`Settings::unchecked`] draws it
+    /// with a note.
+    #[error(transparent)]
+    Unconfirmed(#[from] Unconfirmed),
 }
 
 impl Kind {
@@ -83,6 +89,7 @@ impl NoFigure {
             Self::Wish(what) => what.clone(),
             Self::Sheet(diagnostic) => diagnostic.to_string(),
             Self::Unsolved(error) => diagnose(scene, error).to_string(),
+            Self::Unconfirmed(why) => unconfirmed(scene, why),
         }
     }
 }
@@ -137,16 +144,29 @@ pub fn figure(scene: &Scene, wish: &Wish) -> Result<Figure, NoFigure> {
     let (extent, solved) = wish.solve(scene, &names)?;
     let construction = &solved.solution.construction;
     let language = wish.language(scene);
-    let figure = match (wish.kind, &names[..]) {
-        (Kind::Question, []) => sheet::question(scene, construction, language),
-        (Kind::Question, _) => sheet::single_of_question(scene, construction, language),
-        (Kind::Steps, _) => sheet::step_by_step(scene, construction, language),
-        (Kind::Solution, []) => sheet::solution(scene, construction, language),
-        (Kind::Solution, names) => {
-            let shown = Shown { scene, extent, language, settings: wish.settings };
-            sheet::stack(&shown.singles(construction, names)?)
-        }
+    let compose = || {
+        Ok(match (wish.kind, &names[..]) {
+            (Kind::Question, []) => sheet::question(scene, construction, language),
+            (Kind::Question, _) => sheet::single_of_question(scene, construction, language),
+            (Kind::Steps, _) => sheet::step_by_step(scene, construction, language),
+            (Kind::Solution, []) => sheet::solution(scene, construction, language),
+            (Kind::Solution, names) => {
+                let shown = Shown { scene, extent, language, settings: wish.settings };
+                sheet::stack(&shown.singles(construction, names)?)
+            }
+        })
     };
+    // The sheet is composed while the other solver is at work.
+    let (confirmed, figure) = parallel::both(|| confirm(scene, &solved), compose);
+    let mut figure: Figure = match (figure, &confirmed) {
+        // What is wrong with the wish itself is told first.
+        (Err(error), _) => return Err(error),
+        (Ok(figure), _) => figure,
+    };
+    if let Err(why) = confirmed {
+        figure = wish.noted(figure, why, language)?;
+    }
+    figure = with_what_is_missing(figure, scene, &solved, language);
     if figure.width > LARGEST_SHEET || figure.height > LARGEST_SHEET {
         let [width, height] = [figure.width, figure.height].map(|mm| short(mm / 1000.0));
         let what = format!("at the stated scales the sheet would be {width} m wide and {height} m high");
@@ -169,10 +189,51 @@ pub fn film(scene: &Scene, wish: &Wish) -> Result<Vec<Figure>, NoFigure> {
         return Err(NoFigure::Wish("--as steps draws all figures; leave out --figure".to_owned()));
     }
     let (_, solved) = wish.solve(scene, &names)?;
-    Ok(sheet::film(scene, &solved.solution.construction, wish.language(scene)))
+    let language = wish.language(scene);
+    let film = || {
+        let frames = sheet::film(scene, &solved.solution.construction, language).into_iter();
+        frames.map(|frame| with_what_is_missing(frame, scene, &solved, language)).collect::<Vec<_>>()
+    };
+    match parallel::both(|| confirm(scene, &solved), film) {
+        (Ok(()), film) => Ok(film),
+        (Err(why), film) => film.into_iter().map(|frame| wish.noted(frame, why.clone(), language)).collect(),
+    }
+}
+
+/// That a figure is not drawn because it is not confirmed, and what can be done.
+#[must_use]
+pub fn unconfirmed(scene: &Scene, why: &Unconfirmed) -> String {
+    let file = scene.source.file();
+    format!(
+        "{file}: not confirmed, nothing is written: {why}; help: `--unchecked` draws it with a note that says so"
+    )
+}
+
+/// A figure with the note that says which links it does not show, where there are any.
+pub(crate) fn with_what_is_missing(
+    figure: Figure,
+    scene: &Scene,
+    solved: &Solved,
+    language: Language,
+) -> Figure {
+    match &solved.left_out {
+        None => figure,
+        Some(left) => {
+            let why = diagnose(scene, &left.why.clone().into()).what;
+            sheet::left_out(figure, &left.links, &why, language)
+        }
+    }
 }
 
 impl Wish {
+    /// A figure that is not confirmed, with the note that says so, where it may be drawn at all.
+    fn noted(&self, figure: Figure, why: Unconfirmed, language: Language) -> Result<Figure, NoFigure> {
+        if !self.settings.unchecked {
+            return Err(why.into());
+        }
+        Ok(sheet::unconfirmed(figure, why.name(), &why.to_string(), language))
+    }
+
     fn language(&self, scene: &Scene) -> Language {
         self.language.unwrap_or_else(|| language(scene))
     }

@@ -9,6 +9,16 @@ pub(crate) fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) 
     map_with(processors(), items, work)
 }
 
+/// Two things at once, where there is a thread for the first of them; else one after the other.
+pub(crate) fn both<A: Send, B>(one: impl Fn() -> A + Send + Sync, other: impl FnOnce() -> B) -> (A, B) {
+    std::thread::scope(|scope| {
+        let started = std::thread::Builder::new().spawn_scoped(scope, &one);
+        let other = other();
+        let done = started.ok().and_then(|thread| thread.join().ok());
+        (done.unwrap_or_else(&one), other)
+    })
+}
+
 /// How many processors there are.
 pub(crate) fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, NonZero::get)

@@ -194,8 +194,30 @@ impl Plan {
         source: CentreSource,
         auxiliary: &[Auxiliary],
     ) -> Self {
-        let mut wanted =
-            Wanted { mechanism, structure, source, steps: BTreeMap::new(), auxiliary: Vec::new() };
+        Self::leaving_out(mechanism, structure, extent, source, auxiliary, &BTreeSet::new())
+    }
+
+    /// The same without what hangs on these groups, by index, unless it is asked for.
+    #[must_use]
+    pub fn leaving_out(
+        mechanism: &Mechanism,
+        structure: &Structure,
+        extent: Extent,
+        source: CentreSource,
+        auxiliary: &[Auxiliary],
+        left_out: &BTreeSet<usize>,
+    ) -> Self {
+        let fresh = || Wanted { mechanism, structure, source, steps: BTreeMap::new(), auxiliary: Vec::new() };
+        // Whether something can be had without those groups.
+        let open = |want: &dyn Fn(&mut Wanted<'_>)| {
+            if left_out.is_empty() {
+                return true;
+            }
+            let mut way = fresh();
+            want(&mut way);
+            way.steps.keys().all(|(_, group)| !left_out.contains(group))
+        };
+        let mut wanted = fresh();
         for asked in mechanism.asked.iter().filter(|a| !a.by_centres()) {
             match asked.method {
                 Method::Klein => wanted.klein(&asked.quantity),
@@ -205,13 +227,18 @@ impl Plan {
         for &auxiliary in auxiliary {
             wanted.auxiliary(auxiliary);
         }
-        let centres = wanted.centres(extent);
+        let centres =
+            wanted.centres(extent, &|links| open(&|way: &mut Wanted<'_>| way.centre(links[0], links[1])));
         if extent != Extent::Asked {
-            for index in 0..mechanism.points.len() {
-                wanted.point(PointId(index), Order::Position);
+            for point in (0..mechanism.points.len()).map(PointId) {
+                if open(&|way| way.point(point, Order::Position)) {
+                    wanted.point(point, Order::Position);
+                }
             }
             for link in mechanism.moving() {
-                wanted.link(link, Order::Position);
+                if open(&|way| way.link(link, Order::Position)) {
+                    wanted.link(link, Order::Position);
+                }
             }
         }
         let steps_of = |order: Order| {
@@ -484,7 +511,7 @@ impl Wanted<'_> {
     }
 
     /// The wanted centres, with the links that their own steps solve.
-    fn centres(&mut self, extent: Extent) -> CentrePlan {
+    fn centres(&mut self, extent: Extent, open: &dyn Fn([LinkId; 2]) -> bool) -> CentrePlan {
         let asked = |a: &Asked| match a.quantity {
             Quantity::Centre(i, j) => Some(chord(i, j)),
             _ => None,
@@ -502,6 +529,7 @@ impl Wanted<'_> {
                 .flat_map(|i| all.clone().map(move |j| (i, j)))
                 .filter(|(i, j)| i < j)
                 .map(|(i, j)| [LinkId(i), LinkId(j)])
+                .filter(|links| open(*links))
                 .collect();
         }
         let feeds = self.mechanism.asked.iter().any(Asked::fed_by_centres);

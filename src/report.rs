@@ -1,7 +1,7 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
 use crate::graphical::{DrawError, Missing};
-use crate::mechanism::quantity::{Answer, Asked};
+use crate::mechanism::quantity::{Answer, Unit};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
 use crate::mechanism::{Input, Mechanism};
 use crate::scene::{Diagnostic, Scene, Subject};
@@ -160,9 +160,18 @@ pub(crate) fn two_digits(x: f64) -> String {
     text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
 }
 
-/// An answer for people: value in its unit.
-pub(crate) fn describe(asked: &Asked, answer: &Answer) -> String {
-    let unit = &asked.unit;
+/// A number with so many significant digits, one at least; a power of ten where the zeros would be more than digits.
+pub(crate) fn significant(x: f64, digits: usize) -> String {
+    let text = format!("{x:.*e}", digits.saturating_sub(1));
+    match text.parse::<f64>() {
+        Ok(rounded) if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) => format!("{rounded}"),
+        Ok(rounded) => format!("{rounded:e}"),
+        Err(_) => text,
+    }
+}
+
+/// An answer for people, in a unit.
+pub(crate) fn describe_in(unit: &Unit, answer: &Answer) -> String {
     match answer {
         Answer::Scalar { value, .. } => {
             format!("{} {}", short(value / unit.si), unit.symbol)

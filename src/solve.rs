@@ -1,10 +1,12 @@
 //! From a scene to its checked solution: the whole way in one call.
 
+use std::collections::BTreeSet;
+
 use crate::analytic::{self, AnalyticError, State};
 pub use crate::board::{Arithmetic, Hand};
 use crate::graphical::construction::Reading;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
@@ -15,6 +17,8 @@ use crate::sweep::{self, PositionError};
 pub struct Settings {
     /// The arithmetic of the board.
     pub arithmetic: Arithmetic,
+    /// Figures are drawn even where the independent solver does not confirm them, with a note that says so.
+    pub unchecked: bool,
 }
 
 /// A scene taken apart, planned and drawn.
@@ -28,6 +32,19 @@ pub struct Solved {
     pub scales: Scales,
     /// The graphical solution.
     pub solution: Solution,
+    /// What the skeleton does not show, because nothing asked needs it and it cannot be drawn.
+    pub left_out: Option<LeftOut>,
+}
+
+/// Links that a skeleton does not show.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeftOut {
+    /// Their numbers, ascending.
+    pub links: Vec<u32>,
+    /// Why the first of them cannot be drawn.
+    pub why: DrawError,
+    /// The groups that cannot be drawn, by index; what hangs on them is not among them.
+    groups: BTreeSet<usize>,
 }
 
 /// Why a scene has no solution.
@@ -112,20 +129,84 @@ pub fn solve_with(
     let others = sweep::other_positions(&scene.mechanism, inputs, assembly)?;
     let draw = |plan: &Plan| {
         let extents = graphical::extents(&scene.mechanism, &structure, plan)?.with(&others);
-        let scales = choose(scene, extents);
-        let drawn = graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales);
-        drawn.map(|solution| (scales, solution))
+        let construct = |extents| {
+            let scales = choose(scene, extents);
+            graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales)
+                .map(|solution| (scales, solution))
+        };
+        let (scales, solution) = construct(extents)?;
+        match solution.without_noise(extents) {
+            Some(quiet) => construct(quiet),
+            None => Ok((scales, solution)),
+        }
     };
-    let plan_from = |source| Plan::with_auxiliary(&scene.mechanism, &structure, extent, source, auxiliary);
-    let mut plan = plan_from(CentreSource::Diagram);
-    let (mut scales, mut solution) = draw(&plan)?;
+    let plan_from = |source, left_out: &BTreeSet<usize>| {
+        Plan::leaving_out(&scene.mechanism, &structure, extent, source, auxiliary, left_out)
+    };
+    let mut plan = plan_from(CentreSource::Diagram, &BTreeSet::new());
+    let mut left_out = None;
+    let (mut scales, mut solution) = match draw(&plan) {
+        Err(error) if extent != Extent::Asked => {
+            let left = without_the_impossible(scene, &structure, &mut plan, error, &plan_from)?;
+            left_out = Some(left);
+            draw(&plan)?
+        }
+        drawn => drawn?,
+    };
     if solution.construction.circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty()) {
-        plan = plan_from(CentreSource::Velocities);
+        let without = left_out.as_ref().map_or_else(BTreeSet::new, |left: &LeftOut| left.groups.clone());
+        plan = plan_from(CentreSource::Velocities, &without);
         (scales, solution) = draw(&plan)?;
     }
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     solution.construction.others = others;
-    Ok(Solved { structure, plan, scales, solution })
+    Ok(Solved { structure, plan, scales, solution, left_out })
+}
+
+/// A plan for as much of the skeleton as can be drawn: the groups that cannot, and what hangs on them, are left out,
+/// where nothing asked needs them.
+fn without_the_impossible(
+    scene: &Scene,
+    structure: &Structure,
+    plan: &mut Plan,
+    first: DrawError,
+    plan_from: &dyn Fn(CentreSource, &BTreeSet<usize>) -> Plan,
+) -> Result<LeftOut, SolveError> {
+    let mechanism = &scene.mechanism;
+    let asked = Plan::new(mechanism, structure, Extent::Asked);
+    // What is asked is told of as if nobody wanted the rest.
+    graphical::extents(mechanism, structure, &asked)?;
+    let needed: BTreeSet<usize> = asked.position.iter().map(|step| step.group).collect();
+    let mut groups = BTreeSet::new();
+    loop {
+        let idle: Vec<usize> =
+            plan.position.iter().map(|step| step.group).filter(|group| !needed.contains(group)).collect();
+        // Groups stand in the order in which they hang on each other.
+        let closes = |count: usize| {
+            let kept = |group: &usize| needed.contains(group) || idle[..count].contains(group);
+            let position = plan.position.iter().filter(|step| kept(&step.group)).cloned().collect();
+            graphical::seen(mechanism, structure, &Plan { position, ..Plan::default() }).is_ok()
+        };
+        if closes(idle.len()) {
+            break;
+        }
+        let counts: Vec<usize> = (0..=idle.len()).collect();
+        let fails = counts.partition_point(|count| closes(*count));
+        let Some(&group) = fails.checked_sub(1).and_then(|last| idle.get(last)) else {
+            return Err(first.into());
+        };
+        groups.insert(group);
+        *plan = plan_from(CentreSource::Diagram, &groups);
+    }
+    if groups.is_empty() {
+        return Err(first.into());
+    }
+    let drawn: BTreeSet<usize> = plan.position.iter().map(|step| step.group).collect();
+    let missing = (0..structure.groups.len()).filter(|group| !drawn.contains(group));
+    let links = missing.flat_map(|group| structure.groups[group].links.clone());
+    let mut links: Vec<u32> = links.map(|link| mechanism.link(link).number).collect();
+    links.sort_unstable();
+    Ok(LeftOut { links, why: first, groups })
 }
 
 /// The errors that careful draughtsmen make in each asked quantity, at the scales of the solution.
@@ -167,6 +248,6 @@ pub fn determined(asked: &[Asked], readings: &[Reading]) -> Result<(), SolveErro
 /// # Errors
 /// See [`AnalyticError`].
 pub fn solve_analytically(scene: &Scene) -> Result<State, AnalyticError> {
-    let order = scene.mechanism.asked.iter().map(|a| a.quantity.order()).max().unwrap_or(Order::Position);
-    analytic::solve(&scene.mechanism, order)
+    let asked: Vec<Quantity> = scene.mechanism.asked.iter().map(|asked| asked.quantity).collect();
+    analytic::solve_for(&scene.mechanism, &asked)
 }

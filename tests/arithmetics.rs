@@ -176,7 +176,7 @@ fn four_bar() -> impl Strategy<Value = FourBar> {
 fn worst_in(arithmetic: Arithmetic, bar: &FourBar) -> Option<f64> {
     let truth = bar.closed_form()?;
     let scene = common::read(&bar.scene());
-    let settings = Settings { arithmetic };
+    let settings = Settings { arithmetic, ..Settings::default() };
     let solved = solve_with(&scene, Extent::Asked, &[], settings, linkgram::sheet::scale::for_scene).ok()?;
     let mut worst = 0.0_f64;
     let apart = |value: &[DoubleDouble], truth: &[Exact]| {

@@ -11,7 +11,7 @@ fn agrees(text: &str) {
     let solved = solve::solve(&scene, Extent::Asked, sheet::scale::for_scene);
     let solved = solved.unwrap_or_else(|error| panic!("{error}"));
     let agreement = agreement(&scene, &solved, &solve::solve_analytically(&scene));
-    let (refused, branch) = (&agreement.refused, &agreement.wrong_branch);
+    let (refused, branch) = (&agreement.refused, &agreement.elsewhere);
     assert!(agreement.ok(), "{refused:?} {branch:?} {}", agreement.worst_ratio());
 }
 

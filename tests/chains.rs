@@ -275,11 +275,12 @@ fn agree(chain: &Chain) -> Result<(f64, usize, usize), TestCaseError> {
     let scene = common::read(&chain.text);
     // A chain that is flat to rounding may be called tangent or not closing; then there is no drawing.
     let Ok(d) = common::try_draw(&scene, Extent::Asked) else { return Ok((0.0, 0, 0)) };
-    let solved = Solved { structure: d.structure, plan: d.plan, scales: d.scales, solution: d.solution };
+    let (structure, plan, scales, solution) = (d.structure, d.plan, d.scales, d.solution);
+    let solved = Solved { structure, plan, scales, solution, left_out: None };
     let state = analytic::solve(&scene.mechanism, Order::Acceleration);
     let agreement = agreement(&scene, &solved, &state);
     prop_assert!(agreement.refused.is_none(), "refused: {:?}", agreement.refused);
-    prop_assert!(agreement.wrong_branch.is_none(), "wrong branch at {:?}", agreement.wrong_branch);
+    prop_assert!(agreement.elsewhere.is_none(), "wrong branch at {:?}", agreement.elsewhere);
     for c in &agreement.compared {
         if let Some(difference) = c.difference {
             prop_assert!(

@@ -982,3 +982,44 @@ fn a_tradeoff_tells_error_and_time_of_every_setting() {
     assert_eq!((none.code, none.out.as_str()), (2, ""), "{}", none.err);
     assert_eq!(folder.contents(), before);
 }
+
+/// A parallelogram of awkward numbers: arithmetic finds its coupler's ω to a rounding, and nobody is told of it.
+#[test]
+fn what_the_bound_cannot_tell_from_zero_has_no_digits_and_no_sense() {
+    let folder = Folder::new("noise");
+    folder.write(
+        "s.json",
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0.1, 0.7], "O4": [70.3, 20.9] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 31.7 }, "4": { "joins": ["O4", "B"], "length": 31.7 },
+            "3": { "joins": ["A", "B"], "shape": { "A": [0, 0], "B": [70.2, 20.2] } } },
+        "near": { "B": [92.8, 43.3] }, "input": { "link": 2, "angle": 45.3, "omega": 7.3, "alpha": -1.9 },
+        "find": ["omega(3)", "alpha(3)", "v(B/A)", "omega(4)"] }"#,
+    );
+    let ran = run_in(&folder.0, &["solve", "s.json"], None);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""), "{}", ran.out);
+    let row = |name: &str| -> Vec<String> {
+        let line =
+            ran.out.lines().find(|line| line.starts_with(name)).unwrap_or_else(|| panic!("{}", ran.out));
+        line.split_whitespace().map(str::to_owned).collect()
+    };
+    for (name, unit) in [("omega(3)", "rad/s"), ("alpha(3)", "rad/s^2"), ("v(B/A)", "mm/s")] {
+        assert_eq!(row(name)[1..4], ["0", unit, "0"], "{}", ran.out);
+    }
+    assert_eq!(row("omega(4)")[1..4], ["7.3", "rad/s", "ccw"], "{}", ran.out);
+    let ran = run_in(&folder.0, &["solve", "s.json", "--json"], None);
+    let solved: Value = serde_json::from_str(&ran.out).unwrap();
+    for quantity in &solved["quantities"].as_array().unwrap()[..3] {
+        assert!(quantity.get("sense").is_none() && quantity.get("direction_deg").is_none(), "{quantity}");
+        assert!(quantity.get("value").is_some() && quantity.get("bound").is_some(), "{quantity}");
+    }
+}
+
+#[test]
+fn the_table_of_every_example_fits_a_terminal() {
+    for path in common::example_paths() {
+        let ran = run(&["solve", path.to_str().unwrap(), "--hand", "0.2mm,0.3deg"]);
+        for line in ran.out.lines() {
+            assert!(line.chars().count() <= 100, "{}: {line}", path.display());
+        }
+    }
+}

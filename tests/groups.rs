@@ -17,7 +17,7 @@ fn confirmed(text: &str) -> Drawn {
     let solved = solve::solve(&scene, Extent::Asked, sheet::scale::for_scene);
     let solved = solved.unwrap_or_else(|error| panic!("{error}\n{text}"));
     let agreement = agreement(&scene, &solved, &solve::solve_analytically(&scene));
-    let (refused, branch) = (&agreement.refused, &agreement.wrong_branch);
+    let (refused, branch) = (&agreement.refused, &agreement.elsewhere);
     assert!(agreement.ok(), "{refused:?} {branch:?} {}\n{text}", agreement.worst_ratio());
     common::draw(&scene)
 }

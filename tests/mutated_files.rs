@@ -421,7 +421,7 @@ fn judge(text: &str, scene: &Scene, tally: &mut Tally, with_sheet: bool) {
     tally.solved += 1;
     // One solver may refuse where the other still answers, at the edge of what can be told apart; two
     // places or two numbers that contradict each other are wrong.
-    assert!(agreement.wrong_branch.is_none(), "wrong branch at {:?}", agreement.wrong_branch);
+    assert!(agreement.elsewhere.is_none(), "wrong branch at {:?}", agreement.elsewhere);
     for c in &agreement.compared {
         let apart = c.difference.is_some_and(|d| d.ratio > 1.0);
         assert!(!apart, "{}: {:?} against {:?}", c.asked.name, c.graphical.answer, c.analytic);

@@ -255,7 +255,11 @@ fn the_wrong_branch_is_named_whichever_solver_takes_it() {
         let solved_wrong = agreement(&right.scene, &right.solved, &wrong.state);
         for agreement in [drawn_wrong, solved_wrong] {
             assert!(!agreement.ok());
-            assert_eq!(agreement.wrong_branch.as_deref(), Some(named), "{stem} {hint}");
+            assert_eq!(
+                agreement.elsewhere.as_ref().map(|e| e.name.clone()),
+                Some(format!("x({named})")),
+                "{stem} {hint}"
+            );
         }
     }
 }
@@ -272,7 +276,7 @@ fn the_wrong_branch_is_named_even_where_the_numbers_agree() {
     let (first, second) = (asking("root1"), asking("root2"));
     let agreement = agreement(&first.scene, &first.solved, &second.state);
     assert!(agreement.worst_ratio() <= 1.0, "the angle is the same");
-    assert_eq!(agreement.wrong_branch.as_deref(), Some("C"));
+    assert_eq!(agreement.elsewhere.as_ref().map(|e| e.name.as_str()), Some("x(C)"));
     assert!(!agreement.ok());
 }
 

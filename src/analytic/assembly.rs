@@ -127,7 +127,8 @@ pub(super) fn assemble(model: &Model, coarsest: f64) -> Result<Assembly, Analyti
     let n = model.unknowns();
     let pattern = model.pattern(&model.position, 0)?;
     let ordering = order(&pattern, n);
-    let free: Vec<usize> = ordering.free.iter().map(|c| c / 3).filter(|b| *b != 0).collect();
+    let free: Vec<usize> =
+        ordering.free.iter().map(|c| c / 3).filter(|b| *b != 0 && model.kept[*b]).collect();
     if !free.is_empty() {
         return Err(AnalyticError::Underdetermined { links: numbers(model, &free) });
     }
@@ -187,6 +188,7 @@ impl<'a> Assembler<'a> {
                 let here = model.sites[index].iter().filter(|s| ready[s.body] <= group).count();
                 let rides = model.mechanism.slides.iter().any(|s| {
                     matches!(s.rider, Rider::Pin { point, .. } if point == PointId(index))
+                        && model.kept[s.guide.link.0]
                         && ready[s.guide.link.0] <= group
                 });
                 let hint = Hint { site: *site, near: model.scaled(near), closes: here > 1 || rides };

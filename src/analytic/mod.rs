@@ -36,7 +36,7 @@ mod tests;
 use thiserror::Error;
 
 use crate::mechanism::Mechanism;
-use crate::mechanism::quantity::Order;
+use crate::mechanism::quantity::{Order, Quantity};
 
 pub use state::{Spot, State};
 
@@ -87,7 +87,17 @@ fn list(links: &[u32]) -> String {
 /// Where no position or more than one is found, or the mechanism contradicts itself: [`AnalyticError`]. A
 /// singular position is not an error: the quantities that depend on it are indeterminate.
 pub fn solve(mechanism: &Mechanism, order: Order) -> Result<State, AnalyticError> {
-    State::new(mechanism, order, 0.0)
+    State::new(mechanism, order, 0.0, None)
+}
+
+/// Solves only what these quantities hang on. A group of links that none of them needs may be impossible, possible in
+/// two ways or at a dead centre: it changes nothing. Other quantities are undefined in the answer.
+///
+/// # Errors
+/// See [`solve`], of the groups that are needed.
+pub fn solve_for(mechanism: &Mechanism, quantities: &[Quantity]) -> Result<State, AnalyticError> {
+    let order = quantities.iter().map(Quantity::order).max().unwrap_or(Order::Position);
+    State::new(mechanism, order, 0.0, Some(quantities))
 }
 
 /// As [`solve`], but Newton's iteration ends where no equation of the position misses by more than
@@ -96,5 +106,5 @@ pub fn solve(mechanism: &Mechanism, order: Order) -> Result<State, AnalyticError
 /// # Errors
 /// See [`solve`].
 pub fn solve_within(mechanism: &Mechanism, order: Order, tolerance: f64) -> Result<State, AnalyticError> {
-    State::new(mechanism, order, tolerance)
+    State::new(mechanism, order, tolerance, None)
 }

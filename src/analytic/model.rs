@@ -8,8 +8,10 @@ use std::sync;
 
 use super::AnalyticError;
 use super::constraints::{Arc, Bearing, Drive, Motion, Num, Param, Row, Site, Straight};
+use super::ordering::{needed, order};
 use super::slopes::Here;
 use super::tape::{Leaf, U};
+use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{
     Direction, Form, Given, GivenPoint, Guide, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId,
     Rider, Roll, Sense,
@@ -62,6 +64,8 @@ pub(super) struct Model {
     pub(super) unit_motion: Option<Vec<Row>>,
     /// Swivelling guides.
     pub(super) swivels: Vec<Swivel>,
+    /// The bodies that are solved: all, unless the model was narrowed.
+    pub(super) kept: Vec<bool>,
     own: Vec<Vec<[Num; 2]>>,
     slide_paths: Vec<Track>,
     roll_lines: Vec<Option<Straight>>,
@@ -75,6 +79,15 @@ pub(super) enum Track {
     Line(Straight),
     /// An arc.
     Arc(Arc),
+}
+
+/// Where two bodies roll on each other.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Contact {
+    /// Two circles.
+    Circles { centres: [Site; 2], radii: [Num; 2], internal: bool },
+    /// A circle on a line.
+    Line { centre: Site, line: Straight },
 }
 
 /// The power of two next to a positive number.
@@ -112,6 +125,7 @@ impl Model {
             motion: Vec::new(),
             unit_motion: None,
             swivels: Vec::new(),
+            kept: Vec::new(),
             own: Vec::new(),
             slide_paths: Vec::new(),
             roll_lines: Vec::new(),
@@ -132,10 +146,86 @@ impl Model {
                 model.unit_motion = Some(model.write_motion(true)?);
             }
         }
+        model.kept = vec![true; model.bodies];
         if model.params.iter().any(|p| !p.value.is_finite() || !p.error.is_finite()) {
             return Err(malformed("a dimension is not a finite number"));
         }
         Ok(model)
+    }
+
+    /// Leaves out every body on which none of the quantities hangs, with its equations: what nobody asks for may be
+    /// impossible, or possible in two ways, and changes nothing.
+    pub(super) fn narrow(&mut self, quantities: &[Quantity], moves: bool) -> Result<(), AnalyticError> {
+        let n = self.unknowns();
+        let position = self.pattern(&self.position, 0)?;
+        let motion = if moves { self.pattern(&self.motion, 1)? } else { Vec::new() };
+        let orders = [(order(&position, n), &position), (order(&motion, n), &motion)];
+        let mut ready = vec![0; self.bodies];
+        for (index, group) in orders[0].0.groups.iter().enumerate() {
+            group.columns.iter().for_each(|column| ready[column / 3] = ready[column / 3].max(index + 1));
+        }
+        let mut kept = vec![false; self.bodies];
+        kept[0] = true;
+        for quantity in quantities {
+            let (points, links) = quantity.about();
+            for point in points.into_iter().flatten() {
+                // One body tells where a point is: the first that is known, and not the one that it moves against.
+                let sites = self.sites.get(point.0).map_or(&[][..], Vec::as_slice);
+                let carriers =
+                    sites.iter().map(|site| site.body).filter(|body| !links.contains(&Some(LinkId(*body))));
+                let first = carriers.min_by_key(|body| ready[*body]).or(sites.first().map(|site| site.body));
+                let contact = self.contact_bodies(point).into_iter().flatten();
+                first.into_iter().chain(contact).for_each(|body| kept[body] = true);
+            }
+            for body in links.into_iter().flatten().map(|link| link.0).chain(self.arm_of(quantity)) {
+                kept.get_mut(body).into_iter().for_each(|kept| *kept = true);
+            }
+        }
+        loop {
+            let mut wanted: Vec<bool> = (0..n).map(|column| kept[column / 3]).collect();
+            for (ordering, pattern) in &orders {
+                wanted = needed(ordering, pattern, &wanted);
+            }
+            let grown: Vec<bool> = wanted.chunks(3).map(|axes| axes.contains(&true)).collect();
+            if grown == kept {
+                break;
+            }
+            kept = grown;
+        }
+        if kept.iter().all(|kept| *kept) {
+            return Ok(());
+        }
+        let holds = |columns: &[usize]| columns.iter().all(|column| kept[column / 3]);
+        let keep = |rows: &mut Vec<Row>, pattern: &[Vec<usize>]| {
+            let mut columns = pattern.iter();
+            rows.retain(|_| columns.next().is_none_or(|columns| holds(columns)));
+        };
+        keep(&mut self.position, &position);
+        keep(&mut self.motion, &motion);
+        // The same equations, driven otherwise.
+        self.unit_motion.iter_mut().for_each(|rows| keep(rows, &motion));
+        self.repeated.retain(|row| (0..kept.len()).all(|body| kept[body] || !row.hangs_on(body)));
+        self.swivels.retain(|swivel| kept[swivel.body]);
+        for sites in &mut self.sites {
+            sites.retain(|site| kept[site.body]);
+        }
+        self.kept = kept;
+        Ok(())
+    }
+
+    /// The body in which a vector between two points is read, where it is one of one link.
+    fn arm_of(&self, quantity: &Quantity) -> Option<usize> {
+        let m = &self.mechanism;
+        let bodies = |p: PointId| self.sites.get(p.0).into_iter().flatten().map(|site| site.body);
+        match *quantity {
+            Quantity::RelativeNormal(p, o) | Quantity::RelativeTangential(p, o) => {
+                bodies(p).find(|body| *body < m.links.len() && bodies(o).any(|other| other == *body))
+            }
+            Quantity::Normal(p) | Quantity::Tangential(p) => bodies(p)
+                .filter(|body| *body < m.links.len())
+                .find(|body| m.links[*body].points.iter().any(|point| m.is_fixed(*point))),
+            _ => None,
+        }
     }
 
     /// A rough place in scaled units.
@@ -697,6 +787,33 @@ impl Model {
                 Row::Push(site, line, drive)
             }
         }))
+    }
+
+    /// The contact that a point names, which is of no link.
+    pub(super) fn contact(&self, point: PointId) -> Option<Contact> {
+        let roll = self.mechanism.contacts.iter().position(|contact| *contact == point)?;
+        match (&self.mechanism.rolls[roll], self.roll_lines[roll]) {
+            (Roll::Circles { links, centres, internal, .. }, _) => {
+                let [Ok(first), Ok(second)] = [0, 1].map(|i| self.point_site(links[i], centres[i])) else {
+                    return None;
+                };
+                let (centres, radii) = ([first, second], self.roll_radii[roll]);
+                Some(Contact::Circles { centres, radii, internal: *internal })
+            }
+            (Roll::Line { wheel, centre, .. }, Some(line)) => {
+                Some(Contact::Line { centre: self.point_site(*wheel, *centre).ok()?, line })
+            }
+            (Roll::Line { .. }, None) => None,
+        }
+    }
+
+    /// The bodies that must be known for the place of a contact.
+    fn contact_bodies(&self, point: PointId) -> [Option<usize>; 2] {
+        match self.contact(point) {
+            Some(Contact::Circles { centres, .. }) => centres.map(|site| Some(site.body)),
+            Some(Contact::Line { centre, line }) => [Some(centre.body), Some(line.through.body)],
+            None => [None; 2],
+        }
     }
 
     /// The equations of motion.

@@ -34,12 +34,13 @@ pub(super) fn order(pattern: &[Vec<usize>], unknowns: usize) -> Ordering {
     let mut row_of = vec![NONE; unknowns];
     let mut column_of = vec![NONE; pattern.len()];
     let mut reached_from = vec![NONE; unknowns];
+    let mut reached = Vec::new();
     let mut queue = VecDeque::with_capacity(pattern.len());
     for row in 0..pattern.len() {
-        reached_from.fill(NONE);
+        reached.drain(..).for_each(|column: usize| reached_from[column] = NONE);
         queue.clear();
         queue.push_back(row);
-        augment(pattern, &mut row_of, &mut column_of, &mut reached_from, &mut queue);
+        augment(pattern, &mut row_of, &mut column_of, (&mut reached_from, &mut reached), &mut queue);
     }
 
     let mut users = vec![Vec::new(); unknowns];
@@ -77,13 +78,38 @@ pub(super) fn order(pattern: &[Vec<usize>], unknowns: usize) -> Ordering {
     }
 }
 
+/// What the wanted unknowns hang on: they themselves, what is solved with them, and the unknowns of the equations that
+/// solve them, and so on. `wanted` and the answer are by unknown.
+pub(super) fn needed(ordering: &Ordering, pattern: &[Vec<usize>], wanted: &[bool]) -> Vec<bool> {
+    let mut group_of = vec![NONE; wanted.len()];
+    for (index, group) in ordering.groups.iter().enumerate() {
+        group.columns.iter().for_each(|column| group_of[*column] = index);
+    }
+    let mut needed = wanted.to_vec();
+    let mut done = vec![false; ordering.groups.len()];
+    let mut waiting: Vec<usize> = (0..wanted.len()).filter(|column| wanted[*column]).collect();
+    while let Some(column) = waiting.pop() {
+        let Some(group) = ordering.groups.get(group_of[column]) else { continue };
+        if std::mem::replace(&mut done[group_of[column]], true) {
+            continue;
+        }
+        let bound = group.rows.iter().flat_map(|row| &pattern[*row]).chain(&group.columns);
+        for &other in bound {
+            if !std::mem::replace(&mut needed[other], true) {
+                waiting.push(other);
+            }
+        }
+    }
+    needed
+}
+
 /// Pairs one more row, which stands in the queue, along a shortest alternating path, if there is one. No column has
-/// been reached.
+/// been reached; those that are, are listed.
 fn augment(
     pattern: &[Vec<usize>],
     row_of: &mut [usize],
     column_of: &mut [usize],
-    reached_from: &mut [usize],
+    (reached_from, reached): (&mut [usize], &mut Vec<usize>),
     queue: &mut VecDeque<usize>,
 ) {
     while let Some(from) = queue.pop_front() {
@@ -92,6 +118,7 @@ fn augment(
                 continue;
             }
             reached_from[column] = from;
+            reached.push(column);
             if row_of[column] != NONE {
                 queue.push_back(row_of[column]);
                 continue;

@@ -1,10 +1,10 @@
 //! Every asked quantity as a formula over the solved motion.
 
 use super::constraints::{Formulas, Scope, Site};
-use super::model::Track;
+use super::model::{Contact, Track};
 use super::motion::Solved;
 use super::state::{Measured, State};
-use super::tape::{U, Var, Vector, dot, minus, quarter, turned};
+use super::tape::{Calculus, U, Var, Vector, dot, minus, plus, quarter, turned};
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{LinkId, PointId, Rider};
 
@@ -74,16 +74,22 @@ impl State {
             | Quantity::SlipTangential(p, link)
             | Quantity::Coriolis(p, link) => self.slipping(quantity, p, link),
             Quantity::CoincidentVelocity(p, link) => {
-                let site = self.carrier(p, Some(link))?;
-                self.vector(1, self.unit(1, 1), |s| parts(s.carried(link.0, s.site(&site)), 1))
+                let spot = self.spot(p, link)?;
+                self.vector(1, self.unit(1, 1), |s| parts(s.carried(link.0, spot.place(s)), 1))
             }
             Quantity::CoincidentAcceleration(p, link) => {
-                let site = self.carrier(p, Some(link))?;
-                self.vector(2, self.unit(1, 2), |s| parts(s.carried(link.0, s.site(&site)), 2))
+                let spot = self.spot(p, link)?;
+                self.vector(2, self.unit(1, 2), |s| parts(s.carried(link.0, spot.place(s)), 2))
             }
             Quantity::CoincidentNormal(p, link) => self.coincident_part(p, link, true),
             Quantity::CoincidentTangential(p, link) => self.coincident_part(p, link, false),
-            Quantity::ContactNormal(..) => undefined("it is drawn, not asked"),
+            Quantity::ContactNormal(p, a, b) => {
+                let spot = self.spot(p, a)?;
+                self.vector(2, self.unit(1, 2), |s| {
+                    let place = spot.place(s);
+                    difference(parts(s.carried(a.0, place), 2), parts(s.carried(b.0, place), 2))
+                })
+            }
             Quantity::Centre(a, b) => self.centre(a, b),
             Quantity::Rub(p, a, b) => self.rubbing(p, a, b),
             Quantity::PathRadius(p) => self.path_radius(p),
@@ -95,38 +101,13 @@ impl State {
 
     fn check(&self, quantity: &Quantity) -> Result<(), Indeterminate> {
         let m = &self.model.mechanism;
-        let (points, links): (Vec<PointId>, Vec<LinkId>) = match *quantity {
-            Quantity::Velocity(p)
-            | Quantity::Acceleration(p)
-            | Quantity::Normal(p)
-            | Quantity::Tangential(p)
-            | Quantity::PathRadius(p)
-            | Quantity::Position(p) => (vec![p], vec![]),
-            Quantity::RelativeVelocity(p, o)
-            | Quantity::RelativeAcceleration(p, o)
-            | Quantity::RelativeNormal(p, o)
-            | Quantity::RelativeTangential(p, o) => (vec![p, o], vec![]),
-            Quantity::Omega(l) | Quantity::Alpha(l) | Quantity::Angle(l) => (vec![], vec![l]),
-            Quantity::RelativeOmega(a, b)
-            | Quantity::Ratio(a, b)
-            | Quantity::Advantage(a, b)
-            | Quantity::RelativeAlpha(a, b)
-            | Quantity::Centre(a, b)
-            | Quantity::Transmission(a, b) => (vec![], vec![a, b]),
-            Quantity::Slip(p, l)
-            | Quantity::SlipAcceleration(p, l)
-            | Quantity::SlipNormal(p, l)
-            | Quantity::SlipTangential(p, l)
-            | Quantity::CoincidentVelocity(p, l)
-            | Quantity::CoincidentAcceleration(p, l)
-            | Quantity::CoincidentNormal(p, l)
-            | Quantity::CoincidentTangential(p, l)
-            | Quantity::ContactNormal(p, l, _)
-            | Quantity::Coriolis(p, l) => (vec![p], vec![l]),
-            Quantity::Rub(p, a, b) => (vec![p], vec![a, b]),
-        };
-        if points.iter().any(|p| p.0 >= m.points.len()) || links.iter().any(|l| l.0 >= m.links.len()) {
+        let (points, links) = quantity.about();
+        let (mut points, mut links) = (points.into_iter().flatten(), links.into_iter().flatten());
+        if points.any(|p| p.0 >= m.points.len()) || links.clone().any(|l| l.0 >= m.links.len()) {
             return undefined("it names nothing in this mechanism");
+        }
+        if links.any(|l| !self.model.kept[l.0]) {
+            return undefined("it was not solved for");
         }
         Ok(())
     }
@@ -185,7 +166,18 @@ impl State {
         }
     }
 
+    /// Where a pin or a contact is, by another body than this one.
+    fn spot(&self, point: PointId, except: LinkId) -> Result<Spot, Indeterminate> {
+        match self.model.contact(point) {
+            Some(contact) => Ok(Spot::Contact(contact)),
+            None => self.carrier(point, Some(except)).map(Spot::Site),
+        }
+    }
+
     fn position(&self, point: PointId) -> Read {
+        if let Some(contact) = self.model.contact(point) {
+            return self.place(self.read(0, None, |s| parts(Spot::Contact(contact).place(s), 0))?);
+        }
         if let Some(own) = self.model.places[point.0] {
             let site = Site { body: 0, own };
             return self.place(self.read(0, None, |s| parts(s.site(&site), 0))?);
@@ -270,17 +262,30 @@ impl State {
         let Some(pivot) = m.links[link.0].points.iter().copied().find(|p| m.is_fixed(*p)) else {
             return undefined(format!("link {} is not pivoted to the frame", self.number(link)));
         };
-        let (site, centre) = (self.carrier(pin, Some(link))?, self.carrier(pivot, Some(link))?);
+        self.part_about(pin, link, pivot, normal)
+    }
+
+    /// −ω² r or, where it is not `normal`, α × r of the point of a link that lies under a pin, r from the point of the
+    /// link that lies under another: SI units, with its bound.
+    #[must_use]
+    pub fn part_of_turning(&self, pin: PointId, link: LinkId, from: PointId, normal: bool) -> Answer {
+        self.check(&Quantity::Coriolis(pin, link))
+            .and_then(|()| self.check(&Quantity::Coriolis(from, link)))
+            .and_then(|()| self.part_about(pin, link, from, normal))
+            .unwrap_or_else(Answer::Indeterminate)
+    }
+
+    fn part_about(&self, pin: PointId, link: LinkId, from: PointId, normal: bool) -> Read {
+        let (spot, centre) = (self.spot(pin, link)?, self.spot(from, link)?);
         let unit = self.unit(1, 2);
         if normal {
             return self.vector(1, unit, |s| {
-                let arm = difference(parts(s.site(&site), 0), parts(s.site(&centre), 0));
                 let omega = s.angle(link.0).d;
-                scaled(arm, -(omega * omega))
+                scaled(difference(parts(spot.place(s), 0), parts(centre.place(s), 0)), -(omega * omega))
             });
         }
         self.vector(2, unit, |s| {
-            let [x, y] = difference(parts(s.site(&site), 0), parts(s.site(&centre), 0));
+            let [x, y] = difference(parts(spot.place(s), 0), parts(centre.place(s), 0));
             let alpha = s.angle(link.0).a;
             [-(y * alpha), x * alpha]
         })
@@ -485,6 +490,37 @@ impl State {
             [v[1].atan2(v[0])]
         })?;
         Ok(at_infinity([-vy.value / speed, vx.value / speed], bearing.bound))
+    }
+}
+
+/// A place of the mechanism at this instant.
+#[derive(Debug, Clone, Copy)]
+enum Spot {
+    /// A point of a body.
+    Site(Site),
+    /// Where two bodies roll on each other.
+    Contact(Contact),
+}
+
+impl Spot {
+    fn place<'t>(&self, s: &Scope<'t>) -> Vector<'t> {
+        match self {
+            Self::Site(site) => s.site(site),
+            Self::Contact(Contact::Circles { centres, radii, internal }) => {
+                // On the first circle: towards the other centre, but away from it inside a larger one.
+                let [first, second] = centres.map(|centre| s.site(&centre));
+                let along = minus(second, first);
+                let [own, other] = s.pair(*radii);
+                let inside = *internal && own.value() < other.value();
+                let part = if inside { -own } else { own } / dot(along, along).sqrt();
+                plus(first, along.map(|coordinate| coordinate * part))
+            }
+            Self::Contact(Contact::Line { centre, line }) => {
+                let away = s.above(centre, line);
+                let normal = quarter(s.direction(line));
+                minus(s.site(centre), normal.map(|coordinate| coordinate * away))
+            }
+        }
     }
 }
 

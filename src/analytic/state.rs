@@ -45,9 +45,17 @@ pub(super) struct Measured {
 
 impl State {
     /// Solves a mechanism up to the given order, its position to `tolerance` where that is coarser than
-    /// rounding.
-    pub(super) fn new(mechanism: &Mechanism, order: Order, tolerance: f64) -> Result<Self, AnalyticError> {
-        let model = Model::new(mechanism)?;
+    /// rounding; only what these quantities hang on, where they are named.
+    pub(super) fn new(
+        mechanism: &Mechanism,
+        order: Order,
+        tolerance: f64,
+        only: Option<&[Quantity]>,
+    ) -> Result<Self, AnalyticError> {
+        let mut model = Model::new(mechanism)?;
+        if let Some(quantities) = only {
+            model.narrow(quantities, order >= Order::Velocity)?;
+        }
         let assembly = assemble(&model, tolerance)?;
         let located = locate(&model, assembly)?;
         let mut state = Self { model, located, order, solved: None, unit: None };

@@ -419,6 +419,12 @@ impl Tape {
         (1.0 + ROUNDED) * self.total_error(mark)
     }
 
+    /// A bound that is at hand and often much larger than [`Tape::bound`], since it knows no correlations.
+    #[must_use]
+    pub fn rough_bound(&self, mark: u32) -> f64 {
+        (1.0 + ROUNDED) * self.error_of(mark)
+    }
+
     /// The part of [`Tape::bound`] that the numbers of the scene bring with them, each known to half a unit in its
     /// last place: no drawing can do better. In unit roundoffs, the conditioning of the result.
     pub fn inherited(&mut self, mark: u32) -> f64 {

@@ -3,11 +3,14 @@
 //! **Architecture Invariant:** this room compares; it does not know how either result was found, and has
 //! no third opinion.
 
+mod confirm;
+
 use std::borrow::Cow;
+
+pub use confirm::{Disagreement, NotConfirmed, Unconfirmed, confirm, confirm_by, solve_confirmed};
 
 use crate::analytic::AnalyticError;
 use crate::graphical::construction::Reading;
-use crate::mechanism::PointId;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity};
 use crate::scene::{Published, Refusal, Scene};
 use crate::solve::{Settings, SolveError, Solved};
@@ -43,6 +46,27 @@ impl Compared {
             _ => None,
         }
     }
+
+    /// Within their bounds, or not determined.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        match self.difference {
+            Some(difference) => difference.ratio <= 1.0,
+            None => self.indeterminate().is_some(),
+        }
+    }
+
+    /// The two answers side by side.
+    #[must_use]
+    pub fn disagreement(&self) -> Disagreement {
+        Disagreement {
+            name: self.asked.name.clone(),
+            unit: self.asked.unit.clone(),
+            graphical: self.graphical.answer.clone(),
+            analytic: self.analytic.clone(),
+            apart: apart_as_asked(&self.asked.quantity, &self.graphical.answer, &self.analytic),
+        }
+    }
 }
 
 /// Whether the two solvers tell the same story.
@@ -50,8 +74,8 @@ impl Compared {
 pub struct Agreement {
     /// Every asked quantity, in order.
     pub compared: Vec<Compared>,
-    /// Name of a point that the two solvers see in different places: another assembly.
-    pub wrong_branch: Option<String>,
+    /// A point that the two solvers see in different places: another assembly.
+    pub elsewhere: Option<Disagreement>,
     /// The analytic solver's refusal, if it refused.
     pub refused: Option<String>,
 }
@@ -66,10 +90,13 @@ impl Agreement {
     /// Everything agrees.
     #[must_use]
     pub fn ok(&self) -> bool {
-        self.refused.is_none()
-            && self.wrong_branch.is_none()
-            && self.compared.iter().filter_map(|c| c.difference).all(|d| d.ratio <= 1.0)
-            && self.compared.iter().all(|c| c.difference.is_some() || c.indeterminate().is_some())
+        self.refused.is_none() && self.elsewhere.is_none() && self.compared.iter().all(Compared::agrees)
+    }
+
+    /// The quantities on which they do not agree, in the order in which they were asked.
+    #[must_use]
+    pub fn disagreements(&self) -> Vec<Disagreement> {
+        self.compared.iter().filter(|c| !c.agrees()).map(Compared::disagreement).collect()
     }
 }
 
@@ -94,9 +121,9 @@ fn apart(a: &Answer, b: &Answer) -> Option<(f64, f64)> {
 }
 
 /// An angle read the other way round is the same angle.
-fn apart_as_asked(asked: &Asked, a: &Answer, b: &Answer) -> Option<(f64, f64)> {
+fn apart_as_asked(quantity: &Quantity, a: &Answer, b: &Answer) -> Option<(f64, f64)> {
     let (distance, bounds) = apart(a, b)?;
-    if matches!(asked.quantity, Quantity::Angle(_)) {
+    if matches!(quantity, Quantity::Angle(_)) {
         let turn = 2.0 * std::f64::consts::PI;
         return Some((distance.min((turn - distance).abs()), bounds));
     }
@@ -116,8 +143,8 @@ pub fn agreement(
 ) -> Agreement {
     let construction = &solved.solution.construction;
     let asked = scene.mechanism.asked.iter().zip(&construction.answers);
-    let state = match analytic {
-        Ok(state) => state,
+    match analytic {
+        Ok(state) => agreement_by(scene, solved, state),
         Err(error) => {
             let why = Indeterminate::Undefined { why: format!("the analytic solver refused: {error}") };
             let compared = asked
@@ -128,44 +155,55 @@ pub fn agreement(
                     difference: None,
                 })
                 .collect();
-            return Agreement { compared, wrong_branch: None, refused: Some(error.to_string()) };
+            Agreement { compared, elsewhere: None, refused: Some(error.to_string()) }
         }
-    };
+    }
+}
+
+/// Compares a drawn solution with the state that the independent solver found.
+fn agreement_by(scene: &Scene, solved: &Solved, state: &crate::analytic::State) -> Agreement {
+    let construction = &solved.solution.construction;
+    let asked = scene.mechanism.asked.iter().zip(&construction.answers);
     let compared: Vec<Compared> = asked
         .map(|(asked, reading)| {
             let analytic = state.answer(&asked.quantity);
-            let difference = apart_as_asked(asked, &reading.answer, &analytic).map(|(value, bounds)| {
-                let ratio = if value == 0.0 { 0.0 } else { value / bounds };
-                Difference { value, ratio }
-            });
+            let difference =
+                apart_as_asked(&asked.quantity, &reading.answer, &analytic).map(|(value, bounds)| {
+                    let ratio = if value == 0.0 { 0.0 } else { value / bounds };
+                    Difference { value, ratio }
+                });
             Compared { asked: asked.clone(), graphical: reading.clone(), analytic, difference }
         })
         .collect();
-    Agreement { compared, wrong_branch: wrong_branch(scene, solved, state), refused: None }
+    Agreement { compared, elsewhere: elsewhere(scene, solved, state), refused: None }
 }
 
-fn wrong_branch(scene: &Scene, solved: &Solved, state: &crate::analytic::State) -> Option<String> {
-    let space = &solved.solution.construction.space;
-    let places: Vec<(usize, [f64; 2])> =
-        space.places.iter().enumerate().filter_map(|(i, p)| p.map(|p| (i, p))).collect();
-    let size = places.iter().map(|(_, p)| libm::hypot(p[0], p[1]) * space.metres_per_mm).fold(0.0, f64::max);
-    // The skeleton has its own frame: both are laid on each other at the first point.
-    let &(first, at_first) = places.first()?;
-    let from = state.pose(PointId(first)).ok()?;
-    places.iter().find_map(|&(index, at)| {
-        let world = state.pose(PointId(index)).ok()?;
-        let drawn = [0, 1].map(|k| (at[k] - at_first[k]) * space.metres_per_mm);
-        let found = [0, 1].map(|k| world.at[k] - from.at[k]);
-        let apart = libm::hypot(drawn[0] - found[0], drawn[1] - found[1]);
-        if apart <= OTHER_BRANCH * size {
+/// The first point that stands in another place by the one solver than by the other. What the independent solver was
+/// not asked for has no place there.
+fn elsewhere(scene: &Scene, solved: &Solved, state: &crate::analytic::State) -> Option<Disagreement> {
+    let solution = &solved.solution;
+    let space = &solution.construction.space;
+    let places = space.places.iter().flatten();
+    let size = places.map(|p| libm::hypot(p[0], p[1]) * space.metres_per_mm).fold(0.0, f64::max);
+    let mut tape = None;
+    solution.shown.iter().find_map(|shown| {
+        let Quantity::Position(point) = shown.quantity else { return None };
+        let found = state.pose(point).ok()?;
+        let analytic = Answer::Vector { value: found.at, bound: found.bound };
+        let (distance, _) = apart(&shown.as_read(), &analytic)?;
+        if distance <= OTHER_BRANCH * size {
             return None;
         }
         // Far behind a dead centre, or on a guide that is given from afar, a place may be known no better.
-        let mut tape = solved.solution.tape.clone();
-        let stroke = tape.strokes().iter().find(|s| s.at == at).map(|s| s.slots);
-        let [x, y] = stroke.map_or([0.0; 2], |slots| slots.map(|slot| tape.bound(slot)));
-        let uncertain = world.bound + from.bound + libm::hypot(x, y) * space.metres_per_mm;
-        (apart > OTHER_BRANCH * size + uncertain).then(|| scene.mechanism.points[index].name.clone())
+        let graphical = shown.answer(tape.get_or_insert_with(|| solution.tape.clone()));
+        let (distance, bounds) = apart(&graphical, &analytic)?;
+        (distance > OTHER_BRANCH * size + bounds).then(|| Disagreement {
+            name: shown.quantity.name(&scene.mechanism),
+            unit: scene.units.length.clone(),
+            graphical,
+            analytic,
+            apart: Some((distance, bounds)),
+        })
     })
 }
 

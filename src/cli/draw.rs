@@ -62,7 +62,10 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         settings: job.settings,
     };
     let options = render::Options { theme: theme(job, scene)?, lettering, dpi };
-    let impossible = |error: NoFigure| Failure(error.told(scene));
+    let impossible = |error: NoFigure| match error {
+        NoFigure::Unconfirmed(_) => Failure::unconfirmed(error.told(scene)),
+        _ => Failure(error.told(scene)),
+    };
     if job.play {
         let frames = drawing::film(scene, &wish).map_err(impossible)?;
         return write_film(job, &formats, &frames, &options);

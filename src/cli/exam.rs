@@ -9,6 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
 use super::{Ending, Failure, failure, print, read_scene};
+use crate::check::NotConfirmed;
 use crate::exam::{self, Bank, ExamError, Terms, Variant};
 use crate::files;
 use crate::parallel;
@@ -248,8 +249,8 @@ impl Work<'_> {
     /// Refuses what this build cannot write, before there is a folder.
     fn can_be_written(&self, variants: &[Variant]) -> Result<(), Failure> {
         for (variant, language) in variants.iter().zip(self.languages) {
-            let figure =
-                exam::question(&variant.scene, *language).map_err(|error| failure(&variant.scene, &error))?;
+            let figure = exam::question(&variant.scene, *language)
+                .map_err(|error| not_drawn(&variant.scene, &error))?;
             for format in [self.format, Format::Svg] {
                 render::render(&figure, format, &self.options).map_err(|error| Failure(error.to_string()))?;
             }
@@ -293,8 +294,8 @@ impl Work<'_> {
         let scene = &variant.scene;
         let mut all = vec![(self.scene_path(variant), variant.text.clone().into_bytes())];
         for &language in self.languages {
-            let question = exam::question(scene, language).map_err(|error| failure(scene, &error))?;
-            let solution = exam::solution(scene, language).map_err(|error| failure(scene, &error))?;
+            let question = exam::question(scene, language).map_err(|error| not_drawn(scene, &error))?;
+            let solution = exam::solution(scene, language).map_err(|error| not_drawn(scene, &error))?;
             for (folder, figure) in [("questions", question), ("solutions", solution)] {
                 let bytes = render::render(&figure, self.format, &self.options);
                 let bytes = bytes.map_err(|error| Failure(error.to_string()))?;
@@ -314,7 +315,7 @@ impl Work<'_> {
         ];
         for &language in self.languages {
             let figures = parallel::map_with(self.workers, variants, |variant| {
-                exam::card(&variant.scene, language).map_err(|error| failure(&variant.scene, &error))
+                exam::card(&variant.scene, language).map_err(|error| not_drawn(&variant.scene, &error))
             });
             let figures: Vec<_> = figures.into_iter().collect::<Result<_, _>>()?;
             let bank = Bank::new(self.scene, language, variants.iter().zip(figures).collect(), &self.options)
@@ -332,6 +333,17 @@ impl Work<'_> {
     }
 }
 
+/// Why a sheet of a variant is not drawn.
+fn not_drawn(scene: &Scene, error: &NotConfirmed) -> Failure {
+    match error {
+        NotConfirmed::Unsolved(error) => failure(scene, error),
+        NotConfirmed::Unconfirmed(why) => Failure::unconfirmed(format!(
+            "{}: not confirmed, nothing more is written: {why}",
+            scene.source.file()
+        )),
+    }
+}
+
 /// Why there is no exam, at the place in the scene that it is about.
 fn refused(scene: &Scene, error: &ExamError) -> Failure {
     let at_vary = |mend: &str| -> Failure {
@@ -339,6 +351,9 @@ fn refused(scene: &Scene, error: &ExamError) -> Failure {
     };
     match error {
         ExamError::Scene(error) => failure(scene, error),
+        ExamError::Unconfirmed(why) => {
+            Failure::unconfirmed(format!("{}: not confirmed, no exam is written: {why}", scene.source.file()))
+        }
         ExamError::NothingVaries => at_vary(
             "say what variants may change, such as \"vary\": {\"links.2.length\": {\"from\": 12, \"to\": 18, \"step\": 0.5}}",
         ),

@@ -69,7 +69,10 @@ impl Job {
 
 impl From<GoldenError> for Failure {
     fn from(error: GoldenError) -> Self {
-        Self(error.to_string())
+        match error {
+            GoldenError::Unconfirmed(_) => Self::unconfirmed(error.to_string()),
+            _ => Failure(error.to_string()),
+        }
     }
 }
 

@@ -39,6 +39,9 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let graded = grade::grade_with_overlay(&scene, &answers, &settings);
     let (report, figure) = graded.map_err(|error| match error {
         GradeError::Solve(error) => failure(&scene, &error),
+        GradeError::Unconfirmed(why) => {
+            Failure::unconfirmed(format!("{}: not confirmed, nothing is graded: {why}", scene.source.file()))
+        }
         GradeError::Answers(diagnostic) => diagnostic.into(),
     })?;
     if let (Some(path), Some(format)) = (&job.output, format) {

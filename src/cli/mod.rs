@@ -87,6 +87,9 @@ enum Command {
         /// The other assembly, dashed on the skeleton
         #[arg(long)]
         other_assembly: bool,
+        /// Draw it even where the independent solver does not confirm it, with a note that says so
+        #[arg(long)]
+        unchecked: bool,
     },
     /// Print the asked quantities, graphical beside analytic
     Solve {
@@ -293,19 +296,35 @@ enum Ending {
     DoesNotHold,
 }
 
-/// Bad input or usage: what stands on stderr before exit 2.
+/// What stands on stderr before exit 2: bad input or usage; or before exit 1, where a result is not confirmed.
 #[derive(Debug)]
-struct Failure(String);
+struct Failure {
+    told: String,
+    code: u8,
+}
+
+/// Bad input or usage.
+#[expect(non_snake_case, reason = "it makes the failure that it is named after")]
+fn Failure(told: String) -> Failure {
+    Failure { told, code: 2 }
+}
+
+impl Failure {
+    /// A result that is not confirmed.
+    fn unconfirmed(told: String) -> Self {
+        Self { told, code: 1 }
+    }
+}
 
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Self {
-        Self(error.to_string())
+        Failure(error.to_string())
     }
 }
 
 impl From<Diagnostic> for Failure {
     fn from(diagnostic: Diagnostic) -> Self {
-        Self(diagnostic.to_string())
+        Failure(diagnostic.to_string())
     }
 }
 
@@ -416,9 +435,10 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             format,
             positions,
             other_assembly,
+            unchecked,
             arith,
         } => {
-            let settings = Settings { arithmetic: arith };
+            let settings = Settings { arithmetic: arith, unchecked };
             draw::run(&draw::Job {
                 scene,
                 output,
@@ -437,11 +457,11 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             })
         }
         Command::Solve { scene, json, explain, hand, arith } => {
-            let settings = Settings { arithmetic: arith };
+            let settings = Settings { arithmetic: arith, ..Settings::default() };
             solve::run(&solve::Job { scene, json, explain, hand, settings })
         }
         Command::Check { paths, json, tolerance, arith } => {
-            check::run(&paths, json, tolerance, Settings { arithmetic: arith })
+            check::run(&paths, json, tolerance, Settings { arithmetic: arith, ..Settings::default() })
         }
         Command::Grade { scene, answers, json, hand, output } => {
             grade::run(&grade::Job { scene, answers, json, hand, output })
@@ -469,9 +489,9 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     match ending {
         Ok(Ending::Fine) => ExitCode::SUCCESS,
         Ok(Ending::DoesNotHold) => ExitCode::from(1),
-        Err(Failure(message)) => {
-            let _ = writeln!(std::io::stderr(), "error: {message}");
-            ExitCode::from(2)
+        Err(Failure { told, code }) => {
+            let _ = writeln!(std::io::stderr(), "error: {told}");
+            ExitCode::from(code)
         }
     }
 }

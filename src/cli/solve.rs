@@ -12,7 +12,7 @@ use crate::graphical::construction::Fine;
 use crate::graphical::{Draughtsmen, HandError};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity};
 use crate::plan::Extent;
-use crate::report::{describe, short, two_digits};
+use crate::report::{short, significant, two_digits};
 use crate::scene::Scene;
 use crate::solve::{Hand, Settings};
 
@@ -62,34 +62,145 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     Ok(if agreement.ok() && determined { Ending::Fine } else { Ending::DoesNotHold })
 }
 
+/// As wide as a terminal usually is, at most.
+const WIDEST: usize = 100;
+/// Between two columns.
+const GAP: &str = "  ";
+
 fn table(solved: &crate::solve::Solved, agreement: &Agreement, by_hand: &[HandError]) -> String {
+    let lines = |digits: usize| -> Vec<[String; 5]> {
+        let head = ["quantity", "value", "direction", "other solver", "off/bound"].map(str::to_owned);
+        let rows = agreement.compared.iter().map(|compared| cells(compared, digits));
+        std::iter::once(head).chain(rows).collect()
+    };
+    let widths = |rows: &[[String; 5]]| -> [usize; 5] {
+        let fits = rows.iter().filter(|row| !row[1].is_empty());
+        let mut widths = [0; 5];
+        for row in fits {
+            widths = std::array::from_fn(|column| widths[column].max(row[column].chars().count()));
+        }
+        widths
+    };
+    let total = |widths: [usize; 5]| widths.iter().sum::<usize>() + 4 * GAP.len();
+    // Long numbers lose digits rather than their line; `--json` has them all.
+    let rows =
+        (3..=7).rev().map(lines).find(|rows| total(widths(rows)) <= WIDEST).unwrap_or_else(|| lines(3));
+    let mut widths = widths(&rows);
+    // A name that is too long has a line of its own.
+    widths[0] = widths[0].min((WIDEST + widths[0]).saturating_sub(total(widths)).max("quantity".len()));
     let mut out = String::new();
-    let _ = writeln!(out, "{}", solved.structure.mobility);
-    let width = agreement.compared.iter().map(|c| named(&c.asked).len()).max().unwrap_or(0);
-    for (index, compared) in agreement.compared.iter().enumerate() {
-        let asked = &compared.asked;
-        let _ = write!(out, "{:width$}  {}", named(asked), describe(asked, &compared.graphical.answer));
-        let _ = match (compared.difference, compared.indeterminate()) {
-            (Some(d), _) => writeln!(
-                out,
-                "   analytic {}   difference {:.1e} ({:.2} of the bounds)",
-                describe(asked, &compared.analytic),
-                d.value / asked.unit.si,
-                d.ratio
-            ),
-            (None, _) => writeln!(out, "   analytic {}", describe(asked, &compared.analytic)),
+    let _ = writeln!(out, "{}\n", solved.structure.mobility);
+    for (index, [name, value, direction, other, off]) in rows.iter().enumerate() {
+        let [first, second, third, fourth, fifth] = widths;
+        let mut name = name.as_str();
+        if value.is_empty() || name.chars().count() > first {
+            let _ = writeln!(out, "{name}");
+            name = "";
+        }
+        let line = format!(
+            "{name:first$}{GAP}{value:second$}{GAP}{direction:third$}{GAP}{other:fourth$}{GAP}{off:>fifth$}"
+        );
+        if !value.is_empty() {
+            let _ = writeln!(out, "{}", line.trim_end());
+        }
+        // The head is the first row.
+        let Some((at, compared)) =
+            index.checked_sub(1).and_then(|at| Some((at, agreement.compared.get(at)?)))
+        else {
+            continue;
         };
+        let asked = &compared.asked;
+        if let Some(why) = compared.indeterminate() {
+            out.push_str(&wrapped(&format!("indeterminate: {why}")));
+            continue;
+        }
         if let Some(fine) = &compared.graphical.fine {
             let bound = fine_bound(fine, asked);
             let digits = digits(fine, asked).join(", ");
-            let _ = writeln!(out, "{:width$}  {digits} {}, within {bound:.1e}", "", asked.unit.symbol);
+            let _ = writeln!(out, "  {digits} {}, within {bound:.1e}", asked.unit.symbol);
         }
-        if let (Some(error), None) = (by_hand.get(index), compared.indeterminate()) {
-            let _ = writeln!(out, "{:width$}  {}", "", hand_words(asked, &compared.graphical.answer, error));
+        if let Some(error) = by_hand.get(at) {
+            out.push_str(&wrapped(&hand_words(asked, &compared.graphical.answer, error)));
         }
     }
-    let _ = writeln!(out, "{}", verdict(agreement));
+    let _ = writeln!(out, "\n{}", verdict(agreement));
     out
+}
+
+/// Words below a row, indented and not wider than a terminal.
+fn wrapped(words: &str) -> String {
+    let mut out = String::new();
+    let mut line = String::new();
+    for word in words.split(' ') {
+        if !line.is_empty() && line.chars().count() + word.chars().count() + 5 > WIDEST {
+            let _ = writeln!(out, "    {line}");
+            line.clear();
+        }
+        line.push_str(if line.is_empty() { "" } else { " " });
+        line.push_str(word);
+    }
+    let _ = writeln!(out, "    {line}");
+    out
+}
+
+/// A row: name, value, direction or sense, the other solver's value, and how far apart they are in units of the sum of
+/// the bounds. What the bound cannot tell from zero is zero, and points nowhere. Of what is indeterminate only the name.
+fn cells(compared: &Compared, digits: usize) -> [String; 5] {
+    let asked = &compared.asked;
+    let name = named(asked);
+    if compared.indeterminate().is_some() {
+        return [name, String::new(), String::new(), String::new(), String::new()];
+    }
+    let (value, direction) = value_and_direction(asked, &compared.graphical.answer, digits);
+    let value = if matches!(compared.graphical.answer, Answer::AtInfinity { .. }) {
+        value
+    } else {
+        format!("{value} {}", asked.unit.symbol).trim_end().to_owned()
+    };
+    let (other, _) = value_and_direction(asked, &compared.analytic, digits);
+    let off = compared.difference.map_or("not comparable".to_owned(), |difference| {
+        if difference.ratio > 1.0 {
+            significant(difference.ratio, 2)
+        } else {
+            format!("{:.2}", difference.ratio)
+        }
+    });
+    [name, value, direction, other, off]
+}
+
+/// A value in its unit, and where it points or turns.
+fn value_and_direction(asked: &Asked, answer: &Answer, digits: usize) -> (String, String) {
+    let number = |x: f64| significant(x / asked.unit.si, digits);
+    let degrees = |[x, y]: [f64; 2]| format!("{} deg", significant(libm::atan2(y, x).to_degrees(), 5));
+    match answer {
+        Answer::Vector { value, bound } if is_place(&asked.quantity) => {
+            let [x, y] = value.map(|c| number(if c.abs() <= *bound { 0.0 } else { c }));
+            (format!("({x}, {y})"), String::new())
+        }
+        answer if answer.may_be_zero() => ("0".to_owned(), String::new()),
+        Answer::Vector { value, .. } => (number(libm::hypot(value[0], value[1])), degrees(*value)),
+        Answer::Scalar { value, .. } if has_sense(&asked.quantity) => {
+            (number(value.abs()), if *value > 0.0 { "ccw" } else { "cw" }.to_owned())
+        }
+        Answer::Scalar { value, .. } => (number(*value), String::new()),
+        Answer::AtInfinity { direction, .. } => {
+            ("at infinity".to_owned(), format!("{} deg", significant(half_turn(*direction), 5)))
+        }
+        Answer::Indeterminate(_) => (String::new(), String::new()),
+    }
+}
+
+/// Whether a quantity is a place, whose coordinates are told.
+fn is_place(quantity: &Quantity) -> bool {
+    matches!(quantity, Quantity::Position(_) | Quantity::Centre(..))
+}
+
+/// Whether a scalar turns, ccw or cw.
+fn has_sense(quantity: &Quantity) -> bool {
+    matches!(
+        quantity,
+        Quantity::Omega(_) | Quantity::RelativeOmega(..) | Quantity::Alpha(_) | Quantity::RelativeAlpha(..)
+    )
 }
 
 /// The name of a quantity, with the method by which it is asked where that is not the polygon.
@@ -105,12 +216,21 @@ pub(super) fn verdict(agreement: &Agreement) -> String {
     if let Some(refused) = &agreement.refused {
         return format!("the analytic solver refused: {refused}");
     }
-    if let Some(point) = &agreement.wrong_branch {
-        return format!("wrong branch: the two solvers see {point} in different places");
+    if let Some(elsewhere) = &agreement.elsewhere {
+        return format!(
+            "graphical and analytic DO NOT AGREE, they stand in different assemblies: {elsewhere}"
+        );
     }
-    let worst = agreement.worst_ratio();
-    let said = if agreement.ok() { "agree" } else { "DO NOT AGREE" };
-    format!("graphical and analytic {said}: worst difference is {} of the bounds", short(worst))
+    let worst = short(agreement.worst_ratio());
+    let wrong = agreement.disagreements();
+    if wrong.is_empty() {
+        return format!("graphical and analytic agree: worst difference is {worst} of the bounds");
+    }
+    let mut said = format!("graphical and analytic DO NOT AGREE: worst difference is {worst} of the bounds");
+    for disagreement in wrong {
+        let _ = write!(said, "\n  {disagreement}");
+    }
+    said
 }
 
 fn object(
@@ -264,14 +384,7 @@ fn insert_value(map: &mut Map<String, Value>, asked: &Asked, answer: &Answer) {
     match answer {
         Answer::Scalar { value, bound } => {
             map.insert("value".to_owned(), json!(value / si));
-            let has_sense = matches!(
-                asked.quantity,
-                Quantity::Omega(_)
-                    | Quantity::RelativeOmega(..)
-                    | Quantity::Alpha(_)
-                    | Quantity::RelativeAlpha(..)
-            );
-            if has_sense && *value != 0.0 {
+            if has_sense(&asked.quantity) && !answer.may_be_zero() {
                 let sense = if *value > 0.0 { "ccw" } else { "cw" };
                 map.insert("sense".to_owned(), json!(sense));
             }
@@ -282,7 +395,7 @@ fn insert_value(map: &mut Map<String, Value>, asked: &Asked, answer: &Answer) {
             let magnitude = libm::hypot(x, y);
             map.insert("value".to_owned(), json!([x, y]));
             map.insert("magnitude".to_owned(), json!(magnitude));
-            if magnitude > 0.0 {
+            if !answer.may_be_zero() {
                 map.insert("direction_deg".to_owned(), json!(libm::atan2(y, x).to_degrees()));
             }
             map.insert("bound".to_owned(), bound_of(*bound, magnitude * si));

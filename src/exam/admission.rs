@@ -2,8 +2,8 @@
 //! scene is.
 
 use super::answer::{self, KeyAnswer};
-use super::{Flaw, Terms, Variant};
-use crate::check::Outcome;
+use super::{ExamError, Flaw, Terms, Variant};
+use crate::check::confirm;
 use crate::graphical::construction::{Act, Construction};
 use crate::graphical::{Draughtsmen, DrawError};
 use crate::mechanism::{Mechanism, Place, PointId};
@@ -16,8 +16,6 @@ use crate::solve::{SolveError, Solved, by_hand, solve};
 const DRAUGHTSMEN: u64 = 200;
 /// An answer must be this many times larger than the slip of a careful hand, or the drawing does not tell it.
 const CLEAR: f64 = 4.0;
-/// Published values play no part in a variant; the check wants a tolerance for them all the same.
-const NO_MATTER: f64 = 1.0;
 /// On the way from the scene to a variant no step is finer than this part of it.
 const FINEST_STEP: f64 = 1.0 / 256.0;
 /// A group of higher class may close in several ways that no choice of sides tells apart: it is led there in
@@ -49,8 +47,9 @@ pub(super) struct Candidate {
 }
 
 impl<'a> Base<'a> {
-    pub(super) fn new(scene: &'a Scene, terms: &Terms) -> Result<Self, SolveError> {
-        let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)?;
+    pub(super) fn new(scene: &'a Scene, terms: &Terms) -> Result<Self, ExamError> {
+        let solved = whole(scene)?;
+        confirm(scene, &solved)?;
         let construction = &solved.solution.construction;
         let hand = by_hand(scene, &solved, draughtsmen(terms))?;
         let clear = construction.answers.iter().zip(&hand).map(|(reading, hand)| {
@@ -70,7 +69,7 @@ impl<'a> Base<'a> {
     pub(super) fn admit(&self, numbers: &[String], terms: &Terms) -> Result<Candidate, Flaw> {
         let places = self.led_to(numbers)?;
         let scene = read(&self.text(numbers, &places, ""))?;
-        let solved = solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).map_err(refused)?;
+        let solved = whole(&scene).map_err(refused)?;
         let construction = &solved.solution.construction;
         if construction.space.choices != self.choices {
             return Err(Flaw::OtherAssembly);
@@ -78,11 +77,7 @@ impl<'a> Base<'a> {
         if let Some(angle) = flattest(construction).filter(|angle| *angle < terms.flattest) {
             return Err(Flaw::Flat { degrees: angle.to_degrees() });
         }
-        match crate::check::check(&scene, NO_MATTER).outcome {
-            Outcome::Solved { agreement, .. } if agreement.ok() => {}
-            Outcome::Solved { .. } => return Err(Flaw::Disagrees),
-            Outcome::Refused { error, .. } => return Err(refused(error)),
-        }
+        confirm(&scene, &solved).map_err(|_| Flaw::Disagrees)?;
         let hand = by_hand(&scene, &solved, draughtsmen(terms)).map_err(refused)?;
         let mut answers = Vec::new();
         for (index, (asked, reading)) in scene.mechanism.asked.iter().zip(&construction.answers).enumerate() {
@@ -167,6 +162,15 @@ impl<'a> Base<'a> {
     }
 }
 
+/// The solution with the whole skeleton: no sheet of an exam leaves a link out.
+fn whole(scene: &Scene) -> Result<Solved, SolveError> {
+    let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)?;
+    match solved.left_out {
+        Some(left) => Err(left.why.into()),
+        None => Ok(solved),
+    }
+}
+
 fn draughtsmen(terms: &Terms) -> Draughtsmen {
     Draughtsmen { hand: terms.hand, number: DRAUGHTSMEN }
 }
@@ -194,7 +198,7 @@ fn refused(error: SolveError) -> Flaw {
 fn assembled(text: &str) -> Result<(Vec<usize>, Places), Flaw> {
     let mut scene = read(text)?;
     scene.mechanism.asked.clear();
-    let solved = solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).map_err(refused)?;
+    let solved = whole(&scene).map_err(refused)?;
     let construction = &solved.solution.construction;
     Ok((construction.space.choices.clone(), places(&scene.mechanism, construction)))
 }

@@ -26,11 +26,14 @@ pub use moodle::{cloze, numerical};
 pub use qti::{QtiError, package};
 
 use crate::board::Hand;
+use crate::check::{NotConfirmed, Unconfirmed, solve_confirmed};
+use crate::drawing::with_what_is_missing;
+use crate::graphical::{Extents, Scales};
 use crate::parallel;
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::{self, Figure, Language};
-use crate::solve::{SolveError, solve};
+use crate::solve::{Settings, SolveError, Solved};
 use admission::{Base, Candidate};
 use dice::Tries;
 
@@ -204,6 +207,9 @@ pub enum ExamError {
     /// The scene itself cannot be solved.
     #[error(transparent)]
     Scene(#[from] SolveError),
+    /// The independent solver does not confirm the scene's own solution.
+    #[error(transparent)]
+    Unconfirmed(#[from] Unconfirmed),
     /// The ranges give fewer scenes than there should be variants.
     #[error("the ranges give {possible} different scenes, fewer than the {wanted} variants wanted")]
     TooFew {
@@ -320,29 +326,37 @@ fn unlike(variants: &[Variant], candidate: Candidate) -> Result<Candidate, Flaw>
     }
 }
 
+/// A variant as its sheets show it: nothing that the independent solver does not confirm is written.
+fn confirmed(scene: &Scene, scales: impl Fn(&Scene, Extents) -> Scales) -> Result<Solved, NotConfirmed> {
+    solve_confirmed(scene, Extent::WholeSkeleton, &[], Settings::default(), scales)
+}
+
 /// The question of a variant: what is given, the dimensioned skeleton, what is asked.
 ///
 /// # Errors
 /// None for a scene that was drawn as a variant.
-pub fn question(scene: &Scene, language: Language) -> Result<Figure, SolveError> {
-    let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_question)?;
-    Ok(sheet::question(scene, &solved.solution.construction, language))
+pub fn question(scene: &Scene, language: Language) -> Result<Figure, NotConfirmed> {
+    let solved = confirmed(scene, sheet::scale::for_question)?;
+    let figure = sheet::question(scene, &solved.solution.construction, language);
+    Ok(with_what_is_missing(figure, scene, &solved, language))
 }
 
 /// The same as a card, for the figure of a question on a screen.
 ///
 /// # Errors
 /// None for a scene that was drawn as a variant.
-pub fn card(scene: &Scene, language: Language) -> Result<Figure, SolveError> {
-    let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_question)?;
-    Ok(sheet::question_card(scene, &solved.solution.construction, language))
+pub fn card(scene: &Scene, language: Language) -> Result<Figure, NotConfirmed> {
+    let solved = confirmed(scene, sheet::scale::for_question)?;
+    let figure = sheet::question_card(scene, &solved.solution.construction, language);
+    Ok(with_what_is_missing(figure, scene, &solved, language))
 }
 
 /// The solution of a variant.
 ///
 /// # Errors
 /// None for a scene that was drawn as a variant.
-pub fn solution(scene: &Scene, language: Language) -> Result<Figure, SolveError> {
-    let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)?;
-    Ok(sheet::solution(scene, &solved.solution.construction, language))
+pub fn solution(scene: &Scene, language: Language) -> Result<Figure, NotConfirmed> {
+    let solved = confirmed(scene, sheet::scale::for_scene)?;
+    let figure = sheet::solution(scene, &solved.solution.construction, language);
+    Ok(with_what_is_missing(figure, scene, &solved, language))
 }

@@ -50,7 +50,7 @@ use thiserror::Error;
 pub use manifest::{MANIFEST, ManifestError};
 pub use meaning::Meaning;
 pub use page::html;
-pub use suite::{Case, Outcome, Suite};
+pub use suite::{Case, NotDrawn, Outcome, Suite};
 
 /// How much a change says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -159,6 +159,9 @@ pub enum GoldenError {
     /// Scenes cannot be drawn, so that nothing was blessed: one line for each.
     #[error("{}", .0.join("\nerror: "))]
     Broken(Vec<String>),
+    /// The independent solver does not confirm what scenes show, so that nothing was blessed: one line for each.
+    #[error("{}", .0.join("\nerror: "))]
+    Unconfirmed(Vec<String>),
 }
 
 impl Weight {

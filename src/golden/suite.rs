@@ -51,6 +51,17 @@ pub enum Outcome {
     Refusal(String),
 }
 
+/// Why a scene comes to nothing: one line.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum NotDrawn {
+    /// It cannot be drawn.
+    #[error("{0}")]
+    Broken(String),
+    /// The independent solver does not confirm what it shows.
+    #[error("{0}")]
+    Unconfirmed(String),
+}
+
 /// A folder of goldens.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Suite {
@@ -137,7 +148,11 @@ impl Suite {
             Ok(outcome) => self.compare(&name, &outcome),
             Err(why) => {
                 let expected = self.text(&name, SVG).ok().flatten();
-                Looked { verdict: Verdict::Broken(why), expected, actual: None }
+                let verdict = match why {
+                    NotDrawn::Broken(why) => Verdict::Broken(why),
+                    NotDrawn::Unconfirmed(why) => Verdict::Differs(vec![Change::new(Weight::Content, why)]),
+                };
+                Looked { verdict, expected, actual: None }
             }
         };
         let Looked { verdict, expected, actual } = looked;
@@ -293,9 +308,18 @@ impl Suite {
             tick();
             drawn
         });
-        let broken: Vec<String> = drawn.iter().filter_map(|drawn| drawn.as_ref().err().cloned()).collect();
+        let (mut broken, mut unconfirmed) = (Vec::new(), Vec::new());
+        for why in drawn.iter().filter_map(|drawn| drawn.as_ref().err()) {
+            match why {
+                NotDrawn::Broken(why) => broken.push(why.clone()),
+                NotDrawn::Unconfirmed(why) => unconfirmed.push(why.clone()),
+            }
+        }
         if !broken.is_empty() {
             return Err(GoldenError::Broken(broken));
+        }
+        if !unconfirmed.is_empty() {
+            return Err(GoldenError::Unconfirmed(unconfirmed));
         }
         let mut lines = Vec::new();
         for (case, (outcome, verdict)) in self.cases.iter().zip(drawn.into_iter().flatten()) {
@@ -450,10 +474,11 @@ impl Case {
     ///
     /// # Errors
     /// One line, naming the file: where it is no scene, is refused without expecting it, or is not refused although
-    /// it expects to be.
-    pub fn draw(&self) -> Result<Outcome, String> {
-        let (file, text) = files::read(&self.scene).map_err(|error| error.to_string())?;
-        let mut scene = crate::scene::read(&text, &file).map_err(|error| error.to_string())?;
+    /// it expects to be; where the independent solver does not confirm what it shows.
+    pub fn draw(&self) -> Result<Outcome, NotDrawn> {
+        let (file, text) = files::read(&self.scene).map_err(|error| NotDrawn::Broken(error.to_string()))?;
+        let scene = crate::scene::read(&text, &file);
+        let mut scene = scene.map_err(|error| NotDrawn::Broken(error.to_string()))?;
         if let Some(paper) = &self.paper {
             scene.sheet.paper = Some(paper.clone());
         }
@@ -462,11 +487,16 @@ impl Case {
                 let theme = self.theme.unwrap_or_else(|| drawing::theme(&scene));
                 Ok(Outcome::Figure { json: json::write(&figure), svg: svg::write_in(&figure, theme) })
             }
-            (Ok(_), Some(_)) => Err(format!("{file}: the scene expects a refusal, and is drawn")),
+            (Ok(_), Some(_)) => {
+                Err(NotDrawn::Broken(format!("{file}: the scene expects a refusal, and is drawn")))
+            }
             (Err(NoFigure::Unsolved(error)), Some(expected)) if error.refusal() == Some(expected) => {
                 Ok(Outcome::Refusal(refusal(&scene, &error)))
             }
-            (Err(error), _) => Err(error.told(&scene)),
+            (Err(NoFigure::Unconfirmed(why)), _) => {
+                Err(NotDrawn::Unconfirmed(format!("{file}: not confirmed: {why}")))
+            }
+            (Err(error), _) => Err(NotDrawn::Broken(error.told(&scene))),
         }
     }
 }

@@ -93,6 +93,8 @@ impl<'s> Case<'s> {
         settings: &GradeSettings,
     ) -> Result<Self, GradeError> {
         let own = solve::solve(scene, Extent::WholeSkeleton, crate::sheet::scale::for_scene)?;
+        // Nobody is graded by a solution that is not confirmed.
+        crate::check::confirm(scene, &own)?;
         let scales = Scales {
             length: answers.scales.length.unwrap_or(own.scales.length),
             velocity: answers.scales.velocity.unwrap_or(own.scales.velocity),

@@ -873,39 +873,5 @@ pub(super) fn vector_of<'c>(construction: &'c Construction, quantity: &Quantity)
 
 /// A quantity as a scene names it.
 pub(super) fn name_of(case: &Case<'_>, quantity: &Quantity) -> String {
-    let mechanism = &case.mechanism;
-    let point = |p: PointId| mechanism.point(p).name.as_str();
-    let link = |l: LinkId| mechanism.link(l).number;
-    match *quantity {
-        Quantity::Velocity(p) => format!("v({})", point(p)),
-        Quantity::RelativeVelocity(b, a) => format!("v({}/{})", point(b), point(a)),
-        Quantity::Acceleration(p) => format!("a({})", point(p)),
-        Quantity::RelativeAcceleration(b, a) => format!("a({}/{})", point(b), point(a)),
-        Quantity::RelativeNormal(b, a) => format!("an({}/{})", point(b), point(a)),
-        Quantity::RelativeTangential(b, a) => format!("at({}/{})", point(b), point(a)),
-        Quantity::Normal(p) => format!("an({})", point(p)),
-        Quantity::Tangential(p) => format!("at({})", point(p)),
-        Quantity::Omega(l) => format!("omega({})", link(l)),
-        Quantity::RelativeOmega(i, j) => format!("omega({}/{})", link(i), link(j)),
-        Quantity::Ratio(i, j) => format!("ratio({}/{})", link(i), link(j)),
-        Quantity::Advantage(i, j) => format!("advantage({}/{})", link(i), link(j)),
-        Quantity::Alpha(l) => format!("alpha({})", link(l)),
-        Quantity::RelativeAlpha(i, j) => format!("alpha({}/{})", link(i), link(j)),
-        Quantity::Slip(p, l) => format!("slip({}/{})", point(p), link(l)),
-        Quantity::SlipAcceleration(p, l) => format!("aslip({}/{})", point(p), link(l)),
-        Quantity::SlipNormal(p, l) => format!("aslipn({}/{})", point(p), link(l)),
-        Quantity::SlipTangential(p, l) => format!("aslipt({}/{})", point(p), link(l)),
-        Quantity::Coriolis(p, l) => format!("coriolis({}/{})", point(p), link(l)),
-        Quantity::CoincidentVelocity(p, l) => format!("v({}@{})", point(p), link(l)),
-        Quantity::CoincidentAcceleration(p, l) => format!("a({}@{})", point(p), link(l)),
-        Quantity::CoincidentNormal(p, l) => format!("an({}@{})", point(p), link(l)),
-        Quantity::CoincidentTangential(p, l) => format!("at({}@{})", point(p), link(l)),
-        Quantity::ContactNormal(p, i, j) => format!("an({}@{}/{})", point(p), link(i), link(j)),
-        Quantity::Centre(i, j) => format!("I({},{})", link(i), link(j)),
-        Quantity::Rub(p, i, j) => format!("rub({},{}/{})", point(p), link(i), link(j)),
-        Quantity::PathRadius(p) => format!("rho({})", point(p)),
-        Quantity::Position(p) => format!("x({})", point(p)),
-        Quantity::Angle(l) => format!("angle({})", link(l)),
-        Quantity::Transmission(i, j) => format!("transmission({}/{})", link(i), link(j)),
-    }
+    quantity.name(&case.mechanism)
 }

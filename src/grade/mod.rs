@@ -41,6 +41,7 @@ pub use scan::Scan;
 pub use schema::schema;
 
 use crate::board::Hand;
+use crate::check::Unconfirmed;
 use crate::scene::{Diagnostic, Scene};
 use crate::sheet::Figure;
 use crate::solve::SolveError;
@@ -66,6 +67,9 @@ pub enum GradeError {
     /// The scene has no solution.
     #[error(transparent)]
     Solve(#[from] SolveError),
+    /// The independent solver does not confirm the right solution.
+    #[error(transparent)]
+    Unconfirmed(#[from] Unconfirmed),
     /// Something is wrong with the answers.
     #[error(transparent)]
     Answers(Diagnostic),

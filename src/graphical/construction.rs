@@ -83,12 +83,23 @@ pub struct Space {
     pub metres_per_mm: f64,
     /// Place of each point by [`PointId`]; `None` where no asked quantity needed it.
     pub places: Vec<Option<Mm2>>,
+    /// How links stand whose own axes were laid on the skeleton, by [`LinkId`].
+    pub axes: Vec<Option<Axes>>,
     /// Arcs, rays and guide lines by which places were found.
     pub lines: Vec<ConstructionLine>,
     /// How it is assembled: which of the possible places was taken at each choice, in the order of drawing.
     /// Two skeletons of one mechanism, with other dimensions or in another position, are assembled alike
     /// where these are equal.
     pub choices: Vec<usize>,
+}
+
+/// A link's own axes on the skeleton.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axes {
+    /// Their origin.
+    pub origin: Mm2,
+    /// Unit vector along the x-axis.
+    pub x: [f64; 2],
 }
 
 /// The instant centres that were found, and in which order.

@@ -9,8 +9,8 @@ use crate::plan::{Auxiliary, home};
 use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, Klein, NamedPoint, Stroke, StrokeRole, StrokeShape};
 use super::centres::{Centres, FromCentres, Why};
 use super::construction::{
-    Act, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image, Label,
-    LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
+    Act, Axes, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image,
+    Label, LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
 use super::departure::Departure;
 use super::missing::Missing;
@@ -145,6 +145,16 @@ fn translating(mechanism: &Mechanism) -> Vec<bool> {
     translates
 }
 
+/// The own axes of a link that stands so.
+fn axes<B: Bench>(pose: &Pose<B>) -> Axes {
+    let ([own_x, own_y], [x, y]) = (pose.own_along.value(), pose.along.value());
+    // The turn that brings the one direction into the other.
+    let turn = [own_x * x + own_y * y, own_x * y - own_y * x];
+    let ([own_x, own_y], [x, y]) = (pose.own_anchor.value(), pose.anchor.value());
+    let origin = [x - turn[0] * own_x + turn[1] * own_y, y - turn[1] * own_x - turn[0] * own_y];
+    Axes { origin, x: turn }
+}
+
 impl<'m, B: Bench> Draughtsman<'m, B> {
     pub(super) fn new(
         board: Board<B>,
@@ -192,6 +202,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                 space: Space {
                     metres_per_mm: scales.length,
                     places: vec![None; points],
+                    axes: vec![None; links],
                     lines: Vec::new(),
                     choices: Vec::new(),
                 },
@@ -215,6 +226,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         B::Recorder: Default,
     {
         self.record.answers = answers;
+        self.record.space.axes = self.poses.iter().map(|pose| pose.as_ref().map(axes)).collect();
         let tape = std::mem::take(self.board.recorder());
         (self.record, tape)
     }

@@ -20,6 +20,8 @@ mod pose;
 mod position;
 mod reading;
 mod rolled;
+mod settle;
+mod shown;
 mod transcribe;
 mod trial;
 mod velocity;
@@ -29,6 +31,7 @@ pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
 pub use missing::Missing;
 pub use reading::Numbers;
+pub use shown::{Shown, is_trial};
 pub use transcribe::{Transcribed, TranscribedWithBounds, transcribe, transcribe_with_bounds};
 
 use crate::board::{
@@ -93,6 +96,28 @@ pub struct Solution {
     pub tape: Tape,
     /// Tape slots of each answer: two for a vector, one for a scalar, none where it needs none.
     pub slots: Vec<Vec<u32>>,
+    /// Everything that stands on the paper, asked or not.
+    pub shown: Vec<Shown>,
+}
+
+impl Solution {
+    /// The extents without those of a polygon in which nothing is clear of zero: its scale would be that of roundings.
+    /// `None` where there is no such polygon.
+    #[must_use]
+    pub fn without_noise(&self, extents: Extents) -> Option<Extents> {
+        let noise = |polygon: &Option<Polygon>, extent: [f64; 2]| {
+            let vectors = || polygon.iter().flat_map(|p| &p.vectors).filter(|v| !is_trial(v));
+            extent != [0.0; 2] && vectors().next().is_some() && vectors().all(|v| v.from == v.to)
+        };
+        let mut quiet = extents;
+        if noise(&self.construction.velocity, extents.velocity) {
+            quiet.velocity = [0.0; 2];
+        }
+        if noise(&self.construction.acceleration, extents.acceleration) {
+            quiet.acceleration = [0.0; 2];
+        }
+        (quiet != extents).then_some(quiet)
+    }
 }
 
 /// Why the skeleton cannot be drawn.
@@ -310,8 +335,10 @@ fn taped<R: Real>(
     let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
     auxiliary::draw(&mut draughtsman, plan);
     let (answers, slots) = reading::answers(&mut draughtsman);
-    let (construction, tape) = draughtsman.finish(answers);
-    Ok(Solution { construction, tape, slots })
+    let shown = shown::all(&mut draughtsman);
+    let (mut construction, mut tape) = draughtsman.finish(answers);
+    settle::settle(&mut construction, &settle::zeros(&shown, &mut tape));
+    Ok(Solution { construction, tape, slots, shown })
 }
 
 /// Draws once at a provisional scale and without a tape, to see how large everything is.
@@ -319,6 +346,11 @@ fn taped<R: Real>(
 /// # Errors
 /// See [`DrawError`].
 pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Result<Extents, DrawError> {
+    seen(mechanism, structure, plan).map_err(|error| with_range(error, mechanism, structure, plan))
+}
+
+/// As [`extents`], without telling for which input a chain closes that does not close.
+pub(crate) fn seen(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Result<Extents, DrawError> {
     let scales = provisional_scales(mechanism);
     // A tangency can only be told from a miss with a tape; it is rare, so try without one first.
     let bare = || -> Result<Extents, DrawError> {
@@ -331,7 +363,7 @@ pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Res
         verify::verify(&mut drawn)?;
         Ok(measure(drawn.record(), mechanism, scales))
     };
-    bare().or_else(|_| taped()).map_err(|error| with_range(error, mechanism, structure, plan))
+    bare().or_else(|_| taped())
 }
 
 /// The places of all points that a plan finds, metres in the world, drawn on a board without a tape.

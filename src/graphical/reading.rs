@@ -10,6 +10,7 @@ use super::centres::{FromCentres, NO_INPUT};
 use super::construction::{Act, Calculation, Fine, Label, Reading, VectorKind};
 use super::draughtsman::Draughtsman;
 use super::missing::Missing;
+use super::shown::Standing;
 
 /// What stands for a quantity on the board.
 enum Read<B: Bench> {
@@ -94,17 +95,25 @@ impl<B: Bench> Draughtsman<'_, B> {
         };
         let of_polygon = asked.method != Method::Klein;
         let drawn_mm = of_polygon.then(|| self.drawn_length(&asked.quantity)).flatten();
-        let toward = match &read {
-            Read::Toward(direction, _) => Some(direction.value()),
-            _ => None,
-        };
-        let numbers = match read {
-            Read::Vector([x, y]) => Ok(vec![(x.mark(), x.real()), (y.mark(), y.real())]),
-            Read::Scalar(a) => Ok(vec![(a.mark(), a.real())]),
-            Read::Angle(a) | Read::Toward(_, a) => Ok(vec![(a.mark(), a.real())]),
-            Read::Undefined(why) => Err(why),
-        };
+        let (numbers, toward) = read.numbers();
         ReadOff { numbers, toward, drawn_mm }
+    }
+
+    /// What stands on the paper for a quantity.
+    pub(super) fn read_standing(&mut self, quantity: &Quantity) -> Standing<B> {
+        self.read_quantity(quantity).numbers()
+    }
+}
+
+impl<B: Bench> Read<B> {
+    fn numbers(self) -> Standing<B> {
+        match self {
+            Self::Vector([x, y]) => (Ok(vec![(x.mark(), x.real()), (y.mark(), y.real())]), None),
+            Self::Scalar(a) => (Ok(vec![(a.mark(), a.real())]), None),
+            Self::Angle(a) => (Ok(vec![(a.mark(), a.real())]), None),
+            Self::Toward(direction, a) => (Ok(vec![(a.mark(), a.real())]), Some(direction.value())),
+            Self::Undefined(why) => (Err(why), None),
+        }
     }
 }
 
@@ -428,7 +437,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A place of the skeleton in the world.
-    fn in_world(&mut self, at: Point<B>) -> [Amount<B>; 2] {
+    pub(super) fn in_world(&mut self, at: Point<B>) -> [Amount<B>; 2] {
         let scale = self.length_scale();
         let from = self.board.origin();
         let [x, y] = self.board.between(from, at);

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{LinkId, PointId};
+use super::{LinkId, Mechanism, PointId};
 
 /// A quantity by its meaning. "Relative to" reads from the second operand to the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -83,6 +83,81 @@ pub enum Order {
 }
 
 impl Quantity {
+    /// The points and the links that its name names.
+    #[must_use]
+    pub fn about(&self) -> ([Option<PointId>; 2], [Option<LinkId>; 2]) {
+        match *self {
+            Self::Velocity(p)
+            | Self::Acceleration(p)
+            | Self::Normal(p)
+            | Self::Tangential(p)
+            | Self::PathRadius(p)
+            | Self::Position(p) => ([Some(p), None], [None; 2]),
+            Self::RelativeVelocity(p, o)
+            | Self::RelativeAcceleration(p, o)
+            | Self::RelativeNormal(p, o)
+            | Self::RelativeTangential(p, o) => ([Some(p), Some(o)], [None; 2]),
+            Self::Omega(l) | Self::Alpha(l) | Self::Angle(l) => ([None; 2], [Some(l), None]),
+            Self::RelativeOmega(i, j)
+            | Self::Ratio(i, j)
+            | Self::Advantage(i, j)
+            | Self::RelativeAlpha(i, j)
+            | Self::Centre(i, j)
+            | Self::Transmission(i, j) => ([None; 2], [Some(i), Some(j)]),
+            Self::Slip(p, l)
+            | Self::SlipAcceleration(p, l)
+            | Self::SlipNormal(p, l)
+            | Self::SlipTangential(p, l)
+            | Self::CoincidentVelocity(p, l)
+            | Self::CoincidentAcceleration(p, l)
+            | Self::CoincidentNormal(p, l)
+            | Self::CoincidentTangential(p, l)
+            | Self::Coriolis(p, l) => ([Some(p), None], [Some(l), None]),
+            Self::ContactNormal(p, i, j) => ([Some(p), None], [Some(i), Some(j)]),
+            // The pin is on both links, and only their turning counts.
+            Self::Rub(p, i, j) => ([Some(p), None], [Some(i), Some(j)]),
+        }
+    }
+
+    /// As a scene names it: `v(B/A)`.
+    #[must_use]
+    pub fn name(&self, mechanism: &Mechanism) -> String {
+        let p = |point: PointId| mechanism.point(point).name.as_str();
+        let l = |link: LinkId| mechanism.link(link).number;
+        match *self {
+            Self::Velocity(a) => format!("v({})", p(a)),
+            Self::RelativeVelocity(a, b) => format!("v({}/{})", p(a), p(b)),
+            Self::Acceleration(a) => format!("a({})", p(a)),
+            Self::RelativeAcceleration(a, b) => format!("a({}/{})", p(a), p(b)),
+            Self::RelativeNormal(a, b) => format!("an({}/{})", p(a), p(b)),
+            Self::RelativeTangential(a, b) => format!("at({}/{})", p(a), p(b)),
+            Self::Normal(a) => format!("an({})", p(a)),
+            Self::Tangential(a) => format!("at({})", p(a)),
+            Self::Omega(a) => format!("omega({})", l(a)),
+            Self::RelativeOmega(a, b) => format!("omega({}/{})", l(a), l(b)),
+            Self::Ratio(a, b) => format!("ratio({}/{})", l(a), l(b)),
+            Self::Advantage(a, b) => format!("advantage({}/{})", l(a), l(b)),
+            Self::Alpha(a) => format!("alpha({})", l(a)),
+            Self::RelativeAlpha(a, b) => format!("alpha({}/{})", l(a), l(b)),
+            Self::Slip(a, b) => format!("slip({}/{})", p(a), l(b)),
+            Self::SlipAcceleration(a, b) => format!("aslip({}/{})", p(a), l(b)),
+            Self::SlipNormal(a, b) => format!("aslipn({}/{})", p(a), l(b)),
+            Self::SlipTangential(a, b) => format!("aslipt({}/{})", p(a), l(b)),
+            Self::Coriolis(a, b) => format!("coriolis({}/{})", p(a), l(b)),
+            Self::CoincidentVelocity(a, b) => format!("v({}@{})", p(a), l(b)),
+            Self::CoincidentAcceleration(a, b) => format!("a({}@{})", p(a), l(b)),
+            Self::CoincidentNormal(a, b) => format!("an({}@{})", p(a), l(b)),
+            Self::CoincidentTangential(a, b) => format!("at({}@{})", p(a), l(b)),
+            Self::ContactNormal(a, b, c) => format!("an({}@{}/{})", p(a), l(b), l(c)),
+            Self::Centre(a, b) => format!("I({},{})", l(a), l(b)),
+            Self::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
+            Self::PathRadius(a) => format!("rho({})", p(a)),
+            Self::Position(a) => format!("x({})", p(a)),
+            Self::Angle(a) => format!("angle({})", l(a)),
+            Self::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),
+        }
+    }
+
     /// What has to be solved for this quantity.
     #[must_use]
     pub fn order(&self) -> Order {
@@ -283,4 +358,16 @@ pub enum Answer {
     },
     /// Not determined at this position.
     Indeterminate(Indeterminate),
+}
+
+impl Answer {
+    /// Whether the bound allows that it is zero: then it has no sense, no direction, and no digits.
+    #[must_use]
+    pub fn may_be_zero(&self) -> bool {
+        match self {
+            Self::Scalar { value, bound } => value.abs() <= *bound,
+            Self::Vector { value: [x, y], bound } => libm::hypot(*x, *y) <= *bound,
+            Self::AtInfinity { .. } | Self::Indeterminate(_) => false,
+        }
+    }
 }

@@ -27,10 +27,30 @@ pub use schema::schema;
 pub use sheet::{MOST_POSITIONS, input_place, paper_size};
 pub use source::{Source, Subject};
 pub use units::si_of;
+
+/// The unit of this scene in which a quantity is told where nobody says in which.
+pub(crate) fn unit_of(quantity: &Quantity, scene: &Scene) -> Unit {
+    use units::Measure;
+    let Units { length, angle, time } = &scene.units;
+    let per = |symbol: &str, si: f64, squared: bool| {
+        let (power, times) = if squared { ("^2", time.si * time.si) } else { ("", time.si) };
+        Unit { symbol: format!("{symbol}/{}{power}", time.symbol), si: si / times }
+    };
+    match asked::measure(quantity) {
+        Measure::Length => length.clone(),
+        Measure::Angle => angle.clone(),
+        Measure::Velocity => per(&length.symbol, length.si, false),
+        Measure::Acceleration => per(&length.symbol, length.si, true),
+        Measure::AngularVelocity => per("rad", 1.0, false),
+        Measure::AngularAcceleration => per("rad", 1.0, true),
+        Measure::Number => Unit { symbol: String::new(), si: 1.0 },
+    }
+}
+
 pub use vary::{Range, Varied, variant};
 
 use crate::mechanism::Mechanism;
-use crate::mechanism::quantity::Unit;
+use crate::mechanism::quantity::{Quantity, Unit};
 use diagnostic::{Fault, Res};
 use draft::Draft;
 use json::{Fields, Value};

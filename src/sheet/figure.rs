@@ -221,6 +221,17 @@ impl Mark {
     }
 }
 
+impl Node {
+    /// Moves it.
+    pub fn translate(&mut self, by: Vec2) {
+        match self {
+            Self::Group(group) => group.translate(by),
+            Self::Mark(mark) => mark.shape.translate(by),
+            Self::Text(text) => text.runs.iter_mut().for_each(|run| run.at += by),
+        }
+    }
+}
+
 impl Group {
     /// An empty group.
     #[must_use]
@@ -254,13 +265,7 @@ impl Group {
 
     /// Moves everything.
     pub fn translate(&mut self, by: Vec2) {
-        for child in &mut self.children {
-            match child {
-                Node::Group(group) => group.translate(by),
-                Node::Mark(mark) => mark.shape.translate(by),
-                Node::Text(text) => text.runs.iter_mut().for_each(|run| run.at += by),
-            }
-        }
+        self.children.iter_mut().for_each(|child| child.translate(by));
     }
 
     /// Calls `visit` for every mark and text in it, in the order of drawing.

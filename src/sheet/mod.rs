@@ -30,6 +30,7 @@ mod polygon;
 mod pose;
 mod positions;
 mod profile;
+mod remark;
 mod results;
 mod rich;
 pub mod scale;
@@ -49,6 +50,7 @@ pub use compose::{
 };
 pub use figure::Figure;
 pub use overlay::{Fault, overlay};
+pub use remark::{left_out, unconfirmed};
 pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
 

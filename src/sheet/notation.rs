@@ -309,40 +309,7 @@ impl<'a> Notation<'a> {
     /// The name of a quantity as a scene writes it: `v(B/A)`.
     #[must_use]
     pub fn quantity_name(&self, quantity: Quantity) -> String {
-        let p = |p| self.point_name(p);
-        let l = |l| self.number(l);
-        match quantity {
-            Quantity::Velocity(a) => format!("v({})", p(a)),
-            Quantity::RelativeVelocity(a, b) => format!("v({}/{})", p(a), p(b)),
-            Quantity::Acceleration(a) => format!("a({})", p(a)),
-            Quantity::RelativeAcceleration(a, b) => format!("a({}/{})", p(a), p(b)),
-            Quantity::RelativeNormal(a, b) => format!("an({}/{})", p(a), p(b)),
-            Quantity::RelativeTangential(a, b) => format!("at({}/{})", p(a), p(b)),
-            Quantity::Normal(a) => format!("an({})", p(a)),
-            Quantity::Tangential(a) => format!("at({})", p(a)),
-            Quantity::Omega(a) => format!("omega({})", l(a)),
-            Quantity::RelativeOmega(a, b) => format!("omega({}/{})", l(a), l(b)),
-            Quantity::Ratio(a, b) => format!("ratio({}/{})", l(a), l(b)),
-            Quantity::Advantage(a, b) => format!("advantage({}/{})", l(a), l(b)),
-            Quantity::Alpha(a) => format!("alpha({})", l(a)),
-            Quantity::RelativeAlpha(a, b) => format!("alpha({}/{})", l(a), l(b)),
-            Quantity::Slip(a, b) => format!("slip({}/{})", p(a), l(b)),
-            Quantity::SlipAcceleration(a, b) => format!("aslip({}/{})", p(a), l(b)),
-            Quantity::SlipNormal(a, b) => format!("aslipn({}/{})", p(a), l(b)),
-            Quantity::SlipTangential(a, b) => format!("aslipt({}/{})", p(a), l(b)),
-            Quantity::Coriolis(a, b) => format!("coriolis({}/{})", p(a), l(b)),
-            Quantity::CoincidentVelocity(a, b) => format!("v({}@{})", p(a), l(b)),
-            Quantity::CoincidentAcceleration(a, b) => format!("a({}@{})", p(a), l(b)),
-            Quantity::CoincidentNormal(a, b) => format!("an({}@{})", p(a), l(b)),
-            Quantity::CoincidentTangential(a, b) => format!("at({}@{})", p(a), l(b)),
-            Quantity::ContactNormal(a, b, c) => format!("an({}@{}/{})", p(a), l(b), l(c)),
-            Quantity::Centre(a, b) => format!("I({},{})", l(a), l(b)),
-            Quantity::Rub(a, b, c) => format!("rub({},{}/{})", p(a), l(b), l(c)),
-            Quantity::PathRadius(a) => format!("rho({})", p(a)),
-            Quantity::Position(a) => format!("x({})", p(a)),
-            Quantity::Angle(a) => format!("angle({})", l(a)),
-            Quantity::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),
-        }
+        quantity.name(self.mechanism())
     }
 
     /// The scene's unit of velocity or acceleration; of length for positions.

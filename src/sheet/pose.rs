@@ -116,6 +116,10 @@ impl<'a> Pose<'a> {
                 .map_or(Point::ORIGIN, |(at, exact)| at - Vec2::new(exact[0].value, -exact[1].value) * scale);
             return Some(Frame { origin, x: Vec2::new(scale, 0.0) });
         }
+        // As it was drawn, where that was needed.
+        if let Some(axes) = self.space.axes.get(link.0).copied().flatten() {
+            return Some(Frame { origin: page(axes.origin), x: Vec2::new(axes.x[0], -axes.x[1]) * scale });
+        }
         let own = self.own(link)?;
         let points = &self.mechanism.links.get(link.0)?.points;
         let known: Vec<(Vec2, Point)> = points

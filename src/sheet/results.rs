@@ -66,7 +66,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
     }
     match &reading.answer {
         // What is not told from zero reads as zero, here and below.
-        Answer::Scalar { value, bound } if value.abs() <= *bound && *value != 0.0 => {
+        answer @ Answer::Scalar { value, .. } if answer.may_be_zero() && *value != 0.0 => {
             let none = Answer::Scalar { value: 0.0, bound: 0.0 };
             row(asked, &Reading { answer: none, ..reading.clone() }, notation)
         }

@@ -17,7 +17,6 @@ use super::pose::{GuideLine, Pose};
 use super::positions;
 use super::rich::Rich;
 use super::slots::Slot;
-use super::steps;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
 use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll};
@@ -671,7 +670,7 @@ impl Artist<'_> {
         let mut known = self.stated_rotations();
         for act in self.construction.steps.iter().flat_map(|s| &s.acts) {
             let Act::Calculate(calculation) = act else { continue };
-            match steps::without_noise(calculation, self.construction) {
+            match *calculation {
                 Calculation::Omega { link, value, .. } => {
                     known.insert((link, false), value);
                 }
@@ -687,6 +686,7 @@ impl Artist<'_> {
         let asked = &self.notation.mechanism().asked;
         for (asked, reading) in asked.iter().zip(&self.construction.answers) {
             if let Answer::Scalar { value, .. } = reading.answer {
+                let value = if reading.answer.may_be_zero() { 0.0 } else { value };
                 match asked.quantity {
                     Quantity::Omega(link) => known.insert((link, false), value),
                     Quantity::Alpha(link) => known.insert((link, true), value),

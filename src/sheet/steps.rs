@@ -13,8 +13,6 @@ use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, PointId, Rider};
 
-/// What is shorter than this on paper, mm, is not there: the drawing is written down no finer.
-const NOISE: f64 = 1e-6;
 /// Flatter crossings than this are badly readable by hand.
 const FLAT: f64 = 3.0;
 
@@ -126,50 +124,6 @@ pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
     sentence.up(" ").then(&Rich::fill(notation.words.flat_crossing, &[angle]))
 }
 
-/// The value, or zero where its vector on paper is no longer than what a drawing writes down: the roundings of lines
-/// that meet in one point.
-fn quiet(si: f64, order: Order, construction: &Construction) -> f64 {
-    let polygon = match order {
-        Order::Acceleration => &construction.acceleration,
-        _ => &construction.velocity,
-    };
-    let least = polygon.as_ref().map_or(0.0, |p| p.si_per_mm * NOISE);
-    if si.abs() < least { 0.0 } else { si }
-}
-
-/// A calculation without what comes of such a zero.
-#[must_use]
-pub fn without_noise(calculation: &Calculation, construction: &Construction) -> Calculation {
-    let mut calculation = *calculation;
-    let clear = |order: Order, read: &mut f64, value: &mut f64| {
-        if quiet(*read, order, construction) == 0.0 {
-            (*read, *value) = (0.0, 0.0);
-        }
-    };
-    match &mut calculation {
-        Calculation::Omega { speed, value, .. }
-        | Calculation::Normal { speed, value, .. }
-        | Calculation::SlipNormal { speed, value, .. } => clear(Order::Velocity, speed, value),
-        Calculation::Alpha { tangential, value, .. } => clear(Order::Acceleration, tangential, value),
-        // Of a short link the speed is small, not the rotation.
-        Calculation::Speed { omega, value, length, .. } if *length > construction.space.metres_per_mm => {
-            clear(Order::Velocity, value, omega);
-        }
-        Calculation::Tangential { alpha, value, length, .. }
-            if *length > construction.space.metres_per_mm =>
-        {
-            clear(Order::Acceleration, value, alpha);
-        }
-        Calculation::Speed { .. } | Calculation::Tangential { .. } => {}
-        Calculation::Coriolis { speed, value, .. } => {
-            clear(Order::Velocity, speed, value);
-            *value = quiet(*value, Order::Acceleration, construction);
-        }
-        Calculation::Translation { .. } | Calculation::Rub { .. } => {}
-    }
-    calculation
-}
-
 fn only_rubs(step: &Step) -> bool {
     let rub = |act: &Act| matches!(act, Act::Calculate(Calculation::Rub { .. }));
     !step.acts.is_empty() && step.acts.iter().all(rub)
@@ -246,10 +200,7 @@ impl Teller<'_> {
     fn term(&self, term: &Term, unit: f64) -> (Rich, Rich) {
         let unknown = || Rich::upright(self.notation.words.unknown);
         let magnitude = match term.magnitude {
-            Some(value) => {
-                let value = quiet(value, self.step.order, self.construction);
-                Rich::tick().gap(0.15).then(&human::number(value / unit))
-            }
+            Some(value) => Rich::tick().gap(0.15).then(&human::number(value / unit)),
             None => unknown(),
         };
         let direction = match term.direction {
@@ -509,7 +460,7 @@ impl Teller<'_> {
                     .up("\u{a0}×\u{a0}")
                     .then(&human::stated(factor))
                     .up("\u{a0}=\u{a0}")
-                    .then(&human::quantity(quiet(*value, order, self.construction), &unit));
+                    .then(&human::quantity(*value, &unit));
                 Rich::fill(
                     words.read_vector,
                     &[
@@ -582,7 +533,6 @@ impl Teller<'_> {
 
     fn calculation(&self, calculation: &Calculation) -> Option<Rich> {
         let n = self.notation;
-        let calculation = &without_noise(calculation, self.construction);
         let equals = "\u{a0}= ";
         let length = &n.scene.units.length;
         let (v, a) = (n.unit(Order::Velocity), n.unit(Order::Acceleration));

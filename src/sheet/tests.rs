@@ -458,6 +458,7 @@ fn placed(json: &str) -> (Scene, Construction) {
     let space = crate::graphical::construction::Space {
         metres_per_mm: per_mm,
         places,
+        axes: vec![],
         lines: vec![],
         choices: vec![],
     };

@@ -266,6 +266,10 @@ pub struct Words {
     pub path_of: &'static str,
     pub hodograph_of: &'static str,
     pub polar_of: &'static str,
+    // Notes on a whole sheet.
+    pub unconfirmed: &'static str,
+    pub unconfirmed_at_all: &'static str,
+    pub left_out: &'static str,
 }
 
 const ENGLISH: Words = Words {
@@ -463,6 +467,9 @@ const ENGLISH: Words = Words {
     path_of: "Path of {symbol}",
     hodograph_of: "Hodograph of {symbol}",
     polar_of: "Polar diagram of {symbol} over {input}",
+    unconfirmed: "Not confirmed by the independent solver: {what}.",
+    unconfirmed_at_all: "Not confirmed by the independent solver.",
+    left_out: "Links {links} are not drawn: nothing asked needs them, and they cannot be assembled as stated.",
 };
 
 /// The usage of the Syrian textbooks.
@@ -661,6 +668,9 @@ const ARABIC: Words = Words {
     path_of: "مسار {symbol}",
     hodograph_of: "هودوغراف {symbol}",
     polar_of: "المخطط القطبي لـ {symbol} بدلالة {input}",
+    unconfirmed: "لم يؤكّد الحلّ التحليلي المستقل قيمة {what}.",
+    unconfirmed_at_all: "لم يؤكّد الحلّ التحليلي المستقل هذا الرسم.",
+    left_out: "لم تُرسم الوصلات {links}: لا يحتاج إليها المطلوب ولا يمكن تجميعها بالمعطيات.",
 };
 
 /// The usage of the Egyptian textbooks.
@@ -859,6 +869,9 @@ const ARABIC_AJALA: Words = Words {
     path_of: "مسار {symbol}",
     hodograph_of: "هودوغراف {symbol}",
     polar_of: "المخطط القطبي لـ {symbol} بدلالة {input}",
+    unconfirmed: "لم يؤكّد الحلّ التحليلي المستقل قيمة {what}.",
+    unconfirmed_at_all: "لم يؤكّد الحلّ التحليلي المستقل هذا الرسم.",
+    left_out: "لم تُرسم الوصلات {links}: لا يحتاج إليها المطلوب ولا يمكن تجميعها بالمعطيات.",
 };
 
 const PERSIAN: Words = Words {
@@ -1056,4 +1069,7 @@ const PERSIAN: Words = Words {
     path_of: "مسیر {symbol}",
     hodograph_of: "هودوگراف {symbol}",
     polar_of: "نمودار قطبی {symbol} بر حسب {input}",
+    unconfirmed: "حل تحلیلی مستقل مقدار {what} را تأیید نکرد.",
+    unconfirmed_at_all: "حل تحلیلی مستقل این رسم را تأیید نکرد.",
+    left_out: "بندهای {links} رسم نشده‌اند: خواسته‌ها به آن‌ها نیاز ندارند و با این داده‌ها سرهم نمی‌شوند.",
 };

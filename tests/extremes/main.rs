@@ -277,7 +277,7 @@ fn hold_in(arithmetic: Arithmetic) -> usize {
         let name = format!("{} in {arithmetic:?}", case.name);
         let must = case.answers.is_some_and(|a| rank(a) <= rank(arithmetic));
         let scene = common::read(&case.scene);
-        let settings = Settings { arithmetic };
+        let settings = Settings { arithmetic, ..Settings::default() };
         let solved = match solve_with(&scene, Extent::Asked, &[], settings, linkgram::sheet::scale::for_scene)
         {
             Ok(solved) => solved,

@@ -64,7 +64,7 @@ fn answers(value: &Value) -> Result<Option<[Answers; 2]>, TestCaseError> {
         .iter()
         .max_by(|a, b| ratio(a).total_cmp(&ratio(b)))
         .map(|c| format!("{}: {:?} against {:?}", c.asked.name, c.graphical.answer, c.analytic));
-    prop_assert!(agreement.ok(), "{:?} {:?} {worst:?}\n{value}", agreement.wrong_branch, agreement.refused);
+    prop_assert!(agreement.ok(), "{:?} {:?} {worst:?}\n{value}", agreement.elsewhere, agreement.refused);
     if agreement.compared.iter().any(|c| c.indeterminate().is_some()) {
         return Ok(None);
     }

@@ -1,0 +1,98 @@
+//! What the bound cannot tell from zero is told nowhere: no arrow, no sense, no number.
+//!
+//! Lines that meet in one point meet a rounding beside it. The drawing keeps what it reckoned; what is said of it, in
+//! vectors, readings and calculations, is zero where the bound allows zero.
+
+use std::collections::HashMap;
+
+use crate::board::Tape;
+use crate::mechanism::quantity::Quantity;
+
+use super::construction::{Act, Calculation, Construction, Polygon};
+use super::shown::Shown;
+
+/// The quantities that may be zero, with their bounds.
+pub(super) fn zeros(shown: &[Shown], tape: &mut Tape) -> HashMap<Quantity, f64> {
+    shown.iter().filter_map(|shown| Some((shown.quantity, shown.bound_of_zero(tape)?))).collect()
+}
+
+/// Says zero of them wherever something is said of them.
+pub(super) fn settle(construction: &mut Construction, zeros: &HashMap<Quantity, f64>) {
+    if zeros.is_empty() {
+        return;
+    }
+    // The point of a link under a pin shares its name with other things that are not zero: the value tells.
+    let zero =
+        |quantity: &Quantity, value: f64| zeros.get(quantity).is_some_and(|bound| value.abs() <= 2.0 * bound);
+    for polygon in [&mut construction.velocity, &mut construction.acceleration].into_iter().flatten() {
+        for vector in &mut polygon.vectors {
+            let length = libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]);
+            if zero(&vector.quantity, length * polygon.si_per_mm) {
+                vector.to = vector.from;
+                vector.as_point = true;
+            }
+        }
+    }
+    let Construction { velocity, acceleration, steps, .. } = construction;
+    for step in steps {
+        for term in step.equations.iter_mut().flat_map(|e| e.left.iter_mut().chain(&mut e.right)) {
+            if term.magnitude.is_some_and(|magnitude| zero(&term.quantity, magnitude)) {
+                term.magnitude = Some(0.0);
+            }
+        }
+        for act in &mut step.acts {
+            match act {
+                Act::ReadVector { vector, mm, value } | Act::LayOffFromCentre { vector, mm, value, .. } => {
+                    let is_read = |polygon: &&Polygon| polygon.order == step.order;
+                    let polygon = [&*velocity, &*acceleration].into_iter().flatten().find(is_read);
+                    if polygon.and_then(|p| p.vectors.get(*vector)).is_some_and(|v| v.from == v.to) {
+                        (*mm, *value) = (0.0, 0.0);
+                    }
+                }
+                Act::Calculate(calculation) => settle_calculation(calculation, zero),
+                _ => {}
+            }
+        }
+    }
+}
+
+fn settle_calculation(calculation: &mut Calculation, zero: impl Fn(&Quantity, f64) -> bool) {
+    let clear = |quantity: Quantity, value: &mut f64| {
+        if zero(&quantity, *value) {
+            *value = 0.0;
+        }
+    };
+    match calculation {
+        Calculation::Speed { quantity, value, .. } => clear(*quantity, value),
+        Calculation::Omega { link, quantity, speed, value, .. } => {
+            clear(*quantity, speed);
+            clear(Quantity::Omega(*link), value);
+        }
+        Calculation::Normal { quantity, velocity, speed, value, .. } => {
+            clear(*velocity, speed);
+            clear(*quantity, value);
+        }
+        Calculation::Tangential { quantity, link, alpha, value, .. } => {
+            clear(Quantity::Alpha(*link), alpha);
+            clear(*quantity, value);
+        }
+        Calculation::Alpha { link, quantity, tangential, value, .. } => {
+            clear(*quantity, tangential);
+            clear(Quantity::Alpha(*link), value);
+        }
+        Calculation::Coriolis { quantity, link, slip, speed, omega, value } => {
+            clear(*slip, speed);
+            clear(Quantity::Omega(*link), omega);
+            clear(*quantity, value);
+        }
+        Calculation::SlipNormal { quantity, slip, speed, value, .. } => {
+            clear(*slip, speed);
+            clear(*quantity, value);
+        }
+        Calculation::Rub { links: [i, j], first, second, .. } => {
+            clear(Quantity::Omega(*i), first);
+            clear(Quantity::Omega(*j), second);
+        }
+        Calculation::Translation { .. } => {}
+    }
+}

@@ -1,0 +1,151 @@
+//! Everything that stands on the paper, asked or not: what a sheet shows beside its answers. A check compares it.
+
+use std::collections::HashSet;
+
+use crate::board::{Bench, MarkOf, Real, Tape};
+use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
+use crate::mechanism::{LinkId, PointId};
+
+use super::construction::{Label, Vector};
+use super::draughtsman::Draughtsman;
+
+/// A quantity that stands on the paper.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shown {
+    /// What it is.
+    pub quantity: Quantity,
+    /// SI units; x and y of a vector or a place, one number of anything else.
+    value: Vec<f64>,
+    /// The direction of a place at infinity; then the number is its angle.
+    toward: Option<[f64; 2]>,
+    /// Where it stands on the tape.
+    slots: Vec<u32>,
+}
+
+impl Shown {
+    /// As it was read, and as if it were exact.
+    #[must_use]
+    pub fn as_read(&self) -> Answer {
+        self.with_bound(&vec![0.0; self.value.len()])
+    }
+
+    /// With its bound, which takes a sweep through the tape for each number; indeterminate where it hangs on what is
+    /// not determined here.
+    #[must_use]
+    pub fn answer(&self, tape: &mut Tape) -> Answer {
+        if self.is_weak(tape) {
+            return Answer::Indeterminate(Indeterminate::DeadCentre { links: Vec::new() });
+        }
+        let bounds: Vec<f64> = self.slots.iter().map(|slot| tape.bound(*slot)).collect();
+        self.with_bound(&bounds)
+    }
+
+    /// Its bound, where that allows zero. A bound takes a sweep through the tape, and is not needed where a rougher one
+    /// that is at hand forbids zero already.
+    pub(super) fn bound_of_zero(&self, tape: &mut Tape) -> Option<f64> {
+        if self.toward.is_some() || matches!(self.quantity, Quantity::Position(_) | Quantity::Centre(..)) {
+            return None;
+        }
+        let size = self.value.iter().fold(0.0, |sum, value| libm::hypot(sum, *value));
+        let rough = self.slots.iter().fold(0.0, |sum, slot| libm::hypot(sum, tape.rough_bound(*slot)));
+        if size > rough {
+            return None;
+        }
+        match self.answer(tape) {
+            answer @ (Answer::Scalar { bound, .. } | Answer::Vector { bound, .. }) => {
+                answer.may_be_zero().then_some(bound)
+            }
+            Answer::AtInfinity { .. } | Answer::Indeterminate(_) => None,
+        }
+    }
+
+    /// Whether it hangs on what is not determined here.
+    #[must_use]
+    pub fn is_weak(&self, tape: &mut Tape) -> bool {
+        self.slots.iter().any(|slot| tape.weakness(*slot).is_some())
+    }
+
+    fn with_bound(&self, bounds: &[f64]) -> Answer {
+        match (self.toward, &self.value[..], bounds) {
+            (Some(direction), _, &[bound, ..]) => Answer::AtInfinity { direction, bound },
+            (None, &[value], &[bound]) => Answer::Scalar { value, bound },
+            (None, &[x, y], &[dx, dy]) => Answer::Vector { value: [x, y], bound: libm::hypot(dx, dy) },
+            _ => Answer::Indeterminate(Indeterminate::Undefined { why: "nothing was read".to_owned() }),
+        }
+    }
+}
+
+/// Whether a vector is of a trial, and stands for no quantity.
+#[must_use]
+pub fn is_trial(vector: &Vector) -> bool {
+    [vector.tail, vector.head].iter().any(|label| matches!(label, Label::Trial { .. }))
+}
+
+/// Reads everything that stands on the paper.
+pub(super) fn all<B: Bench<Recorder = Tape>>(d: &mut Draughtsman<'_, B>) -> Vec<Shown> {
+    // The paper is finished: what is read now is not drawn.
+    d.silent = true;
+    let mut shown: Vec<Shown> = Vec::new();
+    for point in (0..d.places.len()).map(PointId) {
+        if let Some(at) = d.places[point.0] {
+            let numbers = d.in_world(at).map(|amount| (amount.mark(), amount.real()));
+            shown.push(of(Quantity::Position(point), None, &numbers));
+        }
+    }
+    for quantity in d.standing() {
+        if let (Ok(numbers), toward) = d.read_standing(&quantity) {
+            shown.push(of(quantity, toward, &numbers));
+        }
+    }
+    shown
+}
+
+fn of<R: Real>(quantity: Quantity, toward: Option<[f64; 2]>, numbers: &[(u32, R)]) -> Shown {
+    Shown {
+        quantity,
+        value: numbers.iter().map(|(_, real)| real.to_f64()).collect(),
+        toward,
+        slots: numbers.iter().map(|(mark, _)| *mark).collect(),
+    }
+}
+
+impl<B: Bench> Draughtsman<'_, B> {
+    /// What stands on the polygons and the circle diagram, each once, in the order of drawing.
+    fn standing(&self) -> Vec<Quantity> {
+        let mut all = Vec::new();
+        let of_point = |order, point| match order {
+            Order::Acceleration => Quantity::Acceleration(point),
+            _ => Quantity::Velocity(point),
+        };
+        for order in [Order::Velocity, Order::Acceleration] {
+            let (images, rates) = match order {
+                Order::Acceleration => (&self.accelerations, &self.alphas),
+                _ => (&self.velocities, &self.omegas),
+            };
+            let Some(polygon) = self.polygon(order) else { continue };
+            let points = (0..images.len()).map(PointId).filter(|point| images[point.0].is_some());
+            all.extend(points.map(|point| of_point(order, point)));
+            let under = self.coincident.iter().filter(|under| under.order == order);
+            all.extend(under.map(|under| match order {
+                Order::Acceleration => Quantity::CoincidentAcceleration(under.pin, under.link),
+                _ => Quantity::CoincidentVelocity(under.pin, under.link),
+            }));
+            // Of the normal part at a contact only the ink is read.
+            let vectors = polygon.vectors.iter().filter(|v| !is_trial(v)).map(|v| v.quantity);
+            all.extend(vectors.filter(|quantity| !matches!(quantity, Quantity::ContactNormal(..))));
+            let links = (0..rates.len()).map(LinkId).filter(|link| rates[link.0].is_some());
+            all.extend(links.map(|link| match order {
+                Order::Acceleration => Quantity::Alpha(link),
+                _ => Quantity::Omega(link),
+            }));
+        }
+        let centres = self.record().circle.iter().flat_map(|circle| &circle.centres);
+        all.extend(centres.map(|centre| Quantity::Centre(centre.links[0], centre.links[1])));
+        let mut seen = HashSet::new();
+        all.retain(|quantity| seen.insert(*quantity));
+        all
+    }
+}
+
+/// Marks and values of a quantity, or why there are none; the direction of a place at infinity.
+pub(super) type Standing<B> = (Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>, Option<[f64; 2]>);

@@ -1,0 +1,242 @@
+//! What a sheet shows is what the independent solver says, or it is not drawn: the check of `draw` itself.
+
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
+mod common;
+
+use linkgram::check::{Unconfirmed, confirm};
+use linkgram::graphical::construction::{Act, Calculation, Label};
+use linkgram::plan::Extent;
+use linkgram::scene::Scene;
+use linkgram::sheet::scale;
+use linkgram::solve::{Solved, solve};
+
+fn whole(scene: &Scene) -> Solved {
+    solve(scene, Extent::WholeSkeleton, scale::for_scene).unwrap()
+}
+
+#[test]
+fn everything_that_the_examples_and_the_catalogue_show_is_confirmed() {
+    let examples = common::example_paths().into_iter();
+    let mut scenes: Vec<(String, String)> =
+        examples.map(|path| (path.display().to_string(), std::fs::read_to_string(path).unwrap())).collect();
+    let kinds = linkgram::catalogue::KINDS.iter();
+    scenes.extend(kinds.map(|entry| (entry.name.to_owned(), entry.scene.to_owned())));
+    let mut wrong = Vec::new();
+    let mut shown = 0;
+    for (name, text) in &scenes {
+        let Ok(scene) = linkgram::scene::read(text, name) else { continue };
+        for (extent, scales) in [
+            (Extent::WholeSkeleton, scale::for_scene as fn(&_, _) -> _),
+            (Extent::WholeSkeleton, scale::for_question),
+            (Extent::AllCentres, scale::for_scene),
+        ] {
+            let Ok(solved) = solve(&scene, extent, scales) else { continue };
+            shown += solved.solution.shown.len();
+            if let Err(why) = confirm(&scene, &solved) {
+                wrong.push(format!("{name} {extent:?}: {why}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {} scenes:\n{}", wrong.len(), scenes.len(), wrong.join("\n"));
+    assert!(shown > 20 * scenes.len(), "a sheet shows more than was asked: {shown}");
+}
+
+/// The name of the first quantity that is not confirmed.
+fn named(scene: &Scene, solved: &Solved) -> String {
+    match confirm(scene, solved).unwrap_err() {
+        Unconfirmed::Number { first, .. } => first.name,
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn ink_that_is_off_by_a_millionth_of_a_millimetre_is_found_whatever_it_is() {
+    let scene = common::example("s000-ch3a-1");
+    let solved = whole(&scene);
+    confirm(&scene, &solved).unwrap();
+    let m = &scene.mechanism;
+    let polygons = |solved: &Solved| {
+        let construction = &solved.solution.construction;
+        [construction.velocity.clone().unwrap(), construction.acceleration.clone().unwrap()]
+    };
+    for (order, polygon) in polygons(&solved).into_iter().enumerate() {
+        for (index, vector) in polygon.vectors.iter().enumerate() {
+            let mut off = solved.clone();
+            let construction = &mut off.solution.construction;
+            let own = if order == 0 { &mut construction.velocity } else { &mut construction.acceleration };
+            own.as_mut().unwrap().vectors[index].to[0] += 1e-6;
+            assert_eq!(named(&scene, &off), vector.quantity.name(m), "a vector");
+        }
+        for (index, image) in polygon.images.iter().enumerate() {
+            let Label::Image { point, .. } = image.label else { continue };
+            let mut off = solved.clone();
+            let construction = &mut off.solution.construction;
+            let own = if order == 0 { &mut construction.velocity } else { &mut construction.acceleration };
+            own.as_mut().unwrap().images[index].at[1] -= 1e-6;
+            let letter = if order == 0 { "v" } else { "a" };
+            assert_eq!(named(&scene, &off), format!("{letter}({})", m.point(point).name), "an image");
+        }
+    }
+    for step in 0..solved.solution.construction.steps.len() {
+        for act in 0..solved.solution.construction.steps[step].acts.len() {
+            let mut off = solved.clone();
+            let expected = match &mut off.solution.construction.steps[step].acts[act] {
+                Act::Calculate(Calculation::Omega { link, value, .. }) => {
+                    *value *= 1.0 + 1e-9;
+                    format!("omega({})", m.link(*link).number)
+                }
+                Act::Calculate(Calculation::Alpha { link, value, .. }) => {
+                    *value = -*value;
+                    format!("alpha({})", m.link(*link).number)
+                }
+                _ => continue,
+            };
+            assert_eq!(named(&scene, &off), expected, "a calculation");
+        }
+    }
+}
+
+#[test]
+fn another_length_is_found_and_another_assembly_is_told_from_it() {
+    let text = common::example_text("s000-ch3a-1");
+    let solved = whole(&common::read(&text));
+    let longer = text.replace("[\"A\", \"B\"], \"length\": 45", "[\"A\", \"B\"], \"length\": 45.000001");
+    assert_ne!(longer, text);
+    let longer = common::read(&longer);
+    let error = confirm(&longer, &solved).unwrap_err();
+    let said = error.to_string();
+    assert!(said.contains(" cm/s apart, where the bounds allow "), "{said}");
+    let crank = with_a_dyad(30.0, 40.0, r#""v(B)""#);
+    let solved = solve(&crank, Extent::Asked, scale::for_scene).unwrap();
+    let other = common::read(&crank.source.text().replace("[50, 0]", "[-30, 0]"));
+    match confirm(&other, &solved).unwrap_err() {
+        Unconfirmed::Assembly(elsewhere) => assert_eq!(elsewhere.name, "x(B)"),
+        other => panic!("{other}"),
+    }
+}
+
+/// A slider-crank, and a dyad of links 5 and 6 on its crank pin for which nobody asks.
+fn with_a_dyad(first: f64, second: f64, find: &str) -> Scene {
+    common::read(&format!(
+        r#"{{ "units": {{ "length": "cm" }}, "fixed": {{ "O2": [0, 0], "O6": [30, 40] }},
+        "links": {{ "2": {{ "joins": ["O2", "A"], "length": 15 }}, "3": {{ "joins": ["A", "B"], "length": 45 }},
+            "5": {{ "joins": ["A", "E"], "length": {first} }}, "6": {{ "joins": ["E", "O6"], "length": {second} }} }},
+        "slides": [{{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O2" }} }}],
+        "near": {{ "B": [50, 0] }},
+        "input": {{ "link": 2, "angle": 30, "omega": "10 rad/s cw" }}, "find": [{find}] }}"#
+    ))
+}
+
+#[test]
+fn what_nobody_asks_for_may_be_impossible_or_ambiguous() {
+    let (_, alone) = {
+        let scene = with_a_dyad(30.0, 40.0, r#""v(B)", "omega(3)""#);
+        let solved = solve(&scene, Extent::Asked, scale::for_scene).unwrap();
+        (scene, solved.solution.construction.answers)
+    };
+    // Too short to meet; two places and no hint.
+    for (lengths, asked) in [([3.0, 4.0], "cannot be assembled"), ([30.0, 40.0], "ambiguous")] {
+        let scene = with_a_dyad(lengths[0], lengths[1], r#""v(B)", "omega(3)""#);
+        let numbers = solve(&scene, Extent::Asked, scale::for_scene).unwrap();
+        assert_eq!(numbers.solution.construction.answers, alone);
+        let state = linkgram::solve::solve_analytically(&scene);
+        let agreement = linkgram::check::agreement(&scene, &numbers, &state);
+        assert!(agreement.ok() && agreement.compared.iter().all(|c| c.indeterminate().is_none()));
+        for kind in linkgram::drawing::Kind::ALL {
+            let wish = linkgram::drawing::Wish { kind, ..Default::default() };
+            let figure =
+                linkgram::drawing::figure(&scene, &wish).unwrap_or_else(|e| panic!("{}", e.told(&scene)));
+            assert!(figure.description.contains("Links 5, 6 are not drawn"), "{}", figure.description);
+            let touching = linkgram::sheet::overlap::overlaps(&figure);
+            assert!(touching.is_empty(), "{touching:#?}");
+        }
+        let wanted = with_a_dyad(lengths[0], lengths[1], r#""v(B)", "v(E)""#);
+        let refused = linkgram::drawing::figure(&wanted, &linkgram::drawing::Wish::default()).unwrap_err();
+        assert!(refused.told(&wanted).contains(asked), "{}", refused.told(&wanted));
+    }
+}
+
+#[test]
+fn a_note_stands_on_every_page_and_touches_nothing() {
+    for stem in ["s000-ch3a-1", "eight-link"] {
+        let scene = common::example(stem);
+        let solved = whole(&scene);
+        for language in linkgram::sheet::Language::ALL {
+            let construction = &solved.solution.construction;
+            let sheet = linkgram::sheet::solution(&scene, construction, language);
+            let single = linkgram::sheet::single(&scene, construction, "velocity", language).unwrap();
+            for figure in [sheet, single] {
+                let height = figure.height;
+                let noted = linkgram::sheet::unconfirmed(figure, Some("v(B)"), "by 1 cm/s", language);
+                let noted = linkgram::sheet::left_out(noted, &[5, 6], "too short", language);
+                assert!(noted.description.contains("v(B)"), "{}", noted.description);
+                let touching = linkgram::sheet::overlap::overlaps(&noted);
+                assert!(touching.is_empty(), "{stem} {language:?}: {touching:#?}");
+                let svg = linkgram::render::svg::write(&noted);
+                assert!(
+                    svg.contains("data-unconfirmed=\"by 1 cm/s\"")
+                        && svg.contains("data-left-out=\"too short\"")
+                );
+                let pages = linkgram::render::pages::of(&noted);
+                for page in &pages {
+                    let ink = page.group.bounds().unwrap();
+                    assert!(
+                        ink.y0 >= page.top && ink.y1 <= page.top + page.height,
+                        "{stem} {language:?}: {ink:?}"
+                    );
+                }
+                assert!(pages.len() > 1 || noted.height > height, "there is room for the note");
+            }
+        }
+    }
+}
+
+/// A parallelogram of awkward numbers: its coupler only translates, which arithmetic finds to a rounding.
+fn parallelogram() -> Scene {
+    common::read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0.1, 0.7], "O4": [70.3, 20.9] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 31.7 }, "4": { "joins": ["O4", "B"], "length": 31.7 },
+            "3": { "joins": ["A", "B", "C"], "shape": { "A": [0, 0], "B": [70.2, 20.2], "C": [13.1, 44.7] } } },
+        "near": { "B": [92.8, 43.3], "C": [35.6, 67.8] },
+        "input": { "link": 2, "angle": 45.3, "omega": "7.3 rad/s ccw", "alpha": "1.9 rad/s^2 cw" },
+        "find": ["omega(3)", "alpha(3)", "v(B/A)", "a(B/A)", "v(C)"] }"#,
+    )
+}
+
+#[test]
+fn what_the_bound_cannot_tell_from_zero_is_zero_everywhere() {
+    let scene = parallelogram();
+    let solved = whole(&scene);
+    let construction = &solved.solution.construction;
+    let noise = construction.answers[..4].iter().filter(|reading| {
+        let answer = &reading.answer;
+        assert!(answer.may_be_zero(), "{answer:?}");
+        !matches!(answer, linkgram::mechanism::quantity::Answer::Scalar { value: 0.0, .. })
+    });
+    assert!(noise.count() > 0, "no rounding to be hidden");
+    for act in construction.steps.iter().flat_map(|step| &step.acts) {
+        match act {
+            Act::Calculate(
+                Calculation::Omega { link, value, .. } | Calculation::Alpha { link, value, .. },
+            ) if scene.mechanism.link(*link).number == 3 => {
+                assert_eq!(*value, 0.0, "{act:?}");
+            }
+            _ => {}
+        }
+    }
+    for polygon in [&construction.velocity, &construction.acceleration].into_iter().flatten() {
+        for vector in &polygon.vectors {
+            let name = vector.quantity.name(&scene.mechanism);
+            if name.contains("(B/A)") {
+                assert!(vector.as_point && vector.from == vector.to, "{name}");
+            }
+        }
+    }
+    let wish = linkgram::drawing::Wish::default();
+    let svg = linkgram::render::svg::write(&linkgram::drawing::figure(&scene, &wish).unwrap());
+    for group in svg.split("<g ").filter(|group| group.starts_with("class=\"rotation")) {
+        assert!(!group.contains("(3)"), "{group}");
+    }
+    assert!(!svg.contains("10<tspan"), "no power of ten is printed");
+}
