@@ -124,8 +124,17 @@ fn or_here(folder: &Path) -> &Path {
     if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
 }
 
-/// Refuses to write over the file that was read, in whatever way it is named.
+/// Refuses to write over the scene that was read, in whatever way it is named.
 pub(crate) fn spare<'a>(
+    input: &Path,
+    outputs: impl IntoIterator<Item = &'a PathBuf>,
+) -> Result<(), FileError> {
+    spare_input("the scene itself", input, outputs)
+}
+
+/// The same for any file that was read; `what` says which.
+pub(crate) fn spare_input<'a>(
+    what: &str,
     input: &Path,
     outputs: impl IntoIterator<Item = &'a PathBuf>,
 ) -> Result<(), FileError> {
@@ -134,7 +143,7 @@ pub(crate) fn spare<'a>(
     let same = |path: &&PathBuf| fs::canonicalize(path).is_ok_and(|path| path == input);
     match outputs.into_iter().find(same) {
         Some(path) => Err(FileError(format!(
-            "{}: is the scene itself, and would be overwritten; choose another name",
+            "{}: is {what}, and would be overwritten; choose another name",
             shown(path)
         ))),
         None => Ok(()),
@@ -330,8 +339,9 @@ fn clear(folder: &Path) {
         if !ours || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
             continue;
         }
-        let held = fs::File::open(entry.path());
-        if held.is_ok_and(|file| file.try_lock().is_ok()) {
+        let Ok(file) = fs::File::open(entry.path()) else { continue };
+        // Held until it is gone: nobody may take it for his own in between.
+        if file.try_lock().is_ok() {
             let _ = fs::remove_file(entry.path());
         }
     }

@@ -19,8 +19,9 @@ pub(super) struct Job {
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
-    for input in [&job.scene, &job.answers].into_iter().chain(&job.drawing) {
-        files::spare(input, &job.output)?;
+    files::spare(&job.scene, &job.output)?;
+    for handed_in in [&job.answers].into_iter().chain(&job.drawing) {
+        files::spare_input("what was handed in", handed_in, &job.output)?;
     }
     let standard_inputs =
         [&job.scene, &job.answers].into_iter().filter(|path| path.as_os_str() == "-").count();
