@@ -16,7 +16,7 @@ pub(crate) struct Ran {
 }
 
 /// Nothing takes longer, even on a busy machine and hardly optimised.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(300);
 
 impl Folder {
     pub(crate) fn new(name: &str) -> Self {

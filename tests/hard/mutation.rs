@@ -184,8 +184,8 @@ fn one<'v>(dice: &mut Dice, root: &'v mut Value, wanted: &dyn Fn(&Value) -> bool
 /// A number that is near, far or absurd.
 fn bent(dice: &mut Dice, number: f64) -> Value {
     let bent = match dice.below(4) {
-        0 => *dice.pick(NUMBERS),
-        1 => number + *dice.pick(NUMBERS),
+        0 if dice.below(3) == 0 => *dice.pick(NUMBERS),
+        0 => number + *dice.pick(NUMBERS),
         _ => number * *dice.pick(FACTORS),
     };
     json!(bent)
@@ -243,9 +243,14 @@ fn rename(value: &mut Value, old: &str, new: &str) {
     }
 }
 
+/// The first kinds of mutations leave words as they are: most of what they make is still a scene.
+const GENTLE: usize = 9;
+/// All kinds.
+const ALL: usize = 16;
+
 /// One mutation; the result is JSON.
-fn bend(dice: &mut Dice, root: &mut Value) {
-    match dice.below(16) {
+fn bend(dice: &mut Dice, root: &mut Value, kinds: usize) {
+    match dice.below(kinds) {
         0..=4 => {
             if let Some(number) = one(dice, root, &Value::is_number) {
                 *number = bent(dice, number.as_f64().unwrap_or(1.0));
@@ -380,8 +385,9 @@ pub(crate) fn scene(dice: &mut Dice, from: &str) -> String {
         return bend_text(dice, from);
     }
     let mut value: Value = serde_json::from_str(from).unwrap();
-    for _ in 0..=dice.below(4) {
-        bend(dice, &mut value);
+    let (kinds, most) = if dice.below(3) == 0 { (ALL, 4) } else { (GENTLE, 2) };
+    for _ in 0..=dice.below(most) {
+        bend(dice, &mut value, kinds);
     }
     let text = value.to_string();
     if dice.below(20) == 0 { bend_text(dice, &text) } else { text }
@@ -427,7 +433,7 @@ pub(crate) fn answers(dice: &mut Dice, scene: &str) -> String {
                 all["lengths"] = Value::Object(lengths);
             }
             if dice.below(4) == 0 {
-                bend(dice, &mut all);
+                bend(dice, &mut all, ALL);
             }
             all.to_string()
         }

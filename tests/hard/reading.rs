@@ -1,19 +1,20 @@
 //! Files of strangers: each is read in a moment or refused with one message, and nothing else is opened for them.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use linkgram::grade::{GradeSettings, grade, read_answers};
 use linkgram::{limits, scene};
 
+use super::Clock;
 use super::folder::{Folder, SLIDER};
 
-/// On a busy machine, hardly optimised.
+/// Hardly optimised.
 const A_MOMENT: Duration = Duration::from_secs(5);
 
 /// What is said of answers that are refused, in a moment.
 fn refused(text: &str) -> String {
     let scene = scene::read(SLIDER, "slider.json").unwrap();
-    let begun = Instant::now();
+    let begun = Clock::start();
     let error = read_answers(text, &scene).unwrap_err().to_string();
     assert!(begun.elapsed() < A_MOMENT, "{error} after {:?}", begun.elapsed());
     error
@@ -48,7 +49,7 @@ fn a_letter_is_not_held_against_every_mark() {
     let marks: String = (0..150_000).map(|n| format!("M{} {}", n % 400, n / 400)).collect();
     let letters: String =
         (0..900).map(|n| format!("<text x='{}' y='{}'>a{n}</text>", n % 300, n / 300)).collect();
-    let begun = Instant::now();
+    let begun = Clock::start();
     let read = read_answers(&page(&format!("<path d='{marks}'/>{letters}")), &scene).unwrap();
     assert!(begun.elapsed() < A_MOMENT, "{:?}", begun.elapsed());
     assert_eq!(read.figures[0].points.len(), 900);
