@@ -240,7 +240,7 @@ fn an_interrupted_run_is_taken_up_and_no_other_exam_is_mixed_in() {
     // As if it had been killed: some files are missing, one was left beside its place.
     std::fs::remove_file(folder.0.join("solutions/002.en.svg")).unwrap();
     std::fs::remove_file(folder.0.join("key.csv")).unwrap();
-    std::fs::write(folder.0.join("questions/.003.en.svg.1.part"), "<svg").unwrap();
+    std::fs::write(folder.0.join("questions/.linkgram-0123456789abcdef.part"), "<svg").unwrap();
     let (code, out, err) =
         run("exam/crank-and-slider", &folder, &["--variants", "4", "--seed", "3", "--jobs", "3"]);
     assert_eq!((code, err.as_str()), (0, ""));

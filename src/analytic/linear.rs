@@ -118,8 +118,13 @@ impl System {
 
     /// The multipliers of a number whose gradient towards the unknowns is `gradient`: one sweep back.
     pub(super) fn adjoint(&self, mut gradient: Vec<f64>) -> Multipliers {
-        let mut multipliers = Multipliers { rows: Vec::with_capacity(self.entries.len()), slack: 0.0 };
-        for (index, block) in self.blocks.iter().enumerate().rev() {
+        let mut multipliers = Multipliers { rows: Vec::new(), slack: 0.0 };
+        // Blocks hang on earlier ones: behind the last that the number hangs on there is nothing to do.
+        let touched =
+            gradient.iter().zip(&self.block_of).filter(|(g, _)| **g != 0.0).map(|(_, block)| *block);
+        let last = touched.filter(|block| *block != usize::MAX).max();
+        let blocks = &self.blocks[..last.map_or(0, |last| last + 1)];
+        for (index, block) in blocks.iter().enumerate().rev() {
             let columns = &block.group.columns;
             if columns.iter().all(|c| gradient[*c] == 0.0) {
                 continue;

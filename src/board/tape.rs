@@ -178,6 +178,8 @@ impl Recorder for Blank {
 
 /// At most this many operands hang on one result.
 const MOST_PARTS: usize = 4;
+/// Bits of a word.
+const WORD: usize = u64::BITS as usize;
 
 #[derive(Debug, Clone, Copy)]
 struct Slot {
@@ -230,8 +232,10 @@ pub struct Tape {
     nudge: Option<Nudge>,
     adjoint: Vec<f64>,
     reached: Vec<bool>,
-    /// Scratch of local sweeps: zero and `false` between them.
-    local: Vec<(f64, bool)>,
+    /// Scratch of local sweeps: zero between them.
+    local: Vec<f64>,
+    /// The slots that a local sweep has still to look at, a bit each.
+    waiting: Vec<u64>,
 }
 
 /// How far operands are drawn in, one sweep after the other as long as what the tangent leaves out is more than
@@ -511,13 +515,23 @@ impl Tape {
 
     /// A bound of the error of a slot, by a sweep back that may end at points that are drawn in.
     fn error_behind(&mut self, mark: u32, ends_at_points: bool) -> f64 {
-        self.local.resize(self.slots.len(), (0.0, false));
-        let mut index = mark as usize;
-        self.local[index] = (1.0, true);
+        self.local.resize(self.slots.len(), 0.0);
+        self.waiting.resize(self.slots.len().div_ceil(WORD), 0);
+        let mut word = mark as usize / WORD;
+        self.local[mark as usize] = 1.0;
+        self.waiting[word] = 1 << (mark as usize % WORD);
         let (mut waiting, mut error) = (1_usize, 0.0);
-        loop {
-            let (adjoint, reached) = std::mem::take(&mut self.local[index]);
-            waiting -= usize::from(reached);
+        while waiting > 0 {
+            // A slot hangs on earlier ones: the last that waits is the next. What is given stands at the very
+            // beginning; the way there must not cost a step for each slot between.
+            let Some(bit) = self.waiting[word].checked_ilog2() else {
+                word -= 1;
+                continue;
+            };
+            self.waiting[word] ^= 1 << bit;
+            waiting -= 1;
+            let index = word * WORD + bit as usize;
+            let adjoint = std::mem::take(&mut self.local[index]);
             if adjoint != 0.0 {
                 let slot = &self.slots[index];
                 let known = slot.is_point && slot.drawn_in > DrawnIn::Not && index != mark as usize;
@@ -526,18 +540,16 @@ impl Tape {
                 } else {
                     error += adjoint.abs() * slot.own;
                     for &(part, partial) in &slot.parts[..usize::from(slot.count)] {
-                        let (sum, reached) = &mut self.local[part as usize];
-                        *sum += adjoint * partial;
-                        waiting += usize::from(!*reached);
-                        *reached = true;
+                        let part = part as usize;
+                        self.local[part] += adjoint * partial;
+                        let (word, bit) = (part / WORD, 1 << (part % WORD));
+                        waiting += usize::from(self.waiting[word] & bit == 0);
+                        self.waiting[word] |= bit;
                     }
                 }
             }
-            if waiting == 0 || index == 0 {
-                return error;
-            }
-            index -= 1;
         }
+        error
     }
 
     /// Fills `adjoint` and `reached` for the slots up to `mark`.

@@ -108,7 +108,7 @@ fn format_of(path: &Path) -> Result<Format, Failure> {
     let ending = path.extension().and_then(|e| e.to_str()).and_then(Format::from_name);
     ending.ok_or_else(|| {
         let known = Format::ALL.map(|format| format!(".{}", format.name()));
-        let path = path.display();
+        let path = files::shown(path);
         Failure(format!("{path}: unknown format; end the name in {}", one_of(&known)))
     })
 }
@@ -165,7 +165,7 @@ fn write_film(
 ) -> Result<Ending, Failure> {
     if let Some((path, _)) = job.output.iter().zip(formats).find(|(_, format)| !matches!(format, Format::Svg))
     {
-        return Err(Failure(format!("{}: only SVG plays; end the name in .svg", path.display())));
+        return Err(Failure(format!("{}: only SVG plays; end the name in .svg", files::shown(path))));
     }
     if job.output.is_empty() && formats != [Format::Svg] {
         return Err(Failure("--play: only SVG plays".to_owned()));

@@ -61,10 +61,10 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         Work { scene: &scene, terms, workers, format, options, languages: &languages, folder: &folder };
     let (variants, told) = work.variants(known.as_deref())?;
     work.can_be_written(&variants)?;
-    folder.begin(&variants)?;
+    let _held = folder.begin(&variants)?;
     let written = work.sheets(&variants)?;
     work.banks(&variants)?;
-    print(&format!("{told}{written}{}: {} variants\n", job.output.display(), variants.len()))?;
+    print(&format!("{told}{written}{}: {} variants\n", files::shown(&job.output), variants.len()))?;
     Ok(Ending::Fine)
 }
 
@@ -125,8 +125,7 @@ impl Folder<'_> {
 
     /// The tries that an earlier run found, if it found enough; a folder that holds anything else is refused.
     fn known_attempts(&self, wanted: usize) -> Result<Option<Vec<u64>>, Failure> {
-        let shown = self.path.display();
-        let failed = |error: std::io::Error| Failure(format!("{shown}: {error}"));
+        let shown = files::shown(&self.path);
         if !self.path.exists() {
             return Ok(None);
         }
@@ -134,14 +133,14 @@ impl Folder<'_> {
             return Err(Failure(format!("{shown}: is no folder; an exam is written into one")));
         }
         if !self.manifest().exists() {
-            return match fs::read_dir(self.path).map_err(failed)?.next() {
-                None => Ok(None),
-                Some(_) => Err(Failure(format!(
+            return match files::holds_nothing(self.path)? {
+                true => Ok(None),
+                false => Err(Failure(format!(
                     "{shown}: holds other files and no {MANIFEST}; choose an empty folder or a new one"
                 ))),
             };
         }
-        let text = fs::read_to_string(self.manifest()).map_err(failed)?;
+        let (_, text) = files::read_file(&self.manifest())?;
         let damaged =
             || Failure(format!("{shown}/{MANIFEST}: not the manifest of an exam; choose another folder"));
         let mut held: Value = serde_json::from_str(&text).map_err(|_| damaged())?;
@@ -163,24 +162,25 @@ impl Folder<'_> {
         Ok((attempts.len() == wanted).then_some(attempts))
     }
 
-    /// Makes the folders, clears away what an interrupted run left beside its files, and says what exam this is
-    /// before the first file of it is written.
-    fn begin(&self, variants: &[Variant]) -> Result<(), Failure> {
-        let failed = |path: &Path, error: &std::io::Error| Failure(format!("{}: {error}", path.display()));
-        let folders = FOLDERS.map(|name| self.path.join(name));
-        for folder in folders.iter().map(PathBuf::as_path).chain([self.path]) {
-            fs::create_dir_all(folder).map_err(|error| failed(folder, &error))?;
-            for entry in fs::read_dir(folder).map_err(|error| failed(folder, &error))?.flatten() {
-                let name = entry.file_name();
-                let name = name.to_string_lossy();
-                if name.starts_with('.') && name.ends_with(".part") {
-                    fs::remove_file(entry.path()).map_err(|error| failed(&entry.path(), &error))?;
-                }
-            }
-        }
+    /// Makes the folders, and says what exam this is before the first file of it is written. Of two runs at once
+    /// the second waits for the first, and goes on with what it has left.
+    fn begin(&self, variants: &[Variant]) -> Result<files::Held, Failure> {
+        let make = |folder: &Path| {
+            fs::create_dir_all(folder).map_err(|error| Failure(format!("{}: {error}", files::shown(folder))))
+        };
+        make(self.path)?;
+        let held = files::hold(self.path);
+        // Another run may have begun since.
+        self.known_attempts(variants.len())?;
         let mut manifest = self.exam.clone();
         manifest["tries"] = variants.iter().map(|v| v.attempt).collect();
-        Ok(files::write_all(&[(self.manifest(), pretty(&manifest)?)])?)
+        files::write_all(&[(self.manifest(), pretty(&manifest)?)])?;
+        for name in FOLDERS {
+            let folder = self.path.join(name);
+            files::inside(self.path, &folder.join(name))?;
+            make(&folder)?;
+        }
+        Ok(held)
     }
 }
 
@@ -228,7 +228,10 @@ impl Work<'_> {
             again.map_err(|error| refused(&error))?.map(|variants| (variants, String::new())).ok_or_else(
                 || {
                     let path = self.folder.manifest();
-                    Failure(format!("{}: its tries give no variants; choose another folder", path.display()))
+                    Failure(format!(
+                        "{}: its tries give no variants; choose another folder",
+                        files::shown(&path)
+                    ))
                 },
             )
         } else {

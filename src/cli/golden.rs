@@ -17,7 +17,7 @@ pub(super) struct Job {
 pub(super) fn check(job: &Job, report: Option<&Path>, as_json: bool) -> Result<Ending, Failure> {
     let page = |path: &&Path| path.extension().is_some_and(|ending| ending == "html");
     if let Some(path) = report.filter(|path| !page(path)) {
-        return Err(Failure(format!("{}: the report is a page; end its name in .html", path.display())));
+        return Err(Failure(format!("{}: the report is a page; end its name in .html", files::shown(path))));
     }
     let suite = job.open()?;
     let bar = progress(suite.cases().len(), "figures");

@@ -12,18 +12,33 @@ use crate::solve::Hand;
 pub(super) struct Job {
     pub(super) scene: PathBuf,
     pub(super) answers: PathBuf,
+    pub(super) drawing: Option<PathBuf>,
     pub(super) json: bool,
     pub(super) hand: Option<Hand>,
     pub(super) output: Option<PathBuf>,
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
+    files::spare(&job.scene, &job.output)?;
+    for handed_in in [&job.answers].into_iter().chain(&job.drawing) {
+        files::spare_input("what was handed in", handed_in, &job.output)?;
+    }
+    let standard_inputs =
+        [&job.scene, &job.answers].into_iter().filter(|path| path.as_os_str() == "-").count();
+    if standard_inputs > 1 {
+        return Err(Failure("scene and answers cannot both be standard input".to_owned()));
+    }
     let (_, scene) = read_scene(&job.scene)?;
     let (file, text) = files::read(&job.answers)?;
     let mut answers = grade::read_named(&text, &file, &scene)?;
-    if let Some(drawing) = answers.drawing.clone() {
-        // Named as it lies beside the answers.
-        let (file, svg) = files::read(&job.answers.with_file_name(drawing))?;
+    // Where nobody says on the command line which drawing it is, it lies beside the answers.
+    let drawing = match (&job.drawing, &answers.drawing) {
+        (Some(given), _) => Some(given.clone()),
+        (None, Some(named)) => Some(beside(job, &answers, named)?),
+        (None, None) => None,
+    };
+    if let Some(drawing) = drawing {
+        let (file, svg) = files::read_file(&drawing)?;
         answers.add_drawing(&svg, &file, &scene)?;
     }
     if answers.is_empty() {
@@ -48,7 +63,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         let Some(figure) = figure else {
             return Err(Failure(format!(
                 "{}: no answer needs a polygon, so there is nothing to lay over",
-                path.display()
+                files::shown(&path)
             )));
         };
         let bytes = render::render(&figure, format, &render::Options::default())
@@ -65,8 +80,16 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     Ok(if report.holds() { Ending::Fine } else { Ending::DoesNotHold })
 }
 
+/// The place of the drawing that the answers name; told at the key that names it, where it is refused.
+fn beside(job: &Job, answers: &grade::Answers, named: &str) -> Result<PathBuf, Failure> {
+    files::beside_of(&job.answers, named).map_err(|error| {
+        let mend = "name a file beside the answers, or give it on the command line: --drawing FILE";
+        answers.complain(answers.drawing_at, error.to_string(), Some(mend.to_owned())).into()
+    })
+}
+
 /// The format of the overlay, by the ending of its name.
 fn overlay_format(path: &Path) -> Result<Format, Failure> {
     let ending = path.extension().and_then(|e| e.to_str()).and_then(Format::from_name);
-    ending.ok_or_else(|| Failure(format!("{}: unknown format; end the name in .svg", path.display())))
+    ending.ok_or_else(|| Failure(format!("{}: unknown format; end the name in .svg", files::shown(&path))))
 }

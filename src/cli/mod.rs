@@ -31,6 +31,7 @@ use crate::scene::{Diagnostic, Scene};
 use crate::sheet::Language;
 use crate::solve::{Arithmetic, Hand, Settings};
 use crate::sweep::Over;
+use crate::terminal;
 
 /// Draws and checks graphical solutions of planar mechanisms.
 #[derive(Debug, Parser)]
@@ -129,8 +130,11 @@ enum Command {
     Grade {
         /// The scene file; - for standard input
         scene: PathBuf,
-        /// What was handed in: JSON or CSV (linkgram schema answers)
+        /// What was handed in: JSON, CSV or SVG (linkgram schema answers); - for standard input
         answers: PathBuf,
+        /// The SVG of the drawing, instead of the one that the answers name
+        #[arg(long, value_name = "FILE")]
+        drawing: Option<PathBuf>,
         /// Print one JSON object
         #[arg(long)]
         json: bool,
@@ -405,8 +409,21 @@ fn parse_place(text: &str) -> Result<f64, String> {
 /// Runs the command with the process's arguments.
 #[must_use]
 pub fn run() -> ExitCode {
+    outlive_full_files();
     run_with(std::env::args_os())
 }
+
+/// Where a file may not grow further the system would end the process, with half a file left: heard as a signal, it
+/// is an error of writing like any other.
+#[cfg(unix)]
+fn outlive_full_files() {
+    let heard = std::sync::Arc::new(std::sync::atomic::AtomicBool::new(false));
+    // Without it nothing is worse than before.
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, heard);
+}
+
+#[cfg(not(unix))]
+const fn outlive_full_files() {}
 
 /// Runs the command with the given arguments, the program's name first.
 #[must_use]
@@ -416,7 +433,10 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Err(error) => {
             // Help and version are not errors; clap knows where each goes.
             let code = if error.use_stderr() { 2 } else { 0 };
-            let _ = error.print();
+            let told = error.to_string();
+            let plain = terminal::lines(&told);
+            // A name of a file may stand among the arguments.
+            let _ = if plain == told { error.print() } else { std::io::stderr().write_all(plain.as_bytes()) };
             return ExitCode::from(code);
         }
     };
@@ -463,8 +483,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith, ..Settings::default() })
         }
-        Command::Grade { scene, answers, json, hand, output } => {
-            grade::run(&grade::Job { scene, answers, json, hand, output })
+        Command::Grade { scene, answers, drawing, json, hand, output } => {
+            grade::run(&grade::Job { scene, answers, drawing, json, hand, output })
         }
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep { scene, steps, tolerance, from, to, against, bounds, lang, output } => {
@@ -490,7 +510,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(Ending::Fine) => ExitCode::SUCCESS,
         Ok(Ending::DoesNotHold) => ExitCode::from(1),
         Err(Failure { told, code }) => {
-            let _ = writeln!(std::io::stderr(), "error: {told}");
+            let _ = writeln!(std::io::stderr(), "error: {}", terminal::lines(&told));
             ExitCode::from(code)
         }
     }
@@ -506,11 +526,12 @@ fn schema(of: SchemaOf) -> Result<Ending, Failure> {
     Ok(Ending::Fine)
 }
 
-/// Writes to stdout; a reader who hung up is no error.
+/// Writes text, or JSON, to stdout; a reader who hung up is no error.
 fn print(text: &str) -> Result<(), Failure> {
-    print_bytes(text.as_bytes())
+    print_bytes(terminal::lines(text).as_bytes())
 }
 
+/// Writes a figure to stdout, byte by byte.
 fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {

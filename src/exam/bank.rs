@@ -46,7 +46,7 @@ impl<'a> Bank<'a> {
             let prompts = variant
                 .answers
                 .iter()
-                .map(|answer| prompt(&variant.scene, &asked[answer.asked], answer.part, language))
+                .map(|answer| harmless(&prompt(&variant.scene, &asked[answer.asked], answer.part, language)))
                 .collect();
             Ok::<_, RenderError>(Item {
                 variant,
@@ -78,12 +78,36 @@ pub(super) fn escaped(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            // XML has no other control characters.
-            c if c.is_control() && !"\n\t".contains(c) => out.push(' '),
-            c => out.push(c),
+            // Moodle looks for fields in the text before it is read as hypertext: a name must not be one.
+            '{' => out.push_str("&#123;"),
+            '}' => out.push_str("&#125;"),
+            c => out.push(allowed(c)),
         }
     }
     out
+}
+
+/// Hypertext that is written already, so that no name within it is taken for a field, and nothing that XML has not.
+pub(super) fn harmless(hypertext: &str) -> String {
+    let mut out = String::with_capacity(hypertext.len());
+    for c in hypertext.chars() {
+        match c {
+            '{' => out.push_str("&#123;"),
+            '}' => out.push_str("&#125;"),
+            c => out.push(allowed(c)),
+        }
+    }
+    out
+}
+
+/// A character as XML has it: of the controls, blanks; what is no character at all, replaced.
+const fn allowed(c: char) -> char {
+    match c {
+        '\n' | '\t' => c,
+        '\u{0}'..='\u{1f}' | '\u{7f}'..='\u{9f}' => ' ',
+        '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
+        c => c,
+    }
 }
 
 /// A unit as people write it.

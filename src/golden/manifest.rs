@@ -9,9 +9,9 @@ use thiserror::Error;
 use super::suite::Case;
 use super::{GoldenError, suite};
 use crate::drawing::{Kind, Wish, unknown, unknown_figure};
-use crate::files;
 use crate::render::theme::Theme;
 use crate::sheet::Language;
+use crate::{files, limits};
 
 /// The name of the file in a suite's folder that lists its figures.
 pub const MANIFEST: &str = "suite.json";
@@ -85,6 +85,10 @@ pub(super) fn read(folder: &Path) -> Result<(Vec<Case>, f32), GoldenError> {
                 let what =
                     format!("a second golden of the name {name} (the first is of {other}); give it a `name`");
                 return Err(wrong(what).into());
+            }
+            if cases.len() == limits::FIGURES {
+                let most = limits::grouped(limits::FIGURES);
+                return Err(wrong(format!("more than {most} figures in one suite")).into());
             }
             cases.push(Case { name, scene, ..wish.clone() });
         }
@@ -160,7 +164,7 @@ impl Listed {
                     .filter(|path| is_scene(path) && !except.iter().any(|except| path.starts_with(except))),
             );
             if found.len() == before {
-                return Err(GoldenError::Suite(format!("{}: no scene in this folder", path.display())));
+                return Err(GoldenError::Suite(format!("{}: no scene in this folder", files::shown(&path))));
             }
         }
         Ok(found)
@@ -172,9 +176,11 @@ impl Listed {
         let name = self.name.as_deref().unwrap_or("*").replace('*', &stem);
         // Goldens are written: nothing outside of the suite is.
         let inside = |part: Component<'_>| matches!(part, Component::Normal(_));
-        if name.is_empty() || name.ends_with('/') || !Path::new(&name).components().all(inside) {
+        let parts = || Path::new(&name).components();
+        if name.is_empty() || name.ends_with('/') || name.contains(char::is_control) || !parts().all(inside) {
             return Err(format!("`name` {name}: not a name in this folder"));
         }
-        Ok(name)
+        // `a//b` and `a/./b` are one file, and one name.
+        Ok(parts().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/"))
     }
 }

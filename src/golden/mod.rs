@@ -328,7 +328,7 @@ pub fn assert(folder: impl AsRef<Path>, report: impl AsRef<Path>) {
         let path = report.as_ref();
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder)
-                .map_err(|error| GoldenError::File(format!("{}: {error}", folder.display())))?;
+                .map_err(|error| GoldenError::File(format!("{}: {error}", crate::files::shown(folder))))?;
         }
         crate::files::write_all(&[(path.to_owned(), html(&checked).into_bytes())])
             .map_err(|error| GoldenError::File(error.to_string()))?;
@@ -337,12 +337,12 @@ pub fn assert(folder: impl AsRef<Path>, report: impl AsRef<Path>) {
     match outcome {
         Ok(None) => {}
         Ok(Some(checked)) => {
-            let (report, summary) = (report.as_ref().display(), checked.summary());
+            let (report, summary) = (crate::files::shown(report.as_ref()), checked.summary());
             panic!(
                 "{checked}{summary}\nlook at {report}\nif the new ones are right, bless them with LINKGRAM_BLESS=1"
             );
         }
-        Err(error) => panic!("{}: {error}", folder.as_ref().display()),
+        Err(error) => panic!("{}: {error}", crate::files::shown(folder.as_ref())),
     }
 }
 

@@ -11,7 +11,7 @@ use crate::render::theme::Theme;
 use crate::render::{json, svg};
 use crate::report::diagnose;
 use crate::solve::SolveError;
-use crate::{files, parallel};
+use crate::{files, limits, parallel};
 
 /// The ending of the file that has the meaning of a figure.
 pub(super) const MEANING: &str = ".figure.json";
@@ -89,11 +89,11 @@ impl Suite {
     /// When the folder or its `suite.json` cannot be read, says what cannot be, or lists no scene.
     pub fn open(folder: &Path) -> Result<Self, GoldenError> {
         if !folder.is_dir() {
-            return Err(GoldenError::File(format!("{}: not a folder", folder.display())));
+            return Err(GoldenError::File(format!("{}: not a folder", files::shown(&folder))));
         }
         let (cases, dpi) = manifest::read(folder)?;
         if cases.is_empty() {
-            return Err(GoldenError::Suite(format!("{}: no scene in this suite", folder.display())));
+            return Err(GoldenError::Suite(format!("{}: no scene in this suite", files::shown(&folder))));
         }
         let known = cases.iter().map(|case| case.name.clone()).collect();
         Ok(Self { folder: folder.to_owned(), cases, known, chosen: false, dpi })
@@ -207,7 +207,7 @@ impl Suite {
             return Err(self.missing(name, MEANING));
         };
         let unreadable = |ending: &str, why: String| {
-            Verdict::Unreadable(format!("{}: {why}; bless it anew", self.path(name, ending).display()))
+            Verdict::Unreadable(format!("{}: {why}; bless it anew", files::shown(&self.path(name, ending))))
         };
         let mut changes = Vec::new();
         if with_plain_ends(&golden) != json {
@@ -249,9 +249,10 @@ impl Suite {
         let path = self.path(name, PIXELS);
         let Some(bytes) = bytes(&path)? else { return Ok(Seen::Missing(PIXELS)) };
         let unreadable =
-            |why: String| Verdict::Unreadable(format!("{}: {why}; bless it anew", path.display()));
+            |why: String| Verdict::Unreadable(format!("{}: {why}; bless it anew", files::shown(&path)));
         let expected = Picture::read(&bytes).map_err(unreadable)?;
-        let actual = Picture::of_svg(svg, self.dpi).map_err(|error| Verdict::Broken(error.to_string()))?;
+        let actual = Picture::of_svg(svg, self.dpi);
+        let actual = actual.map_err(|error| Verdict::Broken(format!("{name}: {error}")))?;
         let difference = expected.difference(&actual);
         Ok(if difference.seen() { Seen::Differs(difference.to_string()) } else { Seen::Same })
     }
@@ -265,7 +266,7 @@ impl Suite {
     fn missing(&self, name: &str, ending: &str) -> Verdict {
         Verdict::Missing(format!(
             "{}: not there; look at the figure and bless it",
-            self.path(name, ending).display()
+            files::shown(&self.path(name, ending))
         ))
     }
 
@@ -274,8 +275,9 @@ impl Suite {
         let path = self.path(name, ending);
         let Some(bytes) = bytes(&path)? else { return Ok(None) };
         let text = String::from_utf8(bytes);
-        text.map(Some)
-            .map_err(|_| Verdict::Unreadable(format!("{}: not UTF-8 text; bless it anew", path.display())))
+        text.map(Some).map_err(|_| {
+            Verdict::Unreadable(format!("{}: not UTF-8 text; bless it anew", files::shown(&path)))
+        })
     }
 
     /// The goldens to which no scene belongs, by their names.
@@ -321,6 +323,13 @@ impl Suite {
         if !unconfirmed.is_empty() {
             return Err(GoldenError::Unconfirmed(unconfirmed));
         }
+        // Nothing is written where a link leads out of the suite.
+        for case in &self.cases {
+            let inside = files::inside(&self.folder, &self.path(&case.name, SVG));
+            inside.map_err(|error| GoldenError::File(error.to_string()))?;
+        }
+        // Two who bless one suite do so one after another.
+        let _held = files::hold(&self.folder);
         let mut lines = Vec::new();
         for (case, (outcome, verdict)) in self.cases.iter().zip(drawn.into_iter().flatten()) {
             if self.write(&case.name, &outcome, &verdict)? {
@@ -350,16 +359,17 @@ impl Suite {
                 (files, &[REFUSAL][..])
             }
         };
-        wanted.retain(|(path, bytes)| fs::read(path).ok().as_ref() != Some(bytes));
+        wanted.retain(|(path, new)| !bytes(path).is_ok_and(|old| old.as_ref() == Some(new)));
         if let Some(folder) = wanted.first().and_then(|(path, _)| path.parent()) {
-            fs::create_dir_all(folder).map_err(|error| file(&format!("{}: {error}", folder.display())))?;
+            fs::create_dir_all(folder)
+                .map_err(|error| file(&format!("{}: {error}", files::shown(&folder))))?;
         }
         files::write_all(&wanted).map_err(|error| file(&error))?;
         let mut changed = !wanted.is_empty();
         for ending in former {
             let path = self.path(name, ending);
-            if path.exists() {
-                fs::remove_file(&path).map_err(|error| file(&format!("{}: {error}", path.display())))?;
+            if path.symlink_metadata().is_ok() {
+                fs::remove_file(&path).map_err(|error| file(&format!("{}: {error}", files::shown(&path))))?;
                 changed = true;
             }
         }
@@ -448,11 +458,12 @@ fn blessed(name: &str, verdict: &Verdict) -> String {
 
 /// The bytes of a file; `None` where there is none.
 fn bytes(path: &Path) -> Result<Option<Vec<u8>>, Verdict> {
-    match fs::read(path) {
-        Ok(bytes) => Ok(Some(bytes)),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(Verdict::Unreadable(format!("{}: {error}", path.display()))),
+    // A link that leads nowhere is told when it is read.
+    if path.symlink_metadata().is_err_and(|error| error.kind() == std::io::ErrorKind::NotFound) {
+        return Ok(None);
     }
+    let read = files::read_bytes(path, limits::GOLDEN);
+    read.map(Some).map_err(|error| Verdict::Unreadable(error.to_string()))
 }
 
 fn with_plain_ends(text: &str) -> String {

@@ -2,8 +2,9 @@
 //! CSV, or as the drawing itself.
 
 use super::scan::Scan;
+use crate::limits;
 use crate::mechanism::quantity::{Asked, Order, Quantity, Unit};
-use crate::scene::asked::{default_scale, measure, named};
+use crate::scene::asked::{Names, default_scale, measure};
 use crate::scene::diagnostic::{Fault, Res};
 use crate::scene::json::{self, Entry, Fields, Kind, Value};
 use crate::scene::units::{Measure, Scale, Scales, Words, drawing_scale, number};
@@ -33,6 +34,8 @@ pub struct Answers {
     pub tolerances: Vec<(String, Tolerance)>,
     /// The file of the drawing, where the answers name one: it is read by [`Answers::add_drawing`].
     pub drawing: Option<String>,
+    /// Where the file names it; 0 where it does not.
+    pub drawing_at: usize,
     file: String,
     text: String,
 }
@@ -110,7 +113,7 @@ impl Answers {
     pub fn add_drawing(&mut self, svg: &str, file: &str, scene: &Scene) -> Result<(), Diagnostic> {
         let figures = super::drawing::points(svg, scene).map_err(|fault| fault.locate(file, svg, None))?;
         // What is wrong with a point of the drawing is told at the key that names the drawing.
-        let at = self.text.find("\"drawing\"").unwrap_or(0);
+        let at = self.drawing_at;
         for mut figure in figures {
             if self.figures.iter().any(|known| known.order == figure.order) {
                 let what = "the points of one figure stand in `points` and in the drawing";
@@ -120,6 +123,29 @@ impl Answers {
             self.figures.push(figure);
         }
         Ok(())
+    }
+
+    /// Takes one more value.
+    pub(super) fn take(&mut self, item: Item) -> Res<()> {
+        self.count(item.at)?;
+        refuse_twice(&self.items, &item)?;
+        self.items.push(item);
+        Ok(())
+    }
+
+    /// Refuses one answer more than anybody hands in.
+    pub(super) fn count(&self, at: usize) -> Res<()> {
+        let points: usize = self.figures.iter().map(|figure| figure.points.len()).sum();
+        if self.items.len() + points < limits::ANSWERS {
+            return Ok(());
+        }
+        Err(Fault::new(at, format!("more than {} answers", limits::grouped(limits::ANSWERS))))
+    }
+
+    /// The same, when points were taken already.
+    fn count_points(&self, at: usize) -> Res<()> {
+        let points: usize = self.figures.iter().map(|figure| figure.points.len()).sum();
+        if self.items.len() + points <= limits::ANSWERS { Ok(()) } else { self.count(at) }
     }
 
     /// Whether nothing was handed in.
@@ -150,6 +176,7 @@ pub fn read_named(text: &str, file: &str, scene: &Scene) -> Result<Answers, Diag
         hand: (None, None),
         tolerances: Vec::new(),
         drawing: None,
+        drawing_at: 0,
         file: file.to_owned(),
         text: text.to_owned(),
     };
@@ -172,11 +199,12 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
     text("$schema", "the address of the schema")?;
     answers.student = text("student", "a name, as text")?;
     answers.drawing = text("drawing", "the name of an SVG file")?;
+    answers.drawing_at = fields.get("drawing").map_or(0, |value| value.at);
     let scales = Scales::read(fields.get("units"), Some(&scene.units))?;
-    for (index, entry) in entries(&fields, "values", "values, by name of the quantity")?.iter().enumerate() {
-        let item = value(entry, scene, &scales)?;
-        refuse_twice(&answers.items[..index], &item)?;
-        answers.items.push(item);
+    let names = Names::new(&scene.mechanism, &scales);
+    for entry in entries(&fields, "values", "values, by name of the quantity")? {
+        let item = value(entry, &names, &scales)?;
+        answers.take(item)?;
     }
     let stated = fields.get("scales").map(|v| Fields::of(v, SCALES, "scales by diagram")).transpose()?;
     if let Some(stated) = stated {
@@ -191,9 +219,10 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
         };
     }
     for entry in entries(&fields, "lengths", "lengths on the drawing in mm, by name of the quantity")? {
-        let asked = named(&entry.key, entry.at, &scene.mechanism, &scales)?;
+        let asked = names.quantity(&entry.key, entry.at)?;
         let (mm, rounding) = plain(&entry.value, "a length in mm")?;
         let item = drawn(asked, mm, rounding, entry.at)?;
+        answers.count(entry.at)?;
         answers.items.push(item);
     }
     let scans =
@@ -203,7 +232,9 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
         for &key in FIGURES {
             let Some(value) = figures.get(key) else { continue };
             let scan = scans.and_then(|s| s.get(key)).map(scan).transpose()?;
-            answers.figures.push(figure(key, value, scan)?);
+            let figure = figure(key, value, scan)?;
+            answers.figures.push(figure);
+            answers.count_points(value.at)?;
         }
     }
     if let Some(scans) = scans {
@@ -215,7 +246,7 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
             }
         }
     }
-    tolerances(&fields, scene, &scales, &mut answers)?;
+    tolerances(&fields, &names, &scales, &mut answers)?;
     Ok(answers)
 }
 
@@ -224,7 +255,7 @@ fn entries<'v, 'a>(fields: &Fields<'v, 'a>, key: &str, what: &str) -> Res<&'v [E
 }
 
 /// A quantity written in two spellings is written twice.
-pub(super) fn refuse_twice(before: &[Item], item: &Item) -> Res<()> {
+fn refuse_twice(before: &[Item], item: &Item) -> Res<()> {
     if before.iter().any(|other| other.asked.quantity == item.asked.quantity) {
         let fault = Fault::new(item.at, format!("`{}` is answered twice", item.asked.name));
         return Err(fault.mend("keep one of the two"));
@@ -233,8 +264,8 @@ pub(super) fn refuse_twice(before: &[Item], item: &Item) -> Res<()> {
 }
 
 /// One entry of `values`.
-fn value(entry: &Entry<'_>, scene: &Scene, scales: &Scales) -> Res<Item> {
-    let asked = named(&entry.key, entry.at, &scene.mechanism, scales)?;
+fn value(entry: &Entry<'_>, names: &Names<'_>, scales: &Scales) -> Res<Item> {
+    let asked = names.quantity(&entry.key, entry.at)?;
     match &entry.value.kind {
         Kind::List(_) => components(asked, &entry.value, None, entry.at, scales),
         Kind::Object(_) => {
@@ -369,7 +400,20 @@ pub(super) fn drawn(asked: Asked, mm: f64, rounding: f64, at: usize) -> Res<Item
     if mm < 0.0 {
         return Err(Fault::new(at, "a length on the drawing is not negative"));
     }
+    on_paper(mm, at)?;
     Ok(Item { asked, given: Given::Drawn(mm), rounding, at })
+}
+
+/// A tolerance beyond it says nothing.
+const MOST_PERCENT: f64 = 1000.0;
+
+/// Refuses a coordinate or length (mm) that no paper has.
+pub(super) fn on_paper(mm: f64, at: usize) -> Res<()> {
+    if mm.abs() <= limits::PAPER_MM {
+        return Ok(());
+    }
+    let fault = Fault::new(at, format!("{mm:e} mm is on no paper"));
+    Err(fault.mend(format!("lengths and coordinates on paper are {} mm at most", limits::PAPER_MM)))
 }
 
 /// A number without unit, and half a unit in its last place.
@@ -451,13 +495,16 @@ fn figure(key: &str, value: &Value<'_>, scan: Option<Scan>) -> Res<FigurePoints>
     let mut points: Vec<(String, [f64; 2], usize)> = Vec::new();
     for Entry { at, key, value } in value.object("points in mm, by their names")? {
         let place = pair(value, "a point [x, y]")?;
-        points.push((key.clone(), scan.map_or(place, |scan| scan.to_paper(place)), *at));
+        let place = scan.map_or(place, |scan| scan.to_paper(place));
+        on_paper(place[0], value.at)?;
+        on_paper(place[1], value.at)?;
+        points.push((key.clone(), place, *at));
     }
     Ok(FigurePoints { order: order_of(key).unwrap_or(Order::Velocity), points })
 }
 
 /// `tolerance`: the hand, or a tolerance by name.
-fn tolerances(fields: &Fields<'_, '_>, scene: &Scene, scales: &Scales, answers: &mut Answers) -> Res<()> {
+fn tolerances(fields: &Fields<'_, '_>, names: &Names<'_>, scales: &Scales, answers: &mut Answers) -> Res<()> {
     for Entry { at, key, value } in entries(fields, "tolerance", "tolerances, by name")? {
         match key.as_str() {
             "length" => {
@@ -474,13 +521,20 @@ fn tolerances(fields: &Fields<'_, '_>, scene: &Scene, scales: &Scales, answers: 
                 answers.hand.1 = Some(bounded(angle.to_degrees(), 10.0, value.at, "deg")?.to_radians());
             }
             name => {
-                let asked = named(name, *at, &scene.mechanism, scales)?;
+                let asked = names.quantity(name, *at)?;
                 let percent = match &value.kind {
                     Kind::Text(text) => Words::split(text).filter(|w| w.unit == "%"),
                     _ => None,
                 };
                 let tolerance = match percent {
-                    Some(words) => Tolerance::Part(number(words.digits, value.at)?.value / 100.0),
+                    Some(words) => {
+                        let percent = number(words.digits, value.at)?.value;
+                        if percent > MOST_PERCENT {
+                            let what = format!("a tolerance of more than {MOST_PERCENT} %");
+                            return Err(Fault::new(value.at, what));
+                        }
+                        Tolerance::Part(percent / 100.0)
+                    }
                     None => {
                         let default = default_scale(&asked.quantity, scales);
                         let stated = scales.stated(value, measure(&asked.quantity), false, &default)?;

@@ -1,6 +1,7 @@
 //! One student's answers beside the right construction: what each answer is of, in which step it is found, what
 //! any changed construction would make of it, and how far off a careful hand may be.
 
+use std::collections::HashSet;
 use std::f64::consts::PI;
 
 use super::answers::{Answers, FigurePoints, Given, StatedScales, Tolerance, is_vector};
@@ -559,13 +560,18 @@ fn asking(scene: &Scene, answers: &Answers) -> Scene {
 fn points_asked(scene: &Scene, answers: &Answers) -> Vec<Quantity> {
     let mut asked = Vec::new();
     for figure in &answers.figures {
+        let mut written = HashSet::new();
+        for (name, ..) in &figure.points {
+            let mut name = plain_name(name, Order::Velocity);
+            written.insert(name.clone());
+            // The digits at the end may be those of a link.
+            while name.pop().is_some_and(|c| c.is_ascii_digit()) {
+                written.insert(name.clone());
+            }
+        }
         for (index, point) in scene.mechanism.points.iter().enumerate() {
             let id = PointId(index);
-            let bare = point.name.to_lowercase();
-            let named = figure.points.iter().any(|(name, ..)| {
-                let name = plain_name(name, Order::Velocity);
-                name.strip_prefix(bare.as_str()).is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
-            });
+            let named = written.contains(&point.name.to_lowercase());
             let contact = scene.mechanism.contacts.contains(&id);
             if !named || contact || (scene.mechanism.is_fixed(id) && figure.order != Order::Position) {
                 continue;

@@ -1,11 +1,10 @@
 //! Answers as CSV: one row per quantity, or one row per point.
 
-use super::answers::{
-    Answers, FigurePoints, directed, drawn, order_of, refuse_twice, scalar, turned, vector,
-};
+use super::answers::{Answers, FigurePoints, directed, drawn, on_paper, order_of, scalar, turned, vector};
+use crate::limits;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::scene::Scene;
-use crate::scene::asked::{measure, named};
+use crate::scene::asked::{Names, measure};
 use crate::scene::diagnostic::{Fault, Res};
 use crate::scene::json::{Kind, Value};
 use crate::scene::units::{Measure, Scale, Scales, Words, number};
@@ -13,11 +12,15 @@ use crate::scene::units::{Measure, Scale, Scales, Words, number};
 const QUANTITY: [&str; 7] = ["quantity", "value", "x", "y", "unit", "sense", "direction"];
 const POINT: [&str; 4] = ["figure", "point", "x", "y"];
 
+/// No row has more fields than there are columns.
+const MOST_FIELDS: usize = 16;
+
 /// A row: its fields and where each begins.
 type Row = Vec<(String, usize)>;
 
 pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answers> {
     let scales = Scales::read(None, Some(&scene.units))?;
+    let names = Names::new(&scene.mechanism, &scales);
     let mut columns: Option<Vec<String>> = None;
     for row in rows(text)? {
         let first = row.first().map_or(0, |(_, at)| *at);
@@ -41,7 +44,7 @@ pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answe
         let need =
             |name: &str| field(name).ok_or_else(|| Fault::new(first, format!("this row has no `{name}`")));
         if columns.iter().any(|c| c == "quantity") {
-            quantity(&need, &field, scene, &scales, &mut answers)?;
+            quantity(&need, &field, &names, &scales, &mut answers)?;
         } else {
             point(&need, &mut answers)?;
         }
@@ -70,12 +73,12 @@ fn header(row: &Row) -> Res<Option<Vec<String>>> {
 fn quantity<'r>(
     need: &impl Fn(&str) -> Res<&'r (String, usize)>,
     field: &impl Fn(&str) -> Option<&'r (String, usize)>,
-    scene: &Scene,
+    names: &Names<'_>,
     scales: &Scales,
     answers: &mut Answers,
 ) -> Res<()> {
     let (name, at) = need("quantity")?;
-    let asked = named(name, *at, &scene.mechanism, scales)?;
+    let asked = names.quantity(name, *at)?;
     let unit = field("unit");
     if let (None, Some(x), Some(y)) = (field("value"), field("x"), field("y")) {
         let [x, y] = [x, y].map(|(text, at)| Value { at: *at, kind: Kind::Text(text.clone()) });
@@ -85,9 +88,7 @@ fn quantity<'r>(
         if let Some((_, at)) = field("sense").or_else(|| field("direction")) {
             return Err(Fault::new(*at, "two components have their direction already"));
         }
-        refuse_twice(&answers.items, &item)?;
-        answers.items.push(item);
-        return Ok(());
+        return answers.take(item);
     }
     let (text, value_at) = need("value")?;
     if let Some((_, at)) = field("x").or_else(|| field("y")) {
@@ -101,6 +102,7 @@ fn quantity<'r>(
     {
         let mm = number(text, *value_at)?.value;
         let item = drawn(asked, mm, 0.0, *at)?;
+        answers.count(*at)?;
         answers.items.push(item);
         return Ok(());
     }
@@ -121,9 +123,7 @@ fn quantity<'r>(
         let value = Value { at: *at, kind: Kind::Text(direction.clone()) };
         item = directed(item, scales.given(&value, Measure::Angle)?.value)?;
     }
-    refuse_twice(&answers.items, &item)?;
-    answers.items.push(item);
-    Ok(())
+    answers.take(item)
 }
 
 fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>, answers: &mut Answers) -> Res<()> {
@@ -141,6 +141,9 @@ fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>, answers: &mut Ans
     };
     let place = [coordinate("x")?, coordinate("y")?];
     let (name, at) = need("point")?;
+    on_paper(place[0], *at)?;
+    on_paper(place[1], *at)?;
+    answers.count(*at)?;
     let points = figure_of(answers, order);
     if points.points.iter().any(|(known, ..)| known == name) {
         return Err(Fault::new(*at, format!("`{name}` is given twice")).mend("keep one of the two"));
@@ -165,6 +168,10 @@ fn rows(text: &str) -> Res<Vec<Row>> {
         let content = line.trim_end_matches(['\n', '\r']);
         if !content.trim().trim_start_matches('\u{feff}').is_empty() && !content.trim_start().starts_with('#')
         {
+            if rows.len() >= limits::ROWS {
+                let most = limits::grouped(limits::ROWS);
+                return Err(Fault::new(start, format!("more than {most} rows")));
+            }
             rows.push(fields(content, start)?);
         }
         start += line.len();
@@ -182,12 +189,18 @@ fn fields(line: &str, start: usize) -> Res<Row> {
         let bare = text.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
         row.push((bare.map_or_else(|| text.to_owned(), |b| b.replace("\"\"", "\"")), start + from + blanks));
     };
+    let mut parts = 0;
     for (at, sign) in line.char_indices() {
         match sign {
             '"' => quoted = !quoted,
             '(' if !quoted => depth += 1,
             ')' if !quoted => depth -= 1,
             ',' | ';' if !quoted && depth <= 0 => {
+                parts += 1;
+                // Nothing is kept of a line that is no row.
+                if parts > MOST_FIELDS {
+                    return Err(Fault::new(start + at, "more fields than any header has"));
+                }
                 push(from, at);
                 from = at + 1;
             }

@@ -4,11 +4,17 @@
 //! belongs to is told by the layer (an `id`, class or label that holds `velocity`, `acceleration` or `skeleton`),
 //! and without layers by its spelling: *A* is a joint, *a* a velocity image, *a′* an acceleration image.
 
-use kurbo::{Affine, BezPath, PathEl, Point};
-use roxmltree::{Document, Node};
-use svgtypes::{Length, LengthUnit, Transform};
+use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
+
+use kurbo::{Affine, Point};
+use roxmltree::{Document, Node, ParsingOptions};
+use svgtypes::{Length, LengthUnit, PathParser, PathSegment, Transform};
 
 use super::answers::{Answers, FigurePoints};
+use super::nearest::Nearest;
+use super::weight::weigh;
+use crate::limits;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
 use crate::scene::diagnostic::{Fault, Res};
@@ -40,6 +46,12 @@ struct Marks {
     ends: Vec<Point>,
 }
 
+/// The marks, to be found by their places.
+struct Found {
+    dots: Nearest,
+    ends: Nearest,
+}
+
 /// Reads the points of a drawing into the answers.
 pub(super) fn read(svg: &str, scene: &Scene, mut answers: Answers) -> Res<Answers> {
     for figure in points(svg, scene)? {
@@ -50,21 +62,25 @@ pub(super) fn read(svg: &str, scene: &Scene, mut answers: Answers) -> Res<Answer
 
 /// The points of a drawing by figure, millimetres, y up.
 pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
-    let document = Document::parse(svg).map_err(|error| {
+    weigh(svg)?;
+    // A vector editor declares the addresses of its namespaces in the document type; nothing that it names is opened.
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(svg, options).map_err(|error| {
         let place = error.pos();
-        let line: usize = svg.split_inclusive('\n').take(place.row as usize - 1).map(str::len).sum();
-        Fault::new(line + place.col as usize - 1, format!("not an SVG: {error}"))
+        let row = (place.row as usize).saturating_sub(1);
+        let line: usize = svg.split_inclusive('\n').take(row).map(str::len).sum();
+        Fault::new(line + (place.col as usize).saturating_sub(1), format!("not an SVG: {error}"))
     })?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
         return Err(Fault::new(root.range().start, "neither JSON, nor a table, nor an SVG"));
     }
-    let mut marks = Marks::default();
-    let mut letters = Vec::new();
-    walk(root, to_mm(root), scene, &mut marks, &mut letters);
+    let (marks, letters) = read_all(root, &Names::new(scene))?;
+    let found = Found { dots: Nearest::new(&marks.dots), ends: Nearest::new(&marks.ends) };
     let mut figures: Vec<FigurePoints> = Vec::new();
+    let mut named: HashMap<(usize, String), [f64; 2]> = HashMap::new();
     for letter in letters {
-        let Some(mark) = marks.beside(&letter) else {
+        let Some(mark) = found.beside(&letter) else {
             let what = format!("nothing is marked beside the letter `{}`", letter.name);
             return Err(
                 Fault::new(letter.at, what).mend("set it nearer to its dot or to the end of its line")
@@ -75,13 +91,16 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
             figures.push(FigurePoints { order: letter.order, points: Vec::new() });
             figures.len() - 1
         });
-        let points = &mut figures[index].points;
-        if points.iter().any(|(known, at, _)| *known == letter.name && *at != place) {
-            let fault = Fault::new(letter.at, format!("`{}` names two points", letter.name));
-            return Err(fault.mend("keep one of the two, or tell the figures apart by layers"));
-        }
-        if !points.iter().any(|(known, ..)| *known == letter.name) {
-            points.push((letter.name, place, letter.at));
+        match named.entry((index, letter.name)) {
+            Entry::Vacant(free) => {
+                figures[index].points.push((free.key().1.clone(), place, letter.at));
+                free.insert(place);
+            }
+            Entry::Occupied(taken) if *taken.get() != place => {
+                let fault = Fault::new(letter.at, format!("`{}` names two points", taken.key().1));
+                return Err(fault.mend("keep one of the two, or tell the figures apart by layers"));
+            }
+            Entry::Occupied(_) => {}
         }
     }
     if figures.is_empty() {
@@ -91,15 +110,27 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
     Ok(figures)
 }
 
-impl Marks {
+impl Found {
     /// What a letter names: a dot before the end of a line.
     fn beside(&self, letter: &Letter) -> Option<Point> {
-        let nearest = |marks: &[Point]| {
-            let near = |p: &Point| p.distance(letter.middle);
-            let best = marks.iter().copied().min_by(|a, b| near(a).total_cmp(&near(b)))?;
-            (near(&best) <= REACH * letter.height).then_some(best)
-        };
-        nearest(&self.dots).or_else(|| nearest(&self.ends))
+        let reach = REACH * letter.height;
+        let near =
+            |marks: &Nearest| marks.to(letter.middle).filter(|(_, far)| *far <= reach).map(|(at, _)| at);
+        near(&self.dots).or_else(|| near(&self.ends))
+    }
+}
+
+/// The names of a scene's points.
+struct Names<'s> {
+    points: HashSet<&'s str>,
+    /// In small letters, as images are named.
+    images: HashSet<String>,
+}
+
+impl<'s> Names<'s> {
+    fn new(scene: &'s Scene) -> Self {
+        let points = || scene.mechanism.points.iter().map(|p| p.name.as_str());
+        Self { points: points().collect(), images: points().map(str::to_lowercase).collect() }
     }
 }
 
@@ -132,66 +163,143 @@ fn millimetres(text: &str) -> Option<f64> {
     Some(length.number * unit)
 }
 
-fn walk(node: Node<'_, '_>, outer: Affine, scene: &Scene, marks: &mut Marks, letters: &mut Vec<Letter>) {
-    let number = |name: &str| node.attribute(name).and_then(|n| n.trim().parse::<f64>().ok()).unwrap_or(0.0);
-    let own = node.attribute("transform").and_then(|text| text.parse::<Transform>().ok());
-    let onto = own.map_or(outer, |t| outer * Affine::new([t.a, t.b, t.c, t.d, t.e, t.f]));
-    let mut mark = |kind: fn(&mut Marks) -> &mut Vec<Point>, x: f64, y: f64| {
-        let place = onto * Point::new(x, y);
-        if place.is_finite() {
-            kind(marks).push(place);
+/// What an element takes over from those around it.
+#[derive(Debug, Clone, Copy)]
+struct Around {
+    onto: Affine,
+    layer: Option<Order>,
+    /// User units.
+    font_size: f64,
+    anchor: Anchor,
+}
+
+/// Where a text begins.
+#[derive(Debug, Clone, Copy)]
+enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+impl Around {
+    /// For what stands in an element.
+    fn within(self, node: Node<'_, '_>) -> Self {
+        let own = node.attribute("transform").and_then(|text| text.parse::<Transform>().ok());
+        Self {
+            onto: own.map_or(self.onto, |t| self.onto * Affine::new([t.a, t.b, t.c, t.d, t.e, t.f])),
+            layer: layer(node).or(self.layer),
+            font_size: font_size(node).unwrap_or(self.font_size),
+            anchor: anchor(node).unwrap_or(self.anchor),
         }
-    };
-    match node.tag_name().name() {
-        // What stands here is drawn elsewhere, or nowhere.
-        "defs" | "marker" | "symbol" | "clipPath" | "mask" | "pattern" | "metadata" | "title" | "desc" => {
-            return;
-        }
-        "circle" | "ellipse" => mark(|m| &mut m.dots, number("cx"), number("cy")),
-        "line" => {
-            mark(|m| &mut m.ends, number("x1"), number("y1"));
-            mark(|m| &mut m.ends, number("x2"), number("y2"));
-        }
-        "polyline" | "polygon" => {
-            let text = node.attribute("points").unwrap_or_default();
-            let numbers: Vec<f64> =
-                text.split([' ', ',', '\n', '\t']).filter_map(|n| n.parse().ok()).collect();
-            for corner in numbers.chunks_exact(2) {
-                mark(|m| &mut m.ends, corner[0], corner[1]);
-            }
-        }
-        "path" => {
-            let path = node.attribute("d").and_then(|d| BezPath::from_svg(d).ok()).unwrap_or_default();
-            for element in path.elements() {
-                if let PathEl::MoveTo(p)
-                | PathEl::LineTo(p)
-                | PathEl::QuadTo(_, p)
-                | PathEl::CurveTo(_, _, p) = element
-                {
-                    mark(|m| &mut m.ends, p.x, p.y);
-                }
-            }
-        }
-        "text" => letters.extend(letter(node, onto, scene)),
-        _ => {}
-    }
-    for child in node.children().filter(Node::is_element) {
-        walk(child, onto, scene, marks, letters);
     }
 }
 
+/// All marks, and the letters that name points.
+fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> {
+    let (mut marks, mut letters) = (Marks::default(), Vec::new());
+    let page = Around { onto: to_mm(root), layer: None, font_size: FONT_SIZE_PX, anchor: Anchor::Start };
+    // The next is the last: an element before its children, those in their order.
+    let mut open = vec![(root, page)];
+    while let Some((node, around)) = open.pop() {
+        let around = around.within(node);
+        match node.tag_name().name() {
+            // What stands here is drawn elsewhere, or nowhere.
+            "defs" | "marker" | "symbol" | "clipPath" | "mask" | "pattern" | "metadata" | "title"
+            | "desc" => {
+                continue;
+            }
+            "text" => {
+                letters.extend(letter(node, around, names));
+                if letters.len() > limits::LETTERS {
+                    let most = limits::grouped(limits::LETTERS);
+                    let fault =
+                        Fault::new(node.range().start, format!("more than {most} letters that name points"));
+                    return Err(fault);
+                }
+            }
+            _ => marks.add(node, around.onto),
+        }
+        if marks.dots.len() + marks.ends.len() > limits::MARKS {
+            let most = limits::grouped(limits::MARKS);
+            let what = format!("more than {most} dots, corners and ends of lines");
+            return Err(Fault::new(node.range().start, what).mend("hand in the drawing alone"));
+        }
+        let children = node.children().rev().filter(Node::is_element);
+        open.extend(children.map(|child| (child, around)));
+    }
+    Ok((marks, letters))
+}
+
+impl Marks {
+    /// What an element marks.
+    fn add(&mut self, node: Node<'_, '_>, onto: Affine) {
+        let number =
+            |name: &str| node.attribute(name).and_then(|n| n.trim().parse::<f64>().ok()).unwrap_or(0.0);
+        let place = |x: f64, y: f64| {
+            let place = onto * Point::new(x, y);
+            // What is on no paper is not drawn.
+            (place.x.abs() <= limits::PAPER_MM && place.y.abs() <= limits::PAPER_MM).then_some(place)
+        };
+        match node.tag_name().name() {
+            "circle" | "ellipse" => self.dots.extend(place(number("cx"), number("cy"))),
+            "line" => {
+                self.ends.extend(place(number("x1"), number("y1")));
+                self.ends.extend(place(number("x2"), number("y2")));
+            }
+            "polyline" | "polygon" => {
+                let text = node.attribute("points").unwrap_or_default();
+                let numbers: Vec<f64> =
+                    text.split([' ', ',', '\n', '\t']).filter_map(|n| n.parse().ok()).collect();
+                self.ends.extend(numbers.chunks_exact(2).filter_map(|corner| place(corner[0], corner[1])));
+            }
+            "path" => {
+                let corners = corners(node.attribute("d").unwrap_or_default());
+                self.ends.extend(corners.into_iter().filter_map(|p| place(p.x, p.y)));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Where the parts of a path begin and end, as far as it can be read.
+fn corners(path: &str) -> Vec<Point> {
+    let mut corners = Vec::new();
+    let (mut here, mut first) = (Point::ZERO, Point::ZERO);
+    for segment in PathParser::from(path).map_while(Result::ok) {
+        let from = |abs: bool| if abs { Point::ZERO } else { here };
+        let to = |abs: bool, x: f64, y: f64| Point::new(from(abs).x + x, from(abs).y + y);
+        here = match segment {
+            PathSegment::ClosePath { .. } => {
+                here = first;
+                continue;
+            }
+            PathSegment::MoveTo { abs, x, y } => {
+                first = to(abs, x, y);
+                first
+            }
+            PathSegment::HorizontalLineTo { abs, x } => Point::new(from(abs).x + x, here.y),
+            PathSegment::VerticalLineTo { abs, y } => Point::new(here.x, from(abs).y + y),
+            PathSegment::LineTo { abs, x, y }
+            | PathSegment::CurveTo { abs, x, y, .. }
+            | PathSegment::SmoothCurveTo { abs, x, y, .. }
+            | PathSegment::Quadratic { abs, x, y, .. }
+            | PathSegment::SmoothQuadratic { abs, x, y }
+            | PathSegment::EllipticalArc { abs, x, y, .. } => to(abs, x, y),
+        };
+        corners.push(here);
+    }
+    corners
+}
+
 /// A text that names a point of the scene; all other texts are captions and the like.
-fn letter(text: Node<'_, '_>, onto: Affine, scene: &Scene) -> Option<Letter> {
+fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Option<Letter> {
     let written: String = text.descendants().filter(Node::is_text).filter_map(|n| n.text()).collect();
     let name: String = written.split_whitespace().collect();
     let is_prime = |c: char| matches!(c, '\'' | '′' | '’');
     let bare: String = name.chars().filter(|c| !is_prime(*c) && *c != ',').collect();
-    let named = |name: &str| scene.mechanism.points.iter().any(|p| p.name == name);
     let letters = bare.trim_end_matches(|c: char| c.is_ascii_digit());
-    let images = scene.mechanism.points.iter().map(|p| p.name.to_lowercase());
-    let is_image = letters == "o" || images.into_iter().any(|image| image == letters || image == bare);
-    let by_layer = text.ancestors().find_map(|node| layer(node));
-    let by_spelling = if named(&name) && name.contains(char::is_uppercase) {
+    let is_image = letters == "o" || names.images.contains(letters) || names.images.contains(&bare);
+    let by_spelling = if names.points.contains(name.as_str()) && name.contains(char::is_uppercase) {
         Some(Order::Position)
     } else if !is_image {
         None
@@ -200,7 +308,7 @@ fn letter(text: Node<'_, '_>, onto: Affine, scene: &Scene) -> Option<Letter> {
     } else {
         Some(Order::Velocity)
     };
-    let order = match (by_layer, by_spelling?) {
+    let order = match (around.layer, by_spelling?) {
         // An image in the layer of its polygon may go without its prime; a joint's name there is none of its points.
         (Some(layer), Order::Position) if layer != Order::Position => return None,
         (Some(layer), _) => layer,
@@ -212,16 +320,17 @@ fn letter(text: Node<'_, '_>, onto: Affine, scene: &Scene) -> Option<Letter> {
         let numbers = place.attribute(name).unwrap_or("0");
         numbers.split([' ', ',']).next().and_then(|n| n.parse::<f64>().ok()).unwrap_or(0.0)
     };
-    let size = place.ancestors().find_map(font_size).unwrap_or(FONT_SIZE_PX);
+    let inside = || place.ancestors().take_while(|node| *node != text);
+    let size = inside().find_map(font_size).unwrap_or(around.font_size);
     // Letters are about half as wide as high, their ink about two thirds of the height of the font.
     let width = 0.5 * size * name.chars().count() as f64;
-    let before = match place.ancestors().find_map(|n| style(n, "text-anchor")).as_deref() {
-        Some("middle") => 0.0,
-        Some("end") => -0.5,
-        _ => 0.5,
+    let before = match inside().find_map(anchor).unwrap_or(around.anchor) {
+        Anchor::Middle => 0.0,
+        Anchor::End => -0.5,
+        Anchor::Start => 0.5,
     };
-    let middle = onto * Point::new(first("x") + before * width, first("y") - 0.33 * size);
-    let height = size * onto.determinant().abs().sqrt();
+    let middle = around.onto * Point::new(first("x") + before * width, first("y") - 0.33 * size);
+    let height = size * around.onto.determinant().abs().sqrt();
     (middle.is_finite() && height.is_finite()).then(|| Letter {
         name,
         order,
@@ -242,6 +351,15 @@ fn layer(node: Node<'_, '_>) -> Option<Order> {
             ("skeleton", Order::Position),
         ];
         orders.into_iter().find_map(|(word, order)| said.contains(word).then_some(order))
+    })
+}
+
+/// Where an element says its text to begin.
+fn anchor(node: Node<'_, '_>) -> Option<Anchor> {
+    style(node, "text-anchor").map(|said| match said.as_str() {
+        "middle" => Anchor::Middle,
+        "end" => Anchor::End,
+        _ => Anchor::Start,
     })
 }
 

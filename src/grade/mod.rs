@@ -29,9 +29,11 @@ mod drawing;
 mod judge;
 mod kind;
 mod mistakes;
+mod nearest;
 mod report;
 mod scan;
 mod schema;
+mod weight;
 
 pub use answers::{Answers, FigurePoints, Given, Item, StatedScales, Tolerance, read_answers, read_named};
 pub use judge::{Mistake, Verdict};

@@ -101,7 +101,21 @@ pub(super) fn asked(name: &str, at: usize, unit: Option<&Value<'_>>, draft: &Dra
 
 /// A quantity of a mechanism that was read before, by its name.
 pub(crate) fn named(name: &str, at: usize, mechanism: &Mechanism, scales: &Scales) -> Res<Asked> {
-    asked(name, at, None, &Draft::of(mechanism.clone(), scales))
+    Names::new(mechanism, scales).quantity(name, at)
+}
+
+/// A mechanism that was read before, to look up many names in it.
+pub(crate) struct Names<'s>(Draft<'s>);
+
+impl<'s> Names<'s> {
+    pub(crate) fn new(mechanism: &Mechanism, scales: &'s Scales) -> Self {
+        Self(Draft::of(mechanism.clone(), scales))
+    }
+
+    /// A quantity, by its name.
+    pub(crate) fn quantity(&self, name: &str, at: usize) -> Res<Asked> {
+        asked(name, at, None, &self.0)
+    }
 }
 
 /// What a quantity measures.

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::json::Value;
+use crate::terminal::short_line;
 
 /// One clear error in a scene file.
 ///
@@ -76,26 +77,11 @@ impl Fault {
             file: file.to_owned(),
             line: text[..at].matches('\n').count() + 1,
             column: text[line_start..at].chars().count() + 1,
-            path: root.map_or_else(String::new, |r| printable(&r.path_to(self.at))),
-            what: printable(&self.what),
-            mend: self.mend.as_deref().map(printable),
+            path: root.map_or_else(String::new, |r| short_line(&r.path_to(self.at))),
+            what: short_line(&self.what),
+            mend: self.mend.as_deref().map(short_line),
         }
     }
-}
-
-/// One line whatever the names of a scene contain: control characters are escaped, and a name of
-/// thousands of letters is cut.
-fn printable(text: &str) -> String {
-    let longest = 300;
-    let mut line: String = text
-        .chars()
-        .take(longest)
-        .flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] })
-        .collect();
-    if text.chars().nth(longest).is_some() {
-        line.push('…');
-    }
-    line
 }
 
 /// The last character boundary that is not after `at`.

@@ -8,15 +8,12 @@ use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
 use super::diagnostic::{Fault, Res};
+use crate::limits;
 
-/// The deepest scene has six levels; more is no scene.
-const DEEPEST: usize = 16;
 /// More entries in one list or object than any mechanism has.
-pub(crate) const MOST: usize = 10_000;
+pub(crate) use crate::limits::ENTRIES as MOST;
 /// Keys of an object that are told apart without a table.
 const FEW: usize = 16;
-/// A larger text is not a scene (bytes).
-const LARGEST: usize = 8 << 20;
 
 /// A value and its place.
 #[derive(Debug)]
@@ -56,8 +53,8 @@ pub(crate) struct Document<'a> {
 
 /// Reads a text.
 pub(crate) fn parse(text: &str) -> Res<Document<'_>> {
-    if text.len() > LARGEST {
-        return Err(Fault::new(0, format!("the file is larger than {} MiB", LARGEST >> 20)));
+    if text.len() > limits::FILE {
+        return Err(Fault::new(0, format!("the file is larger than {} MiB", limits::FILE >> 20)));
     }
     // Editors on some systems begin a file with a byte-order mark, which JSON does not know.
     let body = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -67,7 +64,7 @@ pub(crate) fn parse(text: &str) -> Res<Document<'_>> {
         let at = before + error.column().saturating_sub(1) + (text.len() - body.len());
         syntax(at, &error)
     })?;
-    let mut source = Source { text, fault: None };
+    let mut source = Source { text, fault: None, values: 0 };
     let root = source.value(raw.get(), 0)?;
     Ok(Document { root, fault: source.fault })
 }
@@ -81,6 +78,8 @@ fn syntax(at: usize, error: &serde_json::Error) -> Fault {
 struct Source<'a> {
     text: &'a str,
     fault: Option<Fault>,
+    /// How many values were read.
+    values: usize,
 }
 
 impl<'a> Source<'a> {
@@ -97,9 +96,13 @@ impl<'a> Source<'a> {
     fn value(&mut self, raw: &'a str, depth: usize) -> Res<Value<'a>> {
         let raw = raw.trim_ascii();
         let at = self.offset(raw);
+        self.values += 1;
+        if self.values > limits::VALUES {
+            return Err(Fault::new(at, format!("more than {} values", limits::grouped(limits::VALUES))));
+        }
         let kind = match raw.as_bytes().first() {
-            Some(b'{' | b'[') if depth > DEEPEST => {
-                self.blame(Fault::new(at, format!("nested more than {DEEPEST} levels deep")));
+            Some(b'{' | b'[') if depth > limits::DEPTH => {
+                self.blame(Fault::new(at, format!("nested more than {} levels deep", limits::DEPTH)));
                 Kind::Null
             }
             Some(b'{') => Kind::Object(self.object(raw, at, depth)?),
