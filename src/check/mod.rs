@@ -3,6 +3,8 @@
 //! **Architecture Invariant:** this room compares; it does not know how either result was found, and has
 //! no third opinion.
 
+mod sweep;
+
 use std::borrow::Cow;
 
 use crate::analytic::AnalyticError;
@@ -11,6 +13,8 @@ use crate::mechanism::PointId;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity};
 use crate::scene::{Published, Refusal, Scene};
 use crate::solve::{Settings, SolveError, Solved};
+
+pub use sweep::{MOST_POSITIONS, SweepUnconfirmed, SweptApart, confirm_sweep};
 
 /// One asked quantity by both solvers.
 #[derive(Debug, Clone, PartialEq)]

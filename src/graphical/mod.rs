@@ -29,7 +29,7 @@ pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
 pub use missing::Missing;
 pub use reading::Numbers;
-pub use transcribe::{Transcribed, TranscribedWithBounds, transcribe, transcribe_with_bounds};
+pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, transcribe_with_bounds};
 
 use crate::board::{
     Arithmetic, Bench, Blank, Board, Equipped, Real, Recorded, Recorder, Scale, Tape, Taped, Trial,

@@ -428,7 +428,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A place of the skeleton in the world.
-    fn in_world(&mut self, at: Point<B>) -> [Amount<B>; 2] {
+    pub(super) fn in_world(&mut self, at: Point<B>) -> [Amount<B>; 2] {
         let scale = self.length_scale();
         let from = self.board.origin();
         let [x, y] = self.board.between(from, at);
