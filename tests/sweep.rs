@@ -1029,3 +1029,54 @@ fn magnitudes_have_extremes() {
         }
     }
 }
+
+// --- the sweep checks itself ---------------------------------------------------------------------------------
+
+/// The independent solver confirms every example and every kind of the catalogue; a number under a wrong name is found.
+#[test]
+fn every_sweep_is_confirmed_and_a_wrong_one_is_not() {
+    let mut scenes: Vec<(String, String)> = common::example_paths()
+        .into_iter()
+        .map(|path| (path.display().to_string(), std::fs::read_to_string(&path).unwrap()))
+        .collect();
+    scenes
+        .extend(linkgram::catalogue::KINDS.iter().map(|kind| (kind.name.to_owned(), kind.scene.to_owned())));
+    let (mut swept, mut compared, mut found) = (0, 0, 0);
+    for (name, text) in scenes {
+        let Ok(mut sweep) = Sweep::new(&common::read(&text).mechanism, None) else { continue };
+        swept += 1;
+        match linkgram::check::confirm_sweep(&sweep) {
+            Ok(positions) => compared += positions,
+            Err(why) => panic!("{name}: {why:?}"),
+        }
+        // One moving point under the name of another.
+        let moving = |q: Quantity| matches!(q, Quantity::Velocity(_));
+        let columns: Vec<usize> =
+            (0..sweep.columns.len()).filter(|&c| moving(sweep.columns[c].asked.quantity)).collect();
+        let of = |c: usize| sweep.columns[c].asked.quantity;
+        if let [first, .., last] = columns[..]
+            && of(first) != of(last)
+        {
+            sweep.columns[first].asked.quantity = of(last);
+            found += usize::from(linkgram::check::confirm_sweep(&sweep).is_err());
+        }
+    }
+    assert!(swept > 100 && compared > 8 * swept / 2, "{swept} {compared}");
+    assert!(found > 40, "{found}");
+}
+
+/// A radius of curvature has no sign, on whichever side of its point the path bends.
+#[test]
+fn a_radius_of_curvature_is_never_negative() {
+    let m = slider_crank(5.0, 20.0, r#"["rho(A)", "v(A)", "a(A)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    for i in 0..72 {
+        let values = sweep.at(f64::from(i) * PI / 36.0).unwrap();
+        is_near(values[0].unwrap().value, 0.1);
+    }
+    let mut coupler = common::example("constructions/inflection").mechanism;
+    coupler.asked.retain(|asked| matches!(asked.quantity, Quantity::PathRadius(_)));
+    let sweep = Sweep::new(&coupler, None).unwrap();
+    let all = sweep.positions(&sweep.equal_steps(360));
+    assert!(all.iter().flat_map(|p| &p.values).flatten().all(|radius| *radius >= 0.0));
+}

@@ -636,7 +636,7 @@ fn angle_near(half_turns: f64, y: f64, x: f64) -> f64 {
 }
 
 /// A sine, cosine or angle errs by so many roundoffs of its own, and is rounded.
-pub(super) const TRANSCENDENTAL: f64 = <f64 as Real>::TRANSCENDENTAL_ULPS + 1.0;
+const TRANSCENDENTAL: f64 = <f64 as Real>::TRANSCENDENTAL_ULPS + 1.0;
 
 /// One number by one operation.
 pub(super) fn reckon(kind: Kind, [a, b, c, d]: [f64; 4], sign: f64) -> f64 {

@@ -86,7 +86,21 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         (Some(from), Some(to)) => Some([from * unit.si, to * unit.si]),
         _ => return Err(Failure("give both --from and --to, in the scene's units".to_owned())),
     };
-    let sweep = Sweep::over(job.over, &scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
+    let mut sweep = Sweep::over(job.over, &scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
+    let only_diagrams = !outputs.is_empty() && outputs.iter().all(|o| matches!(o, Output::Diagrams(_)));
+    if only_diagrams && job.only.is_none() && !asks(scene) {
+        // Nobody asked for anything: how the sliders and rockers move, not forty diagrams.
+        let mut outputs_only = scene.mechanism.clone();
+        outputs_only.asked = sweep.of_outputs().cloned().collect();
+        if !outputs_only.asked.is_empty() && outputs_only.asked.len() < scene.mechanism.asked.len() {
+            let names: Vec<&str> = outputs_only.asked.iter().map(|asked| asked.name.as_str()).collect();
+            let names = names.join(", ");
+            let help = "`find` or --only chooses others";
+            let _ = writeln!(io::stderr(), "{file}: the scene asks for nothing; drawn are {names}; {help}");
+            sweep = Sweep::over(job.over, &outputs_only, stated).map_err(|error| refusal(scene, error))?;
+        }
+    }
+    let sweep = sweep;
     let mut report = Report { file: &file, scene, sweep: &sweep, unit: &unit, unconfirmed: None };
     if let Err(why) = confirm_sweep(&sweep) {
         let why = report.unconfirmed(&why);
@@ -140,6 +154,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
     })?;
     Ok(Ending::Fine)
+}
+
+/// Whether the scene itself says what it asks for.
+fn asks(scene: &Scene) -> bool {
+    serde_json::from_str::<Value>(scene.source.text()).is_ok_and(|root| root.get("find").is_some())
 }
 
 /// Keeps these of the asked quantities, in this order.

@@ -18,6 +18,8 @@ use crate::sweep::{InputKind, Stretch, Sweep, Table};
 
 /// Width of the page, mm.
 const PAGE: f64 = 190.0;
+/// What does not go on one page is parted into pages of A4.
+const PAPER: (f64, f64) = (210.0, 297.0);
 /// Blank around the page.
 const MARGIN: f64 = 10.0;
 /// A panel with its names.
@@ -123,7 +125,7 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
             _ => {}
         }
     }
-    let mut root = Group::new("diagrams");
+    let mut first = Group::new("page");
     let title = scene.title.in_language(words.tag).unwrap_or(words.sweep).to_owned();
     // A page of Arabic script begins on the right.
     let begin = |line: &Line, left: f64, width: f64| {
@@ -133,7 +135,7 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
     let mut top = MARGIN + 4.0;
     for text in Rich::bold(&title).wrap(5.0, line) {
         let head = text.set(5.0);
-        head.put(&mut root, Point::new(begin(&head, MARGIN, line), top), "title");
+        head.put(&mut first, Point::new(begin(&head, MARGIN, line), top), "title");
         top += 6.5;
     }
     let note = unconfirmed.map(|why| Rich::fill(words.sweep_unconfirmed, &[("why", Rich::upright(why))]));
@@ -141,14 +143,27 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
     for (caption, class) in notes.chain([(caption(&notation, sweep), "caption")]) {
         for text in caption.wrap(SMALL, line) {
             let below = text.set(SMALL);
-            below.put(&mut root, Point::new(begin(&below, MARGIN, line), top), class);
+            below.put(&mut first, Point::new(begin(&below, MARGIN, line), top), class);
             top += 4.5;
         }
     }
     let seen = Seen::new(sweep);
+    let rows_in = |height: f64| (1..).take_while(|rows| f64::from(*rows) * PANEL.1 <= height).count().max(1);
+    let (below_title, on_a_page) = (rows_in(PAPER.1 - top - MARGIN), rows_in(PAPER.1 - 2.0 * MARGIN));
+    let rows = panels.len().div_ceil(2);
+    let mut pages = vec![first];
     for (index, panel) in panels.iter().enumerate() {
         let (row, side) = (index / 2, index % 2);
         let side = if words.right_to_left { 1 - side } else { side };
+        let (page, row, top) = if row < below_title {
+            (0, row, top)
+        } else {
+            let row = row - below_title;
+            (1 + row / on_a_page, row % on_a_page, MARGIN)
+        };
+        if pages.len() <= page {
+            pages.push(Group::new("page"));
+        }
         #[expect(clippy::cast_precision_loss, reason = "a few panels")]
         let at = Vec2::new(MARGIN + side as f64 * PANEL.0, top + row as f64 * PANEL.1);
         let mut group = match panel {
@@ -159,12 +174,26 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
         let heading = heading_of(&notation, sweep, panel).set(SMALL);
         heading.put(&mut group, Point::new(begin(&heading, 2.0, PANEL.0 - 6.0), 5.0), "heading");
         group.translate(at);
-        root.group(group);
+        if let Some(page) = pages.get_mut(page) {
+            page.group(group);
+        }
     }
-    #[expect(clippy::cast_precision_loss, reason = "a few panels")]
-    let height = top + panels.len().div_ceil(2) as f64 * PANEL.1 + MARGIN;
+    let (mut root, mut width, mut height) = (Group::new("diagrams"), PAGE, 0.0);
+    if pages.len() > 1 {
+        width = PAPER.0;
+        for mut page in pages {
+            page.translate(Vec2::new((PAPER.0 - PAGE) / 2.0, height));
+            height += PAPER.1;
+            root.group(page);
+        }
+    } else {
+        #[expect(clippy::cast_precision_loss, reason = "a few panels")]
+        let below = rows as f64 * PANEL.1;
+        height = top + below + MARGIN;
+        root.children = pages.pop().unwrap_or_default().children;
+    }
     Figure {
-        width: PAGE,
+        width,
         height,
         title,
         description: words.sweep_description.to_owned(),
@@ -355,7 +384,10 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
     };
     let mut y = bounds(seen.looks(columns).iter().filter_map(|values| read(values).map(|r| r.0)));
     let noise = NOISE * error(seen, columns) / unit.si;
-    let constant = y[1] - y[0] < noise;
+    // Between the places that were looked at there is what a cubic makes of them.
+    let [low, high] =
+        bounds(seen.tables.iter().flat_map(Table::places).filter_map(|values| read(values)).map(|r| r.0));
+    let constant = high - low < noise;
     if constant {
         // Wide enough for its ticks to have different numbers.
         let half = noise.max(y[1].abs() / 4.0);

@@ -104,7 +104,8 @@ fn root(size: f64, from: (f64, f64), to: (f64, f64), mut value: impl FnMut(f64) 
             break;
         }
         let h = value(x);
-        if (h < 0.0) == negative {
+        // Beyond the end of a chain there are no numbers: that is the other side.
+        if h.is_finite() && (h < 0.0) == negative {
             (a, f) = (x, h);
             g /= 2.0;
         } else {
@@ -270,7 +271,7 @@ impl Walker<'_> {
                     self.view(x, &signs).chords[chord].1.slope
                 });
                 let least = self.view(low, &signs).chords[chord].1;
-                if is_clear(least) && least.value > 0.0 {
+                if !least.value.is_finite() || is_clear(least) && least.value > 0.0 {
                     continue;
                 }
                 if is_clear(least) {

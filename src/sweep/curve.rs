@@ -97,6 +97,11 @@ impl Table {
         self.nodes.len()
     }
 
+    /// The numbers of the places that were looked at.
+    pub fn places(&self) -> impl Iterator<Item = &[Option<Moving>]> {
+        self.nodes.iter().map(|node| node.1.as_slice())
+    }
+
     /// Whether it has none.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -97,7 +97,10 @@ impl Column {
 
     /// A quantity without a sense: the program goes on with the sign that it had in the drawing.
     fn is_unsigned(&self) -> bool {
-        matches!(self.asked.quantity, Quantity::Rub(..) | Quantity::Transmission(..))
+        matches!(
+            self.asked.quantity,
+            Quantity::Rub(..) | Quantity::Transmission(..) | Quantity::PathRadius(_)
+        )
     }
 
     /// The number as it counts for the quantity.
@@ -198,6 +201,8 @@ pub struct Sweep {
     measures: Vec<Measure>,
     looked: u64,
     transcribed: Transcribed,
+    /// The mechanism as the scene has it.
+    placed: Mechanism,
     /// The mechanism as it can move, what varies in it, and whence its centres come.
     ready: (Mechanism, Variable, CentreSource),
     /// How many of its asked quantities somebody asked for.
@@ -316,6 +321,7 @@ impl Sweep {
             rate,
             looks: looks(&variable, &mechanism, range)?,
             transcribed,
+            placed: placed.clone(),
             ready: (mechanism, variable, source),
             asked,
         };
@@ -389,6 +395,23 @@ impl Sweep {
         self.stretches.iter().find(|s| (s.from..=s.to).contains(&at))
     }
 
+    /// The asked quantities that tell how what goes to and fro moves: of pins on guides of the frame their velocities and
+    /// accelerations, of links pivoted to it their ω and α.
+    pub fn of_outputs(&self) -> impl Iterator<Item = &Asked> {
+        let mechanism = &self.ready.0;
+        let outputs: Vec<Quantity> = self
+            .columns
+            .iter()
+            .filter(|column| column.motion)
+            .flat_map(|column| match column.asked.quantity {
+                Quantity::Position(p) => vec![Quantity::Velocity(p), Quantity::Acceleration(p)],
+                Quantity::Angle(l) => vec![Quantity::Omega(l), Quantity::Alpha(l)],
+                _ => Vec::new(),
+            })
+            .collect();
+        mechanism.asked.iter().take(self.asked).filter(move |asked| outputs.contains(&asked.quantity))
+    }
+
     /// The mechanism at one place: every column with its derivative by the input; `None` where it cannot be
     /// assembled.
     #[must_use]
@@ -399,9 +422,13 @@ impl Sweep {
     }
 
     /// The mechanism as it stands at one place: its inputs there, with their rates, and every point near where the
-    /// sweep has it, so that whoever solves it finds the same assembly. `None` where it cannot be assembled.
+    /// sweep has it, so that whoever solves it finds the same assembly. `None` where it cannot be assembled; of a
+    /// mechanism whose wheels carry points along, everywhere but where the scene stands.
     #[must_use]
     pub fn mechanism_at(&self, at: f64) -> Option<Mechanism> {
+        if self.rolls_on {
+            return (at == self.start).then(|| self.placed.clone());
+        }
         let stretch = self.stretch_at(at)?;
         let (ready, variable, _) = &self.ready;
         let mut mechanism = ready.clone();
