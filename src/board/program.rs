@@ -903,7 +903,8 @@ impl Program {
             constant.round(4.0 * U * value.abs(), lots(usize::MAX - number));
         }
         for (number, step) in self.steps.iter().enumerate() {
-            let of = step.from.map(|row| rows.get(row as usize).copied().unwrap_or_default());
+            // What is no row (the index of a chord, or of a turn) is not looked at.
+            let of = step.from.map(|row| rows.get(row as usize).unwrap_or(&rows[0]));
             let of = &of[..operands(step.kind)];
             let sign = signs.get(step.from[1] as usize).copied().unwrap_or(1.0);
             let mut values = [0.0; 4];
@@ -925,13 +926,16 @@ impl Program {
             let mut out = carried(of, &partials(step.kind, values, value), value);
             out.round(2.0 * U * value.abs() + U * products, lots(number + 1));
             out.lost |= step.guard && !out.is_clear();
-            rows[step.to as usize] = out;
-            if step.second != 0 {
+            let second = (step.second != 0).then(|| {
                 let other = if step.kind == Kind::Cosine { Kind::Sine } else { Kind::Cosine };
                 let value = reckon(other, values, 1.0);
                 let mut out = carried(of, &partials(other, values, value), value);
                 out.round(2.0 * U * value.abs(), lots(number + 1).rotate_left(3));
-                rows[step.second as usize] = out;
+                out
+            });
+            rows[step.to as usize] = out;
+            if let Some(second) = second {
+                rows[step.second as usize] = second;
             }
         }
     }
@@ -982,7 +986,7 @@ impl Program {
 }
 
 /// A number with what its operands bring.
-fn carried(of: &[Row], partials: &[f64; 4], value: f64) -> Row {
+fn carried(of: &[&Row], partials: &[f64; 4], value: f64) -> Row {
     let mut out = Row { value, ..Row::default() };
     for (partial, part) in partials.iter().zip(of) {
         out.slope += partial * part.slope;

@@ -267,8 +267,9 @@ impl Walker<'_> {
                 if !(falls_and_rises && may_touch(a, b, next - before.at)) {
                     continue;
                 }
-                let low = root(size, (before.at, a.slope), (next, b.slope), |x| {
-                    self.view(x, &signs).chords[chord].1.slope
+                // What is still, as everything is beyond a limit, no longer falls.
+                let low = root(size, (before.at, a.slope * direction), (next, b.slope * direction), |x| {
+                    self.view(x, &signs).chords[chord].1.slope * direction
                 });
                 let least = self.view(low, &signs).chords[chord].1;
                 if !least.value.is_finite() || is_clear(least) && least.value > 0.0 {
