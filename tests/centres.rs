@@ -324,3 +324,50 @@ fn a_velocity_has_no_jump_where_its_centre_goes_through_infinity() {
         }
     }
 }
+
+/// Two cranks that nothing joins: no triangle of the circle diagram leads to their centre, but their velocities are
+/// known. It divides the line of the pivots inversely as the speeds; at equal ones it is at infinity along that line.
+#[test]
+fn links_that_are_driven_separately_have_a_centre_from_their_velocities() {
+    let scene = |first: f64, second: f64| {
+        read(&format!(
+            r#"{{ "units": {{ "length": "cm" }}, "fixed": {{ "O2": [0, 0], "O5": [40, 30] }},
+                 "links": {{ "2": {{ "joins": ["O2", "A"], "length": 15 }}, "5": {{ "joins": ["O5", "C"], "length": 15 }} }},
+                 "inputs": [ {{ "link": 2, "angle": 80, "omega": {first} }}, {{ "link": 5, "angle": 60, "omega": {second} }} ],
+                 "find": ["I(2,5)", "I(1,2)", "I(1,5)"] }}"#
+        ))
+    };
+    for (first, second) in [
+        (10.0, 4.0),
+        (10.0, -4.0),
+        (10.0, 10.0),
+        (0.0, 5.0),
+        (5.0, 0.0),
+        (1e-12, 5.0),
+        (1e-12, 2e-12),
+        (1e-12, 1e-12),
+    ] {
+        let scene = scene(first, second);
+        let solved = solve(&scene, Extent::Asked, scale::for_scene).unwrap();
+        let agreement = agreement(&scene, &solved, &solve_analytically(&scene));
+        assert!(agreement.ok(), "{first}, {second}: {:?}", agreement.compared[0]);
+        match &solved.solution.construction.answers[0].answer {
+            Answer::Vector { value, .. } => {
+                // ω₂ P = ω₅ (P − O5).
+                let part = second / (second - first);
+                for (found, pivot) in value.iter().zip([0.4, 0.3]) {
+                    assert!((found - part * pivot).abs() < 1e-12, "{first}, {second}: {value:?}");
+                }
+            }
+            Answer::AtInfinity { direction: [x, y], .. } => {
+                assert_eq!(first, second);
+                assert!((x * 0.3 - y * 0.4).abs() < 1e-15, "{x} {y}");
+            }
+            other => panic!("{first}, {second}: {other:?}"),
+        }
+    }
+    // Nothing moves against the other: there is no centre.
+    let still = scene(0.0, 0.0);
+    let solved = solve(&still, Extent::Asked, scale::for_scene).unwrap();
+    assert!(matches!(solved.solution.construction.answers[0].answer, Answer::Indeterminate(_)));
+}

@@ -799,3 +799,287 @@ fn quick_returns_have_the_time_ratios_of_the_textbook() {
     is_near(lever.length, 2.0 * swing);
     is_near(lever.time_ratio, shaper.time_ratio);
 }
+
+/// A slider-crank in centimetres: crank 10, rod 30, guide at this height.
+fn slider_crank(height: f64, start: f64, find: &str) -> Mechanism {
+    let text = format!(
+        r#"{{ "units": {{ "length": "cm" }}, "fixed": {{ "O2": [0, 0] }},
+             "links": {{ "2": {{ "joins": ["O2", "A"], "length": 10 }},
+                        "3": {{ "joins": ["A", "B"], "length": 30 }} }},
+             "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": [0, {height}], "angle": 0 }} }} ],
+             "near": {{ "B": [30, {height}] }}, "input": {{ "link": 2, "angle": {start}, "omega": 10 }},
+             "find": {find} }}"#
+    );
+    common::read(&text).mechanism
+}
+
+/// The rod's pole lies on the crank's line and square above the slider: at x_B tan θ, and at infinity where the crank
+/// stands upright. A centre's two columns are one thing, whichever of them hangs on the divisor and whatever stands next.
+#[test]
+fn the_pole_of_a_connecting_rod_is_where_its_two_lines_meet() {
+    for height in [0.0, 5.0] {
+        for start in [30.0, 33.3, 90.0, 270.0, 0.0] {
+            for find in [r#"["I(1,3)"]"#, r#"["x(B)", "I(1,3)"]"#, r#"["I(1,3)", "I(2,4)", "x(B)"]"#] {
+                let m = slider_crank(height, start, find);
+                let sweep = Sweep::new(&m, None).unwrap();
+                let of = |name: &str| {
+                    let centre = sweep.centres.iter().find(|c| c.asked.name == name);
+                    centre.unwrap_or_else(|| panic!("no {name} from {start}")).columns
+                };
+                let case = format!("height {height}, from {start}, {find}");
+                let infinite: Vec<(f64, f64)> = sweep
+                    .events
+                    .iter()
+                    .filter_map(|e| match e.kind {
+                        EventKind::AtInfinity { centre, direction } => {
+                            assert_eq!(sweep.centres[centre].asked.name, "I(1,3)", "{case}");
+                            Some((e.at, direction))
+                        }
+                        _ => None,
+                    })
+                    .collect();
+                assert_eq!(infinite.len(), 2, "{case}: {:?}", sweep.events);
+                for ((at, direction), expected) in infinite.into_iter().zip([PI / 2.0, 1.5 * PI]) {
+                    is_near(at, expected);
+                    is_near(direction, PI / 2.0);
+                    for column in of("I(1,3)") {
+                        assert!(
+                            sweep.at(expected).unwrap()[column].is_none(),
+                            "{case}: a number at infinity"
+                        );
+                    }
+                }
+                for i in 0..36 {
+                    let at = f64::from(i) * PI / 18.0;
+                    let values = sweep.at(at).unwrap();
+                    let Some([x, y]) = of("I(1,3)")
+                        .map(|c| values[c])
+                        .into_iter()
+                        .collect::<Option<Vec<_>>>()
+                        .map(|v| [v[0], v[1]])
+                    else {
+                        assert!(i == 9 || i == 27, "{case}: no pole at {at}");
+                        continue;
+                    };
+                    assert!(i != 9 && i != 27, "{case}: a number at infinity");
+                    let (sin, cos) = libm::sincos(at);
+                    let rise = height / 100.0 - 0.1 * sin;
+                    let slider = 0.1 * cos + (0.09 - rise * rise).sqrt();
+                    is_near(x.value, slider);
+                    is_near(y.value, slider * sin / cos);
+                }
+            }
+        }
+    }
+}
+
+/// Beyond some ten groups a running bound takes a healthy chain for noise: the numbers of its last links were lost, and
+/// the walk searched for touches of arcs where there were none.
+#[test]
+fn a_long_chain_is_swept_to_its_end_with_work_in_proportion() {
+    let work = |dyads: usize| {
+        let mut fixed = String::from(r#""O0": [0, 0], "O1": [20, 0]"#);
+        let mut links = String::from(
+            r#""2": { "joins": ["O0", "A0"], "length": 5 }, "3": { "joins": ["A0", "A1"], "length": 18 },
+               "4": { "joins": ["O1", "A1"], "length": 12 }"#,
+        );
+        let mut near = String::from(r#""A1": [18, 12]"#);
+        for i in 2..=dyads {
+            use std::fmt::Write as _;
+            let rod = 20.0 + 0.3 * (((i * 7) % 5) as f64 - 2.0);
+            let rocker = 12.0 + 0.1 * ((i * 3) % 4) as f64;
+            write!(fixed, r#", "O{i}": [{}, 0]"#, 20 * i).unwrap();
+            let (before, first) = (i - 1, 2 * i + 1);
+            write!(links, r#", "{first}": {{ "joins": ["A{before}", "A{i}"], "length": {rod} }}, "{}": {{ "joins": ["O{i}", "A{i}"], "length": {rocker} }}"#, first + 1)
+                .unwrap();
+            write!(near, r#", "A{i}": [{}, 12]"#, 20 * i - 2).unwrap();
+        }
+        let last = 2 * dyads + 2;
+        let text = format!(
+            r#"{{ "units": {{ "length": "cm" }}, "fixed": {{ {fixed} }}, "links": {{ {links} }}, "near": {{ {near} }},
+                 "input": {{ "link": 2, "angle": 40, "omega": 10 }}, "find": ["omega({last})", "x(A{dyads})"] }}"#
+        );
+        let scene = common::read(&text);
+        let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+        assert!(
+            places(&sweep, |k| !matches!(k, EventKind::Least { .. } | EventKind::Greatest { .. })).is_empty()
+        );
+        assert_eq!(sweep.strokes().len(), dyads, "every rocker swings");
+        // The other solver says the same of the scene's own place.
+        let Ok(state) = linkgram::solve::solve_analytically(&scene) else { panic!("the chain stands") };
+        let here = sweep.at(sweep.start).unwrap();
+        for (index, asked) in scene.mechanism.asked.iter().enumerate() {
+            let numbers: Vec<f64> = match state.answer(&asked.quantity) {
+                Answer::Scalar { value, .. } => vec![value],
+                Answer::Vector { value, .. } => value.to_vec(),
+                other => panic!("{other:?}"),
+            };
+            for (axis, number) in numbers.into_iter().enumerate() {
+                let swept = here[index + axis].unwrap();
+                assert!(
+                    (swept.value - number).abs() <= 8.0 * swept.error + 1e-12,
+                    "{}: {swept:?} {number}",
+                    asked.name
+                );
+            }
+        }
+        let events = sweep.events.len() as u64;
+        assert!(sweep.looked() <= 1500 + 40 * events, "{dyads}: {} looks, {events} events", sweep.looked());
+        sweep.looked() * sweep.operations() as u64
+    };
+    let (short, long) = (work(6), work(24));
+    assert!(long < 20 * short, "{short} {long}");
+}
+
+/// Whatever is swept, and whatever of it is drawn, takes no more looks than are stated.
+#[test]
+fn every_sweep_stays_within_its_stated_work() {
+    let mut scenes: Vec<(String, String)> = common::example_paths()
+        .into_iter()
+        .map(|path| (path.display().to_string(), std::fs::read_to_string(&path).unwrap()))
+        .collect();
+    scenes
+        .extend(linkgram::catalogue::KINDS.iter().map(|kind| (kind.name.to_owned(), kind.scene.to_owned())));
+    let mut swept = 0;
+    for (name, text) in scenes {
+        let plain = common::read(&text).mechanism;
+        // As it stands, and asked for all its centres.
+        let mut centres = plain.clone();
+        let unit = plain.asked.first().map(|a| a.unit.clone()).unwrap();
+        centres.asked.clear();
+        for i in 0..plain.links.len() {
+            for j in i + 1..plain.links.len() {
+                let (i, j) = (linkgram::mechanism::LinkId(i), linkgram::mechanism::LinkId(j));
+                centres.asked.push(linkgram::mechanism::quantity::Asked {
+                    name: format!("I({},{})", plain.link(i).number, plain.link(j).number),
+                    quantity: Quantity::Centre(i, j),
+                    unit: unit.clone(),
+                    method: linkgram::mechanism::quantity::Method::Polygon,
+                });
+            }
+        }
+        for (kind, m) in [("asked", plain), ("centres", centres)] {
+            let Ok(sweep) = Sweep::new(&m, None) else { continue };
+            swept += 1;
+            let (events, turns) = (sweep.events.len() as u64, u64::from(sweep.looks() / 720));
+            let looked = sweep.looked();
+            assert!(looked <= 3000 * turns + 60 * events, "{name}, {kind}: {looked} looks, {events} events");
+            let places = sweep.adapted(1e-2).len();
+            assert!(places <= 4000 * sweep.stretches.len(), "{name}, {kind}: {places} places");
+            let drawn = if kind == "asked" { 2 } else { 0 };
+            for stretch in sweep.stretches.iter().take(drawn) {
+                let table = sweep.table(stretch).len();
+                assert!(table <= 6500, "{name}, {kind}: {table} places of the table");
+            }
+        }
+    }
+    assert!(swept > 200, "{swept}");
+}
+
+/// A wheel on the ground whose centre a crank and a rod lead: it may roll above the line or hang below it. With a crank of
+/// 10 and a rod of 15 the track below, 10 lower, is out of reach from 30° to 150°; that limits nobody who rolls above.
+#[test]
+fn a_track_that_nobody_took_limits_nobody() {
+    let text = r#"{ "units": { "length": "cm" }, "fixed": { "O2": [0, 0], "G": [0, -5] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 10 }, "3": { "joins": ["A", "C"], "length": 15 },
+                   "4": { "joins": ["C"] } },
+        "rolls": [ { "links": [1, 4], "line": { "link": 1, "through": "G", "angle": 0 }, "centre": "C", "radius": 5 } ],
+        "near": { "C": [20, 0] }, "input": { "link": 2, "angle": 10, "omega": 10 }, "find": ["x(C)", "omega(4)"] }"#;
+    let sweep = Sweep::new(&common::read(text).mechanism, None).unwrap();
+    let stopped = places(&sweep, |k| !matches!(k, EventKind::Least { .. } | EventKind::Greatest { .. }));
+    assert!(stopped.is_empty(), "{:?}", sweep.events);
+    for i in 0..72 {
+        let at = f64::from(i) * PI / 36.0;
+        let (sin, cos) = libm::sincos(at);
+        let values = sweep.at(at).unwrap();
+        is_near(values[0].unwrap().value, 0.1 * cos + (0.0225 - 0.01 * sin * sin).sqrt());
+    }
+}
+
+/// The magnitude of a vector is least and greatest where its closed form says so, through zero as well.
+#[test]
+fn magnitudes_have_extremes() {
+    let m = slider_crank(0.0, 20.0, r#"["v(B)", "v(A)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    let speed = |at: f64| {
+        let (sin, cos) = libm::sincos(at);
+        1.0 * (sin + 0.1 * sin * cos / (0.09 - 0.01 * sin * sin).sqrt())
+    };
+    let (mut least, mut greatest) = (Vec::new(), Vec::new());
+    for event in &sweep.events {
+        match event.kind {
+            EventKind::Least { column: 0, value } => least.push((event.at, value)),
+            EventKind::Greatest { column: 0, value } => greatest.push((event.at, value)),
+            // The crank's pin has one speed all the way round.
+            EventKind::Least { column, .. } | EventKind::Greatest { column, .. } => assert!(column >= 4),
+            _ => panic!("{event:?}"),
+        }
+    }
+    assert_eq!(sweep.name_of_extreme(0), "|v(B)|");
+    // It stands still at both dead points.
+    assert_eq!(least.len(), 2, "{least:?}");
+    for (at, value) in least {
+        assert!(libm::sin(at).abs() < 1e-12 && value == 0.0, "{at} {value}");
+    }
+    assert_eq!(greatest.len(), 2, "{greatest:?}");
+    for (at, value) in greatest {
+        is_near(value, speed(at).abs());
+        for beside in [-1e-3, 1e-3] {
+            assert!(speed(at + beside).abs() < value);
+        }
+    }
+}
+
+// --- the sweep checks itself ---------------------------------------------------------------------------------
+
+/// The independent solver confirms every example and every kind of the catalogue; a number under a wrong name is found.
+#[test]
+fn every_sweep_is_confirmed_and_a_wrong_one_is_not() {
+    let mut scenes: Vec<(String, String)> = common::example_paths()
+        .into_iter()
+        .map(|path| (path.display().to_string(), std::fs::read_to_string(&path).unwrap()))
+        .collect();
+    scenes
+        .extend(linkgram::catalogue::KINDS.iter().map(|kind| (kind.name.to_owned(), kind.scene.to_owned())));
+    let (mut swept, mut compared, mut found) = (0, 0, 0);
+    for (name, text) in scenes {
+        let Ok(mut sweep) = Sweep::new(&common::read(&text).mechanism, None) else { continue };
+        swept += 1;
+        match linkgram::check::confirm_sweep(&sweep) {
+            Ok(positions) => compared += positions,
+            Err(why) => panic!("{name}: {why:?}"),
+        }
+        if swept % 4 != 0 {
+            continue;
+        }
+        // One moving point under the name of another.
+        let moving = |q: Quantity| matches!(q, Quantity::Velocity(_));
+        let columns: Vec<usize> =
+            (0..sweep.columns.len()).filter(|&c| moving(sweep.columns[c].asked.quantity)).collect();
+        let of = |c: usize| sweep.columns[c].asked.quantity;
+        if let [first, .., last] = columns[..]
+            && of(first) != of(last)
+        {
+            sweep.columns[first].asked.quantity = of(last);
+            found += usize::from(linkgram::check::confirm_sweep(&sweep).is_err());
+        }
+    }
+    assert!(swept > 100 && compared > 8 * swept / 2, "{swept} {compared}");
+    assert!(found > 10, "{found}");
+}
+
+/// A radius of curvature has no sign, on whichever side of its point the path bends.
+#[test]
+fn a_radius_of_curvature_is_never_negative() {
+    let m = slider_crank(5.0, 20.0, r#"["rho(A)", "v(A)", "a(A)"]"#);
+    let sweep = Sweep::new(&m, None).unwrap();
+    for i in 0..72 {
+        let values = sweep.at(f64::from(i) * PI / 36.0).unwrap();
+        is_near(values[0].unwrap().value, 0.1);
+    }
+    let mut coupler = common::example("constructions/inflection").mechanism;
+    coupler.asked.retain(|asked| matches!(asked.quantity, Quantity::PathRadius(_)));
+    let sweep = Sweep::new(&coupler, None).unwrap();
+    let all = sweep.positions(&sweep.equal_steps(360));
+    assert!(all.iter().flat_map(|p| &p.values).flatten().all(|radius| *radius >= 0.0));
+}

@@ -1,23 +1,17 @@
 //! A program that bounds its numbers, position by position: what the tape does for one drawing, for a few
 //! positions at a time and without allocation.
 //!
-//! Forward every operation notes its rounding and a running error, by the rules of `reckon.rs`; from each asked
-//! number one sweep back over the operations adds up what every rounding and every uncertain number does to it,
-//! with their correlations. The running errors serve only to see that divisors stand clear; unlike on the tape, where
-//! what first order leaves out is bounded term by term, it counts here by the parts by which the divisors err.
+//! Forward every operation notes its rounding, what the errors of its operands do to it beyond its tangent, and a
+//! running error, by the rules of `reckon.rs` and `tape.rs`; from each asked number one sweep back over the operations
+//! adds up what every rounding and every uncertain number does to it, with their correlations. The running errors serve
+//! to see that divisors stand clear, and for what the tangent leaves out; where they are too rough for that they are
+//! replaced by sweeps of their own, as on the tape.
 //!
 //! Numbers that hang on nothing that is varied were reckoned before; each counts with its own error, as if it
 //! were independent of the others.
 
-use super::program::{Kind, Node, TRANSCENDENTAL, Transcript, U};
-use super::tape::{ROUNDED, WEAK_DIVISOR};
-
-/// A divisor that errs by a part p of itself changes the derivatives behind it by (1 − p)⁻² − 1: for a part up to
-/// an eighth less than this many p.
-const BEND: f64 = 4.0;
-
-/// What second order may add to a first-order bound, at most: all of it again.
-const MOST_SECOND_ORDER: f64 = 1.0;
+use super::program::{Kind, Node, Transcript, operands, partials, reckon, rounding};
+use super::tape::{OF_PARTIALS, ROUNDED, WEAK_DIVISOR};
 
 /// Positions that are bounded together: fewer than are reckoned, for four numbers stand for each.
 pub const FEW: usize = 8;
@@ -64,6 +58,8 @@ pub struct BoundedBlock {
     roundings: Vec<Few>,
     adjoints: Vec<Few>,
     reached: Vec<bool>,
+    /// Rows whose running error has been replaced by a sweep of its own.
+    drawn_in: Vec<bool>,
     /// The error of each divisor as a part of it.
     parts: Vec<Few>,
     /// Of the asked numbers; infinite where a number is not determined.
@@ -191,6 +187,7 @@ impl BoundedProgram {
             roundings: vec![[0.0; FEW]; rows],
             adjoints: vec![[0.0; FEW]; rows],
             reached: vec![false; rows],
+            drawn_in: vec![false; rows],
             parts: vec![[0.0; FEW]; self.divisors.len()],
             bounds: vec![[0.0; FEW]; self.asked.len()],
         };
@@ -208,35 +205,54 @@ impl BoundedProgram {
         block.values[0] = *inputs;
         block.running[0] = *errors;
         block.roundings[0] = *errors;
+        block.drawn_in.fill(false);
         for step in &self.steps {
-            forward(step, signs, block);
+            if forward(step, signs, block) && self.draw_in(step, block) {
+                forward(step, signs, block);
+            }
         }
         self.judge(block);
         for index in 0..self.asked.len() {
             let target = &self.asked[index];
             let error = self.sweep_back(target.row, block);
             let mut bound = [0.0; FEW];
-            let mut bend = [0.0; FEW];
             let mut weak = [false; FEW];
             for &divisor in &target.divisors {
                 let part = &block.parts[divisor as usize];
                 for i in 0..FEW {
-                    bend[i] += part[i].min(WEAK_DIVISOR);
                     // Written so that a not-a-number counts as weak.
                     let clear = part[i] <= WEAK_DIVISOR;
                     weak[i] |= !clear;
                 }
             }
             for i in 0..FEW {
-                let second_order = (BEND * bend[i]).min(MOST_SECOND_ORDER);
-                let first_order = if weak[i] { f64::INFINITY } else { error[i] };
-                bound[i] = (1.0 + second_order + ROUNDED) * first_order;
+                bound[i] = if weak[i] { f64::INFINITY } else { (1.0 + ROUNDED) * error[i] };
                 if !(bound[i].is_finite() && block.values[target.row as usize][i].is_finite()) {
                     bound[i] = f64::INFINITY;
                 }
             }
             block.bounds[index] = bound;
         }
+    }
+
+    /// Replaces the running errors of an operation's operands by sweeps of their own; false where that was done before.
+    fn draw_in(&self, step: &Step, block: &mut BoundedBlock) -> bool {
+        let mut sharper = false;
+        for &row in &step.from[..operands(step.kind)] {
+            if std::mem::replace(&mut block.drawn_in[row as usize], true) {
+                continue;
+            }
+            let error = self.sweep_back(row, block);
+            for (running, error) in block.running[row as usize].iter_mut().zip(error) {
+                let error = (1.0 + ROUNDED) * error;
+                // Written so that a not-a-number is no improvement.
+                if error < *running {
+                    *running = error;
+                    sharper = true;
+                }
+            }
+        }
+        sharper
     }
 
     /// The error of each divisor as a part of it: by its running error, and where that does not tell, by a sweep of
@@ -365,114 +381,151 @@ impl Back<'_> {
     }
 }
 
-/// The error of a product of which both factors are zero within their errors: first order says nothing of it.
-#[inline]
-fn lost(x: f64, ex: f64, y: f64, ey: f64) -> f64 {
-    if ex >= x.abs() && ey >= y.abs() { ex * ey } else { 0.0 }
-}
+/// What the tangent leaves out counts where it is more than so much of the rounding, or this part of what the errors of
+/// the operands do along the tangent: there the operands are worth a sweep (as `SWEEPS` of the tape).
+const MATTERS: [f64; 2] = [8.0, 1e-6];
 
-/// One operation with its rounding and its running error.
-#[inline]
-fn forward(step: &Step, signs: &[f64], block: &mut BoundedBlock) {
-    let BoundedBlock { values, running, roundings, .. } = block;
-    let [a, b, c, d] = step.from.map(|row| row as usize);
-    let (x, ex) = (values[a], running[a]);
-    let mut out = [0.0; FEW];
-    let mut rounding = [0.0; FEW];
-    let mut carried = [0.0; FEW];
-    match step.kind {
-        Kind::Sum | Kind::Difference => {
-            let sign = if step.kind == Kind::Sum { 1.0 } else { -1.0 };
-            let (y, ey) = (&values[b], &running[b]);
-            for i in 0..FEW {
-                out[i] = x[i] + sign * y[i];
-                rounding[i] = U * out[i].abs();
-                carried[i] = ex[i] + ey[i];
-            }
-        }
-        Kind::Opposite => {
-            for i in 0..FEW {
-                out[i] = -x[i];
-                carried[i] = ex[i];
-            }
-        }
-        Kind::Product => {
-            let (y, ey) = (&values[b], &running[b]);
-            for i in 0..FEW {
-                out[i] = x[i] * y[i];
-                rounding[i] = U * out[i].abs() + lost(x[i], ex[i], y[i], ey[i]);
-                carried[i] = x[i].abs() * ey[i] + y[i].abs() * ex[i];
-            }
-        }
+/// What the errors of the operands do to a result beyond its tangent, and whether it has a tangent at all; the rules of
+/// `Tape::beyond_the_tangent`.
+fn beyond_the_tangent(kind: Kind, partials: &[f64; 4], errors: &[f64; 4], along: f64) -> (f64, bool) {
+    // Exact zeros stay so beside what errs without bound.
+    let both = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
+    match kind {
+        Kind::Sum | Kind::Difference | Kind::Opposite => (0.0, true),
+        Kind::Product => (both(errors[0], errors[1]), true),
+        Kind::Dot | Kind::Cross => (both(errors[0], errors[1]) + both(errors[2], errors[3]), true),
         Kind::Quotient => {
-            let (y, ey) = (&values[b], &running[b]);
-            let mut inverse = [0.0; FEW];
-            for i in 0..FEW {
-                inverse[i] = 1.0 / y[i];
-                out[i] = x[i] / y[i];
-                rounding[i] = U * out[i].abs();
-                carried[i] = (ex[i] + out[i].abs() * ey[i]) * inverse[i].abs();
-            }
-            values[step.second as usize] = inverse;
+            let part = both(partials[0].abs(), errors[1]);
+            if part < 0.5 { (along * part / (1.0 - part), true) } else { (f64::INFINITY, true) }
         }
         Kind::Root | Kind::HalfChord => {
-            let sign = match step.kind {
-                Kind::HalfChord => signs.get(b).copied().unwrap_or(1.0),
-                _ => 1.0,
-            };
-            let mut inverse = [0.0; FEW];
-            for i in 0..FEW {
-                out[i] = sign * x[i].max(0.0).sqrt();
-                inverse[i] = if out[i] == 0.0 { 0.0 } else { 0.5 / out[i] };
-                rounding[i] = U * out[i].abs();
-                carried[i] = ex[i] * inverse[i].abs();
-            }
-            values[step.second as usize] = inverse;
-        }
-        Kind::Dot | Kind::Cross => {
-            let sign = if step.kind == Kind::Dot { 1.0 } else { -1.0 };
-            let (y, ey, z, ez, w, ew) =
-                (&values[b], &running[b], &values[c], &running[c], &values[d], &running[d]);
-            for i in 0..FEW {
-                let (xy, zw) = (x[i] * y[i], z[i] * w[i]);
-                out[i] = xy + sign * zw;
-                rounding[i] = U * (out[i].abs() + xy.abs() + zw.abs())
-                    + lost(x[i], ex[i], y[i], ey[i])
-                    + lost(z[i], ez[i], w[i], ew[i]);
-                carried[i] =
-                    x[i].abs() * ey[i] + y[i].abs() * ex[i] + z[i].abs() * ew[i] + w[i].abs() * ez[i];
+            let (twice, moved) = (2.0 * partials[0].abs(), errors[0]);
+            let part = both(moved, twice * twice);
+            if twice > 0.0 && part <= 1.0 {
+                (part * part / (2.0 * twice), true)
+            } else {
+                (moved.sqrt(), false)
             }
         }
-        Kind::Cosine | Kind::Sine => {
-            let mut sines = [0.0; FEW];
-            for i in 0..FEW {
-                (sines[i], out[i]) = libm::sincos(x[i]);
-                rounding[i] = TRANSCENDENTAL * U * out[i].abs();
-                carried[i] = sines[i].abs() * ex[i];
-            }
-            let second = step.second as usize;
-            for i in 0..FEW {
-                roundings[second][i] = TRANSCENDENTAL * U * sines[i].abs();
-                running[second][i] = out[i].abs() * ex[i] + roundings[second][i];
-            }
-            values[second] = sines;
-        }
+        Kind::Cosine | Kind::Sine => ((0.5 * errors[0] * errors[0]).min(2.0 + errors[0]), true),
         Kind::Angle | Kind::Turned => {
-            let (y, ey) = (&values[b], &running[b]);
-            let mut inverse = [0.0; FEW];
-            for i in 0..FEW {
-                out[i] = libm::atan2(x[i], y[i]);
-                inverse[i] = 1.0 / (x[i] * x[i] + y[i] * y[i]);
-                rounding[i] = TRANSCENDENTAL * U * out[i].abs();
-                carried[i] = (x[i].abs() * ey[i] + y[i].abs() * ex[i]) * inverse[i];
+            let part = libm::hypot(partials[0], partials[1]) * libm::hypot(errors[0], errors[1]);
+            if part > 0.0 && part <= 0.5 {
+                (part * part / (2.0 * (1.0 - part)), true)
+            } else if part == 0.0 {
+                (0.0, true)
+            } else {
+                (std::f64::consts::PI, false)
             }
-            values[step.second as usize] = inverse;
         }
+    }
+}
+
+/// One operation with its rounding and its running error. Says whether what the tangent leaves out matters, so that the
+/// operands' errors are better drawn in.
+#[inline]
+fn forward(step: &Step, signs: &[f64], block: &mut BoundedBlock) -> bool {
+    // Each kind on its own, so that the compiler makes a loop without branches of it.
+    match step.kind {
+        Kind::Sum => operate(Kind::Sum, step, signs, block),
+        Kind::Difference => operate(Kind::Difference, step, signs, block),
+        Kind::Opposite => operate(Kind::Opposite, step, signs, block),
+        Kind::Product => operate(Kind::Product, step, signs, block),
+        Kind::Quotient => operate(Kind::Quotient, step, signs, block),
+        Kind::Root => operate(Kind::Root, step, signs, block),
+        Kind::HalfChord => operate(Kind::HalfChord, step, signs, block),
+        Kind::Dot => operate(Kind::Dot, step, signs, block),
+        Kind::Cross => operate(Kind::Cross, step, signs, block),
+        Kind::Angle => operate(Kind::Angle, step, signs, block),
+        Kind::Turned => operate(Kind::Turned, step, signs, block),
+        Kind::Cosine | Kind::Sine => cosine_and_sine(step, block),
+    }
+}
+
+/// What one lane of an operation comes to.
+struct Judged {
+    /// Its rounding, and what the tangent leaves out.
+    own: f64,
+    /// That and what the operands' errors do along the tangent.
+    running: f64,
+    has_tangent: bool,
+    matters: bool,
+}
+
+#[inline(always)]
+fn judged(
+    kind: Kind,
+    count: usize,
+    at: [f64; 4],
+    value: f64,
+    slopes: &[f64; 4],
+    errors: &[f64; 4],
+) -> Judged {
+    let mut along = 0.0;
+    for k in 0..count {
+        along += if slopes[k] == 0.0 || errors[k] == 0.0 { 0.0 } else { slopes[k].abs() * errors[k] };
+    }
+    let own = rounding(kind, at, value);
+    let (left_out, has_tangent) = beyond_the_tangent(kind, slopes, errors, along);
+    // Written so that a not-a-number matters.
+    let idle = left_out <= MATTERS[0] * own + MATTERS[1] * along;
+    let kept = if has_tangent { along } else { 0.0 };
+    let own = own + left_out + OF_PARTIALS * kept;
+    Judged { own, running: own + kept, has_tangent, matters: !idle }
+}
+
+#[inline(always)]
+fn operate(kind: Kind, step: &Step, signs: &[f64], block: &mut BoundedBlock) -> bool {
+    let BoundedBlock { values, running, roundings, .. } = block;
+    let count = operands(kind);
+    let of = step.from.map(|row| row as usize);
+    let sign = if kind == Kind::HalfChord { signs.get(of[1]).copied().unwrap_or(1.0) } else { 1.0 };
+    let (mut numbers, mut errors_of) = ([[0.0; FEW]; 4], [[0.0; FEW]; 4]);
+    for k in 0..count {
+        (numbers[k], errors_of[k]) = (values[of[k]], running[of[k]]);
+    }
+    let (mut out, mut own, mut error, mut inverse) = ([0.0; FEW], [0.0; FEW], [0.0; FEW], [0.0; FEW]);
+    let mut matters = false;
+    for i in 0..FEW {
+        let at = [numbers[0][i], numbers[1][i], numbers[2][i], numbers[3][i]];
+        let errors = [errors_of[0][i], errors_of[1][i], errors_of[2][i], errors_of[3][i]];
+        out[i] = reckon(kind, at, sign);
+        let slopes = partials(kind, at, out[i]);
+        let judged = judged(kind, count, at, out[i], &slopes, &errors);
+        (own[i], error[i]) = (judged.own, judged.running);
+        matters |= judged.matters;
+        inverse[i] = match kind {
+            _ if !judged.has_tangent => 0.0,
+            Kind::Angle | Kind::Turned => {
+                let square = at[0] * at[0] + at[1] * at[1];
+                if square > 0.0 { 1.0 / square } else { 0.0 }
+            }
+            _ => slopes[0],
+        };
     }
     let to = step.to as usize;
-    for i in 0..FEW {
-        running[to][i] = carried[i] + rounding[i];
+    (values[to], roundings[to], running[to]) = (out, own, error);
+    if matches!(kind, Kind::Quotient | Kind::Root | Kind::HalfChord | Kind::Angle | Kind::Turned) {
+        values[step.second as usize] = inverse;
     }
-    values[to] = out;
-    roundings[to] = rounding;
+    matters
+}
+
+/// Both in one go.
+fn cosine_and_sine(step: &Step, block: &mut BoundedBlock) -> bool {
+    let BoundedBlock { values, running, roundings, .. } = block;
+    let [angle, cosine, sine] = [step.from[0], step.to, step.second].map(|row| row as usize);
+    let mut matters = false;
+    for i in 0..FEW {
+        let (x, error) = (values[angle][i], [running[angle][i], 0.0, 0.0, 0.0]);
+        let (sin, cos) = libm::sincos(x);
+        for (kind, to, value, slope) in [(Kind::Cosine, cosine, cos, -sin), (Kind::Sine, sine, sin, cos)] {
+            let at = [x, 0.0, 0.0, 0.0];
+            let judged = judged(kind, 1, at, value, &[slope, 0.0, 0.0, 0.0], &error);
+            values[to][i] = value;
+            (roundings[to][i], running[to][i]) = (judged.own, judged.running);
+            matters |= judged.matters;
+        }
+    }
+    matters
 }

@@ -194,6 +194,19 @@ impl<B: Bench> Board<B> {
         Location::At(self.stroke(Operation::MeetLines, point))
     }
 
+    /// A point by division, wherever it lies now, and beside it its homogeneous coordinates in difference form: the
+    /// reach and the weight. For a drawing that is written down to be run elsewhere, where the point may lie at infinity
+    /// though it does not here, or the other way.
+    pub fn coordinates(
+        &mut self,
+        p: HomogeneousPoint<B>,
+        reason: Reason,
+    ) -> (Point<B>, [Amount<B>; 2], Amount<B>) {
+        let by = p.reach.map(|n| self.div(n, p.weight, reason));
+        let point = Point { x: self.add(p.base.x, by[0]), y: self.add(p.base.y, by[1]) };
+        (point, p.reach.map(Amount), Amount(p.weight))
+    }
+
     fn unit(&mut self, v: [Num<B>; 2], reason: Reason) -> Direction<B> {
         let square = self.dot(v[0], v[0], v[1], v[1]);
         let length = self.sqrt(square);
@@ -312,27 +325,6 @@ impl<B: Bench> Board<B> {
         let reach = [self.times(back, per_mm), self.times(velocity[0].0, per_mm)];
         let still = [reach[0], reach[1], omega.0].map(|n| self.vanishes(n)) == [true; 3];
         let point = HomogeneousPoint { base: point, reach, weight: omega.0 };
-        if still { None } else { Some(self.normalized_point(point)) }
-    }
-
-    /// The centre of two bodies on the line of their poles, which it divides inversely as their rates. `None`
-    /// where they do not move against each other.
-    pub fn divide_by_rates(
-        &mut self,
-        poles: [HomogeneousPoint<B>; 2],
-        rates: [Amount<B>; 2],
-    ) -> Option<HomogeneousPoint<B>> {
-        let [p, q] = poles;
-        let [turn_p, turn_q] = [self.turning(p, rates[0]).0, self.turning(q, rates[1]).0];
-        let weight = self.sub(turn_q, turn_p);
-        let between = self.between(p.base, q.base);
-        let reach = [0, 1].map(|k| {
-            let far = self.mul(turn_q, between[k].0);
-            let off = self.cross(rates[1].0, q.reach[k], rates[0].0, p.reach[k]);
-            self.add(far, off)
-        });
-        let still = [reach[0], reach[1], weight].map(|n| self.vanishes(n)) == [true; 3];
-        let point = HomogeneousPoint { base: p.base, reach, weight };
         if still { None } else { Some(self.normalized_point(point)) }
     }
 }

@@ -24,7 +24,7 @@ use std::marker::PhantomData;
 pub use bounded::{BoundedBlock, BoundedProgram, FEW};
 pub use hand::{Hand, PencilTape, Tremor};
 pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
-pub use program::{Block, LANES, Lane, Law, Moving, Place, Program, Transcript, Variable};
+pub use program::{Block, LANES, Lane, Law, Moving, Place, Program, Transcript, Variable, Wanted};
 pub use reckon::TOO_LARGE;
 pub use scalar::{Arithmetic, Real};
 pub use tape::{Blank, Nudge, Operation, Pencil, Reason, Reckoning, Recorder, Stroke, Tape};

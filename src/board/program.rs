@@ -19,6 +19,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use super::bounded::BoundedProgram;
+use super::scalar::Real;
 use super::tape::{Operation, Reason, Reckoning, Recorder};
 use crate::given::Given;
 
@@ -63,6 +64,16 @@ pub(super) enum Node {
     Constant(f64, f64),
     Input,
     Made(Kind, Operands),
+}
+
+/// A number that a program is to give.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wanted {
+    /// Its mark in the transcript.
+    pub slot: u32,
+    /// It tells of the mechanism's motion: where a divisor behind it vanishes, the mechanism stands in a dead position.
+    /// What is drawn onto the skeleton besides, as instant centres are, may vanish by itself.
+    pub of_motion: bool,
 }
 
 /// How an input moves in time: from its place and its rate in the drawing, with constant acceleration.
@@ -199,6 +210,12 @@ impl Transcript {
         }
     }
 
+    /// A number that hangs on nothing that is varied; `None` for one that does.
+    #[must_use]
+    pub fn constant_at(&self, mark: u32) -> Option<f64> {
+        self.known(mark)
+    }
+
     /// A constant without error.
     fn exactly(&self, slot: u32) -> Option<f64> {
         match self.nodes.get(slot as usize) {
@@ -301,16 +318,35 @@ impl Transcript {
         BoundedProgram::new(self, asked)
     }
 
-    /// The program that reckons these numbers; with every divisor to be watched, or without.
+    /// The program that reckons these numbers; with what has to be watched on the way, or without.
+    ///
+    /// Conditions count only behind an answer: a meet that was drawn for a track that nobody took limits nothing.
     #[must_use]
-    pub fn program(&self, asked: &[u32], watched: bool) -> Program {
-        let divisors: &[(u32, Reason)] = if watched { &self.divisors } else { &[] };
+    pub fn program(&self, asked: &[Wanted], watched: bool) -> Program {
+        let behind_any = self.behind_all(asked.iter().map(|wanted| wanted.slot));
+        let behind_motion =
+            self.behind_all(asked.iter().filter(|wanted| wanted.of_motion).map(|wanted| wanted.slot));
+        let is_behind = |reached: &[bool], slot: u32| reached.get(slot as usize).copied().unwrap_or(false);
+        let open = |slot: u32| !matches!(self.nodes.get(slot as usize), Some(Node::Constant(..)) | None);
+        let live = |slot: u32| watched && open(slot) && is_behind(&behind_any, slot);
+        let guards: Vec<(u32, Reason)> = self.divisors.iter().copied().filter(|d| live(d.0)).collect();
+        let chords: Vec<(usize, u32)> =
+            self.chords.iter().copied().enumerate().filter(|(_, slot)| live(*slot)).collect();
+        let turns: Vec<(usize, u32)> =
+            self.turns.iter().copied().enumerate().filter(|(_, slot)| live(*slot)).collect();
+        let mut guarded = vec![false; self.nodes.len()];
+        for &(slot, _) in &guards {
+            guarded[slot as usize] = true;
+        }
+        let mut squares = vec![false; self.nodes.len()];
+        for &slot in &self.chords {
+            squares[slot as usize] = true;
+        }
         let kept: Vec<u32> = asked
             .iter()
-            .copied()
-            .chain(divisors.iter().map(|d| d.0))
-            .chain(self.chords.iter().copied())
-            .chain(self.turns.iter().copied().filter(|_| watched))
+            .map(|wanted| wanted.slot)
+            .chain(guards.iter().map(|d| d.0))
+            .chain(chords.iter().chain(&turns).map(|(_, slot)| *slot))
             .collect();
         let last_use = self.last_uses(&kept);
         let mut slots = vec![0_u32; self.nodes.len()];
@@ -319,10 +355,11 @@ impl Transcript {
             constants: Vec::new(),
             rows: 1,
             asked: Vec::new(),
+            chord_slots: self.chords.len(),
+            turn_slots: self.turns.len(),
             chords: Vec::new(),
             turns: Vec::new(),
             divisors: Vec::new(),
-            behind: Vec::new(),
         };
         // Rows whose number nobody needs any more: few rows stay in the nearest cache.
         let mut free: Vec<u32> = Vec::new();
@@ -360,7 +397,8 @@ impl Transcript {
                 slots[p] = row(&mut program);
                 slots[p]
             });
-            program.steps.push(Step { kind, to, second, from });
+            let guard = guarded[slot];
+            program.steps.push(Step { kind, to, second, guard, from });
             let mut done: Vec<u32> = of[..operands(kind)].to_vec();
             done.sort_unstable();
             done.dedup();
@@ -372,24 +410,44 @@ impl Transcript {
             }
         }
         let slot_of = |slot: u32| slots.get(slot as usize).copied().unwrap_or(0);
-        program.asked = asked.iter().map(|&slot| slot_of(slot)).collect();
-        program.chords = self.chords.iter().map(|&slot| slot_of(slot)).collect();
-        if watched {
-            program.turns = self.turns.iter().map(|&slot| slot_of(slot)).collect();
-        }
-        let open = |slot: u32| !matches!(self.nodes.get(slot as usize), Some(Node::Constant(..)) | None);
-        let mut kept: Vec<(u32, Reason)> = divisors.iter().filter(|d| open(d.0)).copied().collect();
-        kept.sort_unstable_by_key(|&(slot, why)| (slot_of(slot), why));
-        kept.dedup_by_key(|d| slot_of(d.0));
-        if watched {
-            let behind = |&slot: &u32| {
-                let reached = self.behind(slot);
-                (0..kept.len()).filter(|&index| reached[kept[index].0 as usize]).collect()
-            };
-            program.behind = asked.iter().map(behind).collect();
-        }
-        program.divisors = kept.into_iter().map(|(slot, why)| (slot_of(slot), why)).collect();
+        program.asked = asked.iter().map(|wanted| slot_of(wanted.slot)).collect();
+        program.chords = chords
+            .into_iter()
+            .map(|(index, slot)| Chord {
+                index,
+                row: slot_of(slot),
+                reason: guards.iter().find(|d| d.0 == slot).map(|d| d.1),
+            })
+            .collect();
+        program.turns = turns.into_iter().map(|(index, slot)| (index, slot_of(slot))).collect();
+        let mut divisors: Vec<(u32, Reason)> = guards
+            .into_iter()
+            .filter(|d| is_behind(&behind_motion, d.0) && !squares[d.0 as usize])
+            .map(|(slot, why)| (slot_of(slot), why))
+            .collect();
+        divisors.sort_unstable();
+        divisors.dedup_by_key(|d| d.0);
+        program.divisors = divisors;
         program
+    }
+
+    /// Which numbers these numbers have been reckoned from, themselves among them.
+    fn behind_all(&self, slots: impl Iterator<Item = u32>) -> Vec<bool> {
+        let mut reached = vec![false; self.nodes.len()];
+        for slot in slots {
+            if let Some(reached) = reached.get_mut(slot as usize) {
+                *reached = true;
+            }
+        }
+        // Operands stand before what is made of them.
+        for slot in (0..self.nodes.len()).rev() {
+            if let (true, Node::Made(kind, of)) = (reached[slot], self.nodes[slot]) {
+                for &operand in &of[..operands(kind)] {
+                    reached[operand as usize] = true;
+                }
+            }
+        }
+        reached
     }
 
     /// Which numbers a number has been reckoned from, itself among them.
@@ -555,7 +613,7 @@ pub(super) fn operands(kind: Kind) -> usize {
 }
 
 /// What one operation alone may put its result off, by the rules of the tape (`reckon.rs`).
-fn rounding(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> f64 {
+pub(super) fn rounding(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> f64 {
     match kind {
         // Sums of small whole numbers and of zeros are exact, and many constants are.
         Kind::Sum if value - a == b && value - b == a => 0.0,
@@ -577,11 +635,11 @@ fn angle_near(half_turns: f64, y: f64, x: f64) -> f64 {
     PI * half_turns + if odd { libm::atan2(-y, -x) } else { libm::atan2(y, x) }
 }
 
-/// A sine, cosine or angle errs by less than two roundoffs of its own, and is rounded.
-pub(super) const TRANSCENDENTAL: f64 = 3.0;
+/// A sine, cosine or angle errs by so many roundoffs of its own, and is rounded.
+const TRANSCENDENTAL: f64 = <f64 as Real>::TRANSCENDENTAL_ULPS + 1.0;
 
 /// One number by one operation.
-fn reckon(kind: Kind, [a, b, c, d]: [f64; 4], sign: f64) -> f64 {
+pub(super) fn reckon(kind: Kind, [a, b, c, d]: [f64; 4], sign: f64) -> f64 {
     match kind {
         Kind::Sum => a + b,
         Kind::Difference => a - b,
@@ -604,7 +662,19 @@ struct Step {
     to: u32,
     /// Where the sine of a cosine (or the cosine of a sine) goes; 0 where nobody wants it.
     second: u32,
+    /// It is divided by: where it does not stand clear of its error, nothing that follows from it is known.
+    guard: bool,
     from: [u32; 4],
+}
+
+/// A half chord to be watched.
+#[derive(Debug, Clone, Copy)]
+struct Chord {
+    /// Its place among the signs.
+    index: usize,
+    /// The row of its square.
+    row: u32,
+    reason: Option<Reason>,
 }
 
 /// A transcribed drawing.
@@ -615,11 +685,15 @@ pub struct Program {
     /// Row 0 is the input.
     rows: u32,
     asked: Vec<u32>,
-    chords: Vec<u32>,
-    turns: Vec<u32>,
+    /// How many half chords the drawing had, those among them that nobody watches.
+    chord_slots: usize,
+    /// How many angles that go on.
+    turn_slots: usize,
+    chords: Vec<Chord>,
+    /// By their place among the half turns.
+    turns: Vec<(usize, u32)>,
+    /// Behind numbers of motion, half chords not among them.
     divisors: Vec<(u32, Reason)>,
-    /// For each asked number the divisors behind it, by their index.
-    behind: Vec<Vec<usize>>,
 }
 
 /// A number, how it changes with the input, and to first order how far rounding may have put it off.
@@ -629,8 +703,60 @@ pub struct Moving {
     pub value: f64,
     /// Its derivative by the input.
     pub slope: f64,
-    /// A running bound of its rounding: it forgets correlations, so it is often too large.
+    /// How far rounding puts it off, to first order: three times what eight samples of roundings come to in the mean.
     pub error: f64,
+}
+
+/// So many samples of the roundings are carried along.
+const SAMPLES: usize = 8;
+
+/// A number of one position.
+///
+/// Its error is carried as samples: in each, every operation has its own rounding with a sign that is drawn by lot, once
+/// and for all, and what reaches a number by two ways cancels as it does in the number itself. A running bound grows
+/// several-fold with every group, and beyond some ten of them would take a healthy chain for noise; the sharp bound is a
+/// sweep back for each number (`bounded.rs`), too dear for every position.
+#[derive(Debug, Clone, Copy, Default)]
+struct Row {
+    value: f64,
+    slope: f64,
+    errors: [f64; SAMPLES],
+    /// A divisor behind it does not stand clear of its error.
+    lost: bool,
+}
+
+impl Row {
+    fn error(&self) -> f64 {
+        /// So many times the mean.
+        const TIMES: f64 = 3.0;
+        let squares: f64 = self.errors.iter().map(|e| e * e).sum();
+        #[expect(clippy::cast_precision_loss, reason = "eight")]
+        let samples = SAMPLES as f64;
+        TIMES * (squares / samples).sqrt()
+    }
+
+    fn moving(&self) -> Moving {
+        Moving { value: self.value, slope: self.slope, error: self.error() }
+    }
+
+    fn is_clear(&self) -> bool {
+        self.value.abs() > CLEAR * self.error()
+    }
+
+    /// Adds an operation's own rounding to every sample.
+    fn round(&mut self, by: f64, lots: u8) {
+        for (index, error) in self.errors.iter_mut().enumerate() {
+            *error += if lots >> index & 1 == 0 { by } else { -by };
+        }
+    }
+}
+
+/// The signs that were drawn for the roundings of an operation: splitmix64 of its number (Steele, Lea and Flood 2014).
+fn lots(number: usize) -> u8 {
+    let mut z = (number as u64).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    ((z ^ (z >> 31)) >> 56) as u8
 }
 
 /// Room for a block of positions.
@@ -644,18 +770,21 @@ impl Block {
     pub fn asked<'a>(&'a self, program: &'a Program) -> impl Iterator<Item = &'a Lane> {
         program.asked.iter().map(|&row| &self.rows[row as usize])
     }
-
-    /// Whether every chord of a lane can be drawn.
-    #[must_use]
-    pub fn closes(&self, program: &Program, lane: usize) -> bool {
-        program.chords.iter().all(|&row| self.rows[row as usize][lane] > 0.0)
-    }
 }
 
 /// Room for one position.
 #[derive(Debug, Clone, Default)]
 pub struct Place {
-    rows: Vec<Moving>,
+    rows: Vec<Row>,
+    looks: u64,
+}
+
+impl Place {
+    /// How many positions have been looked at in this room: what a search has cost.
+    #[must_use]
+    pub fn looks(&self) -> u64 {
+        self.looks
+    }
 }
 
 impl Program {
@@ -679,20 +808,20 @@ impl Program {
     /// How many chords (meets of arcs, or of a line with an arc) it draws.
     #[must_use]
     pub fn chord_count(&self) -> usize {
-        self.chords.len()
+        self.chord_slots
     }
 
     /// The signs of the drawing that was transcribed: 1 for each chord, and no half turn for each angle that goes on.
     #[must_use]
     pub fn signs(&self) -> Vec<f64> {
-        let mut signs = vec![1.0; self.chords.len()];
-        signs.resize(self.chords.len() + self.turns.len(), 0.0);
+        let mut signs = vec![1.0; self.chord_slots];
+        signs.resize(self.chord_slots + self.turn_slots, 0.0);
         signs
     }
 
     /// Near how many half turns the angle of this index is.
     fn half_turns(&self, index: u32, signs: &[f64]) -> f64 {
-        signs.get(self.chords.len() + index as usize).copied().unwrap_or(0.0)
+        signs.get(self.chord_slots + index as usize).copied().unwrap_or(0.0)
     }
 
     /// Room for blocks of positions, with the constants in place.
@@ -758,21 +887,31 @@ impl Program {
         }
     }
 
-    /// Reckons one position, with the derivative of every number by the input and its running error.
+    /// Reckons one position, with the derivative of every number by the input and its error. The input counts as
+    /// uncertain by a unit in its last place, as a number of the scene and its unit do.
     pub fn look(&self, input: f64, signs: &[f64], place: &mut Place) {
+        place.looks += 1;
         let rows = &mut place.rows;
         rows.clear();
-        rows.resize(self.rows as usize, Moving::default());
-        rows[0] = Moving { value: input, slope: 1.0, error: 0.0 };
-        for &(row, value) in &self.constants {
+        rows.resize(self.rows as usize, Row::default());
+        rows[0] = Row { value: input, slope: 1.0, ..Row::default() };
+        rows[0].round(2.0 * U * input.abs(), lots(0));
+        for (number, &(row, value)) in self.constants.iter().enumerate() {
             // A constant has been reckoned from numbers of the scene: a few roundings.
-            rows[row as usize] = Moving { value, slope: 0.0, error: 4.0 * U * value.abs() };
+            let constant = &mut rows[row as usize];
+            constant.value = value;
+            constant.round(4.0 * U * value.abs(), lots(usize::MAX - number));
         }
-        for step in &self.steps {
-            let of = step.from.map(|row| rows.get(row as usize).copied().unwrap_or_default());
+        for (number, step) in self.steps.iter().enumerate() {
+            // What is no row (the index of a chord, or of a turn) is not looked at.
+            let of = step.from.map(|row| rows.get(row as usize).unwrap_or(&rows[0]));
+            let of = &of[..operands(step.kind)];
             let sign = signs.get(step.from[1] as usize).copied().unwrap_or(1.0);
-            let mut values = of.map(|m| m.value);
-            if step.kind == Kind::HalfChord && values[0].abs() <= CLEAR * of[0].error {
+            let mut values = [0.0; 4];
+            for (value, row) in values.iter_mut().zip(of) {
+                *value = row.value;
+            }
+            if step.kind == Kind::HalfChord && !of[0].is_clear() {
                 // The arcs just touch: what is left of the chord is rounding.
                 values[0] = 0.0;
             }
@@ -780,71 +919,83 @@ impl Program {
                 Kind::Turned => angle_near(self.half_turns(step.from[2], signs), values[0], values[1]),
                 kind => reckon(kind, values, sign),
             };
-            let partials = partials(step.kind, values, value);
-            let mut out = Moving { value, slope: 0.0, error: 2.0 * U * value.abs() };
-            if matches!(step.kind, Kind::Dot | Kind::Cross) {
-                out.error += U * ((values[0] * values[1]).abs() + (values[2] * values[3]).abs());
-            }
-            for (partial, part) in partials.iter().zip(&of[..operands(step.kind)]) {
-                out.slope += partial * part.slope;
-                out.error += partial.abs() * part.error;
-            }
-            rows[step.to as usize] = out;
-            if step.second != 0 {
+            let products = match step.kind {
+                Kind::Dot | Kind::Cross => (values[0] * values[1]).abs() + (values[2] * values[3]).abs(),
+                _ => 0.0,
+            };
+            let mut out = carried(of, &partials(step.kind, values, value), value);
+            out.round(2.0 * U * value.abs() + U * products, lots(number + 1));
+            out.lost |= step.guard && !out.is_clear();
+            let second = (step.second != 0).then(|| {
                 let other = if step.kind == Kind::Cosine { Kind::Sine } else { Kind::Cosine };
                 let value = reckon(other, values, 1.0);
-                let by = self::partials(other, values, value)[0];
-                let error = by.abs() * of[0].error + 2.0 * U * value.abs();
-                rows[step.second as usize] = Moving { value, slope: by * of[0].slope, error };
+                let mut out = carried(of, &partials(other, values, value), value);
+                out.round(2.0 * U * value.abs(), lots(number + 1).rotate_left(3));
+                out
+            });
+            rows[step.to as usize] = out;
+            if let Some(second) = second {
+                rows[step.second as usize] = second;
             }
         }
     }
 
     /// The asked numbers of a place, in order.
     pub fn asked<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = Moving> + 'a {
-        self.asked.iter().map(|&row| place.rows[row as usize])
+        self.asked.iter().map(|&row| place.rows[row as usize].moving())
     }
 
-    /// Square of every half chord: negative where the arcs do not meet.
-    pub fn chords<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = Moving> + 'a {
-        self.chords.iter().map(|&row| place.rows[row as usize])
+    /// Whether each asked number is known: every divisor behind it stands clear of its error.
+    pub fn known<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = bool> + 'a {
+        self.asked.iter().map(|&row| !place.rows[row as usize].lost)
     }
 
-    /// How far every angle that goes on is from the half turns that it is near.
-    pub fn turns<'a>(&'a self, place: &'a Place, signs: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-        let rows = (0_u32..).zip(&self.turns);
-        rows.map(|(index, &row)| place.rows[row as usize].value - PI * self.half_turns(index, signs))
+    /// Square of every watched half chord, negative where the arcs do not meet, with its place among the signs.
+    pub fn chords<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = (usize, Moving)> + 'a {
+        self.chords.iter().map(|chord| (chord.index, place.rows[chord.row as usize].moving()))
     }
 
-    /// Every number that is divided by.
+    /// How far every watched angle that goes on is from the half turns that it is near, with their place among the signs.
+    pub fn turns<'a>(
+        &'a self,
+        place: &'a Place,
+        signs: &'a [f64],
+    ) -> impl Iterator<Item = (usize, f64)> + 'a {
+        self.turns.iter().map(|&(index, row)| {
+            let near = signs.get(self.chord_slots + index).copied().unwrap_or(0.0);
+            (self.chord_slots + index, place.rows[row as usize].value - PI * near)
+        })
+    }
+
+    /// Every number that is divided by on the way to a number of motion, half chords not among them.
     pub fn divisors<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = Moving> + 'a {
-        self.divisors.iter().map(|&(row, _)| place.rows[row as usize])
+        self.divisors.iter().map(|&(row, _)| place.rows[row as usize].moving())
     }
 
-    /// The divisors behind an asked number, by their index.
-    #[must_use]
-    pub fn behind(&self, asked: usize) -> &[usize] {
-        self.behind.get(asked).map_or(&[], Vec::as_slice)
-    }
-
-    /// The reason that was noted with a divisor.
+    /// The reason that was noted with a divisor, by its place among [`Program::divisors`].
     #[must_use]
     pub fn reason_of_divisor(&self, index: usize) -> Option<Reason> {
         self.divisors.get(index).map(|d| d.1)
     }
 
-    /// The reason that was noted with a chord.
+    /// The reason that was noted with a chord, by its place among [`Program::chords`].
     #[must_use]
     pub fn reason_of_chord(&self, index: usize) -> Option<Reason> {
-        let row = self.chords.get(index)?;
-        self.divisors.iter().find(|d| d.0 == *row).map(|d| d.1)
+        self.chords.get(index).and_then(|chord| chord.reason)
     }
+}
 
-    /// Whether a divisor is the square of a half chord.
-    #[must_use]
-    pub fn is_chord(&self, index: usize) -> bool {
-        self.divisors.get(index).is_some_and(|d| self.chords.contains(&d.0))
+/// A number with what its operands bring.
+fn carried(of: &[&Row], partials: &[f64; 4], value: f64) -> Row {
+    let mut out = Row { value, ..Row::default() };
+    for (partial, part) in partials.iter().zip(of) {
+        out.slope += partial * part.slope;
+        for (error, by) in out.errors.iter_mut().zip(&part.errors) {
+            *error += partial * by;
+        }
+        out.lost |= part.lost;
     }
+    out
 }
 
 fn each(out: &mut Lane, x: &Lane, f: impl Fn(f64) -> f64) {
@@ -860,7 +1011,7 @@ fn zip(out: &mut Lane, x: &Lane, y: &Lane, f: impl Fn(f64, f64) -> f64) {
 }
 
 /// Derivatives of a result by its operands.
-fn partials(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> [f64; 4] {
+pub(super) fn partials(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> [f64; 4] {
     let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
     match kind {
         Kind::Sum => [1.0, 1.0, 0.0, 0.0],

@@ -245,7 +245,7 @@ const SWEEPS: [(DrawnIn, f64, f64); 3] =
     [(DrawnIn::ToPoints, 1.0 / 64.0, 0.0), (DrawnIn::ToExactPoints, 1.0, 0.0), (DrawnIn::Wholly, 8.0, 1e-6)];
 
 /// The partial derivatives are reckoned in doubles, by up to three roundings each.
-const OF_PARTIALS: f64 = 2.0 * f64::EPSILON;
+pub(super) const OF_PARTIALS: f64 = 2.0 * f64::EPSILON;
 
 impl Recorder for Tape {
     type Mark = u32;

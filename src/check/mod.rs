@@ -4,6 +4,7 @@
 //! no third opinion.
 
 mod confirm;
+mod sweep;
 
 use std::borrow::Cow;
 
@@ -14,6 +15,8 @@ use crate::graphical::construction::Reading;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity};
 use crate::scene::{Published, Refusal, Scene};
 use crate::solve::{Settings, SolveError, Solved};
+
+pub use sweep::{MOST_POSITIONS, SweepUnconfirmed, SweptApart, confirm_sweep};
 
 /// One asked quantity by both solvers.
 #[derive(Debug, Clone, PartialEq)]

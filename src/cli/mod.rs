@@ -180,6 +180,12 @@ enum Command {
         /// A bound for every number of the tables
         #[arg(long)]
         bounds: bool,
+        /// Writes what the independent solver does not confirm, with a note that says so
+        #[arg(long)]
+        unchecked: bool,
+        /// Only these of the asked quantities, such as v(B),a(D)
+        #[arg(long, value_name = "NAMES")]
+        only: Option<String>,
         /// Language of the diagrams: en, ar, ar-x-ajala, fa
         #[arg(long, value_name = "LANG")]
         lang: Option<String>,
@@ -487,9 +493,23 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             grade::run(&grade::Job { scene, answers, drawing, json, hand, output })
         }
         Command::Structure { scene, json } => structure::run(&scene, json),
-        Command::Sweep { scene, steps, tolerance, from, to, against, bounds, lang, output } => {
+        Command::Sweep {
+            scene,
+            steps,
+            tolerance,
+            from,
+            to,
+            against,
+            bounds,
+            unchecked,
+            only,
+            lang,
+            output,
+        } => {
             let over = if against == Against::Time { Over::Time } else { Over::Input };
-            sweep::run(&sweep::Job { scene, steps, tolerance, from, to, over, bounds, lang, output })
+            let job =
+                sweep::Job { scene, steps, tolerance, from, to, over, bounds, unchecked, only, lang, output };
+            sweep::run(&job)
         }
         Command::Golden { action: GoldenAction::Check { folder, names, report, json } } => {
             golden::check(&golden::Job { folder, names }, report.as_deref(), json)

@@ -8,13 +8,16 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
 use super::{Ending, Failure, print, read_scene};
+use crate::check::{SweepUnconfirmed, confirm_sweep};
 use crate::files;
 use crate::mechanism::quantity::{Quantity, Unit};
 use crate::render::{self, Format};
 use crate::report::{diagnose, short};
 use crate::scene::{Scene, Subject};
 use crate::solve::SolveError;
-use crate::sweep::{Event, EventKind, InputKind, Over, Stretch, Stroke, Sweep, SweepError, SweepWithBounds};
+use crate::sweep::{
+    Event, EventKind, InputKind, Over, Stretch, Stroke, Sweep, SweepError, SweepWithBounds, Without,
+};
 
 /// More positions than this show a progress bar.
 const MANY: usize = 100_000;
@@ -30,6 +33,8 @@ pub(super) struct Job {
     pub(super) to: Option<f64>,
     pub(super) over: Over,
     pub(super) bounds: bool,
+    pub(super) unchecked: bool,
+    pub(super) only: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) output: Vec<PathBuf>,
 }
@@ -66,7 +71,10 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(Failure("--bounds is for tables: write one with -o FILE.csv or -o FILE.json".to_owned()));
     }
     files::spare(&job.scene, &job.output)?;
-    let (file, scene) = read_scene(&job.scene)?;
+    let (file, mut scene) = read_scene(&job.scene)?;
+    if let Some(names) = &job.only {
+        choose(&mut scene, names)?;
+    }
     let scene = &scene;
     let language = match &job.lang {
         Some(tag) => super::language(tag)?,
@@ -78,8 +86,33 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         (Some(from), Some(to)) => Some([from * unit.si, to * unit.si]),
         _ => return Err(Failure("give both --from and --to, in the scene's units".to_owned())),
     };
-    let sweep = Sweep::over(job.over, &scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
-    let report = Report { file: &file, scene, sweep: &sweep, unit: &unit };
+    let mut sweep = Sweep::over(job.over, &scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
+    let only_diagrams = !outputs.is_empty() && outputs.iter().all(|o| matches!(o, Output::Diagrams(_)));
+    if only_diagrams && job.only.is_none() && !asks(scene) {
+        // Nobody asked for anything: how the sliders and rockers move, not forty diagrams.
+        let mut outputs_only = scene.mechanism.clone();
+        outputs_only.asked = sweep.of_outputs().cloned().collect();
+        if !outputs_only.asked.is_empty() && outputs_only.asked.len() < scene.mechanism.asked.len() {
+            let names: Vec<&str> = outputs_only.asked.iter().map(|asked| asked.name.as_str()).collect();
+            let names = names.join(", ");
+            let help = "`find` or --only chooses others";
+            let _ = writeln!(io::stderr(), "{file}: the scene asks for nothing; drawn are {names}; {help}");
+            sweep = Sweep::over(job.over, &outputs_only, stated).map_err(|error| refusal(scene, error))?;
+        }
+    }
+    let sweep = sweep;
+    let mut report = Report { file: &file, scene, sweep: &sweep, unit: &unit, unconfirmed: None };
+    if let Err(why) = confirm_sweep(&sweep) {
+        let why = report.unconfirmed(&why);
+        if !job.unchecked {
+            let help = "`--unchecked` writes it with a note that says so";
+            let _ = writeln!(io::stderr(), "{file}: not confirmed, nothing is written: {why}; help: {help}");
+            return Ok(Ending::DoesNotHold);
+        }
+        let _ = writeln!(io::stderr(), "{file}: not confirmed: {why}");
+        report.unconfirmed = Some(why);
+    }
+    let report = report;
     let places = || match (job.steps, job.tolerance) {
         (_, Some(tolerance)) => sweep.adapted(tolerance),
         (steps, None) => sweep.equal_steps(steps.unwrap_or(STEPS)),
@@ -101,7 +134,9 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let options = render::Options { theme: crate::drawing::theme(scene), ..Default::default() };
     let diagrams = outputs.iter().any(|output| matches!(output, Output::Diagrams(_)));
-    let figure = diagrams.then(|| crate::sheet::diagrams::of_sweep(scene, &sweep, language));
+    let figure = diagrams.then(|| {
+        crate::sheet::diagrams::of_sweep_with(scene, &sweep, language, report.unconfirmed.as_deref())
+    });
     let drawn: Vec<Option<Vec<u8>>> = outputs
         .iter()
         .map(|output| match (output, &figure) {
@@ -119,6 +154,48 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
     })?;
     Ok(Ending::Fine)
+}
+
+/// Whether the scene itself says what it asks for.
+fn asks(scene: &Scene) -> bool {
+    serde_json::from_str::<Value>(scene.source.text()).is_ok_and(|root| root.get("find").is_some())
+}
+
+/// Keeps these of the asked quantities, in this order.
+fn choose(scene: &mut Scene, names: &str) -> Result<(), Failure> {
+    let mut chosen = Vec::new();
+    for name in listed(names) {
+        match scene.mechanism.asked.iter().find(|asked| asked.name == name) {
+            Some(asked) => chosen.push(asked.clone()),
+            None => {
+                let asked: Vec<&str> = scene.mechanism.asked.iter().map(|a| a.name.as_str()).collect();
+                let asked = asked.join(", ");
+                let what = format!("--only: `{name}` is not asked for; the scene asks for {asked}");
+                return Err(Failure(what + "; help: add it to `find`"));
+            }
+        }
+    }
+    scene.mechanism.asked = chosen;
+    Ok(())
+}
+
+/// Names between commas; those within parentheses belong to a name.
+fn listed(names: &str) -> Vec<String> {
+    let (mut all, mut depth) = (vec![String::new()], 0_usize);
+    for c in names.chars() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        match (c, all.last_mut()) {
+            (',', _) if depth == 0 => all.push(String::new()),
+            (_, Some(name)) if !c.is_whitespace() => name.push(c),
+            _ => {}
+        }
+    }
+    all.retain(|name| !name.is_empty());
+    all
 }
 
 /// The unit of what is varied.
@@ -165,11 +242,21 @@ fn quoted(text: &str) -> String {
     if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 
+/// Why a quantity has no column.
+fn reason(why: Without) -> &'static str {
+    match why {
+        Without::AtInfinity => "at infinity in every position",
+        Without::Undefined(why) => why,
+    }
+}
+
 struct Report<'s> {
     file: &'s str,
     scene: &'s Scene,
     sweep: &'s Sweep,
     unit: &'s Unit,
+    /// What the independent solver does not confirm.
+    unconfirmed: Option<String>,
 }
 
 impl Report<'_> {
@@ -180,11 +267,34 @@ impl Report<'_> {
         format!("{} {}", short(at / self.unit.si), self.unit.symbol)
     }
 
+    /// Which number is not confirmed, where, and by how much.
+    fn unconfirmed(&self, why: &SweepUnconfirmed) -> String {
+        match why {
+            SweepUnconfirmed::Refused { at, why } => {
+                format!("at {} the independent solver refuses: {why}", self.place(*at))
+            }
+            SweepUnconfirmed::Number(number) => {
+                let unit = self.unit_of(number.column);
+                let told = |value: f64| format!("{} {}", short(value / unit.si), unit.symbol);
+                format!(
+                    "at {} {} is {} by the drawing and {} by the independent solver: {} apart, where the bounds \
+                     allow {}",
+                    self.place(number.at),
+                    self.sweep.columns[number.column].name(),
+                    told(number.swept),
+                    told(number.analytic),
+                    told((number.swept - number.analytic).abs()),
+                    told(number.allowed)
+                )
+            }
+        }
+    }
+
     /// Name and value of a column, in its unit.
     fn column(&self, index: usize, value: f64) -> String {
-        let column = &self.sweep.columns[index];
         let unit = self.unit_of(index);
-        format!("{} = {} {}", column.name(), short(value / unit.si), unit.symbol)
+        let name = self.sweep.name_of_extreme(index);
+        format!("{name} = {} {}", short(value / unit.si), unit.symbol)
     }
 
     /// What the sweep added itself is told in the scene's unit.
@@ -212,8 +322,9 @@ impl Report<'_> {
             EventKind::Limit => format!("limit of the input{blame}"),
             EventKind::ChangePoint => format!("change point{blame}"),
             EventKind::DeadPosition => format!("dead position{blame}"),
-            EventKind::AtInfinity { column } => {
-                format!("{} at infinity", self.sweep.columns[column].asked.name)
+            EventKind::AtInfinity { centre, direction } => {
+                let name = &self.sweep.centres[centre].asked.name;
+                format!("{name} at infinity, in the direction of {} deg", short(direction.to_degrees()))
             }
             EventKind::Least { column, value } => format!("least {}", self.column(column, value)),
             EventKind::Greatest { column, value } => format!("greatest {}", self.column(column, value)),
@@ -262,10 +373,16 @@ impl Report<'_> {
             self.place(self.sweep.range[1]),
             self.sweep.operations()
         );
+        if let Some(why) = &self.unconfirmed {
+            let _ = writeln!(out, "not confirmed: {why}");
+        }
         for (from, to, apart) in self.moves() {
             let apart = if apart { " (only by taking the mechanism apart)" } else { "" };
             let (from, to) = (self.place(from), self.place(to));
             let _ = writeln!(out, "moves from {from} to {to}{apart}");
+        }
+        for (asked, why) in &self.sweep.without {
+            let _ = writeln!(out, "{}: {}", asked.name, reason(*why));
         }
         for event in &self.sweep.events {
             let _ = writeln!(out, "{}", self.event(event));
@@ -413,7 +530,13 @@ impl Report<'_> {
                 })
             })
             .collect();
-        json!({
+        let without: Vec<Value> = self
+            .sweep
+            .without
+            .iter()
+            .map(|(asked, why)| json!({ "name": asked.name, "why": reason(*why) }))
+            .collect();
+        let mut head = json!({
             "scene": self.scene.title.in_language("en").unwrap_or(self.file),
             "input": self.input(),
             "unit": self.unit.symbol,
@@ -421,8 +544,13 @@ impl Report<'_> {
             "moves": stretches,
             "events": events,
             "strokes": strokes,
+            "without": without,
             "columns": columns,
-        })
+        });
+        if let Some(why) = &self.unconfirmed {
+            head["unconfirmed"] = json!(why);
+        }
+        head
     }
 
     fn event_json(&self, event: &Event) -> Value {
@@ -430,7 +558,7 @@ impl Report<'_> {
         let extreme = |kind: &str, column: usize, value: f64| {
             let unit = self.unit_of(column);
             json!({
-                "at": at, "kind": kind, "name": self.sweep.columns[column].name(),
+                "at": at, "kind": kind, "name": self.sweep.name_of_extreme(column),
                 "value": value / unit.si, "unit": unit.symbol,
             })
         };
@@ -442,9 +570,10 @@ impl Report<'_> {
             EventKind::DeadPosition => {
                 json!({ "at": at, "kind": "dead position", "links": self.sweep.links(event) })
             }
-            EventKind::AtInfinity { column } => {
-                json!({ "at": at, "kind": "at infinity", "name": self.sweep.columns[column].asked.name })
-            }
+            EventKind::AtInfinity { centre, direction } => json!({
+                "at": at, "kind": "at infinity", "name": self.sweep.centres[centre].asked.name,
+                "direction_deg": direction.to_degrees(),
+            }),
             EventKind::Least { column, value } => extreme("least", column, value),
             EventKind::Greatest { column, value } => extreme("greatest", column, value),
         }

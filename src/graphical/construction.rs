@@ -422,13 +422,15 @@ pub enum Found {
         /// The two lines.
         lines: [CentreLine; 2],
     },
-    /// From the velocity polygon: on the normal to V of this point, at the distance V / ω.
+    /// From the velocity polygon: on the normal to V of a point of one link seen from the other, at the distance V / ω.
     Normal {
         /// The point.
         point: PointId,
+        /// Its link.
+        link: LinkId,
+        /// The link from which it is seen.
+        from: LinkId,
     },
-    /// From the velocity polygon: the line of both poles divided inversely as the angular velocities.
-    Rates,
 }
 
 impl Found {

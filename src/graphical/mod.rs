@@ -32,7 +32,7 @@ pub use departure::{Departure, Sketch, Twist, sketch};
 pub use missing::Missing;
 pub use reading::Numbers;
 pub use shown::{Shown, is_trial};
-pub use transcribe::{Transcribed, TranscribedWithBounds, transcribe, transcribe_with_bounds};
+pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, transcribe_with_bounds};
 
 use crate::board::{
     Arithmetic, Bench, Blank, Board, Equipped, Real, Recorded, Recorder, Scale, Tape, Taped, Trial,

@@ -1,9 +1,10 @@
 //! A mechanism's drawing as a program: made once, to be run over the range of an input.
 
-use crate::board::{Board, BoundedProgram, Equipped, Program, Reason, Transcript, Variable};
+use crate::board::{Board, BoundedProgram, Equipped, Point, Program, Reason, Transcript, Variable, Wanted};
+use crate::mechanism::quantity::Quantity;
 use crate::mechanism::structure::{GroupKind, Structure};
-use crate::mechanism::{LinkId, Mechanism};
-use crate::plan::Plan;
+use crate::mechanism::{LinkId, Mechanism, PointId};
+use crate::plan::{Plan, chord};
 
 use super::draughtsman::Draughtsman;
 use super::reading::read_all;
@@ -14,18 +15,36 @@ use super::{DrawError, Scales, drawn_by};
 #[derive(Debug, Clone)]
 pub struct Transcribed {
     /// The program, with every divisor that must not vanish; its asked numbers are those of the asked
-    /// quantities one after the other.
+    /// quantities one after the other, then for each of `centres` its reach and its weight.
     pub program: Program,
     /// The same for the first asked quantities only and without divisors: what a sweep runs.
     pub lean: Program,
-    /// How many numbers each asked quantity has; none for what has no meaning here.
+    /// Where points stand: the coordinates of those of `placed`, one after the other.
+    pub skeleton: Program,
+    /// The points that the drawing places.
+    pub placed: Vec<PointId>,
+    /// How many numbers each asked quantity has; none for what has none.
     pub numbers: Vec<usize>,
+    /// The asked quantities, by index, that are instant centres with a place: each has two numbers, and three
+    /// homogeneous coordinates that tell when it lies at infinity.
+    pub centres: Vec<usize>,
+    /// Why an asked quantity has no numbers, by index.
+    pub without: Vec<(usize, Without)>,
     /// Link numbers behind each reason of a divisor.
     pub reasons: Vec<Vec<u32>>,
     /// The circle diagram leads to not every wanted centre: plan again with velocities.
     pub stalled: bool,
     /// Which chord of the program every half chord of the drawing is, in the order of drawing.
     chord_calls: Vec<Option<u32>>,
+}
+
+/// Why a quantity has no numbers in a transcribed drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Without {
+    /// An instant centre that is at infinity in every position.
+    AtInfinity,
+    /// It is not determined, for this reason.
+    Undefined(&'static str),
 }
 
 /// A transcribed drawing with bounds of its first asked numbers.
@@ -60,11 +79,22 @@ pub fn transcribe(
     starts: &Starts,
 ) -> Result<Transcribed, DrawError> {
     let written = write_down(Transcript::of(variable), mechanism, structure, plan, starts)?;
-    let few = written.numbers.iter().take(lean).sum::<usize>().min(written.asked.len());
+    let wanted: Vec<Wanted> = written.wanted(mechanism).collect();
+    let few = written.numbers.iter().take(lean).sum::<usize>().min(wanted.len());
+    let all: Vec<Wanted> = wanted
+        .iter()
+        .copied()
+        .chain(written.homogeneous.iter().flatten().map(|&slot| Wanted { slot, of_motion: false }))
+        .collect();
+    let places: Vec<Wanted> = written.places.iter().map(|&slot| Wanted { slot, of_motion: true }).collect();
     Ok(Transcribed {
-        program: written.transcript.program(&written.asked, true),
-        lean: written.transcript.program(&written.asked[..few], false),
+        skeleton: written.transcript.program(&places, false),
+        placed: written.placed,
+        program: written.transcript.program(&all, true),
+        lean: written.transcript.program(&wanted[..few], false),
         numbers: written.numbers,
+        centres: written.centres,
+        without: written.without,
         reasons: written.reasons,
         stalled: written.stalled,
         chord_calls: written.transcript.chord_calls().to_vec(),
@@ -100,8 +130,27 @@ struct Written {
     transcript: Transcript,
     numbers: Vec<usize>,
     asked: Vec<u32>,
+    placed: Vec<PointId>,
+    /// Of each of the placed points.
+    places: Vec<u32>,
+    centres: Vec<usize>,
+    /// Of each of the centres.
+    homogeneous: Vec<[u32; 3]>,
+    without: Vec<(usize, Without)>,
     reasons: Vec<Vec<u32>>,
     stalled: bool,
+}
+
+impl Written {
+    /// The asked numbers. Of a centre the mechanism does not depend: it is drawn onto the skeleton.
+    fn wanted<'a>(&'a self, mechanism: &'a Mechanism) -> impl Iterator<Item = Wanted> + 'a {
+        let of_motion = mechanism
+            .asked
+            .iter()
+            .zip(&self.numbers)
+            .flat_map(|(asked, &count)| vec![!matches!(asked.quantity, Quantity::Centre(..)); count]);
+        self.asked.iter().zip(of_motion).map(|(&slot, of_motion)| Wanted { slot, of_motion })
+    }
 }
 
 fn write_down(
@@ -126,18 +175,65 @@ fn write_down(
     draughtsman.starts = starts;
     let mut draughtsman = drawn_by(draughtsman, plan)?;
     let readings = read_all(&mut draughtsman);
-    // What lies at infinity in this drawing has a direction, and no place to go on from.
-    let marks: Vec<Vec<u32>> = readings
-        .iter()
-        .map(|read| match (&read.numbers, read.toward) {
-            (Ok(numbers), None) => numbers.iter().map(|(mark, _)| *mark).collect(),
-            _ => Vec::new(),
-        })
-        .collect();
+    let (mut marks, mut centres, mut homogeneous, mut without) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for (index, (read, asked)) in readings.iter().zip(&mechanism.asked).enumerate() {
+        let numbers = match (&read.numbers, asked.quantity) {
+            (Err(why), _) => Err(Without::Undefined(why)),
+            (Ok(_), Quantity::Centre(i, j)) => {
+                centre(&mut draughtsman, [i, j]).map(|(numbers, coordinates)| {
+                    centres.push(index);
+                    homogeneous.push(coordinates);
+                    numbers.to_vec()
+                })
+            }
+            (Ok(numbers), _) => Ok(numbers.iter().map(|(mark, _)| *mark).collect()),
+        };
+        marks.push(numbers.unwrap_or_else(|why| {
+            without.push((index, why));
+            Vec::new()
+        }));
+    }
     let numbers = marks.iter().map(Vec::len).collect();
     let asked = marks.concat();
+    let (mut placed, mut places) = (Vec::new(), Vec::new());
+    for point in (0..mechanism.points.len()).map(PointId) {
+        if let Some(at) = draughtsman.places[point.0] {
+            placed.push(point);
+            places.extend(draughtsman.in_world(at).map(|amount| amount.mark()));
+        }
+    }
     let stalled = draughtsman.record().circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty());
     let reasons = draughtsman.all_reasons();
     let transcript = std::mem::take(draughtsman.board.recorder());
-    Ok(Written { transcript, numbers, asked, reasons, stalled })
+    Ok(Written {
+        transcript,
+        numbers,
+        asked,
+        placed,
+        places,
+        centres,
+        homogeneous,
+        without,
+        reasons,
+        stalled,
+    })
+}
+
+/// The place of an instant centre, and its reach and weight: whether it lies at infinity in this position must not
+/// decide how it is written down.
+fn centre(
+    d: &mut Draughtsman<'_, Equipped<f64, Transcript>>,
+    links: [LinkId; 2],
+) -> Result<([u32; 2], [u32; 3]), Without> {
+    let Some(&centre) = d.centres.known.get(&chord(links[0], links[1])) else {
+        return Err(Without::Undefined("no construction leads to this centre"));
+    };
+    let reason = d.reason(&links);
+    let (at, reach, weight): (Point<_>, _, _) = d.board.coordinates(centre, reason);
+    if d.board.recorder().constant_at(weight.mark()) == Some(0.0) {
+        return Err(Without::AtInfinity);
+    }
+    let numbers = d.in_world(at).map(|amount| amount.mark());
+    Ok((numbers, [reach[0].mark(), reach[1].mark(), weight.mark()]))
 }

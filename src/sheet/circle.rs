@@ -9,6 +9,7 @@ use super::notation::Notation;
 use super::rich::Rich;
 use super::steps::Item;
 use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Found};
+use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{LinkId, PointId};
 
 /// Radius of the circle.
@@ -255,24 +256,19 @@ fn sentence(centre: &Centre, notation: &Notation<'_>) -> Rich {
             ];
             Rich::fill(template, &parts)
         }
-        Found::Normal { point: p } => {
+        Found::Normal { point: p, link, from } => {
+            let (velocity, omega) = if from == LinkId::FRAME {
+                (Quantity::Velocity(p), Quantity::Omega(link))
+            } else {
+                (Quantity::Slip(p, from), Quantity::RelativeOmega(link, from))
+            };
             let parts = [
                 ("centre", own()),
-                ("velocity", notation.symbol(crate::mechanism::quantity::Quantity::Velocity(p), false)),
+                ("velocity", notation.symbol(velocity, false)),
                 ("point", point(p)),
-                ("omega", notation.symbol(crate::mechanism::quantity::Quantity::Omega(j), false)),
+                ("omega", notation.symbol(omega, false)),
             ];
             Rich::fill(words.centre_by_velocity, &parts)
-        }
-        Found::Rates => {
-            let poles = [i, j].map(|l| name([LinkId::FRAME, l], notation));
-            let rates =
-                [i, j].map(|l| notation.symbol(crate::mechanism::quantity::Quantity::Omega(l), false));
-            let [first, second] = poles;
-            let [one, other] = rates;
-            let parts =
-                [("centre", own()), ("first", first), ("second", second), ("one", one), ("other", other)];
-            Rich::fill(words.centre_by_rates, &parts)
         }
         Found::Pin(_) | Found::Guide { .. } | Found::ArcGuide { .. } | Found::Rolling { .. } => own(),
     }

@@ -14,10 +14,12 @@ use super::{Language, human};
 use crate::board::Moving;
 use crate::mechanism::quantity::{Quantity, Unit};
 use crate::scene::Scene;
-use crate::sweep::{InputKind, Stretch, Sweep};
+use crate::sweep::{InputKind, Stretch, Sweep, Table};
 
 /// Width of the page, mm.
 const PAGE: f64 = 190.0;
+/// What does not go on one page is parted into pages of A4.
+const PAPER: (f64, f64) = (210.0, 297.0);
 /// Blank around the page.
 const MARGIN: f64 = 10.0;
 /// A panel with its names.
@@ -53,9 +55,52 @@ impl Panel {
     }
 }
 
+/// A sweep that has been looked at: all diagrams are read off the same tables, one for each stretch.
+struct Seen<'s> {
+    sweep: &'s Sweep,
+    tables: Vec<Table>,
+}
+
+impl<'s> Seen<'s> {
+    fn new(sweep: &'s Sweep) -> Self {
+        Self { sweep, tables: sweep.stretches.iter().map(|stretch| sweep.table(stretch)).collect() }
+    }
+
+    /// These columns at a place; `None` where the mechanism cannot be assembled.
+    fn at(&self, at: f64, columns: &[usize]) -> Option<Vec<Option<Moving>>> {
+        let stretch = self.sweep.stretches.iter().position(|s| (s.from..=s.to).contains(&at))?;
+        self.tables.get(stretch).map(|table| table.at(at, columns))
+    }
+
+    /// These columns at places over the range, within each stretch.
+    fn looks(&self, columns: &[usize]) -> Vec<Vec<Option<Moving>>> {
+        let whole = self.sweep.range[1] - self.sweep.range[0];
+        let in_stretch = |(stretch, table): (&Stretch, &Table)| {
+            let part = (stretch.to - stretch.from) / whole;
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a part of the looks"
+            )]
+            let count = (f64::from(self.sweep.looks() / 2) * part).ceil().max(8.0) as u32;
+            let way = stretch.to - stretch.from;
+            (0..=count)
+                .map(|i| table.at(stretch.from + way * (f64::from(i) / f64::from(count)), columns))
+                .collect::<Vec<_>>()
+        };
+        self.sweep.stretches.iter().zip(&self.tables).flat_map(in_stretch).collect()
+    }
+}
+
 /// The diagrams of everything that was asked.
 #[must_use]
 pub fn of_sweep(scene: &Scene, sweep: &Sweep, language: Language) -> Figure {
+    of_sweep_with(scene, sweep, language, None)
+}
+
+/// As [`of_sweep`], with a note of what the independent solver does not confirm.
+#[must_use]
+pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirmed: Option<&str>) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
     let mut panels = Vec::new();
@@ -80,7 +125,7 @@ pub fn of_sweep(scene: &Scene, sweep: &Sweep, language: Language) -> Figure {
             _ => {}
         }
     }
-    let mut root = Group::new("diagrams");
+    let mut first = Group::new("page");
     let title = scene.title.in_language(words.tag).unwrap_or(words.sweep).to_owned();
     // A page of Arabic script begins on the right.
     let begin = |line: &Line, left: f64, width: f64| {
@@ -90,33 +135,65 @@ pub fn of_sweep(scene: &Scene, sweep: &Sweep, language: Language) -> Figure {
     let mut top = MARGIN + 4.0;
     for text in Rich::bold(&title).wrap(5.0, line) {
         let head = text.set(5.0);
-        head.put(&mut root, Point::new(begin(&head, MARGIN, line), top), "title");
+        head.put(&mut first, Point::new(begin(&head, MARGIN, line), top), "title");
         top += 6.5;
     }
-    for text in caption(&notation, sweep).wrap(SMALL, line) {
-        let below = text.set(SMALL);
-        below.put(&mut root, Point::new(begin(&below, MARGIN, line), top), "caption");
-        top += 4.5;
+    let note = unconfirmed.map(|why| Rich::fill(words.sweep_unconfirmed, &[("why", Rich::upright(why))]));
+    let notes = note.into_iter().map(|note| (note, "unconfirmed"));
+    for (caption, class) in notes.chain([(caption(&notation, sweep), "caption")]) {
+        for text in caption.wrap(SMALL, line) {
+            let below = text.set(SMALL);
+            below.put(&mut first, Point::new(begin(&below, MARGIN, line), top), class);
+            top += 4.5;
+        }
     }
+    let seen = Seen::new(sweep);
+    let rows_in = |height: f64| (1..).take_while(|rows| f64::from(*rows) * PANEL.1 <= height).count().max(1);
+    let (below_title, on_a_page) = (rows_in(PAPER.1 - top - MARGIN), rows_in(PAPER.1 - 2.0 * MARGIN));
+    let rows = panels.len().div_ceil(2);
+    let mut pages = vec![first];
     for (index, panel) in panels.iter().enumerate() {
         let (row, side) = (index / 2, index % 2);
         let side = if words.right_to_left { 1 - side } else { side };
+        let (page, row, top) = if row < below_title {
+            (0, row, top)
+        } else {
+            let row = row - below_title;
+            (1 + row / on_a_page, row % on_a_page, MARGIN)
+        };
+        if pages.len() <= page {
+            pages.push(Group::new("page"));
+        }
         #[expect(clippy::cast_precision_loss, reason = "a few panels")]
         let at = Vec2::new(MARGIN + side as f64 * PANEL.0, top + row as f64 * PANEL.1);
         let mut group = match panel {
-            Panel::Over(columns) => over(&notation, sweep, columns),
-            Panel::Plane(columns) => plane(sweep, *columns),
-            Panel::Polar(columns) => polar(sweep, *columns),
+            Panel::Over(columns) => over(&notation, &seen, columns),
+            Panel::Plane(columns) => plane(&seen, *columns),
+            Panel::Polar(columns) => polar(&seen, *columns),
         };
         let heading = heading_of(&notation, sweep, panel).set(SMALL);
         heading.put(&mut group, Point::new(begin(&heading, 2.0, PANEL.0 - 6.0), 5.0), "heading");
         group.translate(at);
-        root.group(group);
+        if let Some(page) = pages.get_mut(page) {
+            page.group(group);
+        }
     }
-    #[expect(clippy::cast_precision_loss, reason = "a few panels")]
-    let height = top + panels.len().div_ceil(2) as f64 * PANEL.1 + MARGIN;
+    let (mut root, mut width, mut height) = (Group::new("diagrams"), PAGE, 0.0);
+    if pages.len() > 1 {
+        width = PAPER.0;
+        for mut page in pages {
+            page.translate(Vec2::new((PAPER.0 - PAGE) / 2.0, height));
+            height += PAPER.1;
+            root.group(page);
+        }
+    } else {
+        #[expect(clippy::cast_precision_loss, reason = "a few panels")]
+        let below = rows as f64 * PANEL.1;
+        height = top + below + MARGIN;
+        root.children = pages.pop().unwrap_or_default().children;
+    }
     Figure {
-        width: PAGE,
+        width,
         height,
         title,
         description: words.sweep_description.to_owned(),
@@ -217,19 +294,6 @@ fn number(columns: &[usize], values: &[Option<Moving>]) -> Option<Rate> {
     }
 }
 
-/// Places over the range at which to look, within each stretch.
-fn looks(sweep: &Sweep) -> impl Iterator<Item = (&Stretch, f64)> {
-    let whole = sweep.range[1] - sweep.range[0];
-    sweep.stretches.iter().flat_map(move |stretch| {
-        let part = (stretch.to - stretch.from) / whole;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of the looks")]
-        let count = (f64::from(sweep.looks() / 2) * part).ceil().max(8.0) as u32;
-        (0..=count).map(move |i| {
-            (stretch, stretch.from + (stretch.to - stretch.from) * (f64::from(i) / f64::from(count)))
-        })
-    })
-}
-
 /// Least and greatest of some numbers; what runs away to infinity is cut.
 fn bounds(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     let mut sorted: Vec<f64> = numbers.filter(|x| x.is_finite()).collect();
@@ -304,22 +368,26 @@ fn plot_area() -> Rect {
 }
 
 /// A number over the input.
-fn over(notation: &Notation<'_>, sweep: &Sweep, columns: &[usize]) -> Group {
+fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
+    let sweep = seen.sweep;
     let Some(column) = columns.first().map(|&c| &sweep.columns[c]) else { return Group::default() };
     let unit = &column.asked.unit;
     let input = input_unit(notation, sweep);
     let mut group = Group::new("over").data("quantity", &column.asked.name);
     // An angle that passes half a turn goes on.
     let turns = matches!(column.asked.quantity, Quantity::Angle(_));
-    let middle = turns.then(|| angle_of_first(sweep, columns)).flatten();
+    let middle = turns.then(|| angle_of_first(seen, columns)).flatten();
     let read = |values: &[Option<Moving>]| -> Option<Rate> {
         let (value, change) = number(columns, values)?;
         let value = middle.map_or(value, |m| value - 2.0 * PI * ((value - m) / (2.0 * PI)).round());
         Some((value / unit.si, change / unit.si))
     };
-    let mut y = bounds(looks(sweep).filter_map(|(_, at)| read(&sweep.at(at)?).map(|r| r.0)));
-    let noise = NOISE * error(sweep, columns) / unit.si;
-    let constant = y[1] - y[0] < noise;
+    let mut y = bounds(seen.looks(columns).iter().filter_map(|values| read(values).map(|r| r.0)));
+    let noise = NOISE * error(seen, columns) / unit.si;
+    // Between the places that were looked at there is what a cubic makes of them.
+    let [low, high] =
+        bounds(seen.tables.iter().flat_map(Table::places).filter_map(|values| read(values)).map(|r| r.0));
+    let constant = high - low < noise;
     if constant {
         // Wide enough for its ticks to have different numbers.
         let half = noise.max(y[1].abs() / 4.0);
@@ -353,14 +421,13 @@ fn over(notation: &Notation<'_>, sweep: &Sweep, columns: &[usize]) -> Group {
         let p = axes.map(at / input.si, value);
         Some((p, Vec2::new(scale.x / input.si, scale.y * change)))
     };
-    for stretch in &sweep.stretches {
-        for range in inside(sweep, stretch, |values| {
-            {
-                is_sure(values, columns, (axes.y[1] - axes.y[0]) * unit.si)
-                    && read(values).is_some_and(|r| (axes.y[0]..=axes.y[1]).contains(&r.0))
-            }
-        }) {
-            let path = sweep.curve(stretch, range, &track, ACCURACY);
+    for (stretch, table) in sweep.stretches.iter().zip(&seen.tables) {
+        let visible = |values: &[Option<Moving>]| {
+            is_sure(values, columns, (axes.y[1] - axes.y[0]) * unit.si)
+                && read(values).is_some_and(|r| (axes.y[0]..=axes.y[1]).contains(&r.0))
+        };
+        for range in inside(sweep, (stretch, table), columns, visible) {
+            let path = table.curve(columns, range, &track, ACCURACY);
             group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
         }
     }
@@ -373,9 +440,10 @@ fn over(notation: &Notation<'_>, sweep: &Sweep, columns: &[usize]) -> Group {
 const NOISE: f64 = 1e6;
 
 /// The middle error of the columns over the sweep, SI units.
-fn error(sweep: &Sweep, columns: &[usize]) -> f64 {
-    let mut errors: Vec<f64> = looks(sweep)
-        .filter_map(|(_, at)| sweep.at(at))
+fn error(seen: &Seen<'_>, columns: &[usize]) -> f64 {
+    let mut errors: Vec<f64> = seen
+        .looks(columns)
+        .into_iter()
         .flat_map(|values| columns.iter().filter_map(|&c| values[c]).map(|m| m.error).collect::<Vec<_>>())
         .collect();
     errors.sort_by(f64::total_cmp);
@@ -390,11 +458,11 @@ fn is_sure(values: &[Option<Moving>], columns: &[usize], span: f64) -> bool {
 }
 
 /// The first value of an angle, to follow it over half a turn.
-fn angle_of_first(sweep: &Sweep, columns: &[usize]) -> Option<f64> {
-    let values: Vec<f64> =
-        looks(sweep).filter_map(|(_, at)| number(columns, &sweep.at(at)?).map(|r| r.0)).collect();
+fn angle_of_first(seen: &Seen<'_>, columns: &[usize]) -> Option<f64> {
+    let looks = seen.looks(columns);
+    let values = looks.iter().filter_map(|values| number(columns, values).map(|r| r.0));
     // The middle of the circle's part that is used: opposite the widest gap.
-    let mut sorted = values.clone();
+    let mut sorted: Vec<f64> = values.map(|value| value - 2.0 * PI * (value / (2.0 * PI)).round()).collect();
     sorted.sort_by(f64::total_cmp);
     let first = *sorted.first()?;
     let gaps = sorted.windows(2).map(|w| (w[1] - w[0], f64::midpoint(w[0], w[1])));
@@ -404,8 +472,13 @@ fn angle_of_first(sweep: &Sweep, columns: &[usize]) -> Option<f64> {
 }
 
 /// The parts of a stretch in which a condition holds, by halving.
-fn inside(sweep: &Sweep, stretch: &Stretch, holds: impl Fn(&[Option<Moving>]) -> bool) -> Vec<[f64; 2]> {
-    let look = |at: f64| sweep.at(at).is_some_and(|values| holds(&values));
+fn inside(
+    sweep: &Sweep,
+    (stretch, table): (&Stretch, &Table),
+    columns: &[usize],
+    holds: impl Fn(&[Option<Moving>]) -> bool,
+) -> Vec<[f64; 2]> {
+    let look = |at: f64| holds(&table.at(at, columns));
     let looks = sweep.looks() / 2;
     let step = (stretch.to - stretch.from) / f64::from(looks);
     let edge = |mut out: f64, mut within: f64| {
@@ -444,7 +517,8 @@ fn numbered(sweep: &Sweep) -> impl Iterator<Item = (u32, f64)> {
 }
 
 /// A path or a hodograph, with numbered positions.
-fn plane(sweep: &Sweep, columns: [usize; 2]) -> Group {
+fn plane(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
+    let sweep = seen.sweep;
     let column = &sweep.columns[columns[0]];
     let unit = &column.asked.unit;
     let path = is_place(column.asked.quantity);
@@ -453,13 +527,14 @@ fn plane(sweep: &Sweep, columns: [usize; 2]) -> Group {
         let get = |c: usize| values.get(c).copied().flatten().map(|m| (m.value / unit.si, m.slope / unit.si));
         Some([get(columns[0])?, get(columns[1])?])
     };
+    let looks = seen.looks(&columns);
     let points: Vec<[f64; 2]> =
-        looks(sweep).filter_map(|(_, at)| read(&sweep.at(at)?).map(|r| r.map(|v| v.0))).collect();
+        looks.iter().filter_map(|values| read(values).map(|r| r.map(|v| v.0))).collect();
     let mut limits = [0, 1].map(|axis| bounds(points.iter().map(|p| p[axis])));
     if !path {
         limits = limits.map(|[low, high]| [low.min(0.0), high.max(0.0)]);
     }
-    let noise = NOISE * error(sweep, &columns) / unit.si;
+    let noise = NOISE * error(seen, &columns) / unit.si;
     limits =
         limits.map(|[low, high]| if high - low < noise { [low - noise, high + noise] } else { [low, high] });
     // One scale for both axes.
@@ -478,15 +553,15 @@ fn plane(sweep: &Sweep, columns: [usize; 2]) -> Group {
         let [x, y] = read(values)?;
         Some((axes.map(x.0, y.0), Vec2::new(scale.x * x.1, scale.y * y.1)))
     };
-    for stretch in &sweep.stretches {
+    for (stretch, table) in sweep.stretches.iter().zip(&seen.tables) {
         let visible = |values: &[Option<Moving>]| {
             is_sure(values, &columns, (axes.x[1] - axes.x[0]) * unit.si)
                 && read(values).is_some_and(|[x, y]| {
                     (axes.x[0]..=axes.x[1]).contains(&x.0) && (axes.y[0]..=axes.y[1]).contains(&y.0)
                 })
         };
-        for range in inside(sweep, stretch, visible) {
-            let path = sweep.curve(stretch, range, &track, ACCURACY);
+        for range in inside(sweep, (stretch, table), &columns, visible) {
+            let path = table.curve(&columns, range, &track, ACCURACY);
             group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
         }
     }
@@ -498,7 +573,7 @@ fn plane(sweep: &Sweep, columns: [usize; 2]) -> Group {
         requests.push(Request::new(Rich::italic("o"), SMALL, site, "pole"));
     }
     for (i, at) in numbered(sweep) {
-        let Some([x, y]) = sweep.at(at).and_then(|values| read(&values)) else { continue };
+        let Some([x, y]) = seen.at(at, &columns).and_then(|values| read(&values)) else { continue };
         let place = axes.map(x.0, y.0);
         if !area.contains(place) {
             continue;
@@ -519,14 +594,16 @@ const SPOKE: u32 = 30;
 
 /// The length of a vector, laid off in the direction of the input: circles for its size, spokes for the input, a
 /// dot at every numbered position.
-fn polar(sweep: &Sweep, columns: [usize; 2]) -> Group {
+fn polar(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
+    let sweep = seen.sweep;
     let column = &sweep.columns[columns[0]];
     let unit = &column.asked.unit;
     let mut group = Group::new("polar").data("quantity", &column.asked.name);
     let read = |values: &[Option<Moving>]| -> Option<Rate> {
         number(&columns, values).map(|(value, change)| (value / unit.si, change / unit.si))
     };
-    let [_, most] = bounds(looks(sweep).filter_map(|(_, at)| read(&sweep.at(at)?).map(|r| r.0)));
+    let looks = seen.looks(&columns);
+    let [_, most] = bounds(looks.iter().filter_map(|values| read(values).map(|r| r.0)));
     let most = most.max(f64::MIN_POSITIVE);
     let area = plot_area();
     let (pole, radius) = (area.center(), area.height() / 2.0 - 2.0);
@@ -556,18 +633,18 @@ fn polar(sweep: &Sweep, columns: [usize; 2]) -> Group {
         let (out, round) = (Vec2::new(cos, -sin), Vec2::new(-sin, -cos));
         Some((pole + out * (value * per_unit), (out * change + round * value) * per_unit))
     };
-    for stretch in &sweep.stretches {
+    for (stretch, table) in sweep.stretches.iter().zip(&seen.tables) {
         let visible = |values: &[Option<Moving>]| {
             is_sure(values, &columns, most * unit.si) && read(values).is_some_and(|r| r.0 <= most)
         };
-        for range in inside(sweep, stretch, visible) {
-            let path = sweep.curve(stretch, range, &track, ACCURACY);
+        for range in inside(sweep, (stretch, table), &columns, visible) {
+            let path = table.curve(&columns, range, &track, ACCURACY);
             group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
         }
     }
     let mut requests = Vec::new();
     for (i, place) in numbered(sweep) {
-        let Some((value, _)) = sweep.at(place).and_then(|values| read(&values)) else { continue };
+        let Some((value, _)) = seen.at(place, &columns).and_then(|values| read(&values)) else { continue };
         if value > most {
             continue;
         }

@@ -2,9 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{Column, InputKind, Sweep};
+use super::{InputKind, Measure, Sweep};
 use crate::board::{Moving, Place, Reason};
-use crate::mechanism::quantity::Quantity;
 
 /// A range of the input in which the mechanism moves freely in one assembly.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,19 +29,22 @@ pub enum EventKind {
     DeadPosition,
     /// An instant centre is at infinity: its lines are parallel.
     AtInfinity {
-        /// Index of the first of its columns.
-        column: usize,
+        /// Index of the centre among [`Sweep::centres`].
+        centre: usize,
+        /// In which direction, radians from the x-axis in [0, π).
+        direction: f64,
     },
-    /// A column has its least value for the neighbourhood.
+    /// A quantity has its least value for the neighbourhood: a scalar, a coordinate of a place, the magnitude of any
+    /// other vector.
     Least {
-        /// Index of the column.
+        /// Index of the column; of a magnitude the first of its two.
         column: usize,
         /// Its value, SI units.
         value: f64,
     },
-    /// A column has its greatest value for the neighbourhood.
+    /// A quantity has its greatest value for the neighbourhood.
     Greatest {
-        /// Index of the column.
+        /// Index of the column; of a magnitude the first of its two.
         column: usize,
         /// Its value, SI units.
         value: f64,
@@ -62,7 +64,7 @@ pub struct Event {
 
 /// A number is taken for zero within so many of its own errors: by as much as the tape wants a divisor to
 /// stand clear.
-const ERRORS: f64 = 8.0;
+pub(super) const ERRORS: f64 = 8.0;
 
 /// Whether a number stands clear of its own rounding.
 pub(super) fn is_clear(m: Moving) -> bool {
@@ -81,6 +83,42 @@ fn halve(size: f64, mut low: f64, mut high: f64, mut left: impl FnMut(f64) -> bo
     }
 }
 
+/// Where a number changes its sign, to a rounding of `size`: the last place found with the sign that it has at `from`.
+/// Regula falsi with the Illinois step (Dowell and Jarratt 1971), every third step a halving, so that it ends after
+/// [`MOST_TRIES`] looks whatever the number does; a smooth one takes some twenty.
+fn root(size: f64, from: (f64, f64), to: (f64, f64), mut value: impl FnMut(f64) -> f64) -> f64 {
+    let ((mut a, mut f), (mut b, mut g)) = (from, to);
+    let negative = f < 0.0;
+    let finest = f64::EPSILON / 2.0 * size;
+    for tries in 0..MOST_TRIES {
+        let way = b - a;
+        if way.abs() <= finest {
+            break;
+        }
+        let part = f / (f - g);
+        let middle = if tries % 3 == 2 || !part.is_finite() { 0.5 } else { part };
+        // Not nearer to either end than the finest step: then the end itself closes in.
+        let least = (finest / way.abs()).min(0.5);
+        let x = a + way * middle.clamp(least, 1.0 - least);
+        if x == a || x == b {
+            break;
+        }
+        let h = value(x);
+        // Beyond the end of a chain there are no numbers: that is the other side.
+        if h.is_finite() && (h < 0.0) == negative {
+            (a, f) = (x, h);
+            g /= 2.0;
+        } else {
+            (b, g) = (x, h);
+            f /= 2.0;
+        }
+    }
+    a
+}
+
+/// A search for one root looks at no more places: a halving among every three down to a rounding.
+const MOST_TRIES: u32 = 180;
+
 /// At an extreme found to the last place, what is left of the slope is below this part of the slopes on
 /// either side.
 const STILL: f64 = 1e-6;
@@ -91,45 +129,98 @@ const FAR: f64 = 0.75 * PI;
 struct Walker<'s> {
     sweep: &'s Sweep,
     place: Place,
+    /// Where each divisor was last clear of its error in this assembly, and what it was there.
+    divisors: Vec<Option<(f64, f64)>>,
+    /// The same of the weights of the centres.
+    weights: Vec<Option<(f64, f64)>>,
 }
 
 /// What a walker sees at one place.
 struct View {
     at: f64,
-    chords: Vec<Moving>,
+    /// Squares of half chords, with their place among the signs.
+    chords: Vec<(usize, Moving)>,
     divisors: Vec<Moving>,
     columns: Vec<Moving>,
-    /// Angles that go on, from the half turns that they are near.
-    turns: Vec<f64>,
+    /// Reach and weight of every centre.
+    centres: Vec<[Moving; 3]>,
+    /// Angles that go on, from the half turns that they are near, with their place among the signs.
+    turns: Vec<(usize, f64)>,
 }
 
 impl View {
     /// No two arcs just touch.
     fn is_clear(&self) -> bool {
-        self.chords.iter().all(|c| is_clear(*c))
+        self.chords.iter().all(|(_, c)| is_clear(*c))
     }
 
     /// Every half chord can be drawn, or just.
     fn closes(&self) -> bool {
-        self.chords.iter().all(|c| c.value > -ERRORS * c.error)
+        self.chords.iter().all(|(_, c)| c.value > -ERRORS * c.error)
+    }
+
+    /// What is measured, or its square where it is a magnitude: that has a slope where it is zero, too.
+    fn measured(&self, measure: Measure) -> Moving {
+        match measure {
+            Measure::Column(column) => self.columns[column],
+            Measure::Magnitude(columns) => {
+                let mut square = Moving::default();
+                for m in columns.map(|column| self.columns[column]) {
+                    square.value += m.value * m.value;
+                    square.slope += 2.0 * m.value * m.slope;
+                    square.error += 2.0 * m.value.abs() * m.error + m.error * m.error;
+                }
+                square
+            }
+        }
     }
 }
 
+/// Notes where a number is clear of its error; where it was last so, if it had the other sign there.
+fn crossed(last: &mut Option<(f64, f64)>, at: f64, now: Moving) -> Option<(f64, f64)> {
+    if !is_clear(now) {
+        return None;
+    }
+    let before = last.replace((at, now.value))?;
+    ((before.1 < 0.0) != (now.value < 0.0)).then_some(before)
+}
+
+/// Whether a number that falls from one look and rises to the next may come near zero in between, seen from its tangents:
+/// their meet lies below a curve that bends upward.
+fn may_touch(a: Moving, b: Moving, way: f64) -> bool {
+    let (down, up) = (a.slope * way, b.slope * way);
+    let meet = a.value + down * ((b.value - up - a.value) / (down - up)).clamp(0.0, 1.0);
+    !(meet > 0.25 * a.value.min(b.value))
+}
+
 impl Walker<'_> {
+    fn new(sweep: &Sweep) -> Walker<'_> {
+        Walker { sweep, place: Place::default(), divisors: Vec::new(), weights: Vec::new() }
+    }
+
     fn view(&mut self, at: f64, signs: &[f64]) -> View {
         let program = &self.sweep.transcribed().program;
         program.look(at, signs, &mut self.place);
+        let columns = self.sweep.columns.len();
+        let mut asked = program.asked(&self.place);
+        let counted = asked.by_ref().take(columns).zip(&self.sweep.columns);
+        let counted = counted.map(|(m, column)| column.counted(m)).collect();
+        let homogeneous: Vec<Moving> = asked.collect();
         View {
             turns: program.turns(&self.place, signs).collect(),
             at,
             chords: program.chords(&self.place).collect(),
             divisors: program.divisors(&self.place).collect(),
-            columns: program
-                .asked(&self.place)
-                .zip(&self.sweep.columns)
-                .map(|(m, column)| column.counted(m))
-                .collect(),
+            columns: counted,
+            centres: homogeneous.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect(),
         }
+    }
+
+    /// Forgets where numbers were clear: from here on the mechanism is another.
+    fn begin(&mut self, view: &View) {
+        let seen = |m: Moving| is_clear(m).then_some((view.at, m.value));
+        self.divisors = view.divisors.iter().map(|m| seen(*m)).collect();
+        self.weights = view.centres.iter().map(|[.., weight]| seen(*weight)).collect();
     }
 
     /// A stretch from `start` in one direction: until the chain no longer closes or the range ends. Gives
@@ -147,6 +238,7 @@ impl Walker<'_> {
         let mut begin = start;
         let mut apart = false;
         let mut inside = before.closes();
+        self.begin(&before);
         let mut close = |a: f64, b: f64, signs: &[f64], apart: bool| {
             let (from, to) = (a.min(b), a.max(b));
             // What is shorter than the input's own rounding is nothing.
@@ -161,6 +253,7 @@ impl Walker<'_> {
                     let (_, edge) = halve(size, before.at, next, |x| !self.view(x, &signs).closes());
                     events.push(self.limit(edge, &signs));
                     (begin, inside, apart) = (edge, true, true);
+                    self.begin(&now);
                 }
                 before = now;
                 continue;
@@ -169,15 +262,17 @@ impl Walker<'_> {
             let direction = (next - before.at).signum();
             let mut touched = false;
             for chord in 0..now.chords.len() {
-                let (a, b) = (before.chords[chord], now.chords[chord]);
-                if !(a.slope * direction < 0.0 && b.slope * direction >= 0.0) {
+                let ((index, a), (_, b)) = (before.chords[chord], now.chords[chord]);
+                let falls_and_rises = a.slope * direction < 0.0 && b.slope * direction >= 0.0;
+                if !(falls_and_rises && may_touch(a, b, next - before.at)) {
                     continue;
                 }
-                let (low, _) = halve(size, before.at, next, |x| {
-                    self.view(x, &signs).chords[chord].slope * direction < 0.0
+                // What is still, as everything is beyond a limit, no longer falls.
+                let low = root(size, (before.at, a.slope * direction), (next, b.slope * direction), |x| {
+                    self.view(x, &signs).chords[chord].1.slope * direction
                 });
-                let least = self.view(low, &signs).chords[chord];
-                if is_clear(least) && least.value > 0.0 {
+                let least = self.view(low, &signs).chords[chord].1;
+                if !least.value.is_finite() || is_clear(least) && least.value > 0.0 {
                     continue;
                 }
                 if is_clear(least) {
@@ -200,30 +295,33 @@ impl Walker<'_> {
                     reason: self.sweep.transcribed().program.reason_of_chord(chord),
                 });
                 begin = low;
-                signs[chord] = -signs[chord];
+                signs[index] = -signs[index];
                 touched = true;
             }
             // An angle that comes near to half a turn more, or less, is measured from there, well before it could be
             // taken for another.
             let mut turned = false;
             for turn in 0..now.turns.len() {
-                let side = now.turns[turn].signum();
-                if now.turns[turn].abs() <= FAR {
+                let (index, from_there) = now.turns[turn];
+                if from_there.abs() <= FAR {
                     continue;
                 }
                 let (low, _) =
-                    halve(size, before.at, next, |x| self.view(x, &signs).turns[turn].abs() <= FAR);
+                    halve(size, before.at, next, |x| self.view(x, &signs).turns[turn].1.abs() <= FAR);
                 close(begin, low, &signs, apart);
                 begin = low;
-                signs[now.chords.len() + turn] += side;
+                signs[index] += from_there.signum();
                 turned = true;
             }
             if touched || turned {
                 now = self.view(next, &signs);
             }
             if now.closes() {
-                if !touched {
-                    self.dead_positions(&before, &now, &signs, events);
+                if touched {
+                    self.begin(&now);
+                } else {
+                    self.dead_positions(&now, &signs, events);
+                    self.centres_at_infinity(&now, &signs, events);
                     self.extremes(&before, &now, &signs, events);
                 }
             } else {
@@ -246,7 +344,7 @@ impl Walker<'_> {
     fn limit(&mut self, at: f64, signs: &[f64]) -> Event {
         let view = self.view(at, signs);
         let nearest = (0..view.chords.len()).min_by(|&a, &b| {
-            let part = |c: Moving| c.value.abs() / c.slope.abs().max(f64::MIN_POSITIVE);
+            let part = |(_, c): (usize, Moving)| c.value.abs() / c.slope.abs().max(f64::MIN_POSITIVE);
             part(view.chords[a]).total_cmp(&part(view.chords[b]))
         });
         let reason = nearest.and_then(|chord| self.sweep.transcribed().program.reason_of_chord(chord));
@@ -254,54 +352,46 @@ impl Walker<'_> {
     }
 
     /// Divisors, other than half chords, that pass zero.
-    fn dead_positions(&mut self, before: &View, now: &View, signs: &[f64], events: &mut Vec<Event>) {
+    fn dead_positions(&mut self, now: &View, signs: &[f64], events: &mut Vec<Event>) {
         let size = self.sweep.size();
-        for index in 0..now.divisors.len() {
-            let (a, b) = (before.divisors[index].value, now.divisors[index].value);
-            if (a < 0.0) == (b < 0.0) || self.sweep.transcribed().program.is_chord(index) {
-                continue;
-            }
-            let (at, _) = halve(size, before.at, now.at, |x| {
-                (self.view(x, signs).divisors[index].value < 0.0) == (a < 0.0)
-            });
+        for (index, &divisor) in now.divisors.iter().enumerate() {
+            let Some(before) = crossed(&mut self.divisors[index], now.at, divisor) else { continue };
+            let (a, b) = (before.1, divisor.value);
+            let at = root(size, before, (now.at, b), |x| self.view(x, signs).divisors[index].value);
             // A pole changes its sign as well, but does not vanish.
             let view = self.view(at, signs);
             let there = view.divisors[index].value.abs();
-            if !(there < a.abs().max(b.abs()) && view.is_clear()) {
-                continue;
-            }
-            let reason = self.sweep.transcribed().program.reason_of_divisor(index);
-            match self.centre_of(index) {
-                None => events.push(Event { at, kind: EventKind::DeadPosition, reason }),
-                Some(column) => {
-                    // Other divisors on the way to a centre vanish where two of its lines become one: nothing happens
-                    // to the mechanism there.
-                    let far =
-                        |view: &View| view.columns[column].value.abs() + view.columns[column + 1].value.abs();
-                    if far(&view) > far(before) && far(&view) > far(now) {
-                        events.push(Event { at, kind: EventKind::AtInfinity { column }, reason: None });
-                    }
-                }
+            if there < a.abs().max(b.abs()) && view.is_clear() {
+                let reason = self.sweep.transcribed().program.reason_of_divisor(index);
+                events.push(Event { at, kind: EventKind::DeadPosition, reason });
             }
         }
     }
 
-    /// The first column of the only centre that a divisor leads to; `None` where it leads to anything else.
-    fn centre_of(&self, divisor: usize) -> Option<usize> {
-        let program = &self.sweep.transcribed().program;
-        let columns = &self.sweep.columns;
-        let mut led_to = (0..columns.len()).filter(|&column| program.behind(column).contains(&divisor));
-        let first = led_to.next()?;
-        let only = columns[first].is_centre()
-            && led_to.all(|column| columns[column].asked.quantity == columns[first].asked.quantity);
-        only.then_some(first)
+    /// Centres whose weight passes zero and whose reach does not: where both do, two of its lines have become one, and
+    /// nothing happens to the mechanism there.
+    fn centres_at_infinity(&mut self, now: &View, signs: &[f64], events: &mut Vec<Event>) {
+        let size = self.sweep.size();
+        for (centre, &[.., weight]) in now.centres.iter().enumerate() {
+            let Some(before) = crossed(&mut self.weights[centre], now.at, weight) else { continue };
+            let at =
+                root(size, before, (now.at, weight.value), |x| self.view(x, signs).centres[centre][2].value);
+            let view = self.view(at, signs);
+            let [x, y, left] = view.centres[centre];
+            let vanishes = left.value.abs() < before.1.abs().max(weight.value.abs());
+            if vanishes && (is_clear(x) || is_clear(y)) && view.is_clear() {
+                let angle = libm::atan2(y.value, x.value).rem_euclid(PI);
+                let direction = if angle >= PI { 0.0 } else { angle };
+                events.push(Event { at, kind: EventKind::AtInfinity { centre, direction }, reason: None });
+            }
+        }
     }
 
     fn extremes(&mut self, before: &View, now: &View, signs: &[f64], events: &mut Vec<Event>) {
         let size = self.sweep.size();
-        for index in 0..now.columns.len() {
-            let (a, b) = (before.columns[index], now.columns[index]);
-            if (a.slope < 0.0) == (b.slope < 0.0) || !is_extreme_of_interest(&self.sweep.columns[index]) {
+        for &measure in self.sweep.measures() {
+            let (a, b) = (before.measured(measure), now.measured(measure));
+            if (a.slope < 0.0) == (b.slope < 0.0) {
                 continue;
             }
             // A slope of rounding only is no extreme.
@@ -309,22 +399,28 @@ impl Walker<'_> {
             if still(a) && still(b) {
                 continue;
             }
-            let (at, _) = halve(size, before.at, now.at, |x| {
-                (self.view(x, signs).columns[index].slope < 0.0) == (a.slope < 0.0)
+            let at = root(size, (before.at, a.slope), (now.at, b.slope), |x| {
+                self.view(x, signs).measured(measure).slope
             });
             let view = self.view(at, signs);
-            let value = view.columns[index].value;
+            let there = view.measured(measure);
+            let value = match measure {
+                Measure::Column(_) => there.value,
+                // A magnitude within its error is zero.
+                Measure::Magnitude(_) if !is_clear(there) => 0.0,
+                Measure::Magnitude(_) => there.value.sqrt(),
+            };
             let ascending = now.at > before.at;
             // Where the walk begins on the extreme itself its slope is zero: what comes after tells which it is.
             let beyond = (a.slope < 0.0) != ascending;
             // Where a slope jumps, or passes through infinity, nothing is extreme.
-            let vanishes = view.columns[index].slope.abs() <= STILL * a.slope.abs().max(b.slope.abs());
-            let near = value.is_finite() && vanishes && view.is_clear();
-            if near {
+            let vanishes = there.slope.abs() <= STILL * a.slope.abs().max(b.slope.abs());
+            if value.is_finite() && vanishes && view.is_clear() {
+                let column = measure.first();
                 let kind = if beyond {
-                    EventKind::Greatest { column: index, value }
+                    EventKind::Greatest { column, value }
                 } else {
-                    EventKind::Least { column: index, value }
+                    EventKind::Least { column, value }
                 };
                 events.push(Event { at, kind, reason: None });
             }
@@ -332,19 +428,18 @@ impl Walker<'_> {
     }
 }
 
-/// Scalars, and the coordinates of places.
-fn is_extreme_of_interest(column: &Column) -> bool {
-    column.axis.is_none() || matches!(column.asked.quantity, Quantity::Position(_))
-}
-
 /// Walks the whole range from the start, up and down.
-pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<Event>) {
+///
+/// Gives also at how many positions it has looked.
+pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<Event>, u64) {
     let [from, to] = sweep.range;
     let signs = sweep.transcribed().program.signs();
-    let go = |end: f64| {
+    let mut looked = 0;
+    let mut go = |end: f64| {
         let (mut stretches, mut events) = (Vec::new(), Vec::new());
-        let mut walker = Walker { sweep, place: Place::default() };
+        let mut walker = Walker::new(sweep);
         walker.go(&nodes(start, end, looks, to - from), signs.clone(), &mut stretches, &mut events);
+        looked += walker.place.looks();
         (stretches, events)
     };
     let (mut stretches, mut events);
@@ -374,7 +469,7 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         stretches.extend(up);
     }
     if sweep.whole_turn {
-        extremes_at_the_seam(sweep, start, looks, &stretches, &mut events);
+        looked += events_at_the_seam(sweep, start, looks, &stretches, &mut events);
     }
     stretches.sort_by(|a, b| a.from.total_cmp(&b.from));
     stretches.dedup_by(|next, last| {
@@ -387,18 +482,18 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         one
     });
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
-    (stretches, events)
+    (stretches, events, looked)
 }
 
-/// What is extreme just where the turn begins and ends has a slope of rounding at both ends of the walk: a look
-/// across finds it.
-fn extremes_at_the_seam(
+/// What is extreme, or vanishes, just where the turn begins and ends is rounding at both ends of the walk: a look
+/// across finds it. Gives at how many positions it has looked.
+fn events_at_the_seam(
     sweep: &Sweep,
     start: f64,
     looks: u32,
     stretches: &[Stretch],
     events: &mut Vec<Event>,
-) {
+) -> u64 {
     let turn = sweep.range[1] - sweep.range[0];
     let half = turn / f64::from(looks) / 2.0;
     let home = |x: f64| {
@@ -406,25 +501,23 @@ fn extremes_at_the_seam(
         if sweep.range[1] - inside < seam(sweep) { sweep.range[0] } else { inside }
     };
     let here = |x: f64| stretches.iter().find(|s| (s.from..=s.to).contains(&home(x)) && !s.apart);
-    let [Some(before), Some(after)] = [here(start - half), here(start + half)] else { return };
+    let [Some(before), Some(after)] = [here(start - half), here(start + half)] else { return 0 };
     if before.signs != after.signs {
-        return;
+        return 0;
     }
-    let mut walker = Walker { sweep, place: Place::default() };
+    let mut walker = Walker::new(sweep);
     let mut found = Vec::new();
     walker.go(&[start - half, start + half], before.signs.clone(), &mut Vec::new(), &mut found);
     for event in found {
-        let (EventKind::Least { column, .. } | EventKind::Greatest { column, .. }) = event.kind else {
-            // Whatever else happens here was met on the way.
+        if matches!(event.kind, EventKind::Limit | EventKind::ChangePoint) {
+            // These were met on the way.
             continue;
-        };
-        let same = |other: &Event| match other.kind {
-            EventKind::Least { column: of, .. } => {
-                of == column && matches!(event.kind, EventKind::Least { .. })
-            }
-            EventKind::Greatest { column: of, .. } => {
-                of == column && matches!(event.kind, EventKind::Greatest { .. })
-            }
+        }
+        let same = |other: &Event| match (other.kind, event.kind) {
+            (EventKind::Least { column: of, .. }, EventKind::Least { column, .. })
+            | (EventKind::Greatest { column: of, .. }, EventKind::Greatest { column, .. }) => of == column,
+            (EventKind::AtInfinity { centre: of, .. }, EventKind::AtInfinity { centre, .. }) => of == centre,
+            (EventKind::DeadPosition, EventKind::DeadPosition) => other.reason == event.reason,
             _ => false,
         };
         let apart = |other: &Event| {
@@ -435,6 +528,7 @@ fn extremes_at_the_seam(
             events.push(Event { at: home(event.at), ..event });
         }
     }
+    walker.place.looks()
 }
 
 /// Places to look at, from `a` to `b`.

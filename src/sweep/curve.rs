@@ -1,46 +1,206 @@
 //! Curves of a sweep as Béziers, fitted within a tolerance (kurbo; R. Levien, *Parallel curves of cubic
 //! Béziers*, 2022).
+//!
+//! A stretch is looked at once, at as many places as it takes for a cubic between two of them to be as good as a look;
+//! whatever is drawn of it afterwards, and however often, is read off that table.
 
 use std::cell::RefCell;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
 use kurbo::{BezPath, CurveFitSample, ParamCurveFit, Point, Vec2, fit_to_bezpath};
 
-use super::{Stretch, Sweep};
+use super::{Node, Stretch, Sweep, course, ranges};
 use crate::board::{Moving, Place};
+use crate::mechanism::quantity::Quantity;
 
 /// A point of the page and how it moves with the input; `None` where the numbers have none.
 pub type Track<'t> = dyn Fn(f64, &[Option<Moving>]) -> Option<(Point, Vec2)> + 't;
 
-/// A stretch as a curve over 0 … 1. The input runs as a cosine, slowly near both ends: at a limit everything
-/// goes as the root of what is left, and becomes smooth by that.
+/// A whole turn is first looked at in so many places.
+const PLACES: f64 = 180.0;
+/// A cubic between two places strays from the truth by no more than this part of a column's range.
+const STRAY: f64 = 1e-6;
+/// An interval is halved so often at most: what jumps is left at that.
+const MOST_HALVINGS: u32 = 10;
+/// A table of a whole turn has no more places.
+const MOST_PLACES: usize = 6_000;
+/// The very ends have no finite derivative at a limit.
+const END: f64 = 1e-6;
+
+/// A stretch in the parameter t from 0 to 1, in which the input runs as a cosine, slowly near both ends: at a limit
+/// everything goes as the root of what is left, and becomes smooth by that.
+#[derive(Debug, Clone)]
+pub struct Table {
+    range: [f64; 2],
+    /// Parameter and numbers, ascending.
+    nodes: Vec<Node>,
+}
+
+impl Table {
+    fn new(sweep: &Sweep, stretch: &Stretch) -> Self {
+        let range = [stretch.from, stretch.to];
+        let mut place = Place::default();
+        let angles: Vec<bool> =
+            sweep.columns.iter().map(|c| matches!(c.asked.quantity, Quantity::Angle(_))).collect();
+        let turns = f64::from(sweep.looks()) / f64::from(super::LOOKS);
+        let part = (stretch.to - stretch.from) / (sweep.range[1] - sweep.range[0]);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of the places")]
+        let count = (PLACES * turns * part).ceil().clamp(16.0, 1e6) as u32;
+        let mut look = |t: f64, beside: Option<&Node>| -> Node {
+            let mut values = sweep.look(input_at(range, t), &stretch.signs, &mut place);
+            // An angle goes on from the place beside it.
+            for (index, value) in values.iter_mut().enumerate().filter(|(index, _)| angles[*index]) {
+                let before = beside.and_then(|node| node.1[index]);
+                if let (Some(value), Some(before)) = (value, before) {
+                    value.value -= TAU * ((value.value - before.value) / TAU).round();
+                }
+            }
+            (t, values)
+        };
+        let mut first: Vec<Node> = Vec::new();
+        for i in 0..=count {
+            let t = (f64::from(i) / f64::from(count)).clamp(END, 1.0 - END);
+            let node = look(t, first.last());
+            first.push(node);
+        }
+        let ranges = ranges(&first);
+        let mut table = Self { range, nodes: Vec::new() };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousands a turn")]
+        let most =
+            (f64::from(u32::try_from(MOST_PLACES).unwrap_or(u32::MAX)) * turns * part).max(256.0) as usize;
+        let mut left = most.saturating_sub(first.len());
+        let mut open: Vec<(Node, u32)> = first.into_iter().rev().map(|node| (node, 0)).collect();
+        // From the left: the next place is on top.
+        while let Some((node, depth)) = open.pop() {
+            let Some(last) = table.nodes.last() else {
+                table.nodes.push(node);
+                continue;
+            };
+            if depth < MOST_HALVINGS && left > 0 {
+                let middle = look(f64::midpoint(last.0, node.0), Some(last));
+                if strays(range, last, &middle, &node, &ranges) {
+                    left -= 1;
+                    open.push((node, depth + 1));
+                    open.push((middle, depth + 1));
+                    continue;
+                }
+            }
+            table.nodes.push(node);
+        }
+        table
+    }
+
+    /// At how many places it has numbers.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The numbers of the places that were looked at.
+    pub fn places(&self) -> impl Iterator<Item = &[Option<Moving>]> {
+        self.nodes.iter().map(|node| node.1.as_slice())
+    }
+
+    /// Whether it has none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// These columns at a place of the input in the stretch, with their derivatives by the input; `None` for any other
+    /// column. Angles go on over half turns.
+    #[must_use]
+    pub fn at(&self, input: f64, columns: &[usize]) -> Vec<Option<Moving>> {
+        let [from, to] = self.range;
+        let part = ((f64::midpoint(from, to) - input) / ((to - from) / 2.0)).clamp(-1.0, 1.0);
+        self.read(libm::acos(part) / PI, columns)
+    }
+
+    fn read(&self, t: f64, columns: &[usize]) -> Vec<Option<Moving>> {
+        let after = self.nodes.partition_point(|node| node.0 < t).clamp(1, self.nodes.len().max(2) - 1);
+        let [Some(a), Some(b)] = [after - 1, after].map(|index| self.nodes.get(index)) else {
+            return Vec::new();
+        };
+        let t = t.clamp(a.0, b.0);
+        let mut values = vec![None; a.1.len()];
+        for &column in columns {
+            values[column] = between(self.range, a, b, t, column);
+        }
+        values
+    }
+
+    /// The curve that a track of these columns draws in a part of the stretch, within `accuracy` of the page.
+    #[must_use]
+    pub fn curve(&self, columns: &[usize], range: [f64; 2], track: &Track<'_>, accuracy: f64) -> BezPath {
+        let course = Course { table: self, columns, range, track, last: RefCell::new(Point::ZERO) };
+        fit_to_bezpath(&course, accuracy)
+    }
+}
+
+fn input_at([from, to]: [f64; 2], t: f64) -> f64 {
+    f64::midpoint(from, to) - (to - from) / 2.0 * libm::cos(PI * t)
+}
+
+/// How fast the input runs.
+fn speed_at([from, to]: [f64; 2], t: f64) -> f64 {
+    (to - from) / 2.0 * PI * libm::sin(PI * t)
+}
+
+/// A column between two places: the cubic with their values and slopes (Hermite).
+fn between(range: [f64; 2], a: &Node, b: &Node, t: f64, column: usize) -> Option<Moving> {
+    let (from, to) = (a.1[column]?, b.1[column]?);
+    let width = b.0 - a.0;
+    let s = (t - a.0) / width;
+    let (rise, fall) = (from.slope * speed_at(range, a.0) * width, to.slope * speed_at(range, b.0) * width);
+    let way = to.value - from.value;
+    // From the nearer end, which is met to the last digit.
+    let (c, d) = (3.0 * way - 2.0 * rise - fall, rise + fall - 2.0 * way);
+    let value = from.value + s * (rise + s * (c + s * d));
+    let change = (rise + s * (2.0 * c + 3.0 * s * d)) / width;
+    let slope = change / speed_at(range, t.clamp(END, 1.0 - END));
+    Some(Moving { value, slope, error: from.error.max(to.error) })
+}
+
+/// Whether the cubic between two places misses the look in their middle, or numbers begin or end between them.
+fn strays(range: [f64; 2], a: &Node, middle: &Node, b: &Node, ranges: &[[f64; 2]]) -> bool {
+    (0..ranges.len()).any(|column| {
+        let [low, high] = ranges[column];
+        let reach = high - low;
+        match (between(range, a, b, middle.0, column), middle.1[column]) {
+            (Some(cubic), Some(look)) => {
+                // What has gone as far beyond its range grows without end, and is not followed.
+                let followed = (low - 4.0 * reach..=high + 4.0 * reach).contains(&look.value);
+                let rounding = course::ERRORS * (look.error + cubic.error);
+                followed && (cubic.value - look.value).abs() > (STRAY * reach).max(rounding)
+            }
+            (None, None) => a.1[column].is_some() != b.1[column].is_some(),
+            _ => true,
+        }
+    })
+}
+
+/// A part of a stretch as a curve over 0 … 1, the input running as a cosine.
 struct Course<'s> {
-    sweep: &'s Sweep,
-    stretch: &'s Stretch,
+    table: &'s Table,
+    columns: &'s [usize],
     range: [f64; 2],
     track: &'s Track<'s>,
-    room: RefCell<(Place, Point)>,
+    last: RefCell<Point>,
 }
 
 impl Course<'_> {
     fn at(&self, t: f64) -> (Point, Vec2) {
-        /// The very ends have no finite derivative at a limit.
-        const END: f64 = 1e-6;
         let t = t.clamp(END, 1.0 - END);
-        let [from, to] = self.range;
-        let (sin, cos) = libm::sincos(PI * t);
-        let input = f64::midpoint(from, to) - (to - from) / 2.0 * cos;
-        let speed = (to - from) / 2.0 * PI * sin;
-        let mut room = self.room.borrow_mut();
-        let values = self.sweep.look(input, &self.stretch.signs, &mut room.0);
+        let input = input_at(self.range, t);
+        let values = self.table.at(input, self.columns);
         match (self.track)(input, &values) {
             Some((p, d)) if p.is_finite() && d.is_finite() => {
-                room.1 = p;
-                (p, d * speed)
+                *self.last.borrow_mut() = p;
+                (p, d * speed_at(self.range, t))
             }
             // Beside a place without a number the curve stands where it was.
-            _ => (room.1, Vec2::ZERO),
+            _ => (*self.last.borrow(), Vec2::ZERO),
         }
     }
 }
@@ -94,11 +254,17 @@ impl ParamCurveFit for Course<'_> {
 }
 
 impl Sweep {
-    /// The curve that a track draws in one stretch, or in a part of it, within `accuracy` of the page.
+    /// The numbers of a stretch, dense enough to be read between its places.
+    #[must_use]
+    pub fn table(&self, stretch: &Stretch) -> Table {
+        Table::new(self, stretch)
+    }
+
+    /// The curve that a track draws in one stretch, or in a part of it, within `accuracy` of the page. For more than one
+    /// curve make a [`Sweep::table`] of the stretch.
     #[must_use]
     pub fn curve(&self, stretch: &Stretch, range: [f64; 2], track: &Track<'_>, accuracy: f64) -> BezPath {
-        let room = RefCell::new((Place::default(), Point::ZERO));
-        let course = Course { sweep: self, stretch, range, track, room };
-        fit_to_bezpath(&course, accuracy)
+        let all: Vec<usize> = (0..self.columns.len()).collect();
+        self.table(stretch).curve(&all, range, track, accuracy)
     }
 }

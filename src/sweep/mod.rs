@@ -21,15 +21,16 @@ mod positions;
 mod prepare;
 
 use crate::board::{LANES, Lane, Moving, Place, Variable};
+pub use crate::graphical::Without;
 use crate::graphical::{DrawError, Transcribed, transcribe};
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::mechanism::structure::{Structure, StructureError};
-use crate::mechanism::{Input, LinkId, Mechanism};
+use crate::mechanism::{Input, LinkId, Mechanism, Place as PointPlace};
 use crate::plan::{CentreSource, Extent, Plan};
 
 pub use bounds::SweepWithBounds;
 pub use course::{Event, EventKind, Stretch};
-pub use curve::Track;
+pub use curve::{Table, Track};
 pub use positions::{PositionError, other_positions};
 
 /// What a sweep goes over.
@@ -94,14 +95,12 @@ impl Column {
         }
     }
 
-    /// An instant centre, which may go to infinity.
-    fn is_centre(&self) -> bool {
-        matches!(self.asked.quantity, Quantity::Centre(..))
-    }
-
     /// A quantity without a sense: the program goes on with the sign that it had in the drawing.
     fn is_unsigned(&self) -> bool {
-        matches!(self.asked.quantity, Quantity::Rub(..) | Quantity::Transmission(..))
+        matches!(
+            self.asked.quantity,
+            Quantity::Rub(..) | Quantity::Transmission(..) | Quantity::PathRadius(_)
+        )
     }
 
     /// The number as it counts for the quantity.
@@ -110,6 +109,44 @@ impl Column {
             return Moving { value: -m.value, slope: -m.slope, error: m.error };
         }
         m
+    }
+}
+
+/// An instant centre: its two columns are one thing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Centre {
+    /// Which.
+    pub asked: Asked,
+    /// Indices of the columns of its coordinates; neither has a value where it lies at infinity.
+    pub columns: [usize; 2],
+}
+
+/// What has extremes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Measure {
+    /// A scalar, or a coordinate of a place.
+    Column(usize),
+    /// The magnitude of a vector, by its columns.
+    Magnitude([usize; 2]),
+}
+
+impl Measure {
+    /// Its column, or the first of them.
+    fn first(self) -> usize {
+        match self {
+            Self::Column(column) | Self::Magnitude([column, _]) => column,
+        }
+    }
+
+    /// All that can be extreme: of centres, which come from infinity and go there, nothing.
+    fn all(columns: &[Column]) -> Vec<Self> {
+        let measure = |(index, column): (usize, &Column)| match (column.axis, column.asked.quantity) {
+            (_, Quantity::Centre(..)) => None,
+            (None, _) | (Some(_), Quantity::Position(_)) => Some(Self::Column(index)),
+            (Some(0), _) => Some(Self::Magnitude([index, index + 1])),
+            (Some(_), _) => None,
+        };
+        columns.iter().enumerate().filter_map(measure).collect()
     }
 }
 
@@ -148,6 +185,11 @@ pub struct Sweep {
     pub whole_turn: bool,
     /// The columns, those asked for first.
     pub columns: Vec<Column>,
+    /// The instant centres among them that have a place.
+    pub centres: Vec<Centre>,
+    /// What was asked for and has no column, with the reason: centres that are always at infinity, and what nothing
+    /// determines.
+    pub without: Vec<(Asked, Without)>,
     /// Where the mechanism moves freely, ascending.
     pub stretches: Vec<Stretch>,
     /// What happens on the way, ascending.
@@ -156,7 +198,11 @@ pub struct Sweep {
     pub rate: f64,
     /// At how many places of the range to look.
     looks: u32,
+    measures: Vec<Measure>,
+    looked: u64,
     transcribed: Transcribed,
+    /// The mechanism as the scene has it.
+    placed: Mechanism,
     /// The mechanism as it can move, what varies in it, and whence its centres come.
     ready: (Mechanism, Variable, CentreSource),
     /// How many of its asked quantities somebody asked for.
@@ -174,6 +220,9 @@ const MOST_TURNS: f64 = 100.0;
 
 /// How often sampling to a tolerance halves an interval: towards a limit places go as a root, and it takes many.
 const MOST_HALVINGS: u32 = 24;
+
+/// Sampling to a tolerance puts no more places into a sixteenth of a stretch.
+pub const MOST_PLACES: usize = 20_000;
 
 impl Sweep {
     /// Transcribes the drawing of a mechanism and walks the range of its first input: `range` in SI units,
@@ -222,6 +271,21 @@ impl Sweep {
                 columns.push(Column { asked: asked_here.clone(), axis, motion, watched: index >= asked });
             }
         }
+        let first_of = |index: usize| transcribed.numbers.iter().take(index).sum::<usize>();
+        let centres = transcribed
+            .centres
+            .iter()
+            .map(|&index| Centre {
+                asked: mechanism.asked[index].clone(),
+                columns: [first_of(index), first_of(index) + 1],
+            })
+            .collect();
+        let without = transcribed
+            .without
+            .iter()
+            .filter(|(index, _)| *index < asked)
+            .map(|(index, why)| (mechanism.asked[*index].clone(), *why))
+            .collect();
         let (input, rate) = match mechanism.inputs[swept] {
             Input::Angle { link, omega, .. } => (InputKind::Angle(link), omega.value),
             Input::Speed { link, .. } => (InputKind::Angle(link), 0.0),
@@ -247,18 +311,24 @@ impl Sweep {
             range,
             start,
             whole_turn,
+            measures: Measure::all(&columns),
             columns,
+            centres,
+            without,
+            looked: 0,
             stretches: Vec::new(),
             events: Vec::new(),
             rate,
             looks: looks(&variable, &mechanism, range)?,
             transcribed,
+            placed: placed.clone(),
             ready: (mechanism, variable, source),
             asked,
         };
-        let (stretches, events) = course::walk(&sweep, start, sweep.looks);
+        let (stretches, events, looked) = course::walk(&sweep, start, sweep.looks);
         sweep.stretches = stretches;
         sweep.events = events;
+        sweep.looked = looked;
         if range_is_free {
             sweep.end_where_it_ends();
         }
@@ -284,6 +354,28 @@ impl Sweep {
         self.looks
     }
 
+    /// At how many positions the walk has looked, those of the searches for events among them: some 750 for every turn,
+    /// and some thirty for every event.
+    #[must_use]
+    pub fn looked(&self) -> u64 {
+        self.looked
+    }
+
+    fn measures(&self) -> &[Measure] {
+        &self.measures
+    }
+
+    /// The name of what is extreme in an event with this column.
+    #[must_use]
+    pub fn name_of_extreme(&self, column: usize) -> String {
+        let of = &self.columns[column];
+        if self.measures.contains(&Measure::Column(column)) {
+            of.name()
+        } else {
+            format!("|{}|", of.asked.name)
+        }
+    }
+
     /// How many operations one position takes.
     #[must_use]
     pub fn operations(&self) -> usize {
@@ -303,6 +395,23 @@ impl Sweep {
         self.stretches.iter().find(|s| (s.from..=s.to).contains(&at))
     }
 
+    /// The asked quantities that tell how what goes to and fro moves: of pins on guides of the frame their velocities and
+    /// accelerations, of links pivoted to it their ω and α.
+    pub fn of_outputs(&self) -> impl Iterator<Item = &Asked> {
+        let mechanism = &self.ready.0;
+        let outputs: Vec<Quantity> = self
+            .columns
+            .iter()
+            .filter(|column| column.motion)
+            .flat_map(|column| match column.asked.quantity {
+                Quantity::Position(p) => vec![Quantity::Velocity(p), Quantity::Acceleration(p)],
+                Quantity::Angle(l) => vec![Quantity::Omega(l), Quantity::Alpha(l)],
+                _ => Vec::new(),
+            })
+            .collect();
+        mechanism.asked.iter().take(self.asked).filter(move |asked| outputs.contains(&asked.quantity))
+    }
+
     /// The mechanism at one place: every column with its derivative by the input; `None` where it cannot be
     /// assembled.
     #[must_use]
@@ -312,21 +421,52 @@ impl Sweep {
         Some(self.look(at, &stretch.signs, &mut place))
     }
 
+    /// The mechanism as it stands at one place: its inputs there, with their rates, and every point near where the
+    /// sweep has it, so that whoever solves it finds the same assembly. `None` where it cannot be assembled; of a
+    /// mechanism whose wheels carry points along, everywhere but where the scene stands.
+    #[must_use]
+    pub fn mechanism_at(&self, at: f64) -> Option<Mechanism> {
+        if self.rolls_on {
+            return (at == self.start).then(|| self.placed.clone());
+        }
+        let stretch = self.stretch_at(at)?;
+        let (ready, variable, _) = &self.ready;
+        let mut mechanism = ready.clone();
+        mechanism.asked.truncate(self.asked);
+        prepare::lead(&mut mechanism, variable, at);
+        let Transcribed { skeleton, placed, .. } = &self.transcribed;
+        let mut place = Place::default();
+        skeleton.look(at, &stretch.signs, &mut place);
+        let coordinates: Vec<f64> = skeleton.asked(&place).map(|m| m.value).collect();
+        for (point, at) in placed.iter().zip(coordinates.chunks_exact(2)) {
+            let place = &mut mechanism.points[point.0].place;
+            if place.exact().is_none() {
+                *place = PointPlace::Near([at[0], at[1]]);
+            }
+        }
+        Some(mechanism)
+    }
+
+    /// Whether points of wheels are carried along: where they stand adds up from the scene's own place on, and no
+    /// drawing of one position tells it.
+    #[must_use]
+    pub fn is_carried_along(&self) -> bool {
+        self.rolls_on
+    }
+
     fn look(&self, at: f64, signs: &[f64], place: &mut Place) -> Vec<Option<Moving>> {
         let program = &self.transcribed.program;
         program.look(at, signs, place);
-        let clear: Vec<bool> = program.divisors(place).map(course::is_clear).collect();
-        let clear = |column: usize| program.behind(column).iter().all(|&divisor| clear[divisor]);
         program
             .asked(place)
+            .zip(program.known(place))
             .zip(&self.columns)
-            .enumerate()
-            .map(|(index, (m, column))| {
+            .map(|((m, known), column)| {
                 let position = matches!(
                     column.asked.quantity,
                     Quantity::Position(_) | Quantity::Angle(_) | Quantity::Transmission(..)
                 );
-                (m.value.is_finite() && (position || clear(index))).then(|| column.counted(m))
+                (m.value.is_finite() && (position || known)).then(|| column.counted(m))
             })
             .collect()
     }
@@ -395,17 +535,15 @@ impl Sweep {
     }
 
     /// Places so close together that between two of them no column strays from the straight line by more
-    /// than `tolerance` times its own range. What grows without end is followed up to twice its range elsewhere.
+    /// than `tolerance` times its own range, or than its own rounding. What grows without end is followed up to twice
+    /// its range elsewhere. At most [`MOST_PLACES`] to each of the parts into which a stretch is first cut.
     #[must_use]
     pub fn adapted(&self, tolerance: f64) -> Vec<f64> {
         /// A stretch is first cut into so many parts.
         const PARTS: u32 = 16;
         let mut place = Place::default();
         let mut places = Vec::new();
-        let mut look = |at: f64, signs: &[f64]| {
-            let values = self.look(at, signs, &mut place);
-            (at, values.into_iter().map(|v| v.map(|m| m.value)).collect::<Vec<_>>())
-        };
+        let mut look = |at: f64, signs: &[f64]| (at, self.look(at, signs, &mut place));
         for stretch in &self.stretches {
             let parts = PARTS * (self.looks / LOOKS);
             let step = (stretch.to - stretch.from) / f64::from(parts);
@@ -417,7 +555,14 @@ impl Sweep {
             places.push(stretch.from);
             for pair in first.windows(2) {
                 let mut at = |x: f64| look(x, &stretch.signs);
-                divide(&mut at, &pair[0], &pair[1], &ranges, tolerance, MOST_HALVINGS, &mut places);
+                let most = places.len() + MOST_PLACES;
+                divide(
+                    &mut at,
+                    [&pair[0], &pair[1]],
+                    (&ranges, tolerance),
+                    (MOST_HALVINGS, most),
+                    &mut places,
+                );
             }
         }
         places.dedup();
@@ -522,14 +667,14 @@ fn looks(variable: &Variable, mechanism: &Mechanism, [from, to]: [f64; 2]) -> Re
     Ok(LOOKS * turns)
 }
 
-type Node = (f64, Vec<Option<f64>>);
+type Node = (f64, Vec<Option<Moving>>);
 
 /// Smallest and largest value of each column.
 fn ranges(nodes: &[Node]) -> Vec<[f64; 2]> {
     let columns = nodes.first().map_or(0, |n| n.1.len());
     (0..columns)
         .map(|c| {
-            let mut values: Vec<f64> = nodes.iter().filter_map(|n| n.1[c]).collect();
+            let mut values: Vec<f64> = nodes.iter().filter_map(|n| n.1[c]).map(|m| m.value).collect();
             values.sort_by(f64::total_cmp);
             // Without the outermost twentieth: at a limit speeds grow without end.
             let cut = values.len() / 20;
@@ -543,11 +688,9 @@ fn ranges(nodes: &[Node]) -> Vec<[f64; 2]> {
 
 fn divide(
     look: &mut impl FnMut(f64) -> Node,
-    from: &Node,
-    to: &Node,
-    ranges: &[[f64; 2]],
-    tolerance: f64,
-    left: u32,
+    [from, to]: [&Node; 2],
+    (ranges, tolerance): (&[[f64; 2]], f64),
+    (left, most): (u32, usize),
     places: &mut Vec<f64>,
 ) {
     let middle = look(f64::midpoint(from.0, to.0));
@@ -556,14 +699,17 @@ fn divide(
             let [low, high] = ranges[c];
             let range = high - low;
             // What has gone as far beyond its range grows without end, and is not followed.
-            let followed = (low - range..=high + range).contains(&m);
-            followed && (m - f64::midpoint(a, b)).abs() > tolerance * range
+            let followed = (low - range..=high + range).contains(&m.value);
+            // A constant has no range but its rounding.
+            let rounding = course::ERRORS * (a.error + m.error + b.error);
+            let stray = (m.value - f64::midpoint(a.value, b.value)).abs();
+            followed && stray > (tolerance * range).max(rounding)
         }
         _ => false,
     });
-    if strays && left > 0 {
-        divide(look, from, &middle, ranges, tolerance, left - 1, places);
-        divide(look, &middle, to, ranges, tolerance, left - 1, places);
+    if strays && left > 0 && places.len() < most {
+        divide(look, [from, &middle], (ranges, tolerance), (left - 1, most), places);
+        divide(look, [&middle, to], (ranges, tolerance), (left - 1, most), places);
     } else {
         places.push(to.0);
     }

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use super::{InputKind, SweepError};
-use crate::board::Law;
+use crate::board::{Law, Variable};
 use crate::given::Given;
 use crate::graphical::{self, Scales};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity, Unit};
@@ -205,6 +205,47 @@ fn watch(mechanism: &mut Mechanism) {
     for (name, quantity, unit) in wanted {
         if !mechanism.asked.iter().any(|a| a.quantity == quantity) {
             mechanism.asked.push(Asked { name, quantity, unit, method: Method::Polygon });
+        }
+    }
+}
+
+/// Brings the inputs to a place of what is varied.
+pub(super) fn lead(mechanism: &mut Mechanism, variable: &Variable, at: f64) {
+    // A place of the sweep is uncertain by a unit in its last place, as it is where the sweep runs.
+    let near = |value: f64| Given::within(value, f64::EPSILON * value.abs());
+    match variable {
+        Variable::Input(swept) => match mechanism.inputs.get_mut(*swept) {
+            Some(Input::Angle { angle, .. } | Input::Speed { angle, .. }) => *angle = Some(near(at)),
+            Some(Input::Slide { at: place, .. }) => *place = Some(near(at)),
+            None => {}
+        },
+        Variable::Time(laws) => {
+            for (input, law) in mechanism.inputs.iter_mut().zip(laws) {
+                let way = (law.rate.value + law.acceleration.value / 2.0 * at) * at;
+                let moved = |place: &mut Option<Given>| {
+                    if let Some(place) = place {
+                        let value = place.value + way;
+                        let rounding = f64::EPSILON * (place.value.abs() + 3.0 * way.abs());
+                        *place = Given::within(value, place.error + rounding);
+                    }
+                };
+                let now = law.rate.value + law.acceleration.value * at;
+                let rounding =
+                    f64::EPSILON * (law.rate.value.abs() + 2.0 * (law.acceleration.value * at).abs());
+                let now = Given::within(now, law.rate.error + rounding);
+                match input {
+                    Input::Angle { angle, omega, .. } => {
+                        moved(angle);
+                        *omega = now;
+                    }
+                    Input::Slide { at, velocity, .. } => {
+                        moved(at);
+                        *velocity = now;
+                    }
+                    // Made into an angle with its ω before the sweep began.
+                    Input::Speed { angle, .. } => moved(angle),
+                }
+            }
         }
     }
 }

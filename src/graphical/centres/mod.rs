@@ -7,8 +7,9 @@
 //! 3. Go on until the wanted centres are found, and no further.
 //!
 //! Lines are joined and met in homogeneous coordinates, so that a centre at infinity is as good as any. Where the
-//! diagram stalls (complex mechanisms, several inputs), the centre is taken from the velocity polygon: it lies on
-//! the normal to V at the distance V / ω.
+//! diagram stalls (complex mechanisms, links driven separately), the centre is taken from the velocity polygon: it lies
+//! on the normal to the velocity that a point of one link has seen from the other, at the distance V / ω, both relative
+//! to the other.
 
 mod feed;
 mod search;
@@ -16,7 +17,7 @@ mod velocities;
 
 use std::collections::BTreeMap;
 
-use crate::board::{Amount, Bench, HomogeneousLine, HomogeneousPoint, Location, Point};
+use crate::board::{Bench, HomogeneousLine, HomogeneousPoint, Location, Point};
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId, Rider, Roll};
 use crate::plan::{CentrePlan, Plan, chord};
@@ -59,11 +60,11 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
         // The poles of the stalled centres' links; with them the diagram may go on.
         for &[i, j] in &stalled {
             for link in [i, j].into_iter().filter(|&l| l != LinkId::FRAME) {
-                d.pole_by_velocity(link);
+                d.centre_by_velocity(chord(LinkId::FRAME, link));
             }
         }
         stalled = d.kennedy(plan);
-        stalled.retain(|&stuck| !d.centre_by_rates(stuck));
+        stalled.retain(|&stuck| !d.centre_by_velocity(stuck));
         stalled = if stalled.is_empty() { stalled } else { d.kennedy(plan) };
     }
     d.note_stalled(stalled);
@@ -234,47 +235,49 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    /// The pole of a link from the velocity polygon: on the normal to V at the distance V / ω.
-    fn pole_by_velocity(&mut self, link: LinkId) {
-        let links = chord(LinkId::FRAME, link);
-        let Some((point, velocity)) = self.velocity_on(link) else { return };
-        let omega = self.rate(Order::Velocity, link);
-        let (at, scale) = (self.at(point), self.length_scale());
-        if let Some(centre) = self.board.on_normal(at, velocity, omega, scale) {
-            self.centre_found(links, centre, Found::Normal { point });
-        }
-    }
-
-    /// A point of a link that moves on the skeleton, with its velocity.
-    fn velocity_on(&mut self, link: LinkId) -> Option<(PointId, [Amount<B>; 2])> {
-        let points = self.mechanism.link(link).points.clone();
-        let known = |d: &Self, p: &PointId| {
-            d.places[p.0].is_some() && (d.mechanism.is_fixed(*p) || d.velocities[p.0].is_some())
-        };
-        let point = points.into_iter().find(|p| known(self, p))?;
-        let (pole, image) = (self.board.origin(), self.image(Order::Velocity, point));
-        let scale = self.polygon_scale(Order::Velocity);
-        let velocity = self.board.between(pole, image).map(|mm| self.board.read(mm, scale));
-        Some((point, velocity))
-    }
-
-    /// The centre of two moving links divides the line of their poles inversely as their angular velocities.
-    fn centre_by_rates(&mut self, links: Chord) -> bool {
+    /// A centre from the velocity polygon: on the normal to the velocity of a point of one link seen from the other, at
+    /// the distance V / ω. False where no point's velocity is known in both, and where neither link moves against the
+    /// other.
+    fn centre_by_velocity(&mut self, links: Chord) -> bool {
         if self.centres.known.contains_key(&links) {
             return true;
         }
-        let poles = links.map(|l| self.centres.known.get(&chord(LinkId::FRAME, l)).copied());
-        let [Some(p), Some(q)] = poles else { return false };
-        let [Some(rate_p), Some(rate_q)] = [(links[0], p), (links[1], q)].map(|(link, pole)| {
-            let (point, velocity) = self.velocity_on(link)?;
-            let (at, scale) = (self.at(point), self.length_scale());
-            let reason = self.reason(&[link]);
-            Some(self.board.rate_about(pole, at, velocity, scale, reason))
-        }) else {
-            return false;
-        };
-        let Some(centre) = self.board.divide_by_rates([p, q], [rate_p, rate_q]) else { return false };
-        self.centre_found(links, centre, Found::Rates);
+        let [i, j] = links;
+        // The frame carries no arrow: its points are seen from the other link's.
+        let seen = [[j, i], [i, j]].into_iter().find_map(|[link, from]| {
+            let point = self.point_of_velocity(link, from)?;
+            Some((link, from, point))
+        });
+        let Some((link, from, point)) = seen else { return false };
+        let rates =
+            [link, from].map(|l| if l == LinkId::FRAME { Some(self.rest()) } else { self.omegas[l.0] });
+        let [Some(own), Some(other)] = rates else { return false };
+        if from != LinkId::FRAME && !self.mechanism.link(from).points.contains(&point) {
+            self.step(Order::Velocity, &[from], Vec::new());
+        }
+        let under = self.image_under(Order::Velocity, point, from);
+        let image = self.image(Order::Velocity, point);
+        self.board.purpose("instant centres");
+        let (paper, scale) = (self.polygon_scale(Order::Velocity), self.length_scale());
+        let velocity = self.board.between(under, image).map(|mm| self.board.read(mm, paper));
+        let omega = self.board.difference(own, other);
+        let at = self.at(point);
+        let Some(centre) = self.board.on_normal(at, velocity, omega, scale) else { return false };
+        self.centre_found(links, centre, Found::Normal { point, link, from });
         true
+    }
+
+    /// A point of a link that stands on the skeleton and whose velocity is known, where that of the other link's point
+    /// under it is known as well or can be laid off.
+    fn point_of_velocity(&self, link: LinkId, from: LinkId) -> Option<PointId> {
+        let known = |p: PointId| {
+            self.places[p.0].is_some() && (self.mechanism.is_fixed(p) || self.velocities[p.0].is_some())
+        };
+        let carries =
+            |l: LinkId| l == LinkId::FRAME || self.mechanism.link(l).points.iter().any(|&p| known(p));
+        if link == LinkId::FRAME || !carries(from) {
+            return None;
+        }
+        self.mechanism.link(link).points.iter().copied().find(|&p| known(p))
     }
 }

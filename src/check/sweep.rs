@@ -1,0 +1,121 @@
+//! A sweep against the independent solver, at a stated handful of positions.
+//!
+//! A sweep is one drawing that is run many times: what is wrong with it shows at its ends and where something happens. So
+//! it is compared where each stretch begins and ends, at the scene's own place, and at events; at most [`MOST_POSITIONS`]
+//! positions, since the independent solver costs more for one position than the sweep for some thousand.
+
+use std::f64::consts::TAU;
+
+use crate::analytic::{self, AnalyticError};
+use crate::mechanism::quantity::{Answer, Quantity};
+use crate::sweep::{EventKind, Sweep};
+
+/// A sweep is compared at so many positions at most.
+pub const MOST_POSITIONS: usize = 16;
+
+/// At the end of a stretch two arcs touch, and speeds grow without end: it is compared this part of its length inside.
+const INSIDE: f64 = 1e-3;
+
+/// A number of a sweep is known within so many of its errors: by as much as it must stand clear of zero.
+const ERRORS: f64 = 8.0;
+
+/// A number that the independent solver does not confirm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweptApart {
+    /// Index of the column.
+    pub column: usize,
+    /// Where, SI units.
+    pub at: f64,
+    /// What the sweep says, SI units.
+    pub swept: f64,
+    /// What the independent solver says.
+    pub analytic: f64,
+    /// How far they may be apart.
+    pub allowed: f64,
+}
+
+/// Why a sweep is not confirmed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SweepUnconfirmed {
+    /// A number is another.
+    Number(SweptApart),
+    /// The independent solver has no position there.
+    Refused {
+        /// Where, SI units.
+        at: f64,
+        /// Why.
+        why: AnalyticError,
+    },
+}
+
+/// Compares a sweep with the independent solver. Gives at how many positions they were compared.
+///
+/// # Errors
+/// The first number that is not confirmed.
+pub fn confirm_sweep(sweep: &Sweep) -> Result<usize, SweepUnconfirmed> {
+    let places = positions(sweep);
+    for &at in &places {
+        confirm_at(sweep, at)?;
+    }
+    Ok(places.len())
+}
+
+/// Where a sweep is compared.
+fn positions(sweep: &Sweep) -> Vec<f64> {
+    let mut places = vec![sweep.start];
+    if sweep.is_carried_along() {
+        // Where the points of a wheel stand elsewhere adds up on the way, which no equation of one position tells.
+        return places;
+    }
+    for stretch in &sweep.stretches {
+        let inside = (stretch.to - stretch.from) * INSIDE;
+        places.extend([stretch.from + inside, stretch.to - inside]);
+    }
+    let extremes: Vec<f64> = sweep
+        .events
+        .iter()
+        .filter(|event| matches!(event.kind, EventKind::Least { .. } | EventKind::Greatest { .. }))
+        .map(|event| event.at)
+        .collect();
+    let room = MOST_POSITIONS.saturating_sub(places.len());
+    let step = extremes.len().div_ceil(room.max(1)).max(1);
+    places.extend(extremes.into_iter().step_by(step));
+    places.retain(|at| sweep.stretch_at(*at).is_some());
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places.truncate(MOST_POSITIONS);
+    places
+}
+
+fn confirm_at(sweep: &Sweep, at: f64) -> Result<(), SweepUnconfirmed> {
+    let (Some(values), Some(mechanism)) = (sweep.at(at), sweep.mechanism_at(at)) else { return Ok(()) };
+    let quantities: Vec<Quantity> = mechanism.asked.iter().map(|asked| asked.quantity).collect();
+    let order = quantities.iter().map(|quantity| quantity.order()).max();
+    let Some(order) = order else { return Ok(()) };
+    let state = analytic::solve(&mechanism, order).map_err(|why| SweepUnconfirmed::Refused { at, why })?;
+    let mut last = None;
+    for (index, column) in sweep.columns.iter().enumerate().filter(|(_, column)| !column.watched) {
+        let Some(swept) = values[index] else { continue };
+        let quantity = column.asked.quantity;
+        let answer = match &last {
+            Some((of, answer)) if *of == quantity => answer,
+            _ => &last.insert((quantity, state.answer(&quantity))).1,
+        };
+        let (analytic, bound) = match (answer, column.axis) {
+            (Answer::Scalar { value, bound }, None) => (*value, *bound),
+            (Answer::Vector { value, bound }, Some(axis)) => (value[axis], *bound),
+            // At infinity, or not determined: the sweep has no number there either, or one that says so by its error.
+            _ => continue,
+        };
+        let mut apart = (swept.value - analytic).abs();
+        if matches!(quantity, Quantity::Angle(_)) {
+            apart = (apart - TAU * (apart / TAU).round()).abs();
+        }
+        let allowed = bound + ERRORS * swept.error;
+        if !(apart <= allowed) {
+            let swept = swept.value;
+            return Err(SweepUnconfirmed::Number(SweptApart { column: index, at, swept, analytic, allowed }));
+        }
+    }
+    Ok(())
+}
