@@ -4,7 +4,7 @@
 # jobs on the machine disturb less. Needs python3. Usage: benches/commands.sh [RUNS] [SCENES]
 set -euo pipefail
 cd "$(dirname "$0")/.."
-CARGO_PROFILE_RELEASE_DEBUG=0 cargo build --quiet --release --no-default-features
+cargo build --quiet --release --no-default-features --features cli
 program=$(realpath "${CARGO_TARGET_DIR:-target}/release/linkgram")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

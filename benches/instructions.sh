@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scene=${1:-examples/s000-ch3a-1.json}
-CARGO_PROFILE_RELEASE_DEBUG=0 cargo build --quiet --release --no-default-features
+cargo build --quiet --release --no-default-features --features cli
 program=${CARGO_TARGET_DIR:-target}/release/linkgram
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

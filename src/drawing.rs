@@ -18,7 +18,8 @@ use crate::solve::{Settings, SolveError, Solved, solve_with};
 const LARGEST_SHEET: f64 = 100_000.0;
 
 /// What is drawn of a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Kind {
     /// The dimensioned skeleton, what is given and what is asked
     Question,

@@ -3,10 +3,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-mod common;
+use crate::common;
 
-use common::exact::Exact;
-use common::oracle::FourBar;
+use crate::common::exact::Exact;
+use crate::common::oracle::FourBar;
 use linkgram::board::Arithmetic;
 use linkgram::double_double::DoubleDouble;
 use linkgram::mechanism::quantity::Answer;

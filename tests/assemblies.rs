@@ -1,6 +1,6 @@
 //! Hints choose the assembly: both solvers must take the one that lies nearest.
 
-mod common;
+use crate::common;
 
 use linkgram::check::agreement;
 use linkgram::plan::Extent;

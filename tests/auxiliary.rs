@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-mod common;
-
-use common::{cross, dot, minus, norm, plus, read, root};
+use crate::common::{cross, dot, minus, norm, plus, read, root};
 use linkgram::analytic::{self, State};
 use linkgram::check::agreement;
 use linkgram::graphical::auxiliary::{AuxiliaryDrawing, PointName, StrokeRole, StrokeShape};

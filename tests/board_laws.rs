@@ -3,11 +3,11 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
 
-mod common;
+use crate::common;
 
 use std::f64::consts::PI;
 
-use common::exact::Exact;
+use crate::common::exact::Exact;
 use linkgram::board::{
     Blank, Board, Circle, Line, Mm, NoMeet, Operation, Point, Real, Recorded, Scale, Side, Tape, Trial,
 };

@@ -2,11 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
 
-mod common;
+use crate::common;
 
 use std::collections::BTreeMap;
 
-use common::{example_paths, read};
+use crate::common::{example_paths, read};
 use linkgram::check::agreement;
 use linkgram::graphical;
 use linkgram::graphical::construction::CentrePlace;

@@ -6,10 +6,10 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
 
-mod common;
+use crate::common;
 
-use common::chains::{Chain, chains, flat_chains};
-use common::{Drawn, cross, dot, minus, norm, plus};
+use crate::common::chains::{Chain, chains, flat_chains};
+use crate::common::{Drawn, cross, dot, minus, norm, plus};
 use linkgram::analytic;
 use linkgram::check::agreement;
 use linkgram::graphical::construction::{Claim, ConstructionLine, Label, Polygon, Reference, VectorKind};

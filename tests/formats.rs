@@ -2,8 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-#[allow(dead_code, reason = "of the sheets only the list of examples is needed here")]
-mod sheets;
+use crate::sheets;
 
 use std::collections::BTreeSet;
 
@@ -376,7 +375,7 @@ mod pdf {
 }
 
 /// Every scene that has a sheet, in every language, as question and as solution, in every format. Takes a minute and
-/// a half on two cores: `cargo test --release --test formats -- --ignored`; with `LINKGRAM_SHEETS=FOLDER` the PNGs are kept there, to be
+/// a half on two cores: `cargo test --release --test all formats:: -- --ignored`; with `LINKGRAM_SHEETS=FOLDER` the PNGs are kept there, to be
 /// looked at.
 #[cfg(all(feature = "png", feature = "pdf"))]
 mod acceptance {

@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-mod common;
-
-use common::{norm, read};
+use crate::common::{norm, read};
 use linkgram::check::{Agreement, agreement};
 use linkgram::mechanism::quantity::{Answer, Indeterminate};
 use linkgram::plan::Extent;

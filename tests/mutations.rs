@@ -18,7 +18,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
 
-mod common;
+use crate::common;
 
 use linkgram::analytic::{AnalyticError, State};
 use linkgram::check::{Agreement, agreement};

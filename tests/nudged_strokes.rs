@@ -7,7 +7,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
 
-mod common;
+use crate::common;
 
 use linkgram::board::{Nudge, Stroke, Tape};
 use linkgram::graphical::{Solution, construct_on};

@@ -5,7 +5,7 @@
 
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
 
-mod common;
+use crate::common;
 
 use linkgram::mechanism::quantity::Answer;
 use linkgram::plan::Extent;

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
 
-mod common;
+use crate::common;
 
 use linkgram::mechanism::quantity::Order;
 use linkgram::mechanism::structure::Structure;

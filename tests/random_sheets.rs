@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-mod common;
+use crate::common;
 
-use common::chains::chains;
+use crate::common::chains::chains;
 use linkgram::plan::Extent;
 use linkgram::scene::Scene;
 use linkgram::sheet::overlap::overlaps;

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
 
-mod common;
+use crate::common;
 
 use linkgram::mechanism::structure::{GroupKind, Joint, Structure, StructureError};
 use linkgram::scene::Scene;

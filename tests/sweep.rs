@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-mod common;
+use crate::common;
 
 use std::f64::consts::PI;
 

@@ -1,7 +1,7 @@
 //! Every pair's construction as a text, operation by operation, against the golden tape in `golden/tapes/`:
 //! to be laid beside the step lists of the textbooks.
 //!
-//! `LINKGRAM_BLESS=1 cargo test --test tapes` makes the present tapes the golden ones; read them before you
+//! `LINKGRAM_BLESS=1 cargo test --test all tapes::` makes the present tapes the golden ones; read them before you
 //! commit them.
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]

@@ -41,6 +41,17 @@ const fn dpi() -> f32 {
     DPI
 }
 
+/// How a golden is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Keep {
+    /// As files: what it says, its SVG, its picture.
+    #[default]
+    Files,
+    /// As checksums, a line in [`LINES`](super::LINES).
+    Line,
+}
+
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Listed {
@@ -55,6 +66,8 @@ struct Listed {
     lang: Option<String>,
     paper: Option<String>,
     theme: Option<String>,
+    #[serde(default)]
+    keep: Keep,
 }
 
 /// The figures of the suite in a folder, and the resolution of their pictures.
@@ -81,6 +94,11 @@ pub(super) fn read(folder: &Path) -> Result<(Vec<Case>, f32), GoldenError> {
         }
         for scene in listed.found(folder)? {
             let name = listed.named(&scene).map_err(wrong)?;
+            // What is kept as files needs no line.
+            let kept = Case { name: name.clone(), scene: scene.clone(), keep: Keep::Files, ..wish.clone() };
+            if wish.keep == Keep::Line && cases.contains(&kept) {
+                continue;
+            }
             if let Some(other) = places.insert(name.clone(), here.clone()) {
                 let what =
                     format!("a second golden of the name {name} (the first is of {other}); give it a `name`");
@@ -145,7 +163,7 @@ impl Listed {
             return Err(unknown);
         }
         let wish = Wish { kind, figures: self.figure.clone(), language, ..Wish::default() };
-        Ok(Case { wish, paper, theme, ..Case::default() })
+        Ok(Case { wish, paper, theme, keep: self.keep, ..Case::default() })
     }
 
     fn found(&self, folder: &Path) -> Result<Vec<PathBuf>, GoldenError> {

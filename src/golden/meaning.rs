@@ -4,6 +4,8 @@
 //! quantity of a vector and the names of its ends, the text of a label), never by where they stand, so that a
 //! new layout is told as what it is.
 
+mod digest;
+
 use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::hash::Hash;
 

@@ -12,6 +12,10 @@
 //! or, where the scene is one that must be refused (`expect`), the refusal as `NAME.refusal.txt`. The first
 //! tier tells a changed number from a cosmetic change ([`Weight`]). The third needs the feature `png`.
 //!
+//! A suite of more figures than somebody looks at keeps some of them so, and of the others one line each, in
+//! [`figures.txt`](LINES): checksums of the SVG and of what each panel says. A change is then seen, in which panel, and
+//! whether a number changed; how it looked before is not shown.
+//!
 //! A [`Suite`] is a folder: every scene in it (`*.json`, in folders below it as well), the goldens beside the
 //! scenes, drawn as the scene's own `sheet` says. Where the goldens stand elsewhere, or a scene is drawn in several
 //! ways, a `suite.json` in the folder says so:
@@ -24,7 +28,8 @@
 //! ```
 //!
 //! `scenes` lists files, and folders of them, seen from the suite, `except` those in them that are left out; `as`, `figure`, `lang`, `paper` and `theme` are the
-//! options of `linkgram draw`; in `name`, which may begin with folders, `*` stands for the name of the scene
+//! options of `linkgram draw`; `"keep": "line"` keeps a line instead of files,
+//! of what no entry before keeps as files; in `name`, which may begin with folders, `*` stands for the name of the scene
 //! without its ending; it is `*` where nothing is said.
 //!
 //! A test of another crate is one line, and blesses with `LINKGRAM_BLESS=1 cargo test`:
@@ -33,6 +38,7 @@
 //! linkgram::golden::assert("tests/sheets", "target/golden.html");
 //! ```
 
+mod lines;
 mod manifest;
 mod meaning;
 mod page;
@@ -47,7 +53,8 @@ use std::path::Path;
 
 use thiserror::Error;
 
-pub use manifest::{MANIFEST, ManifestError};
+pub use lines::LINES;
+pub use manifest::{Keep, MANIFEST, ManifestError};
 pub use meaning::Meaning;
 pub use page::html;
 pub use suite::{Case, NotDrawn, Outcome, Suite};
@@ -314,6 +321,10 @@ impl Report {
 #[expect(clippy::panic, reason = "an assertion")]
 pub fn assert(folder: impl AsRef<Path>, report: impl AsRef<Path>) {
     let outcome = Suite::open(folder.as_ref()).and_then(|suite| {
+        let suite = match report.as_ref().parent() {
+            Some(folder) => suite.remembering(&folder.join("seen")),
+            None => suite,
+        };
         if std::env::var_os("LINKGRAM_BLESS").is_some_and(|v| v == "1") {
             for blessed in suite.bless(&|| {})? {
                 println!("{blessed}");

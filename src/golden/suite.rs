@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::lines::{self, LINES, Lines};
 use super::meaning::without_numbers;
-use super::{Change, Checked, GoldenError, Meaning, Report, Tier, Verdict, Weight, manifest};
+use super::{Change, Checked, GoldenError, Keep, Meaning, Report, Tier, Verdict, Weight, manifest};
 use crate::drawing::{self, NoFigure, Wish};
 use crate::render::theme::Theme;
 use crate::render::{json, svg};
@@ -35,6 +36,8 @@ pub struct Case {
     pub paper: Option<String>,
     /// In which colours; the scene's where nothing is said.
     pub theme: Option<Theme>,
+    /// How its golden is kept.
+    pub keep: Keep,
 }
 
 /// What a scene comes to.
@@ -67,6 +70,10 @@ pub enum NotDrawn {
 pub struct Suite {
     folder: PathBuf,
     cases: Vec<Case>,
+    /// The goldens of one line.
+    lines: Lines,
+    /// Where drawings are kept that are as they were blessed.
+    seen: Option<PathBuf>,
     /// The names of all cases, whether chosen or not.
     known: BTreeSet<String>,
     /// Whether only some cases were chosen.
@@ -96,7 +103,16 @@ impl Suite {
             return Err(GoldenError::Suite(format!("{}: no scene in this suite", files::shown(&folder))));
         }
         let known = cases.iter().map(|case| case.name.clone()).collect();
-        Ok(Self { folder: folder.to_owned(), cases, known, chosen: false, dpi })
+        let lines = Lines::read(folder)?;
+        Ok(Self { folder: folder.to_owned(), cases, lines, seen: None, known, chosen: false, dpi })
+    }
+
+    /// Keeps the drawings behind goldens of one line in a folder, as long as they are as they were blessed, so that it can
+    /// be shown how they looked when they no longer are.
+    #[must_use]
+    pub fn remembering(mut self, folder: &Path) -> Self {
+        self.seen = Some(folder.to_owned());
+        self
     }
 
     /// The scenes and how they are drawn.
@@ -145,7 +161,7 @@ impl Suite {
     fn check_one(&self, case: &Case) -> Checked {
         let name = case.name.clone();
         let looked = match case.draw() {
-            Ok(outcome) => self.compare(&name, &outcome),
+            Ok(outcome) => self.look(case, &outcome),
             Err(why) => {
                 let expected = self.text(&name, SVG).ok().flatten();
                 let verdict = match why {
@@ -157,6 +173,41 @@ impl Suite {
         };
         let Looked { verdict, expected, actual } = looked;
         Checked { name, verdict, expected, actual }
+    }
+
+    fn look(&self, case: &Case, outcome: &Outcome) -> Looked {
+        match case.keep {
+            Keep::Files => self.compare(&case.name, outcome),
+            Keep::Line => self.compare_line(&case.name, outcome),
+        }
+    }
+
+    fn compare_line(&self, name: &str, outcome: &Outcome) -> Looked {
+        let actual = Some(outcome.shown().to_owned());
+        let new = match lines::sums(outcome) {
+            Ok(new) => new,
+            Err(why) => {
+                return Looked { verdict: Verdict::Broken(format!("{name}: {why}")), expected: None, actual };
+            }
+        };
+        let Some(old) = self.lines.get(name) else {
+            let verdict =
+                Verdict::Missing(format!("no line of {name} in {LINES}; look at the figure and bless it"));
+            return Looked { verdict, expected: None, actual };
+        };
+        let seen = self.seen.as_ref().map(|folder| folder.join(format!("{name}{SVG}")));
+        let before = seen.as_ref().and_then(|path| fs::read_to_string(path).ok());
+        let before = before.filter(|svg| lines::is_of(old, svg));
+        let changes = lines::changes(old, &new);
+        if changes.is_empty() {
+            // Only to be shown one day: where it cannot be kept, it is not shown.
+            if let (Some(path), Outcome::Figure { svg, .. }, None) = (&seen, outcome, &before) {
+                let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+                let _ = folder.and_then(|()| fs::write(path, svg));
+            }
+            return Looked::same();
+        }
+        Looked { verdict: Verdict::Differs(changes), expected: before, actual }
     }
 
     /// What an outcome is against its golden.
@@ -263,6 +314,12 @@ impl Suite {
         Ok(Seen::Same)
     }
 
+    /// The files that there are of a golden.
+    fn files_of(&self, name: &str) -> Vec<PathBuf> {
+        let paths = [MEANING, SVG, PIXELS, REFUSAL].map(|ending| self.path(name, ending));
+        paths.into_iter().filter(|path| path.is_file()).collect()
+    }
+
     fn missing(&self, name: &str, ending: &str) -> Verdict {
         Verdict::Missing(format!(
             "{}: not there; look at the figure and bless it",
@@ -291,6 +348,8 @@ impl Suite {
             [MEANING, REFUSAL].iter().find_map(|ending| name.strip_suffix(ending)).map(str::to_owned)
         };
         let names: BTreeSet<String> = all.iter().filter_map(golden).collect();
+        let lines = self.lines.names().cloned();
+        let names: BTreeSet<String> = names.into_iter().chain(lines).collect();
         names.difference(&self.known).cloned().collect()
     }
 
@@ -304,7 +363,7 @@ impl Suite {
     pub fn bless(&self, tick: &(dyn Fn() + Sync)) -> Result<Vec<String>, GoldenError> {
         let drawn = parallel::map(&self.cases, |case| {
             let drawn = case.draw().map(|outcome| {
-                let looked = self.compare(&case.name, &outcome);
+                let looked = self.look(case, &outcome);
                 (outcome, looked.verdict)
             });
             tick();
@@ -330,15 +389,42 @@ impl Suite {
         }
         // Two who bless one suite do so one after another.
         let _held = files::hold(&self.folder);
-        let mut lines = Vec::new();
+        let mut told = Vec::new();
+        let mut recorded = self.lines.clone();
+        let in_files: BTreeSet<&str> = {
+            let cases = self.cases.iter().filter(|case| case.keep == Keep::Files);
+            cases.map(|case| case.name.as_str()).collect()
+        };
+        recorded.retain(|name| !in_files.contains(name) && (self.chosen || self.known.contains(name)));
         for (case, (outcome, verdict)) in self.cases.iter().zip(drawn.into_iter().flatten()) {
-            if self.write(&case.name, &outcome, &verdict)? {
-                lines.push(blessed(&case.name, &verdict));
+            let written = match case.keep {
+                Keep::Files => self.write(&case.name, &outcome, &verdict)?,
+                Keep::Line => {
+                    let sums = lines::sums(&outcome)
+                        .map_err(|why| GoldenError::Broken(vec![format!("{}: {why}", case.name)]))?;
+                    recorded.put(&case.name, sums) || !self.files_of(&case.name).is_empty()
+                }
+            };
+            if written {
+                told.push(blessed(&case.name, &verdict));
             }
         }
-        let extra = self.extra().into_iter();
-        lines.extend(extra.map(|name| format!("{name}: left alone, though no scene draws it")));
-        Ok(lines)
+        if recorded != self.lines {
+            files::write_all(&[(self.folder.join(LINES), recorded.text().into_bytes())])
+                .map_err(|error| GoldenError::File(error.to_string()))?;
+        }
+        // The files of what is kept as a line from now on.
+        let in_lines = self.cases.iter().filter(|case| case.keep == Keep::Line);
+        for path in in_lines.flat_map(|case| self.files_of(&case.name)) {
+            fs::remove_file(&path)
+                .map_err(|error| GoldenError::File(format!("{}: {error}", path.display())))?;
+        }
+        let extra = self.extra().into_iter().map(|name| match self.lines.get(&name) {
+            Some(_) => format!("{name}: its line is taken away, for no scene draws it"),
+            None => format!("{name}: left alone, though no scene draws it"),
+        });
+        told.extend(extra);
+        Ok(told)
     }
 
     /// Whether anything was written.

@@ -1,7 +1,6 @@
 //! What the integration tests share: reading and drawing scenes, an exact arithmetic, a maker of chains.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
-#![allow(dead_code, reason = "each test binary uses its own part of these helpers")]
 
 pub(crate) mod chains;
 pub(crate) mod exact;

@@ -17,7 +17,7 @@
 //! the numbers are moved one after the other, and the bound is held against what comes of that as well.
 //!
 //! ```sh
-//! cargo test --release --no-default-features --test extremes -- --ignored --nocapture campaign
+//! cargo test --release --no-default-features --features cli --test all -- --ignored --nocapture extremes::campaign
 //! LINKGRAM_CAMPAIGN=250000 LINKGRAM_SEED=250000 cargo test …   # the second quarter of a million
 //! LINKGRAM_FOUND=found.json cargo test …   # keeps what it has found, and goes on from there the next time
 //! ```
@@ -40,9 +40,9 @@ use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use serde::{Deserialize, Serialize};
 
-use crate::builder;
-use crate::chain::{self, QUANTITIES};
-use crate::dice::Dice;
+use super::chain::{self, QUANTITIES};
+use super::dice::Dice;
+use crate::pairs::builder;
 
 /// A bound may be so many times the conditioning.
 const USEFUL: f64 = 1e4;

@@ -8,8 +8,8 @@ use linkgram::board::Real;
 use linkgram::double_double::DoubleDouble;
 use linkgram::wide::Wide;
 
+use super::dice::Dice;
 use crate::common::exact::Exact;
-use crate::dice::Dice;
 
 /// An arithmetic that reads decimals to all its digits.
 pub(crate) trait Digits: Real {

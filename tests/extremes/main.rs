@@ -4,24 +4,20 @@
 //!
 //! The expected digits stand in `tests/data/extremes.tsv`. They come from closed forms in an arithmetic of a
 //! hundred digits (`tests/common/oracle.rs`) that shares nothing with the program.
-//! `LINKGRAM_BLESS=1 cargo test --test extremes` writes them anew.
+//! `LINKGRAM_BLESS=1 cargo test --test all extremes::` writes them anew.
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-#[path = "../common/mod.rs"]
-mod common;
+use crate::common;
 
-#[path = "../pairs/builder.rs"]
-#[allow(dead_code, clippy::disallowed_methods, reason = "shared with the tests of pairs")]
-mod builder;
 mod campaign;
 mod chain;
 mod dice;
 
 use std::fmt::Write;
 
-use common::exact::Exact;
-use common::oracle::{FOUR_BAR_QUANTITIES, FourBar, SLIDER_QUANTITIES, Slider};
+use crate::common::exact::Exact;
+use crate::common::oracle::{FOUR_BAR_QUANTITIES, FourBar, SLIDER_QUANTITIES, Slider};
 use linkgram::double_double::DoubleDouble;
 use linkgram::mechanism::quantity::Answer;
 use linkgram::plan::Extent;
@@ -237,7 +233,7 @@ fn digits(truth: &Exact) -> String {
 
 fn table(cases: &[Case]) -> String {
     let mut out = String::from(
-        "# Closed forms in an arithmetic of a hundred digits; LINKGRAM_BLESS=1 cargo test --test extremes\n",
+        "# Closed forms in an arithmetic of a hundred digits; LINKGRAM_BLESS=1 cargo test --test all extremes::\n",
     );
     for case in cases {
         match &case.truth {

@@ -1,7 +1,7 @@
 //! This project's own goldens, kept with `linkgram::golden`: every example, every kind of the catalogue, and some of them
 //! as questions, step by step and in other languages, as `golden/suite.json` lists them.
 //!
-//! `LINKGRAM_BLESS=1 cargo test --test goldens` (or `linkgram golden bless golden`) makes the present figures the
+//! `LINKGRAM_BLESS=1 cargo test --test all goldens::` (or `linkgram golden bless golden`) makes the present figures the
 //! golden ones. Look at the pictures before you commit them, and commit a bless on its own. A failure writes
 //! `target/golden-report/report.html`: expected, actual and difference.
 
@@ -9,16 +9,14 @@
 
 #[cfg(feature = "png")]
 mod readme;
-#[path = "../sheets/mod.rs"]
-mod sheets;
 mod suites;
 
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
+use crate::sheets::{examples, root};
 use linkgram::golden::Suite;
-use sheets::{examples, root};
 
 #[test]
 fn every_figure_is_its_golden() {

@@ -355,6 +355,44 @@ fn a_suite_says_where_its_scenes_are_and_how_they_are_drawn() {
     }
 }
 
+#[test]
+fn a_golden_of_one_line_tells_in_which_panel_a_number_changed() {
+    let folder = Folder::new("line");
+    let listed =
+        |keep: &str| format!(r#"{{ "figures": [{{ "scenes": ["scene.json"], "keep": "{keep}" }}] }}"#);
+    folder.write("scene.json", &example("s000-ch3a-1"));
+    folder.write("suite.json", &listed("files"));
+    folder.suite().bless(&|| {}).unwrap();
+    assert!(folder.files().contains(&"scene.svg".to_owned()));
+    folder.write("suite.json", &listed("line"));
+    assert!(matches!(folder.check().verdict, Verdict::Missing(_)));
+    folder.suite().bless(&|| {}).unwrap();
+    assert_eq!(folder.files(), ["figures.txt", "scene.json", "suite.json"]);
+    let look = || folder.suite().remembering(&folder.path("seen")).check(&|| {}).checked.remove(0);
+    assert_eq!(look().verdict, Verdict::Same);
+
+    folder.edit("scene.json", "10 rad/s cw", "11 rad/s cw");
+    let changed = look();
+    let told = changes(&changed);
+    assert!(
+        told.contains(&(Weight::Number, Tier::Meaning, "velocity: a number changed".to_owned())),
+        "{told:?}"
+    );
+    assert_eq!(told.last().map(|(weight, tier, _)| (*weight, *tier)), Some((Weight::Cosmetic, Tier::Svg)));
+    assert!(changed.expected.is_some_and(|before| Some(&before) != changed.actual.as_ref()));
+
+    // A figure that nobody lists, and a line that is none.
+    folder.write("other.json", &example("s000-ch3a-1"));
+    folder.write("suite.json", &listed("line").replace("scene.json", "other.json"));
+    let report = folder.suite().check(&|| {});
+    let words: Vec<&str> = report.checked.iter().map(|one| one.verdict.word()).collect();
+    assert_eq!(words, ["missing", "extra"]);
+    folder.write("figures.txt", "scene and no more\n");
+    assert!(
+        matches!(Suite::open(&folder.0), Err(GoldenError::File(what)) if what.contains("figures.txt:1:"))
+    );
+}
+
 /// Whatever is changed in a scene, no golden and no drawing makes the comparison fall over.
 #[test]
 fn any_two_figures_can_be_compared() {

@@ -7,8 +7,7 @@
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
 mod reader;
-#[path = "../sheets/mod.rs"]
-mod sheets;
+use crate::sheets;
 
 use std::sync::OnceLock;
 

@@ -5,7 +5,7 @@
 //!
 //! ```sh
 //! apt-get install chromium poppler-utils texlive-latex-base texlive-latex-recommended texlive-pictures
-//! cargo test --test other_programs -- --ignored
+//! cargo test --test all other_programs:: -- --ignored
 //! ```
 //!
 //! The pictures stay in `target/other-programs`. Two pictures are compared by their ink: the sum of all

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
 
-mod builder;
+pub(crate) mod builder;
 
 use std::f64::consts::PI;
 

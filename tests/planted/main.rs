@@ -3,7 +3,7 @@
 //! with them, has to name the mistake.
 //!
 //! A sample runs always; the whole campaign, with its confusion matrix:
-//! `cargo test --release --test planted -- --ignored --nocapture confusion`
+//! `cargo test --release --test all -- --ignored --nocapture confusion`
 //! (`PLANTED_SEED=n` deals other cases, `PLANTED_KEEP=folder` keeps the files of those that were judged otherwise).
 
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
@@ -267,7 +267,7 @@ fn mistakes_are_named() {
 
 /// The whole campaign, twenty scenes for each kind of mistake, with its confusion matrix.
 #[test]
-#[ignore = "a campaign of some minutes: cargo test --release --test planted -- --ignored --nocapture confusion"]
+#[ignore = "a campaign of some minutes: cargo test --release --test all -- --ignored --nocapture confusion"]
 fn confusion() {
     let tally = campaign(20, 200);
     tally.print();
@@ -276,7 +276,7 @@ fn confusion() {
 
 /// Two mistakes at once, of which neither alone explains the numbers: more often than not both are named.
 #[test]
-#[ignore = "part of the campaign: cargo test --release --test planted -- --ignored --nocapture two_at_once"]
+#[ignore = "part of the campaign: cargo test --release --test all -- --ignored --nocapture two_at_once"]
 fn two_at_once() {
     let start: u64 = std::env::var("PLANTED_SEED").map_or(0, |seed| seed.parse().unwrap());
     let folder = Folder::new("two");

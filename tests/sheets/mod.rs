@@ -36,13 +36,11 @@ pub fn examples() -> Vec<Example> {
 }
 
 /// Reads, solves and draws an example, as `linkgram draw` does.
-#[allow(dead_code, reason = "each test binary uses its own part of these helpers")]
 pub fn draw(example: &Example) -> (Scene, Solved, String) {
     draw_text(&example.name, &std::fs::read_to_string(&example.path).unwrap())
 }
 
 /// The solution of the text of a scene, in English.
-#[allow(dead_code, reason = "each test binary uses its own part of these helpers")]
 pub fn draw_text(name: &str, text: &str) -> (Scene, Solved, String) {
     let scene = linkgram::scene::read(text, name).unwrap();
     let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene)

@@ -1,0 +1,60 @@
+//! All integration tests as one program: the library is linked once, and every processor is busy to the end.
+//!
+//! A file of `tests/` is a module here, with one line below; `cargo test --test all chains::` runs the tests of one. What
+//! tests share is in `common/` and `sheets/`.
+
+mod common;
+mod sheets;
+
+mod arithmetics;
+mod assemblies;
+mod auxiliary;
+mod board_laws;
+mod by_hand;
+mod cases;
+mod centres;
+mod chains;
+mod cli;
+mod exam;
+#[path = "extremes/main.rs"]
+mod extremes;
+mod formats;
+#[path = "goldens/main.rs"]
+mod goldens;
+mod grade;
+#[path = "ink/main.rs"]
+mod ink;
+mod klein;
+mod mutated_files;
+mod mutations;
+mod nudged_strokes;
+#[path = "other_programs/main.rs"]
+mod other_programs;
+#[path = "pairs/main.rs"]
+mod pairs;
+mod placed;
+mod plan;
+#[path = "planted/main.rs"]
+mod planted;
+mod random_sheets;
+mod rooms;
+mod structure;
+mod sweep;
+mod tapes;
+mod the_drawing_is_the_computation;
+
+/// A file that no line names would be compiled and run by nobody.
+#[test]
+fn every_file_is_in_the_list() {
+    let listed = include_str!("main.rs");
+    let here = common::root().join("tests");
+    for entry in std::fs::read_dir(here).expect("the folder of this file") {
+        let path = entry.expect("an entry of it").path();
+        let name = path.file_stem().and_then(|name| name.to_str()).expect("a name in letters");
+        let source = path.extension().is_some_and(|ending| ending == "rs") || path.join("main.rs").is_file();
+        assert!(
+            !source || name == "main" || listed.contains(&format!("\nmod {name};\n")),
+            "mod {name}; is missing"
+        );
+    }
+}
