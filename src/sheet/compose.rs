@@ -39,7 +39,9 @@ const LEGEND: f64 = 80.0;
 /// Blank below a row of panels.
 const BELOW_ROW: f64 = 6.0;
 /// Rows of panels are moved apart by this at most.
-const MOST_SPREAD: f64 = 16.0;
+const MOST_SPREAD: f64 = 7.0;
+/// So much blank below the panels of a page is filled with steps.
+const LEAST_FILLED: f64 = 38.0;
 /// Everything.
 const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.
@@ -101,11 +103,12 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
     let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
     let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
+    pager.tell(&steps::items(construction, &notation));
     pager.rows(&blocks.flatten().chain(further).collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
     }
-    pager.steps(&steps::items(construction, &notation));
+    pager.steps();
     let (pages, count) = pager.finish();
     let figure = Figure {
         width,
@@ -629,23 +632,23 @@ struct Strip {
     keep: bool,
 }
 
-/// How many chunks go into the first column of this height and how many into the second; at least one,
-/// so that a chunk too tall for any column does not stop the sheet.
-fn split(chunks: &[Vec<Strip>], height: f64) -> (usize, usize) {
-    let fill = |chunks: &[Vec<Strip>]| {
+/// How many chunks go into the first column of this height and how many into the second; of the first at least one where
+/// it must stand here, so that a chunk too tall for any column does not stop the sheet.
+fn split(chunks: &[Vec<Strip>], height: f64, must: bool) -> (usize, usize) {
+    let fill = |chunks: &[Vec<Strip>], least: usize| {
         let mut used = -chunks.first().and_then(|c| c.first()).map_or(0.0, |s| s.blank);
         let mut count = 0;
         for chunk in chunks {
             used += chunk.iter().map(|s| s.height).sum::<f64>();
-            if used > height && count > 0 {
+            if used > height && count >= least {
                 break;
             }
             count += 1;
         }
         count
     };
-    let first = fill(chunks);
-    (first, fill(&chunks[first..]))
+    let first = fill(chunks, usize::from(must));
+    (first, fill(&chunks[first..], 0))
 }
 
 /// An equation's table in one line, with type a little smaller if need be, or else in two lines.
@@ -731,11 +734,20 @@ struct Pager {
     pages: Vec<Group>,
     /// Next free height on the last page, below its top.
     y: f64,
+    /// The steps that are not set yet, in pieces that may not be parted.
+    waiting: Vec<Vec<Strip>>,
 }
 
 impl Pager {
     fn new(width: f64, height: f64, title: String, words: &'static Words) -> Self {
-        Self { paper: (width, height), title, words, pages: vec![Group::new("page")], y: MARGIN }
+        Self {
+            paper: (width, height),
+            title,
+            words,
+            pages: vec![Group::new("page")],
+            y: MARGIN,
+            waiting: Vec::new(),
+        }
     }
 
     fn width(&self) -> f64 {
@@ -865,7 +877,10 @@ impl Pager {
         for row in rows {
             let height = row.iter().map(|b| b.height).fold(0.0, f64::max);
             if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
-                self.spread(&begins);
+                // Where a page has room below its panels the steps begin there.
+                if self.bottom() - self.y < LEAST_FILLED || !self.columns() {
+                    self.spread(&begins);
+                }
                 begins.clear();
                 self.page();
             }
@@ -894,6 +909,9 @@ impl Pager {
             let fit = table.rows_in(self.bottom() - self.y);
             let left = rows - from;
             if fit < 3.min(left) && self.y > MARGIN + 30.0 {
+                if self.bottom() - self.y >= LEAST_FILLED {
+                    self.columns();
+                }
                 self.page();
                 continue;
             }
@@ -903,6 +921,14 @@ impl Pager {
             let (columns, table) =
                 if left > 2 * fit && left <= 3 * fit && three { (3, &narrow) } else { (2, table) };
             let here = left.min(columns * fit.max(1));
+            // Some last rows alone on a page are lost there.
+            if (1..=6).contains(&(left - here)) && self.y > MARGIN + 30.0 {
+                if self.bottom() - self.y >= LEAST_FILLED {
+                    self.columns();
+                }
+                self.page();
+                continue;
+            }
             let each = here.div_ceil(columns);
             let pitch = self.width() / columns as f64;
             let mut deepest = self.y;
@@ -921,11 +947,10 @@ impl Pager {
         }
     }
 
-    /// The steps in two columns, the last pair of them balanced.
-    fn steps(&mut self, items: &[Item]) {
-        let width = self.column();
+    /// What is told of the steps, to be set below the panels and where they leave room.
+    fn tell(&mut self, items: &[Item]) {
         let mut chunks: Vec<Vec<Strip>> = vec![Vec::new()];
-        for strip in strips(items, width, self.words) {
+        for strip in strips(items, self.column(), self.words) {
             let keep = strip.keep;
             if let Some(chunk) = chunks.last_mut() {
                 chunk.push(strip);
@@ -935,45 +960,52 @@ impl Pager {
             }
         }
         chunks.retain(|chunk| !chunk.is_empty());
-        if chunks.is_empty() {
-            return;
-        }
-        if self.bottom() - self.y < LEAST_COLUMN {
-            self.page();
-        }
-        let mut rest = &chunks[..];
-        while !rest.is_empty() {
-            let free = self.bottom() - self.y;
-            let (mut first, mut second) = split(rest, free);
-            if first + second == rest.len() {
-                // The last pair of columns: as low as both fit.
-                let whole: f64 = rest.iter().flatten().map(|strip| strip.height).sum();
-                let mut height = free.min(whole);
-                while height > LEADING {
-                    let lower = split(rest, height - LEADING / 2.0);
-                    if lower.0 + lower.1 < rest.len() {
-                        break;
-                    }
-                    (first, second) = lower;
-                    height -= LEADING / 2.0;
-                }
-            }
-            let top = self.y;
-            for (column, chunks) in [&rest[..first], &rest[first..first + second]].into_iter().enumerate() {
-                let x = MARGIN + column as f64 * (width + GUTTER);
-                let mut y = top;
-                for strip in chunks.iter().flatten() {
-                    let lift = if y == top { strip.blank } else { 0.0 };
-                    self.add(strip.group.clone(), self.indented(x, width), y - lift);
-                    y += strip.height - lift;
-                }
-                self.y = self.y.max(y);
-            }
-            rest = &rest[first + second..];
-            if !rest.is_empty() {
+        self.waiting = chunks;
+    }
+
+    /// All steps that are not set yet.
+    fn steps(&mut self) {
+        while !self.waiting.is_empty() {
+            if self.bottom() - self.y < LEAST_COLUMN || !self.columns() {
                 self.page();
             }
         }
+    }
+
+    /// As many of the steps as the page still takes, in two columns; of the last ones even ones. Whether any.
+    fn columns(&mut self) -> bool {
+        let width = self.column();
+        let free = self.bottom() - self.y;
+        // On an empty page stands even what is too tall for any.
+        let empty = self.y <= MARGIN + 8.0;
+        let mut waiting = std::mem::take(&mut self.waiting);
+        let (mut first, mut second) = split(&waiting, free, empty);
+        if first + second == waiting.len() {
+            // As low as both fit.
+            let whole: f64 = waiting.iter().flatten().map(|strip| strip.height).sum();
+            let mut height = free.min(whole);
+            while height > LEADING {
+                let lower = split(&waiting, height - LEADING / 2.0, empty);
+                if lower.0 + lower.1 < waiting.len() {
+                    break;
+                }
+                (first, second) = lower;
+                height -= LEADING / 2.0;
+            }
+        }
+        self.waiting = waiting.split_off(first + second);
+        let top = self.y;
+        for (column, chunks) in [&waiting[..first], &waiting[first..]].into_iter().enumerate() {
+            let x = MARGIN + column as f64 * (width + GUTTER);
+            let mut y = top;
+            for strip in chunks.iter().flatten() {
+                let lift = if y == top { strip.blank } else { 0.0 };
+                self.add(strip.group.clone(), self.indented(x, width), y - lift);
+                y += strip.height - lift;
+            }
+            self.y = self.y.max(y);
+        }
+        first > 0
     }
 
     /// Running title and page number, and the pages below each other.

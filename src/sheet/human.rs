@@ -16,6 +16,61 @@ pub fn number(value: f64) -> Rich {
     figures(value, digits, false)
 }
 
+/// What [`number`] writes with so many figures more, and the number that then stands there. A number that is exactly a
+/// shorter one has no more.
+fn finer(value: f64, more: usize) -> (Rich, f64) {
+    let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    if (short - value).abs() <= 1e-9 * value.abs() {
+        return (figures(value, 3, true), short);
+    }
+    let digits = usual_figures(value) + more;
+    let written = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
+    (figures(value, digits, false), written)
+}
+
+/// Three figures, four from a thousand on.
+fn usual_figures(value: f64) -> usize {
+    if value.abs() >= 1000.0 { 4 } else { 3 }
+}
+
+/// Whether a number, rounded as [`number`] rounds, is what that writes for `result`.
+fn rounds_to(reckoned: f64, result: f64) -> bool {
+    let (_, written) = finer(result, 0);
+    if written == 0.0 || !written.is_finite() {
+        return reckoned == written;
+    }
+    let place = libm::floor(libm::log10(written.abs())) - (usual_figures(result) as f64 - 1.0);
+    let half = 0.5 * libm::exp10(place);
+    let above = (reckoned - written) * written.signum();
+    above >= -half * (1.0 + 1e-9) && above < half * (1.0 - 1e-9)
+}
+
+/// More figures than this no line needs to close.
+const GUARDS: usize = 4;
+
+/// The factors of a line with as many figures as it takes for what is reckoned from them, as they are printed, to be the
+/// printed result.
+pub fn closing<const N: usize>(
+    factors: [f64; N],
+    result: f64,
+    reckon: impl Fn([f64; N]) -> f64,
+) -> [Rich; N] {
+    let with = |more: usize| factors.map(|factor| finer(factor, more));
+    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result);
+    let more = (0..=GUARDS).find(closes).unwrap_or(0);
+    with(more).map(|(text, _)| text)
+}
+
+/// A reading on paper that is multiplied by the scale: tenths of a millimetre, and a guard figure where the product would
+/// not be the printed one without it.
+pub fn reading(mm: f64, factor: f64, result: f64) -> Rich {
+    let decimals = (1..=3).find(|decimals| {
+        let written: f64 = format!("{mm:.*}", *decimals).parse().unwrap_or(mm);
+        rounds_to(written * factor, result)
+    });
+    with_unit(&Rich::upright(fixed(mm, decimals.unwrap_or(1))), "mm")
+}
+
 /// A stated number: as many of its figures as it needs, at most six.
 #[must_use]
 pub fn stated(value: f64) -> Rich {
@@ -166,6 +221,18 @@ mod tests {
         assert_eq!(plain(&stated(15.0)), "15");
         assert_eq!(plain(&stated(37.5)), "37.5");
         assert_eq!(plain(&stated(0.15 / 0.01)), "15");
+    }
+
+    #[test]
+    fn printed_factors_give_the_printed_result() {
+        // 317² / 80 = 1256, and the true speed is 317.2.
+        let [speed, length] = closing([317.2, 80.0], 317.2_f64.powi(2) / 80.0, |[v, l]| v * v / l);
+        assert_eq!((plain(&speed), plain(&length)), ("317.2".to_owned(), "80".to_owned()));
+        let [speed, _] = closing([317.04, 80.0], 317.04_f64.powi(2) / 80.0, |[v, l]| v * v / l);
+        assert_eq!(plain(&speed), "317");
+        // 35.1 × 5 is 175.5, and what is printed is 175.
+        assert_eq!(plain(&reading(35.062, 5.0, 175.31)), "35.06\u{a0}mm");
+        assert_eq!(plain(&reading(30.0, 5.0, 150.0)), "30.0\u{a0}mm");
     }
 
     #[test]
