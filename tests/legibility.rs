@@ -1,6 +1,6 @@
 //! What a reader finds on a finished sheet, told from its ink alone: whether everything has its name, how near to each
-//! other points stand, how large the diagrams are, how full the pages, and whether every printed line gives its own
-//! printed result.
+//! other points stand, how large the diagrams are, how full the pages, whether any text touches anything, and whether every
+//! printed line gives its own printed result.
 //!
 //! `cargo test --test legibility -- --nocapture` prints the distribution over all examples, the catalogue and random
 //! chains.
@@ -18,6 +18,7 @@ use linkgram::catalogue::KINDS;
 use linkgram::plan::Extent;
 use linkgram::scene::Scene;
 use linkgram::sheet::figure::{Group, Mark, Node, Shape, Text};
+use linkgram::sheet::overlap::overlaps;
 use linkgram::sheet::{self, Figure, Language};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -186,7 +187,7 @@ fn quantiles(what: &str, mut values: Vec<f64>) {
 
 #[test]
 fn everything_has_its_name_and_no_page_stands_nearly_empty() {
-    let (mut vectors, mut unnamed, mut waste) = (0, Vec::new(), Vec::new());
+    let (mut vectors, mut unnamed, mut waste, mut touching) = (0, Vec::new(), Vec::new(), Vec::new());
     let (mut closest, mut sizes, mut fills, mut last) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (name, figure) in all() {
         for diagram in within(&figure.root) {
@@ -202,6 +203,7 @@ fn everything_has_its_name_and_no_page_stands_nearly_empty() {
                 sizes.push(seen.size);
             }
         }
+        touching.extend(overlaps(&figure).into_iter().map(|overlap| format!("{name}: {overlap:?}")));
         let pages = pages(&figure);
         for (i, (fill, blank)) in pages.iter().enumerate() {
             fills.push(*fill);
@@ -219,6 +221,7 @@ fn everything_has_its_name_and_no_page_stands_nearly_empty() {
     quantiles("fill of a page", fills);
     quantiles("fill of the last of several pages", last);
     assert!(unnamed.is_empty(), "{unnamed:#?}");
+    assert!(touching.is_empty(), "{touching:#?}");
     assert!(waste.is_empty(), "{waste:#?}");
 }
 

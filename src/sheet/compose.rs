@@ -38,6 +38,8 @@ const TALLEST_BESIDE: f64 = 112.0;
 const LEGEND: f64 = 80.0;
 /// Blank below a row of panels.
 const BELOW_ROW: f64 = 6.0;
+/// A column of the steps is no narrower, except in a pair.
+const NARROWEST_COLUMN: f64 = 82.0;
 /// Rows of panels are moved apart by this at most.
 const MOST_SPREAD: f64 = 7.0;
 /// So much blank below the panels of a page is filled with steps.
@@ -632,23 +634,25 @@ struct Strip {
     keep: bool,
 }
 
-/// How many chunks go into the first column of this height and how many into the second; of the first at least one where
-/// it must stand here, so that a chunk too tall for any column does not stop the sheet.
-fn split(chunks: &[Vec<Strip>], height: f64, must: bool) -> (usize, usize) {
-    let fill = |chunks: &[Vec<Strip>], least: usize| {
-        let mut used = -chunks.first().and_then(|c| c.first()).map_or(0.0, |s| s.blank);
+/// How many chunks go into each of so many columns of this height; into the first at least one where it must stand here,
+/// so that a chunk too tall for any column does not stop the sheet.
+fn split(chunks: &[Vec<Strip>], height: f64, must: bool, columns: usize) -> Vec<usize> {
+    let mut rest = chunks;
+    let fill = |column: usize| {
+        let least = usize::from(must && column == 0);
+        let mut used = -rest.first().and_then(|c| c.first()).map_or(0.0, |s| s.blank);
         let mut count = 0;
-        for chunk in chunks {
+        for chunk in rest {
             used += chunk.iter().map(|s| s.height).sum::<f64>();
             if used > height && count >= least {
                 break;
             }
             count += 1;
         }
+        rest = &rest[count..];
         count
     };
-    let first = fill(chunks, usize::from(must));
-    (first, fill(&chunks[first..], 0))
+    (0..columns).map(fill).collect()
 }
 
 /// An equation's table in one line, with type a little smaller if need be, or else in two lines.
@@ -754,8 +758,14 @@ impl Pager {
         self.paper.0 - 2.0 * MARGIN
     }
 
+    /// Columns of the steps: two, and more on paper that would make their lines too long.
+    fn column_count(&self) -> usize {
+        ((self.width() + GUTTER) / (NARROWEST_COLUMN + GUTTER)).floor().max(2.0) as usize
+    }
+
     fn column(&self) -> f64 {
-        (self.width() - GUTTER) / 2.0
+        let count = self.column_count() as f64;
+        (self.width() - (count - 1.0) * GUTTER) / count
     }
 
     fn bottom(&self) -> f64 {
@@ -972,40 +982,41 @@ impl Pager {
         }
     }
 
-    /// As many of the steps as the page still takes, in two columns; of the last ones even ones. Whether any.
+    /// As many of the steps as the page still takes, in columns; of the last ones even ones. Whether any.
     fn columns(&mut self) -> bool {
-        let width = self.column();
+        let (width, count) = (self.column(), self.column_count());
         let free = self.bottom() - self.y;
         // On an empty page stands even what is too tall for any.
         let empty = self.y <= MARGIN + 8.0;
         let mut waiting = std::mem::take(&mut self.waiting);
-        let (mut first, mut second) = split(&waiting, free, empty);
-        if first + second == waiting.len() {
-            // As low as both fit.
+        let mut columns = split(&waiting, free, empty, count);
+        if columns.iter().sum::<usize>() == waiting.len() {
+            // As low as all fit.
             let whole: f64 = waiting.iter().flatten().map(|strip| strip.height).sum();
             let mut height = free.min(whole);
             while height > LEADING {
-                let lower = split(&waiting, height - LEADING / 2.0, empty);
-                if lower.0 + lower.1 < waiting.len() {
+                let lower = split(&waiting, height - LEADING / 2.0, empty, count);
+                if lower.iter().sum::<usize>() < waiting.len() {
                     break;
                 }
-                (first, second) = lower;
+                columns = lower;
                 height -= LEADING / 2.0;
             }
         }
-        self.waiting = waiting.split_off(first + second);
+        self.waiting = waiting.split_off(columns.iter().sum());
         let top = self.y;
-        for (column, chunks) in [&waiting[..first], &waiting[first..]].into_iter().enumerate() {
+        let mut chunks = waiting.iter();
+        for (column, own) in columns.iter().enumerate() {
             let x = MARGIN + column as f64 * (width + GUTTER);
             let mut y = top;
-            for strip in chunks.iter().flatten() {
+            for strip in chunks.by_ref().take(*own).flatten() {
                 let lift = if y == top { strip.blank } else { 0.0 };
                 self.add(strip.group.clone(), self.indented(x, width), y - lift);
                 y += strip.height - lift;
             }
             self.y = self.y.max(y);
         }
-        first > 0
+        columns.iter().any(|own| *own > 0)
     }
 
     /// Running title and page number, and the pages below each other.

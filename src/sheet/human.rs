@@ -33,13 +33,14 @@ fn usual_figures(value: f64) -> usize {
     if value.abs() >= 1000.0 { 4 } else { 3 }
 }
 
-/// Whether a number, rounded as [`number`] rounds, is what that writes for `result`.
-fn rounds_to(reckoned: f64, result: f64) -> bool {
-    let (_, written) = finer(result, 0);
+/// Whether a number, rounded to so many figures more than [`number`] gives, is what stands there for `result`.
+fn rounds_to(reckoned: f64, result: f64, more: usize) -> bool {
+    let (_, written) = finer(result, more);
     if written == 0.0 || !written.is_finite() {
         return reckoned == written;
     }
-    let place = libm::floor(libm::log10(written.abs())) - (usual_figures(result) as f64 - 1.0);
+    let figures = (usual_figures(result) + more) as f64;
+    let place = libm::floor(libm::log10(written.abs())) - (figures - 1.0);
     let half = 0.5 * libm::exp10(place);
     let above = (reckoned - written) * written.signum();
     above >= -half * (1.0 + 1e-9) && above < half * (1.0 - 1e-9)
@@ -56,19 +57,21 @@ pub fn closing<const N: usize>(
     reckon: impl Fn([f64; N]) -> f64,
 ) -> [Rich; N] {
     let with = |more: usize| factors.map(|factor| finer(factor, more));
-    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result);
+    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result, 0);
     let more = (0..=GUARDS).find(closes).unwrap_or(0);
     with(more).map(|(text, _)| text)
 }
 
-/// A reading on paper that is multiplied by the scale: tenths of a millimetre, and a guard figure where the product would
-/// not be the printed one without it.
-pub fn reading(mm: f64, factor: f64, result: f64) -> Rich {
-    let decimals = (1..=3).find(|decimals| {
+/// A reading on paper, and what it is by the scale: tenths of a millimetre, and a guard figure in either where the product
+/// would not be the printed one without it.
+pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {
+    let closes = |(decimals, more): &(usize, usize)| {
         let written: f64 = format!("{mm:.*}", *decimals).parse().unwrap_or(mm);
-        rounds_to(written * factor, result)
-    });
-    with_unit(&Rich::upright(fixed(mm, decimals.unwrap_or(1))), "mm")
+        rounds_to(written * factor, result, *more)
+    };
+    let tries = [(1, 0), (1, 1), (2, 0), (2, 1), (3, 0), (3, 1)];
+    let (decimals, more) = tries.into_iter().find(closes).unwrap_or((1, 0));
+    [with_unit(&Rich::upright(fixed(mm, decimals)), "mm"), finer(result, more).0]
 }
 
 /// A stated number: as many of its figures as it needs, at most six.
@@ -230,9 +233,11 @@ mod tests {
         assert_eq!((plain(&speed), plain(&length)), ("317.2".to_owned(), "80".to_owned()));
         let [speed, _] = closing([317.04, 80.0], 317.04_f64.powi(2) / 80.0, |[v, l]| v * v / l);
         assert_eq!(plain(&speed), "317");
-        // 35.1 × 5 is 175.5, and what is printed is 175.
-        assert_eq!(plain(&reading(35.062, 5.0, 175.31)), "35.06\u{a0}mm");
-        assert_eq!(plain(&reading(30.0, 5.0, 150.0)), "30.0\u{a0}mm");
+        // 35.1 × 5 is 175.5, and what is printed is 175; 63.5 × 5 is not 317, but 317.5.
+        let line = |mm: f64| reading(mm, 5.0, 5.0 * mm).map(|part| plain(&part));
+        assert_eq!(line(35.062), ["35.06\u{a0}mm", "175"]);
+        assert_eq!(line(63.496), ["63.5\u{a0}mm", "317.5"]);
+        assert_eq!(line(30.0), ["30.0\u{a0}mm", "150"]);
     }
 
     #[test]

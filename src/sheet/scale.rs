@@ -30,7 +30,7 @@ pub const PAGE_SKELETON: (f64, f64) = (155.0, 180.0);
 /// Points of a polygon that are not one stand so far apart on paper, mm, where the paper suffices.
 pub const APART: f64 = 3.0;
 /// Joints of a skeleton: a shorter link is hidden by the circles of its own pins.
-const JOINTS_APART: f64 = 10.0;
+const JOINTS_APART: f64 = 12.0;
 /// What a named vector or point needs of a polygon's area, mm², if its name is to stand beside it.
 const PER_NAME: f64 = 110.0;
 /// Width that two polygons side by side have, with their names, and at least for their captions.

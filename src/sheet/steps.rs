@@ -194,16 +194,17 @@ fn read(
     let words = notation.words;
     let unit = notation.unit(polygon.order);
     let value = quiet(value, polygon.order, construction);
-    let amount = human::quantity(value, &unit);
     if value != 0.0 && mm < TOO_SHORT {
+        let amount = human::quantity(value, &unit);
         return Rich::fill(words.too_short, &[("vector", vector), ("value", amount)]);
     }
     let factor = polygon.si_per_mm / unit.si;
-    let reading = human::reading(mm, factor, value / unit.si)
+    let [reading, amount] = human::reading(mm, factor, value / unit.si);
+    let reading = reading
         .up("\u{a0}×\u{a0}")
         .then(&human::stated(factor))
         .up("\u{a0}=\u{a0}")
-        .then(&amount);
+        .then(&human::with_unit(&amount, &unit.symbol));
     let image = notation.image_line(tail, head, polygon.order);
     Rich::fill(words.read_vector, &[("vector", vector), ("image", image), ("reading", reading)])
 }
