@@ -26,6 +26,8 @@ use proptest::test_runner::TestRunner;
 
 /// A vector of this length has a name, mm.
 const NAMED: f64 = 3.0;
+/// A head with its equation and what follows is not parted, mm.
+const CHUNK: f64 = 30.0;
 /// Random chains among the sheets that are read.
 const CHAINS: usize = 12;
 
@@ -208,7 +210,7 @@ fn everything_has_its_name_and_no_page_stands_nearly_empty() {
         for (i, (fill, blank)) in pages.iter().enumerate() {
             fills.push(*fill);
             let used = blank * fill / (1.0 - fill).max(1e-9);
-            let elsewhere = pages.iter().enumerate().any(|(k, (_, blank))| k != i && *blank > used + 12.0);
+            let elsewhere = pages.iter().enumerate().any(|(k, (_, blank))| k != i && *blank > used + CHUNK);
             if *fill < 1.0 / 3.0 && elsewhere {
                 waste.push(format!("{name}: page {} of {}, {:.0} %", i + 1, pages.len(), 100.0 * fill));
             }

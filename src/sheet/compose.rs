@@ -43,7 +43,7 @@ const NARROWEST_COLUMN: f64 = 82.0;
 /// Rows of panels are moved apart by this at most.
 const MOST_SPREAD: f64 = 7.0;
 /// So much blank below the panels of a page is filled with steps.
-const LEAST_FILLED: f64 = 38.0;
+const LEAST_FILLED: f64 = 26.0;
 /// Everything.
 const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.

@@ -291,7 +291,7 @@ impl Choices<'_> {
         for row in rows {
             if y + row > free {
                 // A small rest of a page stays blank.
-                text -= if free - y > 40.0 { free - y - 6.0 } else { 0.0 };
+                text -= if free - y > 28.0 { free - y - 8.0 } else { 0.0 };
                 pages += 1;
                 y = 7.0;
             }
