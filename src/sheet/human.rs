@@ -18,12 +18,12 @@ pub fn number(value: f64) -> Rich {
 
 /// What [`number`] writes with so many figures more, and the number that then stands there. A number that is exactly a
 /// shorter one has no more.
-fn finer(value: f64, more: isize) -> (Rich, f64) {
+fn finer(value: f64, more: usize) -> (Rich, f64) {
     let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     if (short - value).abs() <= 1e-9 * value.abs() {
         return (figures(value, 3, true), short);
     }
-    let digits = usual_figures(value).saturating_add_signed(more).max(1);
+    let digits = usual_figures(value) + more;
     let written = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
     (figures(value, digits, false), written)
 }
@@ -34,12 +34,12 @@ fn usual_figures(value: f64) -> usize {
 }
 
 /// Whether a number, rounded to so many figures more than [`number`] gives, is what stands there for `result`.
-fn rounds_to(reckoned: f64, result: f64, more: isize) -> bool {
+fn rounds_to(reckoned: f64, result: f64, more: usize) -> bool {
     let (_, written) = finer(result, more);
     if written == 0.0 || !written.is_finite() {
         return reckoned == written;
     }
-    let figures = usual_figures(result).saturating_add_signed(more) as f64;
+    let figures = (usual_figures(result) + more) as f64;
     let place = libm::floor(libm::log10(written.abs())) - (figures - 1.0);
     let half = 0.5 * libm::exp10(place);
     let above = (reckoned - written) * written.signum();
@@ -47,7 +47,7 @@ fn rounds_to(reckoned: f64, result: f64, more: isize) -> bool {
 }
 
 /// More figures than this no line needs to close.
-const GUARDS: isize = 4;
+const GUARDS: usize = 4;
 
 /// The factors of a line with as many figures as it takes for what is reckoned from them, as they are printed, to be the
 /// printed result.
@@ -56,8 +56,8 @@ pub fn closing<const N: usize>(
     result: f64,
     reckon: impl Fn([f64; N]) -> f64,
 ) -> [Rich; N] {
-    let with = |more: isize| factors.map(|factor| finer(factor, more));
-    let closes = |more: &isize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result, 0);
+    let with = |more: usize| factors.map(|factor| finer(factor, more));
+    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result, 0);
     let more = (0..=GUARDS).find(closes).unwrap_or(0);
     with(more).map(|(text, _)| text)
 }
@@ -65,11 +65,11 @@ pub fn closing<const N: usize>(
 /// A reading on paper, and what it is by the scale: tenths of a millimetre, and a guard figure in either where the product
 /// would not be the printed one without it.
 pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {
-    let closes = |(decimals, more): &(usize, isize)| {
+    let closes = |(decimals, more): &(usize, usize)| {
         let written: f64 = format!("{mm:.*}", *decimals).parse().unwrap_or(mm);
         rounds_to(written * factor, result, *more)
     };
-    let tries = [(1, 0), (1, 1), (2, 0), (2, 1), (2, -1), (3, 0)];
+    let tries = [(1, 0), (1, 1), (2, 0), (2, 1), (3, 0), (3, 1), (4, 0)];
     let (decimals, more) = tries.into_iter().find(closes).unwrap_or((1, 0));
     [with_unit(&Rich::upright(fixed(mm, decimals)), "mm"), finer(result, more).0]
 }
