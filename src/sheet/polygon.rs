@@ -7,7 +7,7 @@ use super::figure::{Group, Mark, Pen, Shape, Tone};
 use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, head, hull, page, right_angle};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
-use super::overlap::clip;
+use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
 use crate::graphical::construction::{ConstructionLine, Image, Label, Polygon, Step, Vector, VectorKind};
 use crate::mechanism::quantity::Order;
@@ -16,6 +16,8 @@ use crate::mechanism::quantity::Order;
 const COINCIDENT: f64 = 0.05;
 /// Vectors shorter than this have no room for their name beside them; the steps name them.
 const SHORTEST_NAMED: f64 = 3.0;
+/// The class of a vector's name.
+const VECTOR_NAME: &str = "label vector-name";
 /// Beside a vector shorter than this there may be no room for its name, and a leader ties it.
 const SHORT: f64 = 12.0;
 /// Closer to a line than this a vector lies on it.
@@ -49,9 +51,17 @@ pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>) -> Group
     group.group(right_angles(polygon, window));
     group.group(images(polygon, notation, window));
 
-    let requests = labels(polygon, notation, window);
-    let labels = place(&group, &requests, None);
-    group.group(labels);
+    let mut requests = labels(polygon, notation, window);
+    let mut named = group.clone();
+    named.group(place(&group, &requests, None));
+    // In the small drawing of a step there may be no room for the names of all vectors; its words tell them.
+    if !overlaps_in(&named, None).is_empty() {
+        let vectors = requests.iter_mut().filter(|request| request.class == VECTOR_NAME);
+        vectors.for_each(|request| request.optional = true);
+        named = group.clone();
+        named.group(place(&group, &requests, None));
+    }
+    let mut group = named;
     if polygon.order == Order::Acceleration {
         coriolis::add_insets(&mut group, polygon, steps, notation);
     }
@@ -300,7 +310,7 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Vec<Reque
         let site = |(from, to)| Site::Along { from, to };
         let mut sites = own.free_pieces(&named).into_iter().map(site);
         let first = sites.next().unwrap_or(site((own.from, own.to)));
-        let mut request = Request::new(text, SMALL, first, "label vector-name").naming(own.of.clone());
+        let mut request = Request::new(text, SMALL, first, VECTOR_NAME).naming(own.of.clone());
         request.sites.extend(sites);
         request.leader = own.from.distance(own.to) < SHORT;
         requests.push(request);
