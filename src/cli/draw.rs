@@ -122,10 +122,7 @@ fn one_of(names: &[String]) -> String {
 }
 
 fn lettering(job: &Job, formats: &[Format]) -> Result<Lettering, Failure> {
-    let Some(name) = &job.text else {
-        // Only browsers play, and few have the typefaces.
-        return Ok(if job.play { Lettering::Embed } else { Lettering::default() });
-    };
+    let Some(name) = &job.text else { return Ok(Lettering::default()) };
     let known = Lettering::ALL.map(Lettering::name);
     let kind =
         Lettering::from_name(name).ok_or_else(|| Failure(unknown("kind of text", name, name, &known)))?;

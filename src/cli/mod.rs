@@ -57,8 +57,7 @@ enum Command {
         /// What to draw: the question without its answers, the solution, or its steps one by one
         #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = Kind::Solution)]
         kind: Kind,
-        /// With --as steps: one SVG that plays them, without a script; its typefaces are embedded unless --text
-        /// says otherwise
+        /// With --as steps: one SVG that plays them, without a script
         #[arg(long)]
         play: bool,
         /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted
@@ -76,7 +75,8 @@ enum Command {
         /// Colours: mono, colour or dark; what the scene says, or mono
         #[arg(long, value_name = "NAME")]
         theme: Option<String>,
-        /// Text of an SVG: live, outline (paths) or embed (with its typefaces); live where nothing is said
+        /// Text of an SVG: embed (with the glyphs that it uses), live (for those who have the typefaces) or outline
+        /// (paths); embed where nothing is said
         #[arg(long, value_name = "KIND")]
         text: Option<String>,
         /// Format on standard output: svg, png, pdf, tex or json
@@ -237,7 +237,7 @@ enum Command {
         /// Format of the sheets: svg or pdf
         #[arg(long, value_name = "FORMAT")]
         format: Option<String>,
-        /// Text of SVG sheets and of the banks' figures: live, outline (paths) or embed (with its typefaces)
+        /// Text of SVG sheets and of the banks' figures: embed (with the glyphs that it uses), live or outline (paths)
         #[arg(long, value_name = "KIND")]
         text: Option<String>,
         /// Languages: en, ar, ar-x-ajala, fa; several with commas

@@ -42,7 +42,7 @@ use crate::given::Given;
 use crate::mechanism::structure::{Drive, GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Roll};
 use crate::plan::Plan;
-use construction::{Construction, ConstructionLine, OtherPosition, Polygon, TransferInk};
+use construction::{Construction, Label, OtherPosition, Polygon, TransferInk};
 use draughtsman::Draughtsman;
 
 /// The scale factors of a solution.
@@ -57,7 +57,7 @@ pub struct Scales {
 }
 
 /// How large the diagrams are in reality, to choose scales by.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Extents {
     /// Width and height of the skeleton, m.
     pub space: [f64; 2],
@@ -71,6 +71,27 @@ pub struct Extents {
     pub velocity: [f64; 2],
     /// Width and height of the acceleration polygon, m/s²; zero where there is none.
     pub acceleration: [f64; 2],
+    /// The joints of the skeleton, m, from its origin.
+    pub joints: Vec<[f64; 2]>,
+    /// The points of the velocity and of the acceleration polygon with their poles, m/s and m/s², without those of trials.
+    pub images: [Vec<[f64; 2]>; 2],
+    /// How many vectors the velocity and the acceleration polygon have.
+    pub vectors: [usize; 2],
+    /// How much there is to be told of the steps.
+    pub told: Told,
+    /// Whether there is a circle diagram.
+    pub circle: bool,
+}
+
+/// How much there is to be told of the steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Told {
+    /// Steps.
+    pub steps: usize,
+    /// Vector equations.
+    pub equations: usize,
+    /// What is done, read and calculated.
+    pub acts: usize,
 }
 
 impl Extents {
@@ -491,15 +512,20 @@ fn measure(record: &Construction, mechanism: &Mechanism, scales: Scales) -> Exte
     };
     let polygon = |polygon: &Option<Polygon>, scale: f64| {
         polygon.as_ref().map_or([0.0; 2], |p| {
-            let ends = p.lines.iter().filter_map(|l| match l {
-                ConstructionLine::Ray { to, .. } => Some(*to),
-                ConstructionLine::Arc { .. } => None,
-            });
-            let points = p.images.iter().map(|i| i.at);
-            let vectors = p.vectors.iter().flat_map(|v| [v.from, v.to]);
-            extent(&mut points.chain(vectors).chain(ends), Some([0.0; 2]), scale)
+            // What was tried lies anywhere, and where construction lines end has no name.
+            let tried = |label: Label| matches!(label, Label::Trial { .. });
+            let points = p.images.iter().filter(|i| !tried(i.label)).map(|i| i.at);
+            let vectors = p.vectors.iter().filter(|v| !tried(v.tail) && !tried(v.head));
+            extent(&mut points.chain(vectors.flat_map(|v| [v.from, v.to])), Some([0.0; 2]), scale)
         })
     };
+    let images = |polygon: &Option<Polygon>, scale: f64| {
+        let images = polygon.iter().flat_map(|p| &p.images);
+        let named = images.filter(|image| !matches!(image.label, Label::Trial { .. }));
+        let places = named.map(|image| image.at.map(|x| x * scale));
+        if polygon.is_some() { places.chain([[0.0; 2]]).collect() } else { Vec::new() }
+    };
+    let polygons = [&record.velocity, &record.acceleration];
     // Arrows on the skeleton, where there is no polygon: half as long as a polygon would be.
     let arrows =
         record.circle.iter().flat_map(|c| &c.transfers).flat_map(|t| &t.ink).filter_map(|ink| match ink {
@@ -525,6 +551,18 @@ fn measure(record: &Construction, mechanism: &Mechanism, scales: Scales) -> Exte
             drawn => polygon(drawn, scales.velocity),
         },
         acceleration: polygon(&record.acceleration, scales.acceleration),
+        joints: places().map(|at| at.map(|x| x * scales.length)).collect(),
+        images: [
+            images(&record.velocity, scales.velocity),
+            images(&record.acceleration, scales.acceleration),
+        ],
+        vectors: polygons.map(|polygon| polygon.as_ref().map_or(0, |p| p.vectors.len())),
+        told: Told {
+            steps: record.steps.len(),
+            equations: record.steps.iter().map(|step| step.equations.len()).sum(),
+            acts: record.steps.iter().map(|step| step.acts.len()).sum(),
+        },
+        circle: record.circle.is_some(),
     }
 }
 

@@ -12,6 +12,7 @@ pub mod pages;
 pub mod pdf;
 #[cfg(feature = "png")]
 pub mod png;
+mod subset;
 pub mod svg;
 pub mod tex;
 pub mod theme;
@@ -41,11 +42,11 @@ pub enum Format {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Lettering {
     /// As text, in typefaces that the viewer has.
-    #[default]
     Live,
     /// As outlines: looks alike everywhere, can be neither searched nor copied.
     Outline,
-    /// As text, with the typefaces embedded in the file.
+    /// As text, with the glyphs that it uses embedded in the file.
+    #[default]
     Embed,
 }
 

@@ -272,7 +272,7 @@ impl Chart<'_> {
             let text = Rich::join(&texts, &Rich::upright(","));
             let radius = if at_pin { PIN + 0.2 } else { 1.3 };
             let site = Site::Around { at, radius, toward: None };
-            let mut request = Request::new(text, SMALL, site, "label centre-name");
+            let mut request = Request::new(text, SMALL, site, "label centre-name").naming(names);
             request.leader = true;
             self.overlay.labels.push(request);
         }

@@ -38,8 +38,12 @@ const TALLEST_BESIDE: f64 = 112.0;
 const LEGEND: f64 = 80.0;
 /// Blank below a row of panels.
 const BELOW_ROW: f64 = 6.0;
+/// A column of the steps is no narrower, except in a pair.
+const NARROWEST_COLUMN: f64 = 82.0;
 /// Rows of panels are moved apart by this at most.
-const MOST_SPREAD: f64 = 16.0;
+const MOST_SPREAD: f64 = 7.0;
+/// So much blank below the panels of a page is filled with steps.
+const LEAST_FILLED: f64 = 26.0;
 /// Everything.
 const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.
@@ -101,11 +105,12 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
     let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
     let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
+    pager.tell(&steps::items(construction, &notation));
     pager.rows(&blocks.flatten().chain(further).collect::<Vec<_>>());
     if let Some(table) = rest {
         pager.results(&table.fitted(pager.column()));
     }
-    pager.steps(&steps::items(construction, &notation));
+    pager.steps();
     let (pages, count) = pager.finish();
     let figure = Figure {
         width,
@@ -629,23 +634,25 @@ struct Strip {
     keep: bool,
 }
 
-/// How many chunks go into the first column of this height and how many into the second; at least one,
+/// How many chunks go into each of so many columns of this height; into the first at least one where it must stand here,
 /// so that a chunk too tall for any column does not stop the sheet.
-fn split(chunks: &[Vec<Strip>], height: f64) -> (usize, usize) {
-    let fill = |chunks: &[Vec<Strip>]| {
-        let mut used = -chunks.first().and_then(|c| c.first()).map_or(0.0, |s| s.blank);
+fn split(chunks: &[Vec<Strip>], height: f64, must: bool, columns: usize) -> Vec<usize> {
+    let mut rest = chunks;
+    let fill = |column: usize| {
+        let least = usize::from(must && column == 0);
+        let mut used = -rest.first().and_then(|c| c.first()).map_or(0.0, |s| s.blank);
         let mut count = 0;
-        for chunk in chunks {
+        for chunk in rest {
             used += chunk.iter().map(|s| s.height).sum::<f64>();
-            if used > height && count > 0 {
+            if used > height && count >= least {
                 break;
             }
             count += 1;
         }
+        rest = &rest[count..];
         count
     };
-    let first = fill(chunks);
-    (first, fill(&chunks[first..]))
+    (0..columns).map(fill).collect()
 }
 
 /// An equation's table in one line, with type a little smaller if need be, or else in two lines.
@@ -731,19 +738,34 @@ struct Pager {
     pages: Vec<Group>,
     /// Next free height on the last page, below its top.
     y: f64,
+    /// The steps that are not set yet, in pieces that may not be parted.
+    waiting: Vec<Vec<Strip>>,
 }
 
 impl Pager {
     fn new(width: f64, height: f64, title: String, words: &'static Words) -> Self {
-        Self { paper: (width, height), title, words, pages: vec![Group::new("page")], y: MARGIN }
+        Self {
+            paper: (width, height),
+            title,
+            words,
+            pages: vec![Group::new("page")],
+            y: MARGIN,
+            waiting: Vec::new(),
+        }
     }
 
     fn width(&self) -> f64 {
         self.paper.0 - 2.0 * MARGIN
     }
 
+    /// Columns of the steps: two, and more on paper that would make their lines too long.
+    fn column_count(&self) -> usize {
+        ((self.width() + GUTTER) / (NARROWEST_COLUMN + GUTTER)).floor().max(2.0) as usize
+    }
+
     fn column(&self) -> f64 {
-        (self.width() - GUTTER) / 2.0
+        let count = self.column_count() as f64;
+        (self.width() - (count - 1.0) * GUTTER) / count
     }
 
     fn bottom(&self) -> f64 {
@@ -865,7 +887,10 @@ impl Pager {
         for row in rows {
             let height = row.iter().map(|b| b.height).fold(0.0, f64::max);
             if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
-                self.spread(&begins);
+                // Where a page has room below its panels the steps begin there.
+                if self.bottom() - self.y < LEAST_FILLED || !self.columns() {
+                    self.spread(&begins);
+                }
                 begins.clear();
                 self.page();
             }
@@ -894,6 +919,9 @@ impl Pager {
             let fit = table.rows_in(self.bottom() - self.y);
             let left = rows - from;
             if fit < 3.min(left) && self.y > MARGIN + 30.0 {
+                if self.bottom() - self.y >= LEAST_FILLED {
+                    self.columns();
+                }
                 self.page();
                 continue;
             }
@@ -903,6 +931,14 @@ impl Pager {
             let (columns, table) =
                 if left > 2 * fit && left <= 3 * fit && three { (3, &narrow) } else { (2, table) };
             let here = left.min(columns * fit.max(1));
+            // Some last rows alone on a page are lost there.
+            if (1..=6).contains(&(left - here)) && self.y > MARGIN + 30.0 {
+                if self.bottom() - self.y >= LEAST_FILLED {
+                    self.columns();
+                }
+                self.page();
+                continue;
+            }
             let each = here.div_ceil(columns);
             let pitch = self.width() / columns as f64;
             let mut deepest = self.y;
@@ -921,11 +957,10 @@ impl Pager {
         }
     }
 
-    /// The steps in two columns, the last pair of them balanced.
-    fn steps(&mut self, items: &[Item]) {
-        let width = self.column();
+    /// What is told of the steps, to be set below the panels and where they leave room.
+    fn tell(&mut self, items: &[Item]) {
         let mut chunks: Vec<Vec<Strip>> = vec![Vec::new()];
-        for strip in strips(items, width, self.words) {
+        for strip in strips(items, self.column(), self.words) {
             let keep = strip.keep;
             if let Some(chunk) = chunks.last_mut() {
                 chunk.push(strip);
@@ -935,45 +970,53 @@ impl Pager {
             }
         }
         chunks.retain(|chunk| !chunk.is_empty());
-        if chunks.is_empty() {
-            return;
-        }
-        if self.bottom() - self.y < LEAST_COLUMN {
-            self.page();
-        }
-        let mut rest = &chunks[..];
-        while !rest.is_empty() {
-            let free = self.bottom() - self.y;
-            let (mut first, mut second) = split(rest, free);
-            if first + second == rest.len() {
-                // The last pair of columns: as low as both fit.
-                let whole: f64 = rest.iter().flatten().map(|strip| strip.height).sum();
-                let mut height = free.min(whole);
-                while height > LEADING {
-                    let lower = split(rest, height - LEADING / 2.0);
-                    if lower.0 + lower.1 < rest.len() {
-                        break;
-                    }
-                    (first, second) = lower;
-                    height -= LEADING / 2.0;
-                }
-            }
-            let top = self.y;
-            for (column, chunks) in [&rest[..first], &rest[first..first + second]].into_iter().enumerate() {
-                let x = MARGIN + column as f64 * (width + GUTTER);
-                let mut y = top;
-                for strip in chunks.iter().flatten() {
-                    let lift = if y == top { strip.blank } else { 0.0 };
-                    self.add(strip.group.clone(), self.indented(x, width), y - lift);
-                    y += strip.height - lift;
-                }
-                self.y = self.y.max(y);
-            }
-            rest = &rest[first + second..];
-            if !rest.is_empty() {
+        self.waiting = chunks;
+    }
+
+    /// All steps that are not set yet.
+    fn steps(&mut self) {
+        while !self.waiting.is_empty() {
+            if self.bottom() - self.y < LEAST_COLUMN || !self.columns() {
                 self.page();
             }
         }
+    }
+
+    /// As many of the steps as the page still takes, in columns; of the last ones even ones. Whether any.
+    fn columns(&mut self) -> bool {
+        let (width, count) = (self.column(), self.column_count());
+        let free = self.bottom() - self.y;
+        // On an empty page stands even what is too tall for any.
+        let empty = self.y <= MARGIN + 8.0;
+        let mut waiting = std::mem::take(&mut self.waiting);
+        let mut columns = split(&waiting, free, empty, count);
+        if columns.iter().sum::<usize>() == waiting.len() {
+            // As low as all fit.
+            let whole: f64 = waiting.iter().flatten().map(|strip| strip.height).sum();
+            let mut height = free.min(whole);
+            while height > LEADING {
+                let lower = split(&waiting, height - LEADING / 2.0, empty, count);
+                if lower.iter().sum::<usize>() < waiting.len() {
+                    break;
+                }
+                columns = lower;
+                height -= LEADING / 2.0;
+            }
+        }
+        self.waiting = waiting.split_off(columns.iter().sum());
+        let top = self.y;
+        let mut chunks = waiting.iter();
+        for (column, own) in columns.iter().enumerate() {
+            let x = MARGIN + column as f64 * (width + GUTTER);
+            let mut y = top;
+            for strip in chunks.by_ref().take(*own).flatten() {
+                let lift = if y == top { strip.blank } else { 0.0 };
+                self.add(strip.group.clone(), self.indented(x, width), y - lift);
+                y += strip.height - lift;
+            }
+            self.y = self.y.max(y);
+        }
+        columns.iter().any(|own| *own > 0)
     }
 
     /// Running title and page number, and the pages below each other.

@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -15,7 +15,7 @@ use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 use ttf_parser::{GlyphId, Tag};
 
 /// A cut of one of the two families used on the sheet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Face {
     /// Units, digits, words.
     Upright,
@@ -56,6 +56,42 @@ pub const fn is_arabic(c: char) -> bool {
 #[must_use]
 pub const fn is_arabic_digit(c: char) -> bool {
     matches!(c, '\u{660}'..='\u{66c}' | '\u{6f0}'..='\u{6f9}')
+}
+
+/// What some text uses of a face.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Used {
+    /// Its characters with their glyphs.
+    pub characters: BTreeMap<char, u16>,
+    /// All its glyphs, those of joined letters among them.
+    pub glyphs: BTreeSet<u16>,
+    /// What pairs of glyphs that stand beside each other move the pen, font units.
+    pub kerning: BTreeMap<(u16, u16), i32>,
+}
+
+impl Used {
+    /// Adds a run of text.
+    pub fn add(&mut self, face: Face, text: &str) {
+        let Some(m) = metrics(face) else { return };
+        let mut last: Option<GlyphId> = None;
+        for c in text.chars() {
+            let glyph = m.glyph(c).map(|glyph| glyph.id);
+            if let Some(glyph) = glyph {
+                self.characters.insert(c, glyph.0);
+                self.glyphs.insert(glyph.0);
+            }
+            if let (Some(left), Some(right), false) = (last, glyph, face.is_arabic()) {
+                self.kerning.entry((left.0, right.0)).or_insert_with(|| m.kern(left, right));
+            }
+            last = glyph;
+        }
+        if face.is_arabic() {
+            shape_with(face, text, |glyph, _| {
+                self.glyphs.insert(glyph.0);
+            });
+        }
+        self.glyphs.insert(0);
+    }
 }
 
 /// More shaped words than a long sheet has; beyond them the store starts anew.

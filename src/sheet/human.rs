@@ -16,6 +16,64 @@ pub fn number(value: f64) -> Rich {
     figures(value, digits, false)
 }
 
+/// What [`number`] writes with so many figures more, and the number that then stands there. A number that is exactly a
+/// shorter one has no more.
+fn finer(value: f64, more: usize) -> (Rich, f64) {
+    let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    if (short - value).abs() <= 1e-9 * value.abs() {
+        return (figures(value, 3, true), short);
+    }
+    let digits = usual_figures(value) + more;
+    let written = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
+    (figures(value, digits, false), written)
+}
+
+/// Three figures, four from a thousand on.
+fn usual_figures(value: f64) -> usize {
+    if value.abs() >= 1000.0 { 4 } else { 3 }
+}
+
+/// Whether a number, rounded to so many figures more than [`number`] gives, is what stands there for `result`.
+fn rounds_to(reckoned: f64, result: f64, more: usize) -> bool {
+    let (_, written) = finer(result, more);
+    if written == 0.0 || !written.is_finite() {
+        return reckoned == written;
+    }
+    let figures = (usual_figures(result) + more) as f64;
+    let place = libm::floor(libm::log10(written.abs())) - (figures - 1.0);
+    let half = 0.5 * libm::exp10(place);
+    let above = (reckoned - written) * written.signum();
+    above >= -half * (1.0 + 1e-9) && above < half * (1.0 - 1e-9)
+}
+
+/// More figures than this no line needs to close.
+const GUARDS: usize = 4;
+
+/// The factors of a line with as many figures as it takes for what is reckoned from them, as they are printed, to be the
+/// printed result.
+pub fn closing<const N: usize>(
+    factors: [f64; N],
+    result: f64,
+    reckon: impl Fn([f64; N]) -> f64,
+) -> [Rich; N] {
+    let with = |more: usize| factors.map(|factor| finer(factor, more));
+    let closes = |more: &usize| rounds_to(reckon(with(*more).map(|(_, written)| written)), result, 0);
+    let more = (0..=GUARDS).find(closes).unwrap_or(0);
+    with(more).map(|(text, _)| text)
+}
+
+/// A reading on paper, and what it is by the scale: tenths of a millimetre, and a guard figure in either where the product
+/// would not be the printed one without it.
+pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {
+    let closes = |(decimals, more): &(usize, usize)| {
+        let written: f64 = format!("{mm:.*}", *decimals).parse().unwrap_or(mm);
+        rounds_to(written * factor, result, *more)
+    };
+    let tries = [(1, 0), (1, 1), (2, 0), (2, 1), (3, 0), (3, 1), (4, 0)];
+    let (decimals, more) = tries.into_iter().find(closes).unwrap_or((1, 0));
+    [with_unit(&Rich::upright(fixed(mm, decimals)), "mm"), finer(result, more).0]
+}
+
 /// A stated number: as many of its figures as it needs, at most six.
 #[must_use]
 pub fn stated(value: f64) -> Rich {
@@ -166,6 +224,20 @@ mod tests {
         assert_eq!(plain(&stated(15.0)), "15");
         assert_eq!(plain(&stated(37.5)), "37.5");
         assert_eq!(plain(&stated(0.15 / 0.01)), "15");
+    }
+
+    #[test]
+    fn printed_factors_give_the_printed_result() {
+        // 317² / 80 = 1256, and the true speed is 317.2.
+        let [speed, length] = closing([317.2, 80.0], 317.2_f64.powi(2) / 80.0, |[v, l]| v * v / l);
+        assert_eq!((plain(&speed), plain(&length)), ("317.2".to_owned(), "80".to_owned()));
+        let [speed, _] = closing([317.04, 80.0], 317.04_f64.powi(2) / 80.0, |[v, l]| v * v / l);
+        assert_eq!(plain(&speed), "317");
+        // 35.1 × 5 is 175.5, and what is printed is 175; 63.5 × 5 is not 317, but 317.5.
+        let line = |mm: f64| reading(mm, 5.0, 5.0 * mm).map(|part| plain(&part));
+        assert_eq!(line(35.062), ["35.06\u{a0}mm", "175"]);
+        assert_eq!(line(63.496), ["63.5\u{a0}mm", "317.5"]);
+        assert_eq!(line(30.0), ["30.0\u{a0}mm", "150"]);
     }
 
     #[test]

@@ -70,9 +70,19 @@ pub struct Request {
     pub optional: bool,
     /// May be tied to its point by a leader.
     pub leader: bool,
+    /// What it names, as the `data-` attributes of that ink call it: told with the label, so that whoever reads the
+    /// figure need not guess whose name it is.
+    pub names: Vec<String>,
 }
 
 impl Request {
+    /// The same as the name of that.
+    #[must_use]
+    pub fn naming(mut self, what: impl IntoIterator<Item = String>) -> Self {
+        self.names.extend(what);
+        self
+    }
+
     /// The same with a further place where it may stand.
     #[must_use]
     pub fn or(mut self, site: Site) -> Self {
@@ -83,7 +93,16 @@ impl Request {
     /// A label that must be placed.
     #[must_use]
     pub fn new(text: Rich, size: f64, site: Site, class: &'static str) -> Self {
-        Self { text, size, sites: vec![site], class, ring: None, optional: false, leader: false }
+        Self {
+            text,
+            size,
+            sites: vec![site],
+            class,
+            ring: None,
+            optional: false,
+            leader: false,
+            names: Vec::new(),
+        }
     }
 }
 
@@ -409,14 +428,19 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
     for (i, request) in requests.iter().enumerate() {
         let Some(candidate) = chosen[i].map(|c| &all[i].sorted[c]) else { continue };
         let at = bodies[i].start(candidate.centre);
+        let mut own = Group::new("name").data("of", request.names.join(" "));
+        let into = if request.names.is_empty() { &mut out } else { &mut own };
         if let Some((from, to)) = candidate.leader {
-            out.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.13)).class("leader"));
+            into.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.13)).class("leader"));
         }
         if let Some(radius) = request.ring {
             let centre = bodies[i].line.ink_at(at).center();
-            out.mark(Mark::stroke(Shape::Circle { centre, radius }, Pen::solid(0.18)).class("ring"));
+            into.mark(Mark::stroke(Shape::Circle { centre, radius }, Pen::solid(0.18)).class("ring"));
         }
-        bodies[i].line.put(&mut out, at, request.class);
+        bodies[i].line.put(into, at, request.class);
+        if !request.names.is_empty() {
+            out.group(own);
+        }
     }
     out
 }
@@ -927,6 +951,25 @@ fn candidates(request: &Request, site: Site, body: &Body, how_far: Reach) -> Vec
                             let centre = foot + normal * (side * (reach + gap));
                             let start = foot + normal * (side * 0.4);
                             all.push(stand(centre, 30.0 + taste + 4.0 * ring as f64, Some(start)));
+                        }
+                    }
+                }
+            }
+            if how_far == Reach::Far {
+                // Square to the line there was no room: then to any side.
+                for (i, t) in [0.5, 0.3, 0.7].into_iter().enumerate() {
+                    let foot = from + d * t;
+                    for angle in directions() {
+                        let way = libm::sincos(angle);
+                        let along = Vec2::new(way.1, -way.0);
+                        // Along its own line a leader is not seen.
+                        if along.cross(d).abs() < 0.4 * length {
+                            continue;
+                        }
+                        for (ring, gap) in leaders([6.0, 9.0, 12.0], how_far) {
+                            let centre = beside(foot, way, gap, half);
+                            let cost = 34.0 + 0.8 * i as f64 + 4.0 * ring as f64;
+                            all.push(stand(centre, cost, Some(foot + along * 0.4)));
                         }
                     }
                 }

@@ -1,12 +1,13 @@
 //! A velocity or acceleration polygon as ink.
 
-use kurbo::{Point, Vec2};
+use kurbo::{Point, Rect, Vec2};
 
 use super::coriolis;
 use super::figure::{Group, Mark, Pen, Shape, Tone};
-use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, hull, page, right_angle};
+use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, head, hull, page, right_angle};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
+use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
 use crate::graphical::construction::{ConstructionLine, Image, Label, Polygon, Step, Vector, VectorKind};
 use crate::mechanism::quantity::Order;
@@ -14,7 +15,11 @@ use crate::mechanism::quantity::Order;
 /// Images closer than this on paper are one dot and share a label.
 const COINCIDENT: f64 = 0.05;
 /// Vectors shorter than this have no room for their name beside them; the steps name them.
-const SHORTEST_NAMED: f64 = 4.0;
+const SHORTEST_NAMED: f64 = 3.0;
+/// The class of a vector's name.
+const VECTOR_NAME: &str = "label vector-name";
+/// Beside a vector shorter than this there may be no room for its name, and a leader ties it.
+const SHORT: f64 = 12.0;
 /// Closer to a line than this a vector lies on it.
 const LIES_ON: f64 = 0.25;
 /// How far a line of unknown length runs past the intersection that ends its use.
@@ -35,21 +40,28 @@ pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>) -> Group
     group.title = Some(figure_name.to_owned());
 
     group.group(link_images(polygon, notation));
-    group.group(construction(polygon, notation));
+    let window = window(polygon);
+    group.group(construction(polygon, notation, window));
     // Whole vectors over their parts, so that a thick line is never cut by a thin one's head.
     let whole = |v: &Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
-    for vector in polygon.vectors.iter().filter(|v| !whole(v)) {
-        group.group(draw_vector(vector, polygon, notation));
+    let parts = polygon.vectors.iter().filter(|v| !whole(v));
+    for vector in parts.chain(polygon.vectors.iter().filter(|v| whole(v))) {
+        group.group(draw_vector(vector, polygon, notation, window));
     }
-    for vector in polygon.vectors.iter().filter(|v| whole(v)) {
-        group.group(draw_vector(vector, polygon, notation));
-    }
-    group.group(right_angles(polygon));
-    group.group(images(polygon, notation));
+    group.group(right_angles(polygon, window));
+    group.group(images(polygon, notation, window));
 
-    let requests = labels(polygon, notation);
-    let labels = place(&group, &requests, None);
-    group.group(labels);
+    let mut requests = labels(polygon, notation, window);
+    let mut named = group.clone();
+    named.group(place(&group, &requests, None));
+    // In the small drawing of a step there may be no room for the names of all vectors; its words tell them.
+    if !overlaps_in(&named, None).is_empty() {
+        let vectors = requests.iter_mut().filter(|request| request.class == VECTOR_NAME);
+        vectors.for_each(|request| request.optional = true);
+        named = group.clone();
+        named.group(place(&group, &requests, None));
+    }
+    let mut group = named;
     if polygon.order == Order::Acceleration {
         coriolis::add_insets(&mut group, polygon, steps, notation);
     }
@@ -75,7 +87,7 @@ fn link_images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
     all
 }
 
-fn construction(polygon: &Polygon, notation: &Notation<'_>) -> Group {
+fn construction(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Group {
     let mut all = Group::new("construction");
     for line in &polygon.lines {
         if let ConstructionLine::Ray { from, to, claim, step } = line {
@@ -85,6 +97,8 @@ fn construction(polygon: &Polygon, notation: &Notation<'_>) -> Group {
                 continue;
             }
             let past = to + d.normalize() * PAST;
+            let Some((t0, t1)) = clip(from, past, window) else { continue };
+            let (from, past) = (from.lerp(past, t0), from.lerp(past, t1));
             let mut own = Group::new("ray").data("step", (step + 1).to_string());
             if let Some(claim) = claim {
                 let (name, value) = notation.claim_data(*claim);
@@ -92,7 +106,9 @@ fn construction(polygon: &Polygon, notation: &Notation<'_>) -> Group {
             }
             own.mark(Mark::stroke(Shape::Line(from, past), Pen::solid(FINE)).precise());
             all.group(own);
-        } else if let Some(arc) = short_arc(line) {
+        } else if let (Some(arc), ConstructionLine::Arc { at, .. }) = (short_arc(line), line)
+            && window.contains(page(*at))
+        {
             all.mark(arc);
         }
     }
@@ -113,7 +129,44 @@ pub(super) fn short_arc(line: &ConstructionLine) -> Option<Mark> {
     Some(Mark::stroke(shape, Pen::solid(FINE)).class("arc").precise())
 }
 
-fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>) -> Group {
+/// What is shown: all that has a place of its own. What was tried may lie far beyond it; then its lines end at the
+/// border.
+fn window(polygon: &Polygon) -> Rect {
+    /// Blank around the polygon for what leads out of it.
+    const BORDER: f64 = 14.0;
+    let tried = |label: Label| matches!(label, Label::Trial { .. });
+    let vectors = polygon.vectors.iter().filter(|v| !tried(v.tail) && !tried(v.head));
+    let own = polygon.images.iter().filter(|image| !tried(image.label)).map(|image| image.at);
+    let own = own.chain(vectors.flat_map(|v| [v.from, v.to])).map(page);
+    let own = own.fold(Rect::ZERO, |all, at| all.union_pt(at)).inflate(BORDER, BORDER);
+    let all = polygon.images.iter().map(|image| page(image.at)).fold(own, |all, at| all.union_pt(at));
+    // What lies a little beyond is taken in.
+    let fits = |all: f64, own: f64| all <= (1.4 * own).max(60.0);
+    if fits(all.width(), own.width()) && fits(all.height(), own.height()) {
+        all.inflate(BORDER, BORDER)
+    } else {
+        own
+    }
+}
+
+/// A vector that leads out of the window: as far as the border, with an arrowhead there.
+fn cut_vector(from: Point, to: Point, window: Rect, step: usize) -> Group {
+    let mut group = Group::new("ray cut").data("step", (step + 1).to_string());
+    if let Some((t0, t1)) = clip(from, to, window) {
+        let (a, b) = (from.lerp(to, t0), from.lerp(to, t1));
+        group.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THIN)).precise());
+        if a.distance(b) > 2.0 * HEAD {
+            group.mark(head(b, (b - a).normalize(), HEAD));
+        }
+    }
+    group
+}
+
+fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Group {
+    let ends = (page(vector.from), page(vector.to));
+    if !window.contains(ends.0) || !window.contains(ends.1) {
+        return cut_vector(ends.0, ends.1, window, vector.step);
+    }
     let kind = match vector.kind {
         VectorKind::Absolute => "absolute",
         VectorKind::Relative => "relative",
@@ -147,9 +200,10 @@ fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>) -> G
 }
 
 /// A mark in the corner where a normal part ends and the tangential part begins.
-fn right_angles(polygon: &Polygon) -> Group {
+fn right_angles(polygon: &Polygon, window: Rect) -> Group {
     let mut all = Group::new("right-angles");
-    for normal in polygon.vectors.iter().filter(|v| v.kind == VectorKind::Normal && !v.as_point) {
+    let shown = |v: &&Vector| !v.as_point && window.contains(page(v.to));
+    for normal in polygon.vectors.iter().filter(|v| v.kind == VectorKind::Normal).filter(shown) {
         let tangential = polygon
             .vectors
             .iter()
@@ -168,13 +222,13 @@ fn right_angles(polygon: &Polygon) -> Group {
     all
 }
 
-fn images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
+fn images(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Group {
     let mut all = Group::new("points");
     let mut pole = Group::new("image pole").data("point", notation.image_name(Label::Pole, polygon.order));
     let circle = Shape::Circle { centre: Point::ORIGIN, radius: 0.75 };
     pole.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Paper).precise());
     all.group(pole);
-    for image in &polygon.images {
+    for image in polygon.images.iter().filter(|image| window.contains(page(image.at))) {
         let name = notation.image_name(image.label, polygon.order);
         let mut own = Group::new("image").data("point", name);
         own.mark(dot(page(image.at), THICK / 2.0).precise());
@@ -183,11 +237,27 @@ fn images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
     all
 }
 
-fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
+/// Where the name of a point stands: beside it, or where the line to it leaves the window.
+fn shown(at: Point, polygon: &Polygon, window: Rect) -> Point {
+    if window.contains(at) {
+        return at;
+    }
+    let rays = polygon.lines.iter().filter_map(|line| match line {
+        ConstructionLine::Ray { from, to, .. } => Some((page(*from), page(*to))),
+        ConstructionLine::Arc { .. } => None,
+    });
+    let vectors = polygon.vectors.iter().flat_map(|v| [(v.from, v.to), (v.to, v.from)]);
+    let vectors = vectors.map(|(from, to)| (page(from), page(to)));
+    let mut leading = vectors.chain(rays).filter(|(_, to)| to.distance(at) < COINCIDENT);
+    let out = leading.find_map(|(from, to)| clip(from, to, window).map(|(_, t)| from.lerp(to, t)));
+    out.or_else(|| clip(window.center(), at, window).map(|(_, t)| window.center().lerp(at, t))).unwrap_or(at)
+}
+
+fn labels(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Vec<Request> {
     let pole = Image { label: Label::Pole, at: [0.0, 0.0] };
     let mut groups: Vec<(Point, Vec<Label>)> = Vec::new();
     for image in std::iter::once(&pole).chain(&polygon.images) {
-        let at = page(image.at);
+        let at = shown(page(image.at), polygon, window);
         match groups.iter_mut().find(|(p, _)| p.distance(at) < COINCIDENT) {
             Some((_, labels)) if labels.contains(&image.label) => {}
             Some((_, labels)) => labels.push(image.label),
@@ -206,7 +276,8 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
         let text = Rich::join(&names, &Rich::upright(","));
         let radius = if labels.contains(&Label::Pole) { 0.9 } else { 0.4 };
         let site = Site::Around { at, radius, toward: outward(at, polygon) };
-        let mut request = Request::new(text, LABEL, site, "label image-name");
+        let of = labels.iter().map(|l| notation.image_name(*l, polygon.order));
+        let mut request = Request::new(text, LABEL, site, "label image-name").naming(of);
         request.leader = true;
         requests.push(request);
     }
@@ -217,14 +288,21 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
     for vector in vectors.iter().filter(whole).chain(vectors.iter().filter(|v| !whole(v))) {
         let (from, to) = (page(vector.from), page(vector.to));
         let name = vector_name(vector, polygon, notation);
-        if from.distance(to) < SHORTEST_NAMED {
+        if from.distance(to) < SHORTEST_NAMED || !window.contains(from) || !window.contains(to) {
             continue;
         }
         let same = |n: &Named| n.from.distance(from) < COINCIDENT && n.to.distance(to) < COINCIDENT;
+        let of = notation.quantity_name(vector.quantity);
         match named.iter_mut().find(|n| same(n)) {
-            Some(own) if own.names.contains(&name) => {}
-            Some(own) => own.names.push(name),
-            None => named.push(Named { from, to, names: vec![name] }),
+            Some(own) => {
+                if !own.names.contains(&name) {
+                    own.names.push(name);
+                }
+                if !own.of.contains(&of) {
+                    own.of.push(of);
+                }
+            }
+            None => named.push(Named { from, to, names: vec![name], of: vec![of] }),
         }
     }
     for own in &named {
@@ -232,9 +310,9 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>) -> Vec<Request> {
         let site = |(from, to)| Site::Along { from, to };
         let mut sites = own.free_pieces(&named).into_iter().map(site);
         let first = sites.next().unwrap_or(site((own.from, own.to)));
-        let mut request = Request::new(text, SMALL, first, "label vector-name");
+        let mut request = Request::new(text, SMALL, first, VECTOR_NAME).naming(own.of.clone());
         request.sites.extend(sites);
-        request.optional = true;
+        request.leader = own.from.distance(own.to) < SHORT;
         requests.push(request);
     }
     requests
@@ -245,6 +323,8 @@ struct Named {
     from: Point,
     to: Point,
     names: Vec<Rich>,
+    /// The quantities, as the vectors' data call them.
+    of: Vec<String>,
 }
 
 impl Named {

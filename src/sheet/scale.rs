@@ -15,10 +15,24 @@ pub const SKELETON: (f64, f64) = (92.0, 70.0);
 pub const LONG_SKELETON: (f64, f64) = (150.0, 48.0);
 /// Room for a construction on the skeleton with its named points, inside the names.
 pub const AUXILIARY: (f64, f64) = (140.0, 130.0);
-/// Room for a polygon that has the row to itself.
-pub const POLYGON: (f64, f64) = (150.0, 78.0);
 /// Room for a polygon that shares its row with another.
 pub const HALF_POLYGON: (f64, f64) = (73.0, 78.0);
+/// Room for the only polygon of a sheet, and for arrows on the skeleton.
+pub const LONE_POLYGON: (f64, f64) = (150.0, 78.0);
+/// Room for a polygon that has the row to itself.
+pub const POLYGON: (f64, f64) = (150.0, 108.0);
+/// Room for a polygon that has a page to itself.
+pub const PAGE_POLYGON: (f64, f64) = (158.0, 205.0);
+/// Room for a skeleton that has the row to itself.
+pub const ROW_SKELETON: (f64, f64) = (150.0, 104.0);
+/// Room for a skeleton that has a page to itself.
+pub const PAGE_SKELETON: (f64, f64) = (155.0, 180.0);
+/// Points of a polygon that are not one stand so far apart on paper, mm, where the paper suffices.
+pub const APART: f64 = 3.0;
+/// Joints of a skeleton: a shorter link is hidden by the circles of its own pins.
+const JOINTS_APART: f64 = 12.0;
+/// What a named vector or point needs of a polygon's area, mm², if its name is to stand beside it.
+const PER_NAME: f64 = 110.0;
 /// Width that two polygons side by side have, with their names, and at least for their captions.
 const ROW: f64 = 168.0;
 /// Width that the names beside a polygon need.
@@ -69,30 +83,246 @@ pub fn for_steps(scene: &Scene, extents: Extents) -> Scales {
 
 /// How much wider and higher than those of upright A4 the panels are.
 fn stretch(scene: &Scene) -> (f64, f64) {
-    let (width, height) = super::compose::paper(scene);
-    let free = |side: f64, margins: f64| (side - margins).max(40.0);
-    (free(width, 34.0) / 176.0, (free(height, 34.0) / 263.0).max(free(width, 34.0).min(176.0) / 176.0))
+    let (width, height) = free_paper(scene);
+    let (wide, high) = (width / 176.0, height / 263.0);
+    (wide, high.max((wide * high).sqrt()).min(height / 120.0))
 }
 
-/// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels.
+/// Width and height of the paper within its margins, mm.
+fn free_paper(scene: &Scene) -> (f64, f64) {
+    let (width, height) = super::compose::paper(scene);
+    let free = |side: f64| (side - 34.0).max(40.0);
+    (free(width), free(height))
+}
+
+/// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels. A diagram whose
+/// points crowd has a row, then a page to itself, and so has one for which the pages have room.
 #[must_use]
 pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
     let length = scene.units.length.si;
-    let (wide, high) = stretch(scene);
-    let stretched = |room: (f64, f64)| (room.0 * wide, room.1 * high);
+    let stretch = stretch(scene);
     let time = scene.units.time.si;
     let units = [length / time, length / (time * time)];
-    let [velocity, acceleration] = polygons([extents.velocity, extents.acceleration], units, (wide, high));
-    let [w, h] = with_wheels(&scene.mechanism, extents.positions, extents.rims);
-    let upright = choose_length(w, h, stretched(SKELETON));
-    let long = choose_length(w, h, stretched(LONG_SKELETON));
-    let skeleton = upright.zip(long).map(|(a, b)| a.min(b));
     let stated = &scene.sheet;
+    let stated_lengths =
+        [stated.length_scale.map(|ratio| ratio / 1000.0), stated.velocity_scale, stated.acceleration_scale];
+    let choices = Choices {
+        sizes: [
+            with_wheels(&scene.mechanism, extents.positions, extents.rims),
+            extents.velocity,
+            extents.acceleration,
+        ],
+        units,
+        stretch,
+        paper: free_paper(scene),
+        stated: stated_lengths,
+        extents: &extents,
+        asked: scene.mechanism.asked.len(),
+    };
+    let [skeleton, velocity, acceleration] = choices.best();
     Scales {
-        length: stated.length_scale.map(|ratio| ratio / 1000.0).or(skeleton).unwrap_or(0.001),
-        velocity: stated.velocity_scale.or(velocity).unwrap_or(units[0]),
-        acceleration: stated.acceleration_scale.or(acceleration).unwrap_or(units[1]),
+        length: skeleton.unwrap_or(0.001),
+        velocity: velocity.unwrap_or(units[0]),
+        acceleration: acceleration.unwrap_or(units[1]),
     }
+}
+
+/// How much room a diagram has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Room {
+    Shared,
+    Row,
+    Page,
+}
+
+impl Room {
+    const ALL: [Self; 3] = [Self::Shared, Self::Row, Self::Page];
+}
+
+/// Scales, SI per mm, of the skeleton, the velocity and the acceleration polygon; none where nothing has a size.
+type Three = [Option<f64>; 3];
+
+/// What the scales of the three diagrams are chosen by.
+struct Choices<'a> {
+    /// Width and height of skeleton and polygons, SI.
+    sizes: [[f64; 2]; 3],
+    units: [f64; 2],
+    stretch: (f64, f64),
+    /// Within the margins, mm.
+    paper: (f64, f64),
+    stated: Three,
+    extents: &'a Extents,
+    /// How many results there are.
+    asked: usize,
+}
+
+impl Choices<'_> {
+    /// The scales at which what crowds has room, and beyond these the largest for which the sheet needs no further page.
+    fn best(&self) -> Three {
+        /// Estimates of heights err by about so much, mm.
+        const SPARE: f64 = 22.0;
+        let mut rooms = [Room::Shared; 3];
+        for i in 0..3 {
+            let mut least = self.crowding(i, self.scales(rooms)[i]);
+            for room in [Room::Row, Room::Page] {
+                let mut wider = rooms;
+                wider[i] = room;
+                let crowding = self.crowding(i, self.scales(wider)[i]);
+                if crowding < least {
+                    (rooms, least) = (wider, crowding);
+                }
+            }
+        }
+        let pages = self.pages(self.scales(rooms), 0.0);
+        let mut best = (0.0, self.scales(rooms));
+        for skeleton in Room::ALL {
+            for velocity in Room::ALL {
+                for acceleration in Room::ALL {
+                    let wider = [skeleton, velocity, acceleration];
+                    let grown = wider.iter().zip(&rooms).all(|(a, b)| a >= b);
+                    // To fill a page a row is enough.
+                    let modest = wider.iter().zip(&rooms).all(|(a, b)| *a <= Room::Row.max(*b));
+                    let scales = self.scales(wider);
+                    if !(grown && modest) || self.pages(scales, SPARE) > pages {
+                        continue;
+                    }
+                    let gain: f64 = (0..3).map(|i| self.gain(i, scales[i])).sum();
+                    if gain > best.0 {
+                        best = (gain, scales);
+                    }
+                }
+            }
+        }
+        best.1
+    }
+
+    /// How large a diagram is to the eye: what fills a quarter of a page is large enough.
+    fn gain(&self, i: usize, scale: Option<f64>) -> f64 {
+        let Some(scale) = scale else { return 0.0 };
+        let [w, h] = self.sizes[i].map(|side| side / scale);
+        (w * h).sqrt().max(0.6 * w.max(h)).min(115.0)
+    }
+
+    fn scales(&self, rooms: [Room; 3]) -> Three {
+        let stretched = |room: (f64, f64)| (room.0 * self.stretch.0, room.1 * self.stretch.1);
+        // Never higher than the page, whatever its form.
+        let below = |room: (f64, f64)| (room.0, room.1.min(self.paper.1 - 45.0));
+        let [w, h] = self.sizes[0];
+        let fit = |room| choose_length(w, h, below(stretched(room)));
+        let skeleton = match rooms[0] {
+            Room::Shared => fit(SKELETON).zip(fit(LONG_SKELETON)).map(|(a, b)| a.min(b)),
+            Room::Row => fit(ROW_SKELETON),
+            Room::Page => fit(PAGE_SKELETON),
+        };
+        let [mut velocity, mut acceleration] =
+            polygons([self.sizes[1], self.sizes[2]], self.units, self.stretch);
+        for (i, own) in [&mut velocity, &mut acceleration].into_iter().enumerate() {
+            let [w, h] = self.sizes[i + 1];
+            let room = match rooms[i + 1] {
+                // Arrows on the skeleton are no diagram.
+                _ if self.extents.images[i].is_empty() => continue,
+                Room::Shared => continue,
+                Room::Row => POLYGON,
+                Room::Page => PAGE_POLYGON,
+            };
+            let wider = choose_for(w, h, below(stretched(room)), self.units[i]);
+            *own = own.zip(wider).map(|(a, b)| a.min(b));
+        }
+        let [length, v, a] = self.stated;
+        [length.or(skeleton), v.or(velocity), a.or(acceleration)]
+    }
+
+    /// How many points of a diagram stand too near to others at this scale, and how much area its names lack.
+    fn crowding(&self, i: usize, scale: Option<f64>) -> usize {
+        let Some(scale) = scale else { return 0 };
+        let (points, apart): (&[[f64; 2]], f64) = match i {
+            0 => (&self.extents.joints, JOINTS_APART),
+            _ => (&self.extents.images[i - 1], APART),
+        };
+        let near = too_near(points, apart * scale);
+        let names = if i == 0 { 0 } else { self.extents.vectors[i - 1] + points.len() };
+        let [w, h] = self.sizes[i].map(|side| side / scale);
+        // A flat polygon is named along its sides.
+        let area = (w + 16.0) * (h + 16.0);
+        let lacking = PER_NAME * names as f64 - area;
+        near + (lacking / PER_NAME).max(0.0) as usize
+    }
+
+    /// About how many pages the sheet needs at these scales, with so much blank to spare, mm.
+    fn pages(&self, scales: Three, spare: f64) -> usize {
+        const HEADING: f64 = 28.0;
+        /// What names and caption add to the height of a diagram, and to that of a skeleton with its supports.
+        const AROUND: [f64; 2] = [25.0, 31.0];
+        /// Height of a row of the result table, and of its head and end.
+        const RESULT: [f64; 2] = [5.9, 9.0];
+        const TALLEST_BESIDE: f64 = 112.0;
+        /// Width of the result table, and what stands about a skeleton.
+        const BESIDE: [f64; 2] = [62.0, 34.0];
+        let free = self.paper.1 - 6.0;
+        let drawn = |i: &usize| *i == 0 || !self.extents.images[i - 1].is_empty();
+        let size = |i: usize| {
+            let scale = scales[i].filter(|_| drawn(&i))?;
+            Some(self.sizes[i].map(|side| side / scale))
+        };
+        let mut rows: Vec<f64> = Vec::new();
+        let [w, h] = size(0).unwrap_or_default();
+        let table = RESULT[0] * self.asked as f64 + RESULT[1];
+        let beside = w + BESIDE[1] + BESIDE[0] <= self.paper.0 && table <= TALLEST_BESIDE;
+        rows.push(if beside { f64::max(h + AROUND[1], table + 6.0) } else { h + AROUND[1] });
+        let caption = |w: f64| f64::max(w + 2.0 * NAMES, CAPTION);
+        match [size(1), size(2)] {
+            [Some([w, h]), Some([ww, hh])] if caption(w) + caption(ww) <= self.paper.0 => {
+                rows.push(h.max(hh) + AROUND[0]);
+            }
+            polygons => rows.extend(polygons.into_iter().flatten().map(|[_, h]| h + AROUND[0])),
+        }
+        if self.extents.circle {
+            rows.push(h + AROUND[1] + 40.0);
+            rows.push(110.0);
+        }
+        if !beside {
+            rows.push(RESULT[0] * (self.asked as f64 / 2.0).ceil() + RESULT[1] + 8.0);
+        }
+        let told = self.extents.told;
+        let lines = 1.2 * told.acts as f64 * 4.9 + 18.0 * told.equations as f64 + 8.5 * told.steps as f64;
+        // In two columns, of which the wider ones hold more in a line.
+        let mut text = lines * (176.0 / self.paper.0).min(1.0) / 2.0 + spare;
+        let (mut pages, mut y) = (1, HEADING);
+        for row in rows {
+            if y + row > free {
+                // A small rest of a page stays blank.
+                text -= if free - y > 28.0 { free - y - 8.0 } else { 0.0 };
+                pages += 1;
+                y = 7.0;
+            }
+            y += row;
+        }
+        text = text.max(0.0);
+        if y + text > free {
+            pages += ((y + text - free) / (free - 7.0)).ceil() as usize;
+        }
+        pages
+    }
+}
+
+/// How many points have another nearer than `least` that is not the same point.
+fn too_near(points: &[[f64; 2]], least: f64) -> usize {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let same = least * 1e-3;
+    let mut near = vec![false; sorted.len()];
+    for i in 0..sorted.len() {
+        for j in i + 1..sorted.len() {
+            if sorted[j][0] - sorted[i][0] >= least {
+                break;
+            }
+            let apart = libm::hypot(sorted[j][0] - sorted[i][0], sorted[j][1] - sorted[i][1]);
+            if apart > same && apart < least {
+                (near[i], near[j]) = (true, true);
+            }
+        }
+    }
+    near.into_iter().filter(|near| *near).count()
 }
 
 /// A smaller length scale, metres per millimetre, at which a construction on the skeleton finds room with all its
@@ -147,7 +377,7 @@ fn polygons(sizes: [[f64; 2]; 2], units: [f64; 2], (wide, high): (f64, f64)) -> 
     let fit = |i: usize, free| choose_for(sizes[i][0], sizes[i][1], free, units[i]);
     let halves = [fit(0, stretched(HALF_POLYGON)), fit(1, stretched(HALF_POLYGON))];
     let [Some(velocity), Some(acceleration)] = halves else {
-        return [fit(0, stretched(POLYGON)), fit(1, stretched(POLYGON))];
+        return [0, 1].map(|i| fit(i, stretched(LONE_POLYGON)));
     };
     let wider = |taken: f64| (ROW * wide - f64::max(taken + NAMES, CAPTION) - NAMES, POLYGON.1 * high);
     let acceleration = fit(1, wider(sizes[0][0] / velocity)).map_or(acceleration, |s| s.min(acceleration));

@@ -597,7 +597,8 @@ impl Artist<'_> {
             }
             all.group(own);
             let site = Site::Around { at, radius: radius + 0.2, toward: self.outward(at) };
-            let mut request = Request::new(self.notation.point(id), LABEL, site, "label point-name");
+            let mut request = Request::new(self.notation.point(id), LABEL, site, "label point-name")
+                .naming([point.name.clone()]);
             request.leader = true;
             if let Some(all) = self.notation.coincident_names(id) {
                 self.fuller.push((self.labels.len(), all));
@@ -904,7 +905,8 @@ struct Turn {
 }
 
 pub(super) fn ringed(number: &str, site: Site) -> Request {
-    let mut request = Request::new(Rich::upright(number), SMALL * 0.95, site, "label link-number");
+    let mut request = Request::new(Rich::upright(number), SMALL * 0.95, site, "label link-number")
+        .naming([number.to_owned()]);
     request.ring = Some(if number.len() > 1 { 2.6 } else { 2.1 });
     request.leader = true;
     request

@@ -11,7 +11,7 @@ use crate::graphical::construction::{
 };
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
-use crate::mechanism::{LinkId, PointId, Rider};
+use crate::mechanism::{Input, LinkId, PointId, Rider};
 
 /// Flatter crossings than this are badly readable by hand.
 const FLAT: f64 = 3.0;
@@ -51,6 +51,8 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
     let mut rubbing = false;
     let mut measured: Vec<[PointId; 2]> = Vec::new();
     let mut marked = false;
+    let mut known = Known::given(construction, notation);
+    let mut conversions = Some(conversions(notation));
     for (i, step) in construction.steps.iter().enumerate() {
         let teller = Teller { construction, notation, step };
         // Rubbing speeds of several pins stand under one head.
@@ -67,6 +69,10 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
         for equation in &step.equations {
             items.push(Item::Terms(teller.terms(equation)));
         }
+        let moves = step.order != Order::Position;
+        if let Some(lines) = conversions.take_if(|_| moves) {
+            items.extend(lines.into_iter().map(Item::Sentence));
+        }
         for act in &step.acts {
             // What was measured once is known.
             if matches!(act, Act::MarkPlaces) && std::mem::replace(&mut marked, true) {
@@ -78,7 +84,9 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
                 }
                 measured.push([*from, *to]);
             }
+            items.extend(known.missing(act).map(Item::Sentence));
             items.extend(teller.act(act).map(Item::Sentence));
+            known.learn(act, step.order);
         }
         // What was marked at the beginning needs no step of its own.
         if items.len() > 1 {
@@ -122,6 +130,168 @@ pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
     }
     let angle = ("angle", human::degrees(crossing));
     sentence.up(" ").then(&Rich::fill(notation.words.flat_crossing, &[angle]))
+}
+
+/// What is shorter than this on paper is not read: it is drawn as a point.
+const TOO_SHORT: f64 = 1.0;
+
+/// The sentence of a reading: so many mm between two images are so much.
+fn read(
+    vector: Rich,
+    [tail, head]: [Label; 2],
+    mm: f64,
+    value: f64,
+    polygon: &Polygon,
+    notation: &Notation<'_>,
+) -> Rich {
+    let words = notation.words;
+    let unit = notation.unit(polygon.order);
+    if value != 0.0 && mm < TOO_SHORT {
+        let amount = human::quantity(value, &unit);
+        return Rich::fill(words.too_short, &[("vector", vector), ("value", amount)]);
+    }
+    let factor = polygon.si_per_mm / unit.si;
+    let [reading, amount] = human::reading(mm, factor, value / unit.si);
+    let reading = reading
+        .up("\u{a0}×\u{a0}")
+        .then(&human::stated(factor))
+        .up("\u{a0}=\u{a0}")
+        .then(&human::with_unit(&amount, &unit.symbol));
+    let image = notation.image_line(tail, head, polygon.order);
+    Rich::fill(words.read_vector, &[("vector", vector), ("image", image), ("reading", reading)])
+}
+
+/// What was given, read or calculated so far: nothing else may stand in a line.
+struct Known<'a> {
+    quantities: Vec<Quantity>,
+    construction: &'a Construction,
+    notation: &'a Notation<'a>,
+}
+
+impl<'a> Known<'a> {
+    fn given(construction: &'a Construction, notation: &'a Notation<'a>) -> Self {
+        let inputs = notation.mechanism().inputs.iter().flat_map(|input| match input {
+            Input::Angle { link, .. } | Input::Speed { link, .. } => {
+                vec![Quantity::Omega(*link), Quantity::Alpha(*link)]
+            }
+            Input::Slide { .. } => Vec::new(),
+        });
+        Self { quantities: inputs.collect(), construction, notation }
+    }
+
+    /// Relative to a fixed point is not relative.
+    fn absolute(&self, quantity: Quantity) -> Quantity {
+        match quantity {
+            Quantity::RelativeVelocity(p, q) if self.notation.mechanism().is_fixed(q) => {
+                Quantity::Velocity(p)
+            }
+            other => other,
+        }
+    }
+
+    fn note(&mut self, quantity: Quantity) {
+        self.quantities.push(self.absolute(quantity));
+    }
+
+    /// The speed that an act uses before anybody has told it, read off the velocity polygon.
+    fn missing(&mut self, act: &Act) -> Option<Rich> {
+        let Act::Calculate(calculation) = act else { return None };
+        let (quantity, from, speed) = match *calculation {
+            Calculation::Omega { quantity, ends, speed, .. } => (quantity, Some(ends[0]), speed),
+            Calculation::Normal { velocity, ends, speed, .. } => (velocity, Some(ends[0]), speed),
+            Calculation::SlipNormal { slip, speed, .. } | Calculation::Coriolis { slip, speed, .. } => {
+                (slip, None, speed)
+            }
+            _ => return None,
+        };
+        let quantity = self.absolute(quantity);
+        if speed == 0.0 || self.quantities.contains(&quantity) {
+            return None;
+        }
+        self.quantities.push(quantity);
+        let polygon = self.construction.velocity.as_ref()?;
+        let ends = self.ends(quantity, polygon)?;
+        let name = self.notation.symbol_from(quantity, from);
+        let mm = speed / polygon.si_per_mm;
+        Some(read(name, ends, mm, speed, polygon, self.notation))
+    }
+
+    /// The images between which a velocity lies.
+    fn ends(&self, quantity: Quantity, polygon: &Polygon) -> Option<[Label; 2]> {
+        let drawn = polygon.vectors.iter().find(|v| self.absolute(v.quantity) == quantity);
+        if let Some(vector) = drawn {
+            return Some([vector.tail, vector.head]);
+        }
+        let image = |point: PointId| {
+            let mut own = polygon.images.iter().map(|image| image.label);
+            own.find(|label| matches!(label, Label::Image { point: p, .. } if *p == point))
+        };
+        match quantity {
+            Quantity::Velocity(p) => Some([Label::Pole, image(p)?]),
+            Quantity::RelativeVelocity(p, q) => Some([image(q)?, image(p)?]),
+            _ => None,
+        }
+    }
+
+    /// What is known after an act.
+    fn learn(&mut self, act: &Act, order: Order) {
+        let polygon = match order {
+            Order::Acceleration => &self.construction.acceleration,
+            _ => &self.construction.velocity,
+        };
+        let vector = |index: usize| Some(polygon.as_ref()?.vectors.get(index)?.quantity);
+        let known = match act {
+            Act::ReadVector { vector: index, .. }
+            | Act::LayOffVector { vector: index, .. }
+            | Act::LayOffFromCentre { vector: index, .. } => vector(*index),
+            Act::Calculate(calculation) => match *calculation {
+                Calculation::Speed { quantity, .. }
+                | Calculation::Normal { quantity, .. }
+                | Calculation::Tangential { quantity, .. }
+                | Calculation::Coriolis { quantity, .. }
+                | Calculation::SlipNormal { quantity, .. } => Some(quantity),
+                Calculation::Omega { link, .. } => Some(Quantity::Omega(link)),
+                Calculation::Alpha { link, .. } => Some(Quantity::Alpha(link)),
+                Calculation::Translation { .. } | Calculation::Rub { .. } => None,
+            },
+            _ => None,
+        };
+        if let Some(quantity) = known {
+            self.note(quantity);
+        }
+    }
+}
+
+/// The driven rates in radians where the scene states them otherwise: 300 rpm are 2π · 300 / 60.
+fn conversions(notation: &Notation<'_>) -> Vec<Rich> {
+    let mut all = Vec::new();
+    for (i, input) in notation.mechanism().inputs.iter().enumerate() {
+        let Input::Angle { link, omega, alpha, .. } = input else { continue };
+        let Some(stated) = notation.scene.input_units.get(i) else { continue };
+        let rates = [
+            (Quantity::Omega(*link), omega.value, &stated.rate, Order::Velocity),
+            (Quantity::Alpha(*link), alpha.value, &stated.second, Order::Acceleration),
+        ];
+        for (quantity, value, stated, order) in rates {
+            let unit = notation.angular_unit(order);
+            let Some(stated) = stated.as_ref().filter(|stated| stated.si != unit.si && value != 0.0) else {
+                continue;
+            };
+            let number = human::stated(value.abs() / stated.si);
+            let ratio = stated.si / unit.si;
+            let is = |other: f64| (ratio / other - 1.0).abs() < 1e-9;
+            let line = if is(std::f64::consts::TAU / 60.0) {
+                Rich::upright("2π\u{a0}×\u{a0}").then(&number).up("\u{a0}/\u{a0}60")
+            } else if is(std::f64::consts::PI / 180.0) {
+                Rich::upright("π\u{a0}×\u{a0}").then(&number).up("\u{a0}/\u{a0}180")
+            } else {
+                number.up("\u{a0}×\u{a0}").then(&human::stated(ratio))
+            };
+            let symbol = notation.symbol(quantity, false).up("\u{a0}= ");
+            all.push(symbol.then(&line).up("\u{a0}= ").then(&notation.rotation(value, &unit)));
+        }
+    }
+    all
 }
 
 fn only_rubs(step: &Step) -> bool {
@@ -419,15 +589,25 @@ impl Teller<'_> {
                 let met = Rich::fill(words.mark_meet, &[("label", image(*label))]);
                 warned(met, *crossing, n)
             }
-            Act::DivideImage { label, from, to, ratio } => Rich::fill(
-                words.divide_image,
-                &[
-                    ("image", n.image_line(*from, *to, order)),
-                    ("part", n.image_line(*from, *label, order)),
-                    ("ratio", human::number(*ratio)),
-                    ("label", image(*label)),
-                ],
-            ),
+            Act::DivideImage { label, from, to, ratio } => {
+                // A point on the extension of the line has its image on the extension of the image.
+                let beyond = match *ratio {
+                    ratio if ratio < 0.0 => Some(*from),
+                    ratio if ratio > 1.0 => Some(*to),
+                    _ => None,
+                };
+                let template = if beyond.is_some() { words.produce_image } else { words.divide_image };
+                Rich::fill(
+                    template,
+                    &[
+                        ("image", n.image_line(*from, *to, order)),
+                        ("beyond", beyond.map(image).unwrap_or_default()),
+                        ("part", n.image_line(*from, *label, order)),
+                        ("ratio", human::number(ratio.abs())),
+                        ("label", image(*label)),
+                    ],
+                )
+            }
             Act::CompleteImage { label, link, base } => Rich::fill(
                 words.complete_image,
                 &[
@@ -454,21 +634,8 @@ impl Teller<'_> {
             }
             Act::ReadVector { vector, mm, value } => {
                 let vector = self.vector(*vector)?;
-                let unit = n.unit(order);
-                let factor = self.polygon()?.si_per_mm / unit.si;
-                let reading = human::millimetres(*mm)
-                    .up("\u{a0}×\u{a0}")
-                    .then(&human::stated(factor))
-                    .up("\u{a0}=\u{a0}")
-                    .then(&human::quantity(*value, &unit));
-                Rich::fill(
-                    words.read_vector,
-                    &[
-                        ("vector", self.name(vector)),
-                        ("image", n.image_line(vector.tail, vector.head, order)),
-                        ("reading", reading),
-                    ],
-                )
+                let ends = [vector.tail, vector.head];
+                read(self.name(vector), ends, *mm, *value, self.polygon()?, n)
             }
         };
         Some(sentence)
@@ -537,7 +704,6 @@ impl Teller<'_> {
         let length = &n.scene.units.length;
         let (v, a) = (n.unit(Order::Velocity), n.unit(Order::Acceleration));
         let (w, e) = (n.angular_unit(Order::Velocity), n.angular_unit(Order::Acceleration));
-        let number = |si: f64, unit: f64| human::number(si / unit);
         let times = "\u{a0}·\u{a0}";
         let cross = "\u{a0}×\u{a0}";
         let over = "\u{a0}/\u{a0}";
@@ -552,98 +718,120 @@ impl Teller<'_> {
             if rule.is_empty() { formula } else { formula.aside(n.words.semicolon, &rule) }
         };
         let text = match calculation {
-            Calculation::Speed { quantity, link, ends, omega, length: l, value } => n
-                .symbol_from(*quantity, Some(ends[0]))
-                .up(equals)
-                .then(&n.symbol(Quantity::Omega(*link), false))
-                .up(times)
-                .then(&n.length(ends[0], ends[1]))
-                .up(equals)
-                .then(&number(omega.abs(), w.si))
-                .up(cross)
-                .then(&number(*l, length.si))
-                .up(equals)
-                .then(&human::quantity(*value, &v)),
-            Calculation::Omega { link, quantity, ends, speed, length: l, value } => n
-                .symbol(Quantity::Omega(*link), false)
-                .up(equals)
-                .then(&n.symbol_from(*quantity, Some(ends[0])))
-                .up(over)
-                .then(&n.length(ends[0], ends[1]))
-                .up(equals)
-                .then(&number(*speed, v.si))
-                .up(over)
-                .then(&number(*l, length.si))
-                .up(equals)
-                .then(&n.rotation(*value, &w)),
-            Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => n
-                .symbol_from(*quantity, Some(ends[0]))
-                .up(equals)
-                .then(&n.symbol_from(*velocity, Some(ends[0])).squared())
-                .up(over)
-                .then(&n.length(ends[0], ends[1]))
-                .up(equals)
-                .then(&number(*speed, v.si))
-                .up("²")
-                .up(over)
-                .then(&number(*l, length.si))
-                .up(equals)
-                .then(&human::quantity(*value, &a)),
-            Calculation::Tangential { quantity, link, ends, alpha, length: l, value } => n
-                .symbol_from(*quantity, Some(ends[0]))
-                .up(equals)
-                .then(&n.symbol(Quantity::Alpha(*link), false))
-                .up(times)
-                .then(&n.length(ends[0], ends[1]))
-                .up(equals)
-                .then(&number(alpha.abs(), e.si))
-                .up(cross)
-                .then(&number(*l, length.si))
-                .up(equals)
-                .then(&human::quantity(*value, &a)),
-            Calculation::Alpha { link, quantity, ends, tangential, length: l, value } => n
-                .symbol(Quantity::Alpha(*link), false)
-                .up(equals)
-                .then(&n.symbol_from(*quantity, Some(ends[0])))
-                .up(over)
-                .then(&n.length(ends[0], ends[1]))
-                .up(equals)
-                .then(&number(*tangential, a.si))
-                .up(over)
-                .then(&number(*l, length.si))
-                .up(equals)
-                .then(&n.rotation(*value, &e)),
-            Calculation::Coriolis { quantity, link, slip, speed, omega, value } => ruled(
+            Calculation::Speed { quantity, link, ends, omega, length: l, value } => {
+                let [rate, size] =
+                    human::closing([omega.abs() / w.si, l / length.si], value / v.si, |[a, b]| a * b);
+                n.symbol_from(*quantity, Some(ends[0]))
+                    .up(equals)
+                    .then(&n.symbol(Quantity::Omega(*link), false))
+                    .up(times)
+                    .then(&n.length(ends[0], ends[1]))
+                    .up(equals)
+                    .then(&rate)
+                    .up(cross)
+                    .then(&size)
+                    .up(equals)
+                    .then(&human::quantity(*value, &v))
+            }
+            Calculation::Omega { link, quantity, ends, speed, length: l, value } => {
+                let [read, size] =
+                    human::closing([speed / v.si, l / length.si], value.abs() / w.si, |[a, b]| a / b);
+                n.symbol(Quantity::Omega(*link), false)
+                    .up(equals)
+                    .then(&n.symbol_from(*quantity, Some(ends[0])))
+                    .up(over)
+                    .then(&n.length(ends[0], ends[1]))
+                    .up(equals)
+                    .then(&read)
+                    .up(over)
+                    .then(&size)
+                    .up(equals)
+                    .then(&n.rotation(*value, &w))
+            }
+            Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => {
+                let [read, size] =
+                    human::closing([speed / v.si, l / length.si], value / a.si, |[x, l]| x * x / l);
+                n.symbol_from(*quantity, Some(ends[0]))
+                    .up(equals)
+                    .then(&n.symbol_from(*velocity, Some(ends[0])).squared())
+                    .up(over)
+                    .then(&n.length(ends[0], ends[1]))
+                    .up(equals)
+                    .then(&read)
+                    .up("²")
+                    .up(over)
+                    .then(&size)
+                    .up(equals)
+                    .then(&human::quantity(*value, &a))
+            }
+            Calculation::Tangential { quantity, link, ends, alpha, length: l, value } => {
+                let [rate, size] =
+                    human::closing([alpha.abs() / e.si, l / length.si], value / a.si, |[a, b]| a * b);
+                n.symbol_from(*quantity, Some(ends[0]))
+                    .up(equals)
+                    .then(&n.symbol(Quantity::Alpha(*link), false))
+                    .up(times)
+                    .then(&n.length(ends[0], ends[1]))
+                    .up(equals)
+                    .then(&rate)
+                    .up(cross)
+                    .then(&size)
+                    .up(equals)
+                    .then(&human::quantity(*value, &a))
+            }
+            Calculation::Alpha { link, quantity, ends, tangential, length: l, value } => {
+                let [read, size] =
+                    human::closing([tangential / a.si, l / length.si], value.abs() / e.si, |[a, b]| a / b);
+                n.symbol(Quantity::Alpha(*link), false)
+                    .up(equals)
+                    .then(&n.symbol_from(*quantity, Some(ends[0])))
+                    .up(over)
+                    .then(&n.length(ends[0], ends[1]))
+                    .up(equals)
+                    .then(&read)
+                    .up(over)
+                    .then(&size)
+                    .up(equals)
+                    .then(&n.rotation(*value, &e))
+            }
+            Calculation::Coriolis { quantity, link, slip, speed, omega, value } => {
+                let [read, rate] =
+                    human::closing([speed / v.si, omega.abs() / w.si], value / a.si, |[x, w]| 2.0 * x * w);
+                ruled(
+                    n.symbol(*quantity, false)
+                        .up(equals)
+                        .up("2")
+                        .up(times)
+                        .then(&n.symbol(*slip, false))
+                        .up(times)
+                        .then(&n.symbol(Quantity::Omega(*link), false))
+                        .up(equals)
+                        .up("2")
+                        .up(cross)
+                        .then(&read)
+                        .up(cross)
+                        .then(&rate)
+                        .up(equals)
+                        .then(&human::quantity(*value, &a)),
+                    rule(link, slip, omega, speed),
+                )
+            }
+            Calculation::SlipNormal { quantity, slip, speed, radius, value } => {
+                let [read, size] =
+                    human::closing([speed / v.si, radius / length.si], value / a.si, |[x, r]| x * x / r);
                 n.symbol(*quantity, false)
                     .up(equals)
-                    .up("2")
-                    .up(times)
-                    .then(&n.symbol(*slip, false))
-                    .up(times)
-                    .then(&n.symbol(Quantity::Omega(*link), false))
+                    .then(&n.symbol(*slip, false).squared())
+                    .up(over)
+                    .it("R")
                     .up(equals)
-                    .up("2")
-                    .up(cross)
-                    .then(&number(*speed, v.si))
-                    .up(cross)
-                    .then(&number(omega.abs(), w.si))
+                    .then(&read)
+                    .up("²")
+                    .up(over)
+                    .then(&size)
                     .up(equals)
-                    .then(&human::quantity(*value, &a)),
-                rule(link, slip, omega, speed),
-            ),
-            Calculation::SlipNormal { quantity, slip, speed, radius, value } => n
-                .symbol(*quantity, false)
-                .up(equals)
-                .then(&n.symbol(*slip, false).squared())
-                .up(over)
-                .it("R")
-                .up(equals)
-                .then(&number(*speed, v.si))
-                .up("²")
-                .up(over)
-                .then(&number(*radius, length.si))
-                .up(equals)
-                .then(&human::quantity(*value, &a)),
+                    .then(&human::quantity(*value, &a))
+            }
             Calculation::Translation { link } => {
                 let omega = match self.step.order {
                     Order::Acceleration => Quantity::Alpha(*link),
@@ -659,6 +847,11 @@ impl Teller<'_> {
                 let unit = n.mechanism().asked.iter().find(|q| q.quantity == quantity);
                 let unit = unit.map_or_else(|| v.clone(), |asked| asked.unit.clone());
                 let length = human::length_of(&unit).unwrap_or_else(|| length.clone());
+                let journal = radius / length.si;
+                let [difference] =
+                    human::closing([(first - second).abs() / w.si], value / unit.si, |[difference]| {
+                        journal * difference
+                    });
                 n.symbol(quantity, false)
                     .up(equals)
                     .it("r")
@@ -670,7 +863,7 @@ impl Teller<'_> {
                     .up(equals)
                     .then(&human::stated_quantity(*radius, &length))
                     .up(cross)
-                    .then(&number((first - second).abs(), w.si))
+                    .then(&difference)
                     .up(equals)
                     .then(&human::quantity(*value, &unit))
             }

@@ -335,6 +335,15 @@ impl Teller<'_> {
         human::quantity(mm.abs() * self.metres_per_mm, &self.notation.scene.units.length)
     }
 
+    /// The rotation and the length of a line `ω · length = speed`, so that it closes as it is printed.
+    fn product(&self, omega: f64, mm: f64, speed: f64) -> [Rich; 2] {
+        let (w, v) = (self.notation.angular_unit(Order::Velocity), self.notation.unit(Order::Velocity));
+        let unit = &self.notation.scene.units.length;
+        let factors = [omega.abs() / w.si, mm.abs() * self.metres_per_mm / unit.si];
+        let [rate, length] = human::closing(factors, speed.abs() / v.si, |[a, b]| a * b);
+        [human::with_unit(&rate, &w.symbol), human::with_unit(&length, &unit.symbol)]
+    }
+
     fn sentence(&self, act: &TransferAct) -> Rich {
         let words = self.notation.words;
         let pole = |link: LinkId| chord(LinkId::FRAME, link);
@@ -361,6 +370,7 @@ impl Teller<'_> {
             }
             TransferAct::CommonSpeed { links: [i, k], of, mm, omega, speed } => {
                 let common = chord(i, k);
+                let [turning, length] = self.product(omega, mm, speed);
                 let parts = [
                     ("centre", name(common, self.notation)),
                     ("one", Rich::upright(self.notation.number(i))),
@@ -368,19 +378,20 @@ impl Teller<'_> {
                     ("velocity", spot_velocity(Spot::Centre(common), self.notation)),
                     ("omega", self.omega(of)),
                     ("distance", distance(pole(of), &named(common), self.notation)),
-                    ("omega_value", self.turning(omega.abs())),
-                    ("length", self.length(mm)),
+                    ("omega_value", turning),
+                    ("length", length),
                     ("value", self.speed(speed)),
                 ];
                 Rich::fill(words.transfer_common, &parts)
             }
             TransferAct::AboutPole { link, point, mm, omega, speed } => {
+                let [turning, length] = self.product(omega, mm, speed);
                 let parts = [
                     ("velocity", velocity(point)),
                     ("omega", self.omega(link)),
                     ("distance", distance(pole(link), self.notation.point_name(point), self.notation)),
-                    ("omega_value", self.turning(omega.abs())),
-                    ("length", self.length(mm)),
+                    ("omega_value", turning),
+                    ("length", length),
                     ("value", self.speed(speed)),
                 ];
                 Rich::fill(words.transfer_about_pole, &parts)

@@ -1,0 +1,354 @@
+//! What a reader finds on a finished sheet, told from its ink alone: whether everything has its name, how near to each
+//! other points stand, how large the diagrams are, how full the pages, whether any text touches anything, and whether every
+//! printed line gives its own printed result.
+//!
+//! `cargo test --test legibility -- --nocapture` prints the distribution over all examples, the catalogue and random
+//! chains.
+
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
+mod common;
+mod sheets;
+
+use std::collections::HashSet;
+
+use common::chains::chains;
+use kurbo::{Point, Rect};
+use linkgram::catalogue::KINDS;
+use linkgram::plan::Extent;
+use linkgram::scene::Scene;
+use linkgram::sheet::figure::{Group, Mark, Node, Shape, Text};
+use linkgram::sheet::overlap::overlaps;
+use linkgram::sheet::{self, Figure, Language};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+
+/// A vector of this length has a name, mm.
+const NAMED: f64 = 3.0;
+/// A head with its equation and what follows is not parted, mm.
+const CHUNK: f64 = 30.0;
+/// Random chains among the sheets that are read.
+const CHAINS: usize = 12;
+
+fn solution(scene: &Scene) -> Option<Figure> {
+    let solved = linkgram::solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene).ok()?;
+    Some(sheet::solution(scene, &solved.solution.construction, Language::English))
+}
+
+/// The sheets that are read, with their names.
+fn all() -> Vec<(String, Figure)> {
+    let examples = sheets::examples().into_iter().map(|example| {
+        let text = std::fs::read_to_string(&example.path).unwrap();
+        (example.name.clone(), linkgram::scene::read(&text, &example.name).unwrap())
+    });
+    let kinds = KINDS.iter().map(|kind| {
+        (format!("catalogue {}", kind.name), linkgram::scene::read(kind.scene, kind.name).unwrap())
+    });
+    let mut runner = TestRunner::deterministic();
+    let random = (0..CHAINS).map(|i| {
+        let chain = chains().new_tree(&mut runner).unwrap().current();
+        (format!("chain {i}"), common::read(&chain.text))
+    });
+    let scenes: Vec<(String, Scene)> = examples.chain(kinds).chain(random).collect();
+    scenes.iter().filter_map(|(name, scene)| Some((name.clone(), solution(scene)?))).collect()
+}
+
+fn data<'a>(group: &'a Group, name: &str) -> Option<&'a str> {
+    group.data.iter().find(|(own, _)| *own == name).map(|(_, value)| value.as_str())
+}
+
+fn has(group: &Group, class: &str) -> bool {
+    group.class.split(' ').any(|own| own == class)
+}
+
+/// All groups within a group, itself among them.
+fn groups<'a>(group: &'a Group, all: &mut Vec<&'a Group>) {
+    all.push(group);
+    for child in &group.children {
+        if let Node::Group(child) = child {
+            groups(child, all);
+        }
+    }
+}
+
+fn within(group: &Group) -> Vec<&Group> {
+    let mut all = Vec::new();
+    groups(group, &mut all);
+    all
+}
+
+fn marks(group: &Group) -> impl Iterator<Item = &Mark> {
+    group.children.iter().filter_map(|node| match node {
+        Node::Mark(mark) => Some(mark),
+        _ => None,
+    })
+}
+
+/// Tail and tip of a drawn vector.
+fn ends(vector: &Group) -> Option<(Point, Point)> {
+    let tail = marks(vector).find_map(|mark| match mark.shape {
+        Shape::Line(from, _) if mark.class == "shaft" => Some(from),
+        _ => None,
+    });
+    let tip = marks(vector).find_map(|mark| match &mark.shape {
+        Shape::Polygon(corners) if mark.class == "head" => corners.first().copied(),
+        _ => None,
+    });
+    tail.zip(tip)
+}
+
+fn place(point: &Group) -> Option<Point> {
+    marks(point).find_map(|mark| match mark.shape {
+        Shape::Circle { centre, .. } => Some(centre),
+        _ => None,
+    })
+}
+
+/// What was found on a diagram.
+#[derive(Debug, Default)]
+struct Seen {
+    vectors: usize,
+    unnamed: Vec<String>,
+    closest: Option<f64>,
+    size: f64,
+}
+
+fn see(diagram: &Group) -> Seen {
+    let all = within(diagram);
+    let names: HashSet<&str> = all
+        .iter()
+        .filter(|group| has(group, "name"))
+        .flat_map(|group| data(group, "of").unwrap_or_default().split(' '))
+        .collect();
+    let mut seen = Seen::default();
+    let mut points: Vec<Point> = Vec::new();
+    let mut bounds: Option<Rect> = None;
+    for group in &all {
+        let what: Vec<&str> = if has(group, "vector") {
+            let Some((tail, tip)) = ends(group) else { continue };
+            let own = Rect::from_points(tail, tip);
+            bounds = Some(bounds.map_or(own, |all| all.union(own)));
+            if tail.distance(tip) < NAMED {
+                continue;
+            }
+            seen.vectors += 1;
+            data(group, "quantity").into_iter().collect()
+        } else if let (true, Some(name)) = (has(group, "image") || has(group, "joint"), data(group, "point"))
+        {
+            points.extend(place(group));
+            vec![name]
+        } else if let (true, Some(number)) = (has(group, "link"), data(group, "link")) {
+            vec![number]
+        } else if let (true, Some(centres)) = (has(group, "centre"), data(group, "centre")) {
+            centres.split(' ').collect()
+        } else {
+            continue;
+        };
+        let missing = what.into_iter().flat_map(|what| what.split(' ')).filter(|what| !names.contains(what));
+        seen.unnamed.extend(missing.map(|what| format!("{} {what}", group.class)));
+    }
+    for (i, a) in points.iter().enumerate() {
+        for b in &points[..i] {
+            let apart = a.distance(*b);
+            if apart > 0.05 {
+                seen.closest = Some(seen.closest.map_or(apart, |least| least.min(apart)));
+            }
+        }
+    }
+    seen.size = bounds.map_or(0.0, |all| all.width().max(all.height()));
+    seen
+}
+
+/// How much of each page is used, from its top down, as a part of what is within the margins; and its blank, mm.
+fn pages(figure: &Figure) -> Vec<(f64, f64)> {
+    const MARGIN: f64 = 17.0;
+    let all: Vec<&Group> = within(&figure.root).into_iter().filter(|group| has(group, "page")).collect();
+    let height = figure.height / all.len().max(1) as f64;
+    let used = |(i, page): (usize, &&Group)| {
+        let boxes = page.children.iter().filter_map(|node| match node {
+            Node::Group(group) => group.bounds(),
+            Node::Text(text) if text.class == "page-number" => None,
+            Node::Text(text) => text.bounds(),
+            Node::Mark(mark) => Some(mark.bounds()),
+        });
+        let top = i as f64 * height + MARGIN;
+        let bottom = boxes.map(|own| own.y1).fold(top, f64::max);
+        let whole = height - 2.0 * MARGIN - 3.0;
+        ((bottom - top) / whole, whole - (bottom - top))
+    };
+    all.iter().enumerate().map(used).collect()
+}
+
+fn quantiles(what: &str, mut values: Vec<f64>) {
+    values.sort_by(f64::total_cmp);
+    let at = |part: f64| values[((values.len() - 1) as f64 * part) as usize];
+    let list = [0.0, 0.1, 0.25, 0.5, 0.75, 1.0].map(|part| format!("{:.2}", at(part)));
+    println!("{what}: {} of {}", list.join(" "), values.len());
+}
+
+#[test]
+fn everything_has_its_name_and_no_page_stands_nearly_empty() {
+    let (mut vectors, mut unnamed, mut waste, mut touching) = (0, Vec::new(), Vec::new(), Vec::new());
+    let (mut closest, mut sizes, mut fills, mut last) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for (name, figure) in all() {
+        for diagram in within(&figure.root) {
+            let polygon = has(diagram, "polygon");
+            if !polygon && !has(diagram, "skeleton") && !has(diagram, "instant-centres") {
+                continue;
+            }
+            let seen = see(diagram);
+            vectors += seen.vectors;
+            unnamed.extend(seen.unnamed.iter().map(|what| format!("{name}: {}: {what}", diagram.class)));
+            if polygon {
+                closest.extend(seen.closest);
+                sizes.push(seen.size);
+            }
+        }
+        touching.extend(overlaps(&figure).into_iter().map(|overlap| format!("{name}: {overlap:?}")));
+        let pages = pages(&figure);
+        for (i, (fill, blank)) in pages.iter().enumerate() {
+            fills.push(*fill);
+            let used = blank * fill / (1.0 - fill).max(1e-9);
+            let elsewhere = pages.iter().enumerate().any(|(k, (_, blank))| k != i && *blank > used + CHUNK);
+            if *fill < 1.0 / 3.0 && elsewhere {
+                waste.push(format!("{name}: page {} of {}, {:.0} %", i + 1, pages.len(), 100.0 * fill));
+            }
+        }
+        last.extend(pages.last().filter(|_| pages.len() > 1).map(|(fill, _)| *fill));
+    }
+    println!("vectors of {NAMED} mm and more: {vectors}, without a name: {}", unnamed.len());
+    quantiles("closest distinct points of a polygon, mm", closest);
+    quantiles("larger side of a polygon, mm", sizes);
+    quantiles("fill of a page", fills);
+    quantiles("fill of the last of several pages", last);
+    assert!(unnamed.is_empty(), "{unnamed:#?}");
+    assert!(touching.is_empty(), "{touching:#?}");
+    assert!(waste.is_empty(), "{waste:#?}");
+}
+
+/// The characters of a line, with exponents told from what stands beside them.
+fn characters(text: &Text) -> String {
+    let size = text.runs.iter().map(|run| run.size).fold(0.0, f64::max);
+    let base = text.runs.iter().map(|run| run.at.y).fold(f64::NEG_INFINITY, f64::max);
+    text.runs
+        .iter()
+        .map(|run| {
+            let raised = run.size < 0.9 * size && run.at.y < base - 0.1 * size;
+            if raised { format!("^{}", run.text) } else { run.text.clone() }
+        })
+        .collect()
+}
+
+/// The sentences of the steps, each in one line.
+fn sentences(figure: &Figure) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    for group in within(&figure.root) {
+        if !has(group, "sentence") {
+            continue;
+        }
+        let texts: Vec<&Text> = group
+            .children
+            .iter()
+            .filter_map(|node| match node {
+                Node::Text(text) => Some(text),
+                _ => None,
+            })
+            .collect();
+        let begins = texts.iter().any(|text| text.class == "mark");
+        let line: String = texts.iter().filter(|text| text.class != "mark").map(|t| characters(t)).collect();
+        match all.last_mut() {
+            Some(last) if !begins => {
+                last.push(' ');
+                last.push_str(&line);
+            }
+            _ => all.push(line),
+        }
+    }
+    all
+}
+
+/// A printed number at the beginning, half a unit of its last place, and what stands after it.
+fn number(text: &str) -> Option<(f64, f64, &str)> {
+    let text = text.trim_start();
+    let sign = if text.starts_with('−') { -1.0 } else { 1.0 };
+    let body = text.trim_start_matches('−');
+    let end = body
+        .char_indices()
+        .find(|(_, c)| !c.is_ascii_digit() && *c != '.' && *c != '\u{2009}')
+        .map_or(body.len(), |(i, _)| i);
+    let digits: String = body[..end].chars().filter(|c| *c != '\u{2009}').collect();
+    let mut value: f64 = digits.trim_end_matches('.').parse().ok()?;
+    let places = digits.split_once('.').map_or(0, |(_, after)| after.len() as i32);
+    let mut half = 0.5 * 10_f64.powi(-places);
+    if places == 0 && value >= 10_000.0 {
+        // Four figures stand there, and noughts.
+        half = 0.5 * 10_f64.powi(digits.len() as i32 - 4);
+    }
+    let mut rest = &body[end..];
+    let power = rest.trim_start_matches(['\u{a0}', ' ']);
+    if let Some(power) = power.strip_prefix("×\u{a0}10^") {
+        let end = power.find(|c: char| !c.is_ascii_digit() && c != '−').unwrap_or(power.len());
+        let exponent: i32 = power[..end].replace('−', "-").parse().ok()?;
+        value *= 10_f64.powi(exponent);
+        half *= 10_f64.powi(exponent);
+        rest = &power[end..];
+    }
+    Some((sign * value, half, rest))
+}
+
+/// The value of `2 × 3.1² / 4`, numbers only; `None` of anything else, and of a single number.
+fn reckoned(text: &str) -> Option<f64> {
+    let text = text.replace("mm", "").replace("2π", "6.283185307179586").replace('π', "3.141592653589793");
+    let mut rest = text.as_str();
+    let mut value: Option<f64> = None;
+    let mut operator = '×';
+    let mut operations = 0;
+    loop {
+        let (mut own, _, after) = number(rest)?;
+        let mut after = after.trim_start();
+        if let Some(squared) = after.strip_prefix('²') {
+            (own, after) = (own * own, squared.trim_start());
+            operations += 1;
+        }
+        value = Some(match (value, operator) {
+            (None, _) => own,
+            (Some(before), '×') => before * own,
+            (Some(before), _) => before / own,
+        });
+        match after.chars().next() {
+            None => return value.filter(|_| operations > 0),
+            Some(sign @ ('×' | '/')) => {
+                operator = sign;
+                operations += 1;
+                rest = &after[sign.len_utf8()..];
+            }
+            Some(_) => return None,
+        }
+    }
+}
+
+#[test]
+fn every_printed_line_gives_its_printed_result() {
+    let (mut lines, mut open, mut empty) = (0, Vec::new(), Vec::new());
+    for (name, figure) in all() {
+        for sentence in sentences(&figure) {
+            let parts: Vec<&str> = sentence.split('=').collect();
+            for pair in parts.windows(2) {
+                let Some(value) = reckoned(pair[0].rsplit(':').next().unwrap()) else { continue };
+                let Some((printed, half, _)) = number(pair[1]) else { continue };
+                lines += 1;
+                if (value - printed).abs() > half * (1.0 + 1e-9) {
+                    open.push(format!("{name}: {sentence}"));
+                }
+                if sentence.contains("0.0\u{a0}mm") && printed != 0.0 {
+                    empty.push(format!("{name}: {sentence}"));
+                }
+            }
+        }
+    }
+    println!("{lines} lines, {} do not close", open.len());
+    assert!(lines > 1000, "{lines}");
+    assert!(open.is_empty(), "{} of {lines}: {open:#?}", open.len());
+    assert!(empty.is_empty(), "{empty:#?}");
+}
