@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-mod common;
+use crate::common;
 
 use linkgram::check::{Unconfirmed, confirm};
 use linkgram::graphical::construction::{Act, Calculation, Label};

@@ -7,8 +7,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
 
-mod common;
-mod sheets;
+use crate::{common, sheets};
 
 use std::collections::HashSet;
 

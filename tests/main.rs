@@ -15,6 +15,7 @@ mod cases;
 mod centres;
 mod chains;
 mod cli;
+mod confirmed;
 mod exam;
 #[path = "extremes/main.rs"]
 mod extremes;
@@ -22,9 +23,13 @@ mod formats;
 #[path = "goldens/main.rs"]
 mod goldens;
 mod grade;
+mod groups;
+#[path = "hard/main.rs"]
+mod hard;
 #[path = "ink/main.rs"]
 mod ink;
 mod klein;
+mod legibility;
 mod mutated_files;
 mod mutations;
 mod nudged_strokes;
@@ -38,6 +43,8 @@ mod plan;
 mod planted;
 mod random_sheets;
 mod rooms;
+#[path = "statements/main.rs"]
+mod statements;
 mod structure;
 mod sweep;
 mod tapes;

@@ -1,10 +1,10 @@
 //! Every name that a scene may ask for, with the truth of it, in SI units.
 
-use crate::dice::Dice;
-use crate::jet::Moving;
-use crate::mechanism::{FRAME, Kind, Mechanism, Path, Place, cross, dot, left, length, minus, plus, unit};
-use crate::statement::Said;
-use crate::truth::State;
+use super::dice::Dice;
+use super::jet::Moving;
+use super::mechanism::{FRAME, Kind, Mechanism, Path, Place, cross, dot, left, length, minus, plus, unit};
+use super::statement::Said;
+use super::truth::State;
 
 /// What is true.
 #[derive(Clone, Debug)]

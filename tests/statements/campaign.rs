@@ -8,9 +8,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use serde_json::Value;
 
-use crate::Case;
-use crate::judge::{Fault, judge};
-use crate::minimise::minimise;
+use super::Case;
+use super::judge::{Fault, judge};
+use super::minimise::minimise;
 
 /// Refusals of the drawing that are not what the truth says: a text of each, and what is missing. A number is never
 /// let through.
@@ -253,7 +253,7 @@ pub(crate) fn run(seeds: Range<u64>, minimised: u64) -> Tally {
                     if seed >= seeds.end {
                         break;
                     }
-                    let case = crate::case(seed);
+                    let case = super::case(seed);
                     let started = std::time::Instant::now();
                     let verdict =
                         case.as_ref().ok().map(|case| judge(&case.scene, &case.asked)).unwrap_or_default();

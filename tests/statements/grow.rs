@@ -1,7 +1,7 @@
 //! Random mechanisms, grown group by group over places that are chosen first.
 
-use crate::dice::Dice;
-use crate::mechanism::{
+use super::dice::Dice;
+use super::mechanism::{
     Contact, Driver, FRAME, Input, Kind, Mechanism, Path, Place, Rider, Roll, Slide, direction, left, length,
     minus, plus, unit,
 };

@@ -6,8 +6,8 @@ use linkgram::plan::Extent;
 use linkgram::sheet::scale;
 use serde_json::{Value, json};
 
-use crate::asked::{Asked, Truth};
-use crate::mechanism::{cross, length, minus};
+use super::asked::{Asked, Truth};
+use super::mechanism::{cross, length, minus};
 
 /// One thing that is not as it should be.
 #[derive(Clone, Debug)]

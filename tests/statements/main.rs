@@ -5,7 +5,7 @@
 //! both solvers must answer with the truth (`judge.rs`).
 //!
 //! ```sh
-//! cargo test --release --no-default-features --test statements -- --ignored --nocapture campaign
+//! cargo test --release --no-default-features --features cli --test all statements:: -- --ignored --nocapture
 //! LINKGRAM_SEED=17 LINKGRAM_CAMPAIGN=1 cargo test … # one scene, printed
 //! ```
 

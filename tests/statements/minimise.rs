@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use crate::asked::Asked;
-use crate::judge::{Fault, judge};
+use super::asked::Asked;
+use super::judge::{Fault, judge};
 
 /// Takes away what the fault does not need; the scene, and what is wrong in it.
 pub(crate) fn minimise(scene: &Value, asked: &[Asked], fault: &Fault, class: &str) -> (Value, String) {
@@ -12,11 +12,11 @@ pub(crate) fn minimise(scene: &Value, asked: &[Asked], fault: &Fault, class: &st
         None => asked.to_vec(),
     };
     let same = |scene: &Value, asked: &[Asked]| {
-        !asked.is_empty() && judge(scene, asked).faults.iter().any(|f| crate::campaign::class(f) == class)
+        !asked.is_empty() && judge(scene, asked).faults.iter().any(|f| super::campaign::class(f) == class)
     };
     let mut scene = scene.clone();
     if !same(&scene, &asked) {
-        return (crate::judge::asking(&scene, &asked), format!("(not alone) {}", fault.why));
+        return (super::judge::asking(&scene, &asked), format!("(not alone) {}", fault.why));
     }
     loop {
         let before = (scene.clone(), asked.len());
@@ -45,7 +45,7 @@ pub(crate) fn minimise(scene: &Value, asked: &[Asked], fault: &Fault, class: &st
         .map(|f| format!("{}: {} {}", f.kind, f.name.clone().unwrap_or_default(), f.why))
         .collect::<Vec<_>>()
         .join("\n");
-    (crate::judge::asking(&scene, &asked), why)
+    (super::judge::asking(&scene, &asked), why)
 }
 
 /// What may be left out: a link with its slides and rolls, a point, a key.

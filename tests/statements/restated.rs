@@ -13,7 +13,7 @@ use linkgram::sheet::scale;
 use linkgram::solve::{solve, solve_analytically};
 use serde_json::{Map, Value, json};
 
-use crate::mechanism::{Place, angle, direction, length, minus};
+use super::mechanism::{Place, angle, direction, length, minus};
 
 /// Files of a folder, those that are to be refused left out.
 fn examples() -> Vec<(String, Value)> {

@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::dice::Dice;
-use crate::mechanism::{
+use super::dice::Dice;
+use super::mechanism::{
     Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, angle, cross, direction, dot, left, length,
     minus, plus, unit,
 };

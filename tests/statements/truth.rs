@@ -4,8 +4,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::jet::{Jet, Moving};
-use crate::mechanism::{
+use super::jet::{Jet, Moving};
+use super::mechanism::{
     Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, dot, left, length, minus,
 };
 
