@@ -136,7 +136,7 @@ pub(crate) fn judge(scene: &Value, asked: &[Asked]) -> Verdict {
         verdict.faults.push(Fault {
             kind: "disagree",
             name: None,
-            why: format!("ratio {:e}, branch {:?}", agreement.worst_ratio(), agreement.wrong_branch),
+            why: format!("ratio {:e}, branch {:?}", agreement.worst_ratio(), agreement.elsewhere),
         });
     }
     verdict.right = right;
