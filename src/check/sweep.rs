@@ -112,7 +112,9 @@ fn confirm_at(sweep: &Sweep, at: f64) -> Result<(), SweepUnconfirmed> {
             apart = (apart - TAU * (apart / TAU).round()).abs();
         }
         let allowed = bound + ERRORS * swept.error;
-        if !(apart <= allowed) {
+        // Written so that a not-a-number is not confirmed.
+        let confirmed = apart <= allowed;
+        if !confirmed {
             let swept = swept.value;
             return Err(SweepUnconfirmed::Number(SweptApart { column: index, at, swept, analytic, allowed }));
         }

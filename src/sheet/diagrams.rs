@@ -385,8 +385,7 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
     let mut y = bounds(seen.looks(columns).iter().filter_map(|values| read(values).map(|r| r.0)));
     let noise = NOISE * error(seen, columns) / unit.si;
     // Between the places that were looked at there is what a cubic makes of them.
-    let [low, high] =
-        bounds(seen.tables.iter().flat_map(Table::places).filter_map(|values| read(values)).map(|r| r.0));
+    let [low, high] = bounds(seen.tables.iter().flat_map(Table::places).filter_map(&read).map(|r| r.0));
     let constant = high - low < noise;
     if constant {
         // Wide enough for its ticks to have different numbers.

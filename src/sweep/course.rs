@@ -190,7 +190,9 @@ fn crossed(last: &mut Option<(f64, f64)>, at: f64, now: Moving) -> Option<(f64, 
 fn may_touch(a: Moving, b: Moving, way: f64) -> bool {
     let (down, up) = (a.slope * way, b.slope * way);
     let meet = a.value + down * ((b.value - up - a.value) / (down - up)).clamp(0.0, 1.0);
-    !(meet > 0.25 * a.value.min(b.value))
+    // Written so that a not-a-number is looked at.
+    let stays_away = meet > 0.25 * a.value.min(b.value);
+    !stays_away
 }
 
 impl Walker<'_> {
