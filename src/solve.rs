@@ -134,8 +134,8 @@ pub fn solve_with(
             graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales)
                 .map(|solution| (scales, solution))
         };
-        let (scales, solution) = construct(extents)?;
-        match solution.without_noise(extents) {
+        let (scales, solution) = construct(extents.clone())?;
+        match solution.without_noise(&extents) {
             Some(quiet) => construct(quiet),
             None => Ok((scales, solution)),
         }

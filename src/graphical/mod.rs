@@ -125,19 +125,19 @@ impl Solution {
     /// The extents without those of a polygon in which nothing is clear of zero: its scale would be that of roundings.
     /// `None` where there is no such polygon.
     #[must_use]
-    pub fn without_noise(&self, extents: Extents) -> Option<Extents> {
+    pub fn without_noise(&self, extents: &Extents) -> Option<Extents> {
         let noise = |polygon: &Option<Polygon>, extent: [f64; 2]| {
             let vectors = || polygon.iter().flat_map(|p| &p.vectors).filter(|v| !is_trial(v));
             extent != [0.0; 2] && vectors().next().is_some() && vectors().all(|v| v.from == v.to)
         };
-        let mut quiet = extents;
+        let mut quiet = extents.clone();
         if noise(&self.construction.velocity, extents.velocity) {
             quiet.velocity = [0.0; 2];
         }
         if noise(&self.construction.acceleration, extents.acceleration) {
             quiet.acceleration = [0.0; 2];
         }
-        (quiet != extents).then_some(quiet)
+        (quiet != *extents).then_some(quiet)
     }
 }
 

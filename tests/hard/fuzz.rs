@@ -84,8 +84,8 @@ fn finite(answer: &Answer) -> bool {
 
 fn agree(scene: &Scene, solved: &Solved) -> bool {
     let state = solve::solve_analytically(scene);
-    let Agreement { compared, wrong_branch, refused } = check::agreement(scene, solved, &state);
-    assert!(wrong_branch.is_none(), "DISAGREE: another assembly, seen at {wrong_branch:?}");
+    let Agreement { compared, elsewhere, refused } = check::agreement(scene, solved, &state);
+    assert!(elsewhere.is_none(), "DISAGREE: another assembly, seen at {elsewhere:?}");
     for c in &compared {
         assert!(finite(&c.graphical.answer), "{}: {:?}", c.asked.name, c.graphical.answer);
         assert!(finite(&c.analytic), "{}: {:?}", c.asked.name, c.analytic);
@@ -109,7 +109,7 @@ fn try_scene(dice: &mut Dice, text: &str, tally: &mut Tally) {
         1 => Arithmetic::DoubleDouble,
         _ => Arithmetic::Double,
     };
-    let settings = Settings { arithmetic };
+    let settings = Settings { arithmetic, ..Settings::default() };
     let solved = solve::solve_with(&scene, Extent::Asked, &[], settings, sheet::scale::for_scene);
     match &solved {
         Ok(solved) => {

@@ -5,6 +5,8 @@
 
 use std::time::{Duration, Instant};
 
+use crate::common;
+
 mod banks;
 mod dice;
 mod folder;
