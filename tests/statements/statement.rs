@@ -678,11 +678,11 @@ pub(crate) fn say(m: &Mechanism, made: &[&'static str], dice: &mut Dice) -> Said
         } else if w.placed[i] {
             placed.insert(point.name.clone(), w.place(point.at));
         } else {
-            let blur = 0.004 * size;
+            let blur = 0.0005 * size;
             let at = [0, 1].map(|k| {
                 let x = point.at[k] + blur * w.dice.between(-1.0, 1.0);
                 // As one writes them by eye.
-                let step = 0.001 * size;
+                let step = 0.0002 * size;
                 (x / step).round() * step
             });
             near.insert(point.name.clone(), json!(at));

@@ -160,7 +160,7 @@ pub(crate) enum NoTruth {
 }
 
 /// Reciprocal condition below which a mechanism is taken as next to a dead centre.
-pub(crate) const SINGULAR: f64 = 2e-4;
+pub(crate) const SINGULAR: f64 = 5e-4;
 
 struct Linear {
     columns: DMatrix<f64>,
