@@ -340,7 +340,7 @@ fn every_printed_line_gives_its_printed_result() {
                 if (value - printed).abs() > half * (1.0 + 1e-9) {
                     open.push(format!("{name}: {sentence}"));
                 }
-                if sentence.contains("0.0\u{a0}mm") && printed != 0.0 {
+                if sentence.contains(": 0.0\u{a0}mm") && printed != 0.0 {
                     empty.push(format!("{name}: {sentence}"));
                 }
             }
