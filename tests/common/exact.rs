@@ -1,7 +1,6 @@
 //! An arithmetic that shares nothing with the board's: whole numbers of 2⁻⁴⁰⁰, more than a hundred digits
 //! after the point.
 
-use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use linkgram::double_double::DoubleDouble;
@@ -168,10 +167,6 @@ impl Exact {
     /// |double-double − number|.
     pub(crate) fn error_of_fine(&self, value: DoubleDouble) -> f64 {
         (Self::fine(value) - self).abs().near()
-    }
-
-    pub(crate) fn is_less_than(&self, other: f64) -> bool {
-        self.cmp(&Self::of(other)) == Ordering::Less
     }
 }
 

@@ -10,9 +10,9 @@ pub(crate) mod oracle;
 use std::path::{Path, PathBuf};
 
 use linkgram::graphical::{self, DrawError, Extents, Scales, Solution};
+use linkgram::mechanism::PointId;
 use linkgram::mechanism::quantity::Answer;
 use linkgram::mechanism::structure::Structure;
-use linkgram::mechanism::{LinkId, PointId};
 use linkgram::plan::{Extent, Plan};
 use linkgram::scene::{self, Scene};
 
@@ -97,10 +97,6 @@ pub(crate) type Bounded = (f64, f64);
 impl Drawn {
     pub(crate) fn point(&self, name: &str) -> PointId {
         self.scene.mechanism.point_named(name).unwrap()
-    }
-
-    pub(crate) fn link(&self, number: u32) -> LinkId {
-        self.scene.mechanism.link_numbered(number).unwrap()
     }
 
     /// The answer to an asked quantity.
