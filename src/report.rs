@@ -4,6 +4,7 @@ use crate::graphical::{DrawError, Missing};
 use crate::mechanism::quantity::{Answer, Unit};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
 use crate::mechanism::{Input, Mechanism};
+pub(crate) use crate::scene::units::short;
 use crate::scene::{Diagnostic, Scene, Subject};
 use crate::solve::SolveError;
 use crate::sweep::PositionError;
@@ -146,12 +147,6 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
             )
         }
     }
-}
-
-/// A number with seven significant digits.
-pub(crate) fn short(x: f64) -> String {
-    let text = format!("{x:.6e}");
-    text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
 }
 
 /// A number with two significant digits: an error.

@@ -538,7 +538,7 @@ impl Scales {
 }
 
 /// Seven significant digits without trailing zeros.
-fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let text = format!("{value:.6e}");
     text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))
 }

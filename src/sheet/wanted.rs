@@ -5,8 +5,8 @@ use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, Rider};
 use crate::plan::Auxiliary;
-use crate::report::short;
 use crate::scene::Scene;
+use crate::scene::units::short;
 
 /// The figures of constructions on the skeleton, with the form of their arguments.
 const FORMS: [(&str, &str); 5] = [
