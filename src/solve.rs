@@ -223,6 +223,15 @@ pub fn by_hand(
     Ok(errors)
 }
 
+impl Solved {
+    /// The answer to the question of this name, as the scene words it: `v(B)`. `None` where the scene does not ask it.
+    #[must_use]
+    pub fn answer(&self, scene: &Scene, name: &str) -> Option<&Answer> {
+        let index = scene.mechanism.asked.iter().position(|asked| asked.name == name)?;
+        self.solution.construction.answers.get(index).map(|reading| &reading.answer)
+    }
+}
+
 /// Refuses where none of the asked quantities is determined.
 ///
 /// # Errors
