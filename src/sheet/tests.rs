@@ -266,7 +266,8 @@ fn told_to_programs(figure: &Figure) -> Vec<String> {
 fn told(group: &Group, words: &mut String, leaking: &mut Vec<String>) {
     for (name, value) in &group.data {
         words.push_str(&format!(" {value} "));
-        if !matches!(*name, "point" | "link" | "guide" | "page") {
+        // A label tells whose name it is: a joint's or a link's.
+        if !matches!(*name, "point" | "link" | "guide" | "page" | "of") {
             leaking.push(format!("data-{name}=\"{value}\""));
         }
     }
