@@ -902,6 +902,13 @@ impl Model {
             !anchors && !to_place && row.bodies().iter().all(|b| known[*b])
         });
         self.position = needed;
+        // Of more equations than unknowns the earlier ones are kept. Those of a direction alone come first: they are
+        // linear, and what a guide says of a point need not say anything of its link's direction.
+        if self.position.len() > 3 * (self.bodies - 1) {
+            self.position.sort_by_key(|row| {
+                !matches!(row, Row::Turn(..) | Row::Along(..) | Row::Hold(_) | Row::Aim(..))
+            });
+        }
         self.repeated.extend(repeated);
         Ok(())
     }
