@@ -427,3 +427,83 @@ fn a_point_of_the_rod_of_a_rolling_wheel() {
         assert!((drawn - stated).abs() < 1e-14, "{drawn}, not {stated}");
     }
 }
+
+/// Two cranks, each driven for itself, whose links have no other point that moves than what is placed: the centre of
+/// one against the other divides the line of their pivots inversely as their angular velocities.
+#[test]
+fn the_centre_of_two_links_driven_apart() {
+    let (p, q, [first, second]) = ([0.0, 0.0], [0.3, 0.1], [3.0, -5.0]);
+    // ω₂ (C − p) = ω₃ (C − q).
+    let centre: Vec<f64> = (0..2).map(|k| (first * p[k] - second * q[k]) / (first - second)).collect();
+    for joins in [r#""C", "B""#, r#""B", "C""#] {
+        gives(
+            &format!(
+                r#"{{ "fixed": {{ "A": {p:?}, "C": {q:?} }}, "placed": {{ "D": [0.1, 0.2], "B": [0.2, 0.3] }},
+                  "links": {{ "2": {{ "joins": ["A", "D"] }}, "3": {{ "joins": [{joins}] }} }},
+                  "inputs": [{{ "link": 2, "omega": {first} }}, {{ "link": 3, "omega": {second} }}],
+                  "find": ["I(2,3)"] }}"#
+            ),
+            &[("I(2,3)", centre.clone())],
+        );
+    }
+}
+
+/// A wheel at the end of a rod, on either side of its line: where its centre has no hint, that of another point of
+/// the rod tells the side. An upright crank 0.1 high, the line through its pivot: the rod's length sets F.
+#[test]
+fn a_point_of_its_rod_tells_the_side_on_which_a_wheel_rolls() {
+    let (b, radius): ([f64; 2], f64) = ([0.0, 0.1], 0.05);
+    for side in [1.0, -1.0] {
+        let f = [0.2, side * radius];
+        let rod = [f[0] - b[0], f[1] - b[1]];
+        let length = rod[0].hypot(rod[1]);
+        // G stands 0.06 square to the middle of the rod, on its left.
+        let g: Vec<f64> =
+            vec![b[0] + rod[0] / 2.0 - 0.06 * rod[1] / length, b[1] + rod[1] / 2.0 + 0.06 * rod[0] / length];
+        let near = [g[0] + 0.002, g[1] - 0.001];
+        gives(
+            &format!(
+                r#"{{ "fixed": {{ "A": [0, 0] }},
+                  "links": {{ "3": {{ "joins": ["A", "B"], "length": 0.1 }},
+                    "2": {{ "joins": ["B", "F", "G"],
+                      "shape": {{ "B": [0, 0], "F": [{length}, 0], "G": [{}, 0.06] }} }},
+                    "5": {{ "joins": ["F"] }} }},
+                  "rolls": [{{ "links": [5, 1], "line": {{ "link": 1, "through": "A", "angle": 0 }},
+                    "centre": "F", "radius": {radius} }}],
+                  "near": {{ "G": {near:?} }},
+                  "input": {{ "link": 3, "angle": 90, "omega": 2 }}, "find": ["x(G)", "x(F)"] }}"#,
+                length / 2.0
+            ),
+            &[("x(G)", g), ("x(F)", f.to_vec())],
+        );
+    }
+}
+
+/// A link that slides on the frame and carries an arc guide whose centre is a placed point of it: that point, the
+/// frame's guide and the arc say more than is needed, and none of them how the link points; its ride does.
+#[test]
+fn an_arc_about_a_placed_point_of_a_link_that_slides() {
+    let scene = |given: &str| {
+        format!(
+            r#"{{ "fixed": {{ "A": [0, 0] }}, {given}
+              "links": {{ "2": {{ "joins": ["A", "B"], "length": 0.5 }},
+                "3": {{ "joins": ["C", "D"], "line": [0, 0.6] }} }},
+              "slides": [
+                {{ "pin": "B", "block": 4, "on": {{ "link": 3, "centre": "D", "radius": 1 }} }},
+                {{ "link": 3, "turned": 90, "on": {{ "link": 1, "through": [0, 0], "angle": 0 }} }}],
+              "input": {{ "link": 2, "angle": 90, "omega": 2, "alpha": 3 }},
+              "find": ["v(D)", "a(D)", "x(D)", "omega(4)"] }}"#
+        )
+    };
+    // B at (0, 0.5); D at height 0.6, one away from B.
+    let d = [(1.0_f64 - 0.01).sqrt(), 0.6];
+    // x_D = x_B + √(1 − (0.6 − y_B)²) with v_B = (−1, 0).
+    gives(
+        &scene(&format!(r#""placed": {{ "D": {d:?} }},"#)),
+        &[("v(D)", vec![-1.0, 0.0]), ("x(D)", d.to_vec())],
+    );
+    same(
+        &scene(&format!(r#""near": {{ "D": {d:?} }},"#)),
+        &scene(&format!(r#""placed": {{ "D": {d:?} }},"#)),
+    );
+}

@@ -7,6 +7,7 @@ use crate::mechanism::{Form, LinkId, PointId, Roll};
 use crate::plan::GroupStep;
 
 use super::draughtsman::Draughtsman;
+use super::missing::Missing;
 use super::pose::{Pose, Track};
 use super::position::chooses;
 use super::{DrawError, Misfit};
@@ -73,9 +74,11 @@ impl<B: Bench> Draughtsman<'_, B> {
                 }
         });
         if let Some(rival) = rival {
-            let [first, second] = [best, rival].map(|i| tried[i].1.map_or([0.0; 2], |(_, at)| at));
-            let pin = tried[best].1.map_or(base, |(point, _)| point);
-            return Err(DrawError::Ambiguous { pin, first, second });
+            // Without a second point no hint can say how the rack stands.
+            return Err(match (tried[best].1, tried[rival].1) {
+                (Some((pin, first)), Some((_, second))) => DrawError::Ambiguous { pin, first, second },
+                _ => DrawError::Missing(Missing::Pose(link)),
+            });
         }
         self.chosen(best);
         Ok(poses[best])

@@ -467,15 +467,22 @@ impl<B: Bench> Draughtsman<'_, B> {
                     Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
                 });
             }
-            let nearest = |d: &Self, pair: &Pair<B>| {
-                let misses =
-                    [Side::First, Side::Second].map(|side| d.miss_of_hint(centre, d.board.look(pair, side)));
-                misses.into_iter().flatten().fold(f64::INFINITY, f64::min)
-            };
             // The hint also chooses the side of the line on which the wheel rolls.
-            let met = met.into_iter().enumerate().filter_map(|(track, met)| Some((track, met.ok()?)));
-            let Some((track, pair)) = met.min_by(|a, b| nearest(self, &a.1).total_cmp(&nearest(self, &b.1)))
-            else {
+            let mut nearest: Option<(usize, Pair<B>, f64)> = None;
+            for (track, met) in met.into_iter().enumerate() {
+                let Ok(pair) = met else { continue };
+                let misses = if self.mechanism.point(centre).place.hint().is_some() {
+                    [Side::First, Side::Second]
+                        .map(|side| self.miss_of_hint(centre, self.board.look(&pair, side)))
+                } else {
+                    self.hints_beside(&main, None, centre, pair)
+                };
+                let miss = misses.into_iter().flatten().fold(f64::INFINITY, f64::min);
+                if nearest.is_none_or(|(.., least)| miss < least) {
+                    nearest = Some((track, pair, miss));
+                }
+            }
+            let Some((track, pair, _)) = nearest else {
                 return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
             };
             self.chosen(track);
@@ -539,7 +546,7 @@ impl<B: Bench> Draughtsman<'_, B> {
             self.act(Act::DrawGuide { slide });
         }
         let own_point = self.own(link, point);
-        let Some((own_along, along)) = self.bar_direction(link, input) else { return Ok(()) };
+        let (own_along, along) = self.bar_direction(link, input)?;
         let pose = |own_anchor, anchor| Some(Pose { own_anchor, anchor, own_along, along });
         if self.prick_given(point) {
             self.act(Act::MarkPlaces);
@@ -605,25 +612,28 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A direction of a driven link's own figure, and where it points on the skeleton; none where nothing says it.
-    fn bar_direction(&mut self, link: LinkId, input: Drive) -> Option<(Direction<B>, Direction<B>)> {
+    fn bar_direction(
+        &mut self,
+        link: LinkId,
+        input: Drive,
+    ) -> Result<(Direction<B>, Direction<B>), DrawError> {
         let placed: Vec<PointId> =
             self.mechanism.link(link).points.clone().into_iter().filter(|&p| self.prick_given(p)).collect();
         if self.stands_in_world(link) {
             let x = self.board.rightward();
-            return Some((x, x));
+            return Ok((x, x));
         }
         if let Some(angle) = self.driven_angle(input) {
-            return Some((self.own_line_of(link), self.board.protractor(angle)));
+            return Ok((self.own_line_of(link), self.board.protractor(angle)));
         }
         let &[p, .., q] = placed.as_slice() else {
-            self.miss_of(Missing::Pose(link));
-            return None;
+            return Err(DrawError::Missing(Missing::Pose(link)));
         };
         let reason = self.reason(&[link]);
         let (own_from, own_to) = (self.own(link, p), self.own(link, q));
         let (own_along, _) = self.board.toward(own_from, own_to, reason);
         let (from, to) = (self.at(p), self.at(q));
-        Some((own_along, self.board.toward(from, to, reason).0))
+        Ok((own_along, self.board.toward(from, to, reason).0))
     }
 
     /// The direction of a link's first-to-second line in its own figure.
@@ -1304,31 +1314,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         // The pin's own hint comes first. Where it has none, or lies between both, a hint for another point of its
         // links may still tell.
         if chosen(score).is_none() {
-            score = [None; 2];
-            let mut hinted: Vec<(LinkId, PointId, PointId)> = Vec::new();
-            for &(link, base) in main {
-                for &point in &self.mechanism.link(link).points {
-                    let known = point == pin || self.places[point.0].is_some();
-                    if !known && self.mechanism.point(point).place.hint().is_some() {
-                        hinted.push((link, base, point));
-                    }
-                }
-            }
-            for (side, score) in sides.iter().zip(&mut score) {
-                for &(link, base, point) in &hinted {
-                    let at_pin = self.board.take(pair, *side);
-                    let at_base = self.at(base);
-                    let at = self.corner(link, (base, at_base), (pin, at_pin), point).value();
-                    if let Some(m) = self.miss_of_hint(point, at) {
-                        *score = Some(score.unwrap_or(0.0) + m);
-                    }
-                }
-                let Some((slide, link)) = rider else { continue };
-                let (own_anchor, anchor) = (self.own(link, pin), self.board.take(pair, *side));
-                let (own_along, along) = self.ride_directions(slide, link);
-                let carried = self.hints_of_pose(link, Pose { own_anchor, anchor, own_along, along }).0;
-                *score = carried.map(|m| m + score.unwrap_or(0.0)).or(*score);
-            }
+            score = self.hints_beside(main, rider, pin, pair);
         }
         match chosen(score) {
             Some(side) => Ok(side),
@@ -1341,6 +1327,44 @@ impl<B: Bench> Draughtsman<'_, B> {
                 })
             }
         }
+    }
+
+    /// How far the other points of a pin's links would stand from their hints, for each of its two places; square
+    /// metres.
+    fn hints_beside(
+        &mut self,
+        main: &[(LinkId, PointId)],
+        rider: Option<(usize, LinkId)>,
+        pin: PointId,
+        pair: Pair<B>,
+    ) -> [Option<f64>; 2] {
+        let sides = [Side::First, Side::Second];
+        let mut score: [Option<f64>; 2] = [None; 2];
+        let mut hinted: Vec<(LinkId, PointId, PointId)> = Vec::new();
+        for &(link, base) in main {
+            for &point in &self.mechanism.link(link).points {
+                let known = point == pin || self.places[point.0].is_some();
+                if !known && self.mechanism.point(point).place.hint().is_some() {
+                    hinted.push((link, base, point));
+                }
+            }
+        }
+        for (side, score) in sides.iter().zip(&mut score) {
+            for &(link, base, point) in &hinted {
+                let at_pin = self.board.take(pair, *side);
+                let at_base = self.at(base);
+                let at = self.corner(link, (base, at_base), (pin, at_pin), point).value();
+                if let Some(m) = self.miss_of_hint(point, at) {
+                    *score = Some(score.unwrap_or(0.0) + m);
+                }
+            }
+            let Some((slide, link)) = rider else { continue };
+            let (own_anchor, anchor) = (self.own(link, pin), self.board.take(pair, *side));
+            let (own_along, along) = self.ride_directions(slide, link);
+            let carried = self.hints_of_pose(link, Pose { own_anchor, anchor, own_along, along }).0;
+            *score = carried.map(|m| m + score.unwrap_or(0.0)).or(*score);
+        }
+        score
     }
 
     /// Whether a link carries a guide, or a link that slides without turning, so that its pose will be

@@ -363,6 +363,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             Closing::Angle { link, input } => {
                 let points = &self.mechanism.link(link).points;
                 let (Some(&p), Some(&q)) = (points.first(), points.get(1)) else {
+                    self.miss_of(Missing::Joint(link));
                     return self.board.no_length();
                 };
                 let along = self.outward(link, p, q);
@@ -418,7 +419,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
                         least = Some(miss);
                     }
                 }
-                least.unwrap_or_else(|| self.board.no_length())
+                least.unwrap_or_else(|| {
+                    self.miss_of(Missing::Place(centre));
+                    self.board.no_length()
+                })
             }
             // The position is placed, not tried.
             Closing::Roll { .. } => self.board.no_length(),
