@@ -32,6 +32,7 @@ mod klein;
 mod legibility;
 mod mutated_files;
 mod mutations;
+mod nothing_missing;
 mod nudged_strokes;
 #[path = "other_programs/main.rs"]
 mod other_programs;
