@@ -278,19 +278,20 @@ fn number(text: &str) -> Option<(f64, f64, &str)> {
         .map_or(body.len(), |(i, _)| i);
     let digits: String = body[..end].chars().filter(|c| *c != '\u{2009}').collect();
     let mut value: f64 = digits.trim_end_matches('.').parse().ok()?;
-    let places = digits.split_once('.').map_or(0, |(_, after)| after.len() as i32);
-    let mut half = 0.5 * 10_f64.powi(-places);
+    let places = digits.split_once('.').map_or(0, |(_, after)| after.len());
+    let mut half = format!("0.5e-{places}").parse().ok()?;
     if places == 0 && value >= 10_000.0 {
         // Four figures stand there, and noughts.
-        half = 0.5 * 10_f64.powi(digits.len() as i32 - 4);
+        half = format!("0.5e{}", digits.len() - 4).parse().ok()?;
     }
     let mut rest = &body[end..];
     let power = rest.trim_start_matches(['\u{a0}', ' ']);
     if let Some(power) = power.strip_prefix("×\u{a0}10^") {
         let end = power.find(|c: char| !c.is_ascii_digit() && c != '−').unwrap_or(power.len());
         let exponent: i32 = power[..end].replace('−', "-").parse().ok()?;
-        value *= 10_f64.powi(exponent);
-        half *= 10_f64.powi(exponent);
+        let power_of_ten: f64 = format!("1e{exponent}").parse().ok()?;
+        value *= power_of_ten;
+        half *= power_of_ten;
         rest = &power[end..];
     }
     Some((sign * value, half, rest))

@@ -55,11 +55,6 @@ const RIGHT: &[(&str, &str, &str)] = &[
         "klein.acceleration else { return }",
         "nothing more to read where only velocities were asked for",
     ),
-    (
-        "graphical/centres/mod.rs",
-        "self.velocity_on(link) else { return }",
-        "a centre that is not found is not known, and is refused where it is asked for",
-    ),
     ("graphical/centrodes.rs", ".unwrap_or([0.0; 2]);", "a locus may be drawn about any origin"),
     ("graphical/centrodes.rs", "ring.last().map_or(0.0", "the length of an empty ring"),
     (

@@ -77,7 +77,7 @@ fn check_one(path: &Path, as_json: bool, tolerance: f64, settings: Settings) -> 
             let check = crate::check::check_with(&scene, tolerance, settings);
             (file, Ok((scene, check)))
         }
-        Err(failure) => (files::shown(&path), Err(failure.told)),
+        Err(failure) => (files::shown(path), Err(failure.told)),
     };
     let ok = result.as_ref().is_ok_and(|(_, check)| check.ok);
     let told = if as_json {

@@ -125,7 +125,7 @@ impl Folder<'_> {
 
     /// The tries that an earlier run found, if it found enough; a folder that holds anything else is refused.
     fn known_attempts(&self, wanted: usize) -> Result<Option<Vec<u64>>, Failure> {
-        let shown = files::shown(&self.path);
+        let shown = files::shown(self.path);
         if !self.path.exists() {
             return Ok(None);
         }

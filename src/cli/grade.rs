@@ -63,7 +63,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         let Some(figure) = figure else {
             return Err(Failure(format!(
                 "{}: no answer needs a polygon, so there is nothing to lay over",
-                files::shown(&path)
+                files::shown(path)
             )));
         };
         let bytes = render::render(&figure, format, &render::Options::default())
@@ -91,5 +91,5 @@ fn beside(job: &Job, answers: &grade::Answers, named: &str) -> Result<PathBuf, F
 /// The format of the overlay, by the ending of its name.
 fn overlay_format(path: &Path) -> Result<Format, Failure> {
     let ending = path.extension().and_then(|e| e.to_str()).and_then(Format::from_name);
-    ending.ok_or_else(|| Failure(format!("{}: unknown format; end the name in .svg", files::shown(&path))))
+    ending.ok_or_else(|| Failure(format!("{}: unknown format; end the name in .svg", files::shown(path))))
 }

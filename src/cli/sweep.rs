@@ -59,7 +59,7 @@ impl Output {
             Some(format) => Ok(Self::Diagrams(format)),
             None => Err(Failure(format!(
                 "{}: end the name in .csv or .json for a table, in .svg, .png, .pdf or .tex for diagrams",
-                files::shown(&path)
+                files::shown(path)
             ))),
         }
     }

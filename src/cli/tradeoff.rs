@@ -77,7 +77,7 @@ fn format_of(path: &Path) -> Result<Format, Failure> {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     match Format::from_name(ending) {
         Some(format @ (Format::Svg | Format::Png | Format::Pdf)) => Ok(format),
-        _ => Err(Failure(format!("{}: the picture is written as .svg, .png or .pdf", files::shown(&path)))),
+        _ => Err(Failure(format!("{}: the picture is written as .svg, .png or .pdf", files::shown(path)))),
     }
 }
 

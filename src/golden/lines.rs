@@ -169,7 +169,7 @@ mod tests {
         };
         assert!(told(old).is_empty());
         let looks = (Weight::Cosmetic, "other bytes than were blessed".to_owned());
-        assert_eq!(told("svg=02 skeleton=a/b velocity=c/d text=e/f"), [looks.clone()]);
+        assert_eq!(told("svg=02 skeleton=a/b velocity=c/d text=e/f"), std::slice::from_ref(&looks));
         assert_eq!(
             told("svg=02 skeleton=a/b velocity=c/x text=y/f"),
             [

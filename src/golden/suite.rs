@@ -96,11 +96,11 @@ impl Suite {
     /// When the folder or its `suite.json` cannot be read, says what cannot be, or lists no scene.
     pub fn open(folder: &Path) -> Result<Self, GoldenError> {
         if !folder.is_dir() {
-            return Err(GoldenError::File(format!("{}: not a folder", files::shown(&folder))));
+            return Err(GoldenError::File(format!("{}: not a folder", files::shown(folder))));
         }
         let (cases, dpi) = manifest::read(folder)?;
         if cases.is_empty() {
-            return Err(GoldenError::Suite(format!("{}: no scene in this suite", files::shown(&folder))));
+            return Err(GoldenError::Suite(format!("{}: no scene in this suite", files::shown(folder))));
         }
         let known = cases.iter().map(|case| case.name.clone()).collect();
         let lines = Lines::read(folder)?;
@@ -448,7 +448,7 @@ impl Suite {
         wanted.retain(|(path, new)| !bytes(path).is_ok_and(|old| old.as_ref() == Some(new)));
         if let Some(folder) = wanted.first().and_then(|(path, _)| path.parent()) {
             fs::create_dir_all(folder)
-                .map_err(|error| file(&format!("{}: {error}", files::shown(&folder))))?;
+                .map_err(|error| file(&format!("{}: {error}", files::shown(folder))))?;
         }
         files::write_all(&wanted).map_err(|error| file(&error))?;
         let mut changed = !wanted.is_empty();

@@ -412,11 +412,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// The other pins of a driven link: their images, and what their sliding is.
     fn other_pins(&mut self, order: Order, kind: GroupKind) {
         let GroupKind::DrivenBar { link, point, under, .. } = kind else { return };
-        for hold in 0..2 {
+        for (hold, is_under) in under.into_iter().enumerate() {
             let Unknown::Carried { slide, back, pin, .. } = self.hold_of(kind, hold, (link, point)) else {
                 continue;
             };
-            let (target, head) = if under[hold] {
+            let (target, head) = if is_under {
                 let image = self.image_under(order, pin, link);
                 (Target::Under(pin, link), (self.label_under(pin, link), image))
             } else {

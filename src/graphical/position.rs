@@ -46,7 +46,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<
 /// Two hints that differ by less than this part cannot choose between two places.
 const HINT_TIE: f64 = 1e-9;
 /// Nor can two whose distances differ by less than this on paper, millimetres: rounding does.
-const HINT_FLOOR: f64 = 1e-9;
+const HINT_FLOOR: f64 = 1e-12;
 /// A guide is square to its link's x-axis where the cosine of their angle is no more than this.
 const SQUARE: f64 = 2e-6;
 

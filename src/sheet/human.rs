@@ -229,9 +229,9 @@ mod tests {
     #[test]
     fn printed_factors_give_the_printed_result() {
         // 317² / 80 = 1256, and the true speed is 317.2.
-        let [speed, length] = closing([317.2, 80.0], 317.2_f64.powi(2) / 80.0, |[v, l]| v * v / l);
+        let [speed, length] = closing([317.2, 80.0], 317.2 * 317.2 / 80.0, |[v, l]| v * v / l);
         assert_eq!((plain(&speed), plain(&length)), ("317.2".to_owned(), "80".to_owned()));
-        let [speed, _] = closing([317.04, 80.0], 317.04_f64.powi(2) / 80.0, |[v, l]| v * v / l);
+        let [speed, _] = closing([317.04, 80.0], 317.04 * 317.04 / 80.0, |[v, l]| v * v / l);
         assert_eq!(plain(&speed), "317");
         // 35.1 × 5 is 175.5, and what is printed is 175; 63.5 × 5 is not 317, but 317.5.
         let line = |mm: f64| reading(mm, 5.0, 5.0 * mm).map(|part| plain(&part));

@@ -12,7 +12,7 @@ use crate::common;
 
 mod campaign;
 mod chain;
-mod dice;
+pub(crate) mod dice;
 
 use std::fmt::Write;
 

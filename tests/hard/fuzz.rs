@@ -89,7 +89,7 @@ fn agree(scene: &Scene, solved: &Solved) -> bool {
     for c in &compared {
         assert!(finite(&c.graphical.answer), "{}: {:?}", c.asked.name, c.graphical.answer);
         assert!(finite(&c.analytic), "{}: {:?}", c.asked.name, c.analytic);
-        let apart = c.difference.is_some_and(|d| !(d.ratio <= 1.0));
+        let apart = c.difference.is_some_and(|d| d.ratio.is_nan() || d.ratio > 1.0);
         assert!(!apart, "DISAGREE: {}: {:?} against {:?}", c.asked.name, c.graphical.answer, c.analytic);
     }
     refused.is_none()

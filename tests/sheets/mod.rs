@@ -1,5 +1,7 @@
 //! The finished sheets of the examples, for the tests that look at them from outside.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a failed unwrap is a failed test")]
+
 use std::path::{Path, PathBuf};
 
 use linkgram::plan::Extent;

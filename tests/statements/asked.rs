@@ -1,10 +1,10 @@
 //! Every name that a scene may ask for, with the truth of it, in SI units.
 
-use super::dice::Dice;
 use super::jet::Moving;
 use super::mechanism::{FRAME, Kind, Mechanism, Path, Place, cross, dot, left, length, minus, plus, unit};
 use super::statement::Said;
 use super::truth::State;
+use crate::extremes::dice::Dice;
 
 /// What is true.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! Random mechanisms, grown group by group over places that are chosen first.
 
-use super::dice::Dice;
 use super::mechanism::{
     Contact, Driver, FRAME, Input, Kind, Mechanism, Path, Place, Rider, Roll, Slide, direction, left, length,
     minus, plus, unit,
 };
+use crate::extremes::dice::Dice;
 
 /// Points nearer to each other than this are no joints of one mechanism.
 const APART: f64 = 0.7;

@@ -13,9 +13,6 @@
 
 mod asked;
 mod campaign;
-#[path = "../extremes/dice.rs"]
-#[allow(dead_code, reason = "shared with the extremes")]
-mod dice;
 mod grow;
 mod jet;
 mod judge;
@@ -25,8 +22,8 @@ mod restated;
 mod statement;
 mod truth;
 
+use crate::extremes::dice::Dice;
 use asked::Asked;
-use dice::Dice;
 use linkgram::plan::Extent;
 use linkgram::sheet::{self, Language, scale};
 use mechanism::length;

@@ -2,11 +2,11 @@
 
 use serde_json::{Map, Value, json};
 
-use super::dice::Dice;
 use super::mechanism::{
     Contact, Driver, FRAME, Kind, Mechanism, Path, Place, Rider, angle, cross, direction, dot, left, length,
     minus, plus, unit,
 };
+use crate::extremes::dice::Dice;
 
 const TURN: f64 = 2.0 * std::f64::consts::PI;
 
