@@ -100,20 +100,21 @@ fn parts(sums: &str) -> BTreeMap<&str, &str> {
 /// What differs between two lines of one golden, the weightiest first.
 pub(super) fn changes(old: &str, new: &str) -> Vec<Change> {
     let (old, new) = (parts(old), parts(new));
+    // A refusal in the place of a drawing, or the other way round, is the whole of the change.
+    let instead = match (old.contains_key(REFUSED), new.contains_key(REFUSED)) {
+        (false, true) => Some("refused now, as the scene expects"),
+        (true, false) => Some("drawn now, where it was refused"),
+        _ => None,
+    };
+    if let Some(what) = instead {
+        return vec![Change::new(Weight::Content, what.to_owned())];
+    }
     let mut changes = Vec::new();
     let mut tell = |weight: Weight, what: String| changes.push(Change::new(weight, what));
     for name in old.keys().chain(new.keys().filter(|name| !old.contains_key(*name))).copied() {
         let (old, new) = match (old.get(name), new.get(name)) {
             (Some(old), Some(new)) if old == new => continue,
             (Some(old), Some(new)) => (*old, *new),
-            (None, _) if name == REFUSED => {
-                tell(Weight::Content, "refused now, as the scene expects".to_owned());
-                continue;
-            }
-            (_, None) if name == REFUSED => {
-                tell(Weight::Content, "drawn now, where it was refused".to_owned());
-                continue;
-            }
             _ if name == SVG => continue,
             (None, _) => {
                 tell(Weight::Content, format!("{name}: a new panel"));
