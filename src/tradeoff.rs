@@ -64,6 +64,7 @@ impl Setting {
             Arithmetic::Single => "f32",
             Arithmetic::Double => "f64",
             Arithmetic::DoubleDouble => "dd",
+            Arithmetic::Wide => "75 digits",
         };
         match self {
             Self::Drawn(a) => format!("drawn, {}, recorded", short(a)),
@@ -170,13 +171,10 @@ fn length(values: &[Wide]) -> f64 {
     values.iter().fold(0.0, |sum, v| libm::hypot(sum, v.to_f64()))
 }
 
-fn answered<R: Real>(numbers: Vec<Option<Numbers<R>>>, wide: impl Fn(R) -> Wide) -> Answers {
-    let one = |n: Numbers<R>| Answered { value: n.value.into_iter().map(&wide).collect(), bound: n.bound };
+fn answered<R: Real>(numbers: Vec<Option<Numbers<R>>>) -> Answers {
+    let wide = |value: R| Wide::of_double_double(value.to_double_double());
+    let one = |n: Numbers<R>| Answered { value: n.value.into_iter().map(wide).collect(), bound: n.bound };
     numbers.into_iter().map(|n| n.map(one)).collect()
-}
-
-fn of_double<R: Real>(value: R) -> Wide {
-    Wide::of_double_double(value.to_double_double())
 }
 
 impl<'s> Subject<'s> {
@@ -217,19 +215,19 @@ impl<'s> Subject<'s> {
     fn answers(&self, setting: Setting, seed: u64) -> Option<Answers> {
         let m = &self.scene.mechanism;
         Some(match setting {
-            Setting::Drawn(Arithmetic::Single) => answered(self.recorded::<f32>().ok()?, of_double),
-            Setting::Drawn(Arithmetic::Double) => answered(self.recorded::<f64>().ok()?, of_double),
-            Setting::Drawn(Arithmetic::DoubleDouble) => {
-                answered(self.recorded::<DoubleDouble>().ok()?, of_double)
-            }
-            Setting::Unrecorded(Arithmetic::Single) => answered(self.unrecorded::<f32>().ok()?, of_double),
-            Setting::Unrecorded(Arithmetic::Double) => answered(self.unrecorded::<f64>().ok()?, of_double),
+            Setting::Drawn(Arithmetic::Single) => answered(self.recorded::<f32>().ok()?),
+            Setting::Drawn(Arithmetic::Double) => answered(self.recorded::<f64>().ok()?),
+            Setting::Drawn(Arithmetic::DoubleDouble) => answered(self.recorded::<DoubleDouble>().ok()?),
+            Setting::Drawn(Arithmetic::Wide) => answered(self.recorded::<Wide>().ok()?),
+            Setting::Unrecorded(Arithmetic::Single) => answered(self.unrecorded::<f32>().ok()?),
+            Setting::Unrecorded(Arithmetic::Double) => answered(self.unrecorded::<f64>().ok()?),
             Setting::Unrecorded(Arithmetic::DoubleDouble) => {
-                answered(self.unrecorded::<DoubleDouble>().ok()?, of_double)
+                answered(self.unrecorded::<DoubleDouble>().ok()?)
             }
+            Setting::Unrecorded(Arithmetic::Wide) => answered(self.unrecorded::<Wide>().ok()?),
             Setting::ByHand(hand) => {
                 let drawn = graphical::by_one_hand(m, &self.structure, &self.plan, self.scales, (hand, seed));
-                answered(drawn.ok()?, of_double)
+                answered(drawn.ok()?)
             }
             Setting::Analytic(tolerance) => {
                 let order = m.asked.iter().map(|a| a.quantity.order()).max().unwrap_or(Order::Position);

@@ -6,51 +6,47 @@
 use crate::common;
 
 use std::f64::consts::PI;
+use std::marker::PhantomData;
 
 use crate::common::exact::Exact;
-use linkgram::board::{
-    Blank, Board, Circle, Line, Mm, NoMeet, Operation, Point, Real, Recorded, Scale, Side, Tape, Trial,
-};
+use linkgram::board::{Board, Circle, Line, Mm, NoMeet, Operation, Point, Real, Scale, Side, Tape};
 use linkgram::double_double::DoubleDouble;
 use linkgram::given::Given;
 use proptest::prelude::*;
 
-type Taped = Board<Recorded>;
-type TapedIn<R> = linkgram::board::Taped<R>;
-
 const UNIT: Scale = Scale { si_per_mm: 1.0 };
 
-fn board() -> Taped {
-    Board::new(Tape::default())
+fn board() -> Board {
+    Board::default()
 }
 
-fn mm(board: &mut Taped, given: Given) -> Mm<Recorded> {
+fn mm(board: &mut Board, given: Given) -> Mm {
     let amount = board.amount(given);
     board.to_paper(amount, UNIT)
 }
 
-fn exact_mm(board: &mut Taped, value: f64) -> Mm<Recorded> {
+fn exact_mm(board: &mut Board, value: f64) -> Mm {
     mm(board, Given::exact(value))
 }
 
-fn at(board: &mut Taped, x: f64, y: f64) -> Point<Recorded> {
+fn at(board: &mut Board, x: f64, y: f64) -> Point {
     let (x, y) = (exact_mm(board, x), exact_mm(board, y));
     board.prick(x, y)
 }
 
-fn line(board: &mut Taped, from: [f64; 2], to: [f64; 2]) -> Line<Recorded> {
+fn line(board: &mut Board, from: [f64; 2], to: [f64; 2]) -> Line {
     let (a, b) = (at(board, from[0], from[1]), at(board, to[0], to[1]));
     Line { through: a, along: board.toward(a, b, 0).0 }
 }
 
-fn circle(board: &mut Taped, centre: [f64; 2], radius: f64) -> Circle<Recorded> {
+fn circle(board: &mut Board, centre: [f64; 2], radius: f64) -> Circle {
     Circle { centre: at(board, centre[0], centre[1]), radius: exact_mm(board, radius) }
 }
 
 /// A scalar is the fraction within its bound, and the bound is a few roundings of numbers of its size.
-fn is_fraction(board: &mut Taped, length: Mm<Recorded>, numerator: i64, denominator: i64, size: f64) {
+fn is_fraction(board: &mut Board, length: Mm, numerator: i64, denominator: i64, size: f64) {
     let truth = Exact::ratio(numerator, denominator);
-    let bound = board.recorder().bound(length.mark());
+    let bound = board.tape().bound(length.mark());
     let error = truth.error_of(length.value());
     assert!(
         error <= bound,
@@ -58,10 +54,10 @@ fn is_fraction(board: &mut Taped, length: Mm<Recorded>, numerator: i64, denomina
         length.value()
     );
     assert!(bound <= 100.0 * size * f64::EPSILON, "a bound of {bound:e} for a well-posed figure");
-    assert_eq!(board.recorder().weakness(length.mark()), None);
+    assert_eq!(board.tape().weakness(length.mark()), None);
 }
 
-fn is_point(board: &mut Taped, point: Point<Recorded>, x: [i64; 2], y: [i64; 2]) {
+fn is_point(board: &mut Board, point: Point, x: [i64; 2], y: [i64; 2]) {
     let origin = board.origin();
     let [px, py] = board.between(origin, point);
     is_fraction(board, px, x[0], x[1], 10.0);
@@ -143,7 +139,7 @@ fn set_square_and_dividers_measure_3_4_5() {
     is_fraction(b, across, 5, 1, 10.0);
     let distance = b.distance(base.through, point);
     let truth = Exact::ratio(50, 1).sqrt();
-    assert!(truth.error_of(distance.value()) <= b.recorder().bound(distance.mark()));
+    assert!(truth.error_of(distance.value()) <= b.tape().bound(distance.mark()));
 }
 
 #[test]
@@ -177,7 +173,7 @@ fn directions_turn_exactly() {
     let home = b.lay_off(p, along, minus);
     is_point(b, home, [0, 1], [0, 1]);
     let quarter = b.angle_between(along, square);
-    assert!((quarter.value() - PI / 2.0).abs() <= b.recorder().bound(quarter.mark()) + f64::EPSILON);
+    assert!((quarter.value() - PI / 2.0).abs() <= b.tape().bound(quarter.mark()) + f64::EPSILON);
     let behind = b.angle_between(square, along);
     assert_eq!(behind.value(), -quarter.value());
 }
@@ -190,8 +186,8 @@ fn what_is_laid_off_is_read_back() {
         let amount = b.amount(Given::read(0.3 * si_per_mm));
         let paper = b.to_paper(amount, scale);
         let read = b.read(paper, scale);
-        assert!((read.value() - amount.value()).abs() <= b.recorder().bound(read.mark()));
-        assert!(b.recorder().bound(read.mark()) <= 10.0 * f64::EPSILON * amount.value());
+        assert!((read.value() - amount.value()).abs() <= b.tape().bound(read.mark()));
+        assert!(b.tape().bound(read.mark()) <= 10.0 * f64::EPSILON * amount.value());
     }
 }
 
@@ -235,7 +231,7 @@ fn a_tangency_is_one_point_and_weak() {
         let point = b.take(pair, Side::First);
         assert!(common::norm(common::minus(point.value(), [r1, 0.0])) < 1e-7 * d, "{r1} {r2} {d}");
         let [_, up] = b.between(c1.centre, point);
-        assert_eq!(b.recorder().weakness(up.mark()), Some(7), "{r1} {r2} {d}");
+        assert_eq!(b.tape().weakness(up.mark()), Some(7), "{r1} {r2} {d}");
     }
     let touching = line(b, [-7.0, 3.0], [0.0, 3.0]);
     let about = circle(b, [0.0, 0.0], 3.0);
@@ -254,13 +250,13 @@ fn parallel_lines_are_weak_with_their_reason_and_finite() {
         let meet = b.meet_lines(first, second, 42);
         assert!(meet.at.value().iter().all(|x| x.is_finite()));
         assert!(meet.along.iter().all(|l| l.value().is_finite()));
-        assert_eq!(b.recorder().weakness(meet.along[0].mark()), Some(42));
+        assert_eq!(b.tape().weakness(meet.along[0].mark()), Some(42));
         let [x, _] = b.between(first.through, meet.at);
-        assert_eq!(b.recorder().weakness(x.mark()), Some(42));
+        assert_eq!(b.tape().weakness(x.mark()), Some(42));
     }
     // What does not hang on the weak meet stays sound.
     let meet = b.meet_lines(first, healthy, 43);
-    assert_eq!(b.recorder().weakness(meet.along[0].mark()), None);
+    assert_eq!(b.tape().weakness(meet.along[0].mark()), None);
 }
 
 #[test]
@@ -272,7 +268,7 @@ fn a_direction_between_coinciding_points_is_weak() {
     let ten = exact_mm(b, 10.0);
     let end = b.lay_off(p, along, ten);
     let [x, _] = b.between(p, end);
-    assert_eq!(b.recorder().weakness(x.mark()), Some(9));
+    assert_eq!(b.tape().weakness(x.mark()), Some(9));
 }
 
 #[test]
@@ -282,9 +278,9 @@ fn an_uncertain_divisor_is_weak_when_its_error_passes_an_eighth() {
         let one = b.amount(Given::exact(1.0));
         let divisor = b.amount(Given::within(-1.0, error));
         let quotient = b.quotient(one, divisor, 5);
-        assert_eq!(b.recorder().weakness(quotient.mark()).is_some(), weak, "error {error}");
+        assert_eq!(b.tape().weakness(quotient.mark()).is_some(), weak, "error {error}");
         if !weak {
-            let bound = b.recorder().bound(quotient.mark());
+            let bound = b.tape().bound(quotient.mark());
             assert!(bound >= (1.0 / (1.0 - error) - 1.0), "the bound {bound} covers 1/(1 - {error})");
         }
     }
@@ -293,9 +289,9 @@ fn an_uncertain_divisor_is_weak_when_its_error_passes_an_eighth() {
 // --- the same without a tape; strokes ------------------------------------------------------------------
 
 #[test]
-fn a_blank_board_draws_the_same() {
-    fn draw<B: linkgram::board::Bench<Real = f64>>(b: &mut Board<B>) -> [f64; 2] {
-        let number = |b: &mut Board<B>, v: f64| {
+fn scratch_paper_draws_the_same() {
+    fn draw(b: &mut Board) -> [f64; 2] {
+        let number = |b: &mut Board, v: f64| {
             let amount = b.amount(Given::read(v));
             b.to_paper(amount, UNIT)
         };
@@ -311,8 +307,8 @@ fn a_blank_board_draws_the_same() {
         let right = b.rightward();
         b.meet_lines(Line { through: top, along: square }, Line { through: p, along: right }, 0).at.value()
     }
-    let taped = draw(&mut Board::<Recorded>::new(Tape::default()));
-    let blank = draw(&mut Board::<Trial>::new(Blank));
+    let taped = draw(&mut Board::default());
+    let blank = draw(&mut Board::scratch());
     assert_eq!(taped, blank);
 }
 
@@ -324,10 +320,10 @@ fn every_drawn_point_is_a_stroke_with_its_purpose() {
     b.purpose("a meet");
     let (c1, c2) = (circle(b, [0.0, 0.0], 3.0), circle(b, [5.0, 0.0], 4.0));
     let pair = b.meet_circles(c1, c2, 0).unwrap();
-    let before = b.recorder().strokes().len();
+    let before = b.tape().strokes().len();
     assert_eq!(before, 3, "three pricks; an arc is no point yet");
     let meet = b.take(pair, Side::First);
-    let strokes = b.recorder().strokes();
+    let strokes = b.tape().strokes();
     assert_eq!(
         (strokes[0].operation, strokes[0].at, strokes[0].purpose),
         (Operation::Prick, p.value(), "a frame")
@@ -340,8 +336,9 @@ fn every_drawn_point_is_a_stroke_with_its_purpose() {
 
 /// Two solutions of one figure: on the board from the given numbers, and exactly from the numbers that
 /// might have been meant.
-struct Twin<R: Real> {
-    board: Board<TapedIn<R>>,
+struct Twin<R> {
+    board: Board,
+    arithmetic: PhantomData<R>,
     /// Relative uncertainty of the given numbers; half a unit in the last place where it is zero.
     uncertainty: f64,
     /// How much of its uncertainty each number uses up, −1 to 1.
@@ -354,7 +351,8 @@ type ExactPoint = [Exact; 2];
 impl<R: Real> Twin<R> {
     fn new(uncertainty: f64, shares: Vec<f64>) -> Self {
         Self {
-            board: Board::new(Tape::default()),
+            board: Board::new(Tape::of(R::ARITHMETIC)),
+            arithmetic: PhantomData,
             uncertainty,
             shares: shares.into_iter(),
             claims: Vec::new(),
@@ -367,20 +365,20 @@ impl<R: Real> Twin<R> {
         (given, Exact::of(value) + Exact::of(given.error) * Exact::of(share))
     }
 
-    fn length(&mut self, value: f64) -> (Mm<TapedIn<R>>, Exact) {
+    fn length(&mut self, value: f64) -> (Mm, Exact) {
         let (given, truth) = self.given(value);
         let amount = self.board.amount(given);
         (self.board.to_paper(amount, UNIT), truth)
     }
 
-    fn point(&mut self, value: [f64; 2]) -> (Point<TapedIn<R>>, ExactPoint) {
+    fn point(&mut self, value: [f64; 2]) -> (Point, ExactPoint) {
         let (x, tx) = self.length(value[0]);
         let (y, ty) = self.length(value[1]);
         (self.board.prick(x, y), [tx, ty])
     }
 
     /// A line through two points, not normed on the exact side.
-    fn line(&mut self, from: [f64; 2], to: [f64; 2]) -> (Line<TapedIn<R>>, ExactPoint, ExactPoint) {
+    fn line(&mut self, from: [f64; 2], to: [f64; 2]) -> (Line, ExactPoint, ExactPoint) {
         let ((a, ta), (b, tb)) = (self.point(from), self.point(to));
         let along = self.board.toward(a, b, 0).0;
         let way = [&tb[0] - &ta[0], &tb[1] - &ta[1]];
@@ -388,11 +386,12 @@ impl<R: Real> Twin<R> {
         (Line { through: a, along }, ta, way.map(|w| w / &length))
     }
 
-    fn claim_length(&mut self, length: Mm<TapedIn<R>>, truth: Exact, what: &'static str) {
-        self.claims.push((length.mark(), length.real().to_double_double(), truth, what));
+    fn claim_length(&mut self, length: Mm, truth: Exact, what: &'static str) {
+        let value = self.board.tape().number::<DoubleDouble>(length.mark(), length.value());
+        self.claims.push((length.mark(), value, truth, what));
     }
 
-    fn claim_point(&mut self, point: Point<TapedIn<R>>, truth: ExactPoint, what: &'static str) {
+    fn claim_point(&mut self, point: Point, truth: ExactPoint, what: &'static str) {
         let origin = self.board.origin();
         let coordinates = self.board.between(origin, point);
         for (coordinate, truth) in coordinates.into_iter().zip(truth) {
@@ -402,7 +401,7 @@ impl<R: Real> Twin<R> {
 
     /// Every claimed result lies within its bound of the truth; says how many had one.
     fn judge(mut self) -> usize {
-        let tape = self.board.recorder();
+        let tape = self.board.tape();
         let mut judged = 0;
         for (mark, value, truth, what) in &self.claims {
             if tape.weakness(*mark).is_some() {
@@ -504,10 +503,10 @@ proptest! {
         let whole = t.board.measure_angle(first.along);
         let between = t.board.angle_between(first.along, second.along);
         let right = [Exact::one(), Exact::zero()];
-        let tape = t.board.recorder();
+        let tape = t.board.tape();
         for (angle, from, to) in [(whole, &right, &along), (between, &along, &other)] {
             if tape.weakness(angle.mark()).is_none() {
-                let error = left_over(angle.real().to_double_double(), from, to);
+                let error = left_over(tape.number(angle.mark(), angle.value()), from, to);
                 prop_assert!(error <= tape.bound(angle.mark()), "{} off by {error:e}", angle.value());
             }
         }

@@ -156,13 +156,8 @@ proptest! {
         for polygon in polygons(&d) {
             for vector in &polygon.vectors {
                 for (label, at) in [(vector.tail, vector.from), (vector.head, vector.to)] {
-                    // A vector that its bound cannot tell from zero is a point: its head's image is a rounding away.
-                    let settled = vector.as_point && vector.from == vector.to;
-                    let is_at = |image: [f64; 2]| {
-                        image == at || settled && libm::hypot(image[0] - at[0], image[1] - at[1]) < 1e-9
-                    };
-                    let stands = label == Label::Pole && is_at([0.0; 2])
-                        || polygon.images.iter().any(|i| i.label == label && is_at(i.at));
+                    let stands = label == Label::Pole && at == [0.0; 2]
+                        || polygon.images.iter().any(|i| i.label == label && i.at == at);
                     prop_assert!(stands, "{:?} of {:?} is at no {:?}", vector.kind, vector.quantity, label);
                 }
             }

@@ -10,8 +10,9 @@
 //! Numbers that hang on nothing that is varied were reckoned before; each counts with its own error, as if it
 //! were independent of the others.
 
-use super::program::{Kind, Node, Transcript, operands, partials, reckon, rounding};
-use super::tape::{OF_PARTIALS, ROUNDED, WEAK_DIVISOR};
+use super::bounds::{ROUNDED, WEAK_DIVISOR};
+use super::op::{Beyond, OF_PARTIALS, Op};
+use super::program::{Node, Transcript, signed};
 
 /// Positions that are bounded together: fewer than are reckoned, for four numbers stand for each.
 pub const FEW: usize = 8;
@@ -21,7 +22,7 @@ type Few = [f64; FEW];
 
 #[derive(Debug, Clone, Copy)]
 struct Step {
-    kind: Kind,
+    op: Op,
     to: u32,
     /// Of a sine and cosine: where the sine goes. Of a quotient, root or angle: where the reciprocal goes
     /// by which the derivatives are reckoned.
@@ -107,7 +108,7 @@ impl BoundedProgram {
                     rows[slot] = program.row(None);
                     program.constants.push((rows[slot], value, error));
                 }
-                Node::Made(kind, of) => program.transcribe(transcript, (slot, kind, of), &mut rows),
+                Node::Made(op, of) => program.transcribe(transcript, (slot, op, of), &mut rows),
             }
         }
         // A number that is divided by twice need stand clear only once.
@@ -134,7 +135,7 @@ impl BoundedProgram {
     fn transcribe(
         &mut self,
         transcript: &Transcript,
-        (slot, kind, of): (usize, Kind, [u32; 4]),
+        (slot, op, of): (usize, Op, [u32; 4]),
         rows: &mut [u32],
     ) {
         if rows[slot] != 0 {
@@ -142,27 +143,27 @@ impl BoundedProgram {
             return;
         }
         let mut from = of.map(|slot| rows.get(slot as usize).copied().unwrap_or(0));
-        if kind == Kind::HalfChord {
+        if op == Op::HalfChord {
             from[1] = of[1];
         }
         let index = u32::try_from(self.steps.len()).unwrap_or(u32::MAX);
         let to = self.row(Some(index));
-        let second = match kind {
-            Kind::Cosine | Kind::Sine => self.row(Some(index)),
-            Kind::Quotient | Kind::Root | Kind::HalfChord | Kind::Angle | Kind::Turned => self.row(None),
+        let second = match op {
+            Op::Cosine | Op::Sine => self.row(Some(index)),
+            Op::Quotient | Op::Root | Op::HalfChord | Op::Angle | Op::Turned => self.row(None),
             _ => 0,
         };
         // Sine and cosine are reckoned in one go, the cosine first.
-        let (kind, rows_here) = match kind {
-            Kind::Cosine | Kind::Sine => (Kind::Cosine, [(Kind::Cosine, to), (Kind::Sine, second)].to_vec()),
-            kind => (kind, vec![(kind, to)]),
+        let (op, rows_here) = match op {
+            Op::Cosine | Op::Sine => (Op::Cosine, [(Op::Cosine, to), (Op::Sine, second)].to_vec()),
+            op => (op, vec![(op, to)]),
         };
         for (made, row) in rows_here {
             if let Some(slot) = transcript.made(made, of) {
                 rows[slot as usize] = row;
             }
         }
-        self.steps.push(Step { kind, to, second, from });
+        self.steps.push(Step { op, to, second, from });
     }
 
     /// How many operations it has.
@@ -238,7 +239,7 @@ impl BoundedProgram {
     /// Replaces the running errors of an operation's operands by sweeps of their own; false where that was done before.
     fn draw_in(&self, step: &Step, block: &mut BoundedBlock) -> bool {
         let mut sharper = false;
-        for &row in &step.from[..operands(step.kind)] {
+        for &row in &step.from[..step.op.operands()] {
             if std::mem::replace(&mut block.drawn_in[row as usize], true) {
                 continue;
             }
@@ -288,7 +289,7 @@ impl BoundedProgram {
         let from = self.made_by[row as usize].map_or(0, |step| step as usize + 1);
         for step in self.steps[..from].iter().rev() {
             let [a, b, c, d] = step.from;
-            if step.kind == Kind::Cosine {
+            if step.op == Op::Cosine {
                 let cosine = back.take(step.to);
                 let sine = back.take(step.second);
                 if cosine.is_none() && sine.is_none() {
@@ -304,44 +305,44 @@ impl BoundedProgram {
             let Some(g) = back.take(step.to) else { continue };
             spend(step.to, &g);
             let value = |row: u32| &values[row as usize];
-            match step.kind {
-                Kind::Sum => {
+            match step.op {
+                Op::Sum => {
                     back.add(a, |i| g[i]);
                     back.add(b, |i| g[i]);
                 }
-                Kind::Difference => {
+                Op::Difference => {
                     back.add(a, |i| g[i]);
                     back.add(b, |i| -g[i]);
                 }
-                Kind::Opposite => back.add(a, |i| -g[i]),
-                Kind::Product => {
+                Op::Opposite => back.add(a, |i| -g[i]),
+                Op::Product => {
                     let (x, y) = (value(a), value(b));
                     back.add(a, |i| g[i] * y[i]);
                     back.add(b, |i| g[i] * x[i]);
                 }
-                Kind::Quotient => {
+                Op::Quotient => {
                     let (quotient, inverse) = (value(step.to), value(step.second));
                     back.add(a, |i| g[i] * inverse[i]);
                     back.add(b, |i| -(g[i] * inverse[i]) * quotient[i]);
                 }
-                Kind::Root | Kind::HalfChord => {
+                Op::Root | Op::HalfChord => {
                     let inverse = value(step.second);
                     back.add(a, |i| g[i] * inverse[i]);
                 }
-                Kind::Dot | Kind::Cross => {
+                Op::Dot | Op::Cross => {
                     let (x, y, z, w) = (value(a), value(b), value(c), value(d));
-                    let sign = if step.kind == Kind::Dot { 1.0 } else { -1.0 };
+                    let sign = if step.op == Op::Dot { 1.0 } else { -1.0 };
                     back.add(a, |i| g[i] * y[i]);
                     back.add(b, |i| g[i] * x[i]);
                     back.add(c, |i| sign * g[i] * w[i]);
                     back.add(d, |i| sign * g[i] * z[i]);
                 }
-                Kind::Angle | Kind::Turned => {
+                Op::Angle | Op::Turned => {
                     let (y, x, inverse) = (value(a), value(b), value(step.second));
                     back.add(a, |i| g[i] * x[i] * inverse[i]);
                     back.add(b, |i| -(g[i] * y[i] * inverse[i]));
                 }
-                Kind::Cosine | Kind::Sine => {}
+                Op::Cosine | Op::Sine => {}
             }
         }
         if let Some(g) = back.take(0) {
@@ -385,60 +386,24 @@ impl Back<'_> {
 /// the operands do along the tangent: there the operands are worth a sweep (as `SWEEPS` of the tape).
 const MATTERS: [f64; 2] = [8.0, 1e-6];
 
-/// What the errors of the operands do to a result beyond its tangent, and whether it has a tangent at all; the rules of
-/// `Tape::beyond_the_tangent`.
-fn beyond_the_tangent(kind: Kind, partials: &[f64; 4], errors: &[f64; 4], along: f64) -> (f64, bool) {
-    // Exact zeros stay so beside what errs without bound.
-    let both = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
-    match kind {
-        Kind::Sum | Kind::Difference | Kind::Opposite => (0.0, true),
-        Kind::Product => (both(errors[0], errors[1]), true),
-        Kind::Dot | Kind::Cross => (both(errors[0], errors[1]) + both(errors[2], errors[3]), true),
-        Kind::Quotient => {
-            let part = both(partials[0].abs(), errors[1]);
-            if part < 0.5 { (along * part / (1.0 - part), true) } else { (f64::INFINITY, true) }
-        }
-        Kind::Root | Kind::HalfChord => {
-            let (twice, moved) = (2.0 * partials[0].abs(), errors[0]);
-            let part = both(moved, twice * twice);
-            if twice > 0.0 && part <= 1.0 {
-                (part * part / (2.0 * twice), true)
-            } else {
-                (moved.sqrt(), false)
-            }
-        }
-        Kind::Cosine | Kind::Sine => ((0.5 * errors[0] * errors[0]).min(2.0 + errors[0]), true),
-        Kind::Angle | Kind::Turned => {
-            let part = libm::hypot(partials[0], partials[1]) * libm::hypot(errors[0], errors[1]);
-            if part > 0.0 && part <= 0.5 {
-                (part * part / (2.0 * (1.0 - part)), true)
-            } else if part == 0.0 {
-                (0.0, true)
-            } else {
-                (std::f64::consts::PI, false)
-            }
-        }
-    }
-}
-
 /// One operation with its rounding and its running error. Says whether what the tangent leaves out matters, so that the
 /// operands' errors are better drawn in.
 #[inline]
 fn forward(step: &Step, signs: &[f64], block: &mut BoundedBlock) -> bool {
-    // Each kind on its own, so that the compiler makes a loop without branches of it.
-    match step.kind {
-        Kind::Sum => operate(Kind::Sum, step, signs, block),
-        Kind::Difference => operate(Kind::Difference, step, signs, block),
-        Kind::Opposite => operate(Kind::Opposite, step, signs, block),
-        Kind::Product => operate(Kind::Product, step, signs, block),
-        Kind::Quotient => operate(Kind::Quotient, step, signs, block),
-        Kind::Root => operate(Kind::Root, step, signs, block),
-        Kind::HalfChord => operate(Kind::HalfChord, step, signs, block),
-        Kind::Dot => operate(Kind::Dot, step, signs, block),
-        Kind::Cross => operate(Kind::Cross, step, signs, block),
-        Kind::Angle => operate(Kind::Angle, step, signs, block),
-        Kind::Turned => operate(Kind::Turned, step, signs, block),
-        Kind::Cosine | Kind::Sine => cosine_and_sine(step, block),
+    // Each operation on its own, so that the compiler makes a loop without branches of it.
+    match step.op {
+        Op::Sum => operate(Op::Sum, step, signs, block),
+        Op::Difference => operate(Op::Difference, step, signs, block),
+        Op::Opposite => operate(Op::Opposite, step, signs, block),
+        Op::Product => operate(Op::Product, step, signs, block),
+        Op::Quotient => operate(Op::Quotient, step, signs, block),
+        Op::Root => operate(Op::Root, step, signs, block),
+        Op::HalfChord => operate(Op::HalfChord, step, signs, block),
+        Op::Dot => operate(Op::Dot, step, signs, block),
+        Op::Cross => operate(Op::Cross, step, signs, block),
+        Op::Angle => operate(Op::Angle, step, signs, block),
+        Op::Turned => operate(Op::Turned, step, signs, block),
+        Op::Cosine | Op::Sine => cosine_and_sine(step, block),
     }
 }
 
@@ -453,20 +418,13 @@ struct Judged {
 }
 
 #[inline(always)]
-fn judged(
-    kind: Kind,
-    count: usize,
-    at: [f64; 4],
-    value: f64,
-    slopes: &[f64; 4],
-    errors: &[f64; 4],
-) -> Judged {
+fn judged(op: Op, count: usize, at: [f64; 4], value: f64, slopes: &[f64; 4], errors: &[f64; 4]) -> Judged {
     let mut along = 0.0;
     for k in 0..count {
         along += if slopes[k] == 0.0 || errors[k] == 0.0 { 0.0 } else { slopes[k].abs() * errors[k] };
     }
-    let own = rounding(kind, at, value);
-    let (left_out, has_tangent) = beyond_the_tangent(kind, slopes, errors, along);
+    let own = op.rounding::<f64>(at, value);
+    let Beyond { left_out, has_tangent } = op.beyond(slopes, errors, along);
     // Written so that a not-a-number matters.
     let idle = left_out <= MATTERS[0] * own + MATTERS[1] * along;
     let kept = if has_tangent { along } else { 0.0 };
@@ -475,11 +433,11 @@ fn judged(
 }
 
 #[inline(always)]
-fn operate(kind: Kind, step: &Step, signs: &[f64], block: &mut BoundedBlock) -> bool {
+fn operate(op: Op, step: &Step, signs: &[f64], block: &mut BoundedBlock) -> bool {
     let BoundedBlock { values, running, roundings, .. } = block;
-    let count = operands(kind);
+    let count = op.operands();
     let of = step.from.map(|row| row as usize);
-    let sign = if kind == Kind::HalfChord { signs.get(of[1]).copied().unwrap_or(1.0) } else { 1.0 };
+    let sign = if op == Op::HalfChord { signs.get(of[1]).copied().unwrap_or(1.0) } else { 1.0 };
     let (mut numbers, mut errors_of) = ([[0.0; FEW]; 4], [[0.0; FEW]; 4]);
     for k in 0..count {
         (numbers[k], errors_of[k]) = (values[of[k]], running[of[k]]);
@@ -489,14 +447,14 @@ fn operate(kind: Kind, step: &Step, signs: &[f64], block: &mut BoundedBlock) -> 
     for i in 0..FEW {
         let at = [numbers[0][i], numbers[1][i], numbers[2][i], numbers[3][i]];
         let errors = [errors_of[0][i], errors_of[1][i], errors_of[2][i], errors_of[3][i]];
-        out[i] = reckon(kind, at, sign);
-        let slopes = partials(kind, at, out[i]);
-        let judged = judged(kind, count, at, out[i], &slopes, &errors);
+        out[i] = signed(op, at, sign);
+        let slopes = op.partials(at, out[i]);
+        let judged = judged(op, count, at, out[i], &slopes, &errors);
         (own[i], error[i]) = (judged.own, judged.running);
         matters |= judged.matters;
-        inverse[i] = match kind {
+        inverse[i] = match op {
             _ if !judged.has_tangent => 0.0,
-            Kind::Angle | Kind::Turned => {
+            Op::Angle | Op::Turned => {
                 let square = at[0] * at[0] + at[1] * at[1];
                 if square > 0.0 { 1.0 / square } else { 0.0 }
             }
@@ -505,7 +463,7 @@ fn operate(kind: Kind, step: &Step, signs: &[f64], block: &mut BoundedBlock) -> 
     }
     let to = step.to as usize;
     (values[to], roundings[to], running[to]) = (out, own, error);
-    if matches!(kind, Kind::Quotient | Kind::Root | Kind::HalfChord | Kind::Angle | Kind::Turned) {
+    if matches!(op, Op::Quotient | Op::Root | Op::HalfChord | Op::Angle | Op::Turned) {
         values[step.second as usize] = inverse;
     }
     matters
@@ -519,9 +477,9 @@ fn cosine_and_sine(step: &Step, block: &mut BoundedBlock) -> bool {
     for i in 0..FEW {
         let (x, error) = (values[angle][i], [running[angle][i], 0.0, 0.0, 0.0]);
         let (sin, cos) = libm::sincos(x);
-        for (kind, to, value, slope) in [(Kind::Cosine, cosine, cos, -sin), (Kind::Sine, sine, sin, cos)] {
+        for (op, to, value, slope) in [(Op::Cosine, cosine, cos, -sin), (Op::Sine, sine, sin, cos)] {
             let at = [x, 0.0, 0.0, 0.0];
-            let judged = judged(kind, 1, at, value, &[slope, 0.0, 0.0, 0.0], &error);
+            let judged = judged(op, 1, at, value, &[slope, 0.0, 0.0, 0.0], &error);
             values[to][i] = value;
             (roundings[to][i], running[to][i]) = (judged.own, judged.running);
             matters |= judged.matters;

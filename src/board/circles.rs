@@ -1,15 +1,15 @@
 //! What the draughtsman draws with circles and set square besides their meets: common chords, feet, middles.
 
 use super::tape::{Operation, Reason};
-use super::{Bench, Board, Circle, Line, Num, Point};
+use super::{Board, Circle, Line, Num, Point};
 
-impl<B: Bench> Board<B> {
+impl Board {
     /// The common chord of two circles, through its foot on the line of centres and square to it.
     ///
     /// The foot is found from both radii without the root of the half chord, so that it is as good where one
     /// circle has shrunk to a point of the other as where they cross well. Circles that do not meet have a line
     /// of equal powers in its place.
-    pub fn common_chord(&mut self, first: Circle<B>, second: Circle<B>, reason: Reason) -> Line<B> {
+    pub fn common_chord(&mut self, first: Circle, second: Circle, reason: Reason) -> Line {
         let (toward, distance) = self.toward(first.centre, second.centre, reason);
         let (d, r1, r2) = (distance.0, first.radius.0, second.radius.0);
         // (d + (r1 − r2)(r1 + r2)/d) / 2 from the first centre.
@@ -25,15 +25,15 @@ impl<B: Bench> Board<B> {
     }
 
     /// The foot of the perpendicular from a point to a line, with the set square.
-    pub fn foot(&mut self, line: Line<B>, point: Point<B>) -> Point<B> {
+    pub fn foot(&mut self, line: Line, point: Point) -> Point {
         let [along, _] = self.square_off(line, point);
         let foot = self.shifted(line.through, line.along, along);
         self.stroke(Operation::Foot, foot)
     }
 
     /// The middle between two points.
-    pub fn middle(&mut self, a: Point<B>, b: Point<B>) -> Point<B> {
-        let half = |d: &mut Self, p: Num<B>, q: Num<B>| {
+    pub fn middle(&mut self, a: Point, b: Point) -> Point {
+        let half = |d: &mut Self, p: Num, q: Num| {
             let sum = d.add(p, q);
             d.times(sum, 0.5)
         };
@@ -42,22 +42,22 @@ impl<B: Bench> Board<B> {
     }
 
     /// Whether a length is zero as far as its own error tells.
-    pub fn is_nothing(&mut self, length: super::Mm<B>) -> bool {
+    pub fn is_nothing(&mut self, length: super::Mm) -> bool {
         self.vanishes(length.0)
     }
 
     /// A length of the draughtsman's own choice.
-    pub fn millimetres(&mut self, length: f64) -> super::Mm<B> {
+    pub fn millimetres(&mut self, length: f64) -> super::Mm {
         super::Mm(self.exact(length))
     }
 
     /// A multiple of a length; a negative one points the other way.
-    pub fn multiple(&mut self, length: super::Mm<B>, factor: f64) -> super::Mm<B> {
+    pub fn multiple(&mut self, length: super::Mm, factor: f64) -> super::Mm {
         super::Mm(self.times(length.0, factor))
     }
 
     /// Half of a length.
-    pub fn half(&mut self, length: super::Mm<B>) -> super::Mm<B> {
+    pub fn half(&mut self, length: super::Mm) -> super::Mm {
         super::Mm(self.times(length.0, 0.5))
     }
 }

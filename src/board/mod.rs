@@ -1,8 +1,8 @@
 //! The drawing board: points, lines and arcs on paper in millimetres, and the draughtsman's operations.
 //!
-//! The board is generic over its [`Bench`]: the arithmetic in which it reckons and the recorder that
-//! listens. With a [`Tape`] every result has an error bound and every operation leaves a stroke; with
-//! [`Blank`] neither exists and neither costs.
+//! The board writes what it does on a [`Tape`], in the arithmetic that the tape was made for. Every result of a recorded
+//! drawing has a bound, computed when somebody asks; scratch paper keeps no record, and its trials cost no more than
+//! their arithmetic.
 //!
 //! Types keep apart what must not be mixed: paper millimetres ([`Mm`]), real quantities ([`Amount`]),
 //! angles, points and directions. A [`Scale`] is the only way from one to the other.
@@ -10,95 +10,58 @@
 //! **Architecture Invariant:** the board does not know what a mechanism is.
 
 mod bounded;
+mod bounds;
 mod circles;
 mod hand;
 mod homogeneous;
+mod number;
+mod op;
 mod program;
-mod reckon;
 mod scalar;
 mod tape;
 
 use std::fmt::Debug;
-use std::marker::PhantomData;
 
 pub use bounded::{BoundedBlock, BoundedProgram, FEW};
-pub use hand::{Hand, PencilTape, Tremor};
+pub use hand::{Hand, Pencil};
 pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
+pub use number::TOO_LARGE;
+pub use op::Op;
 pub use program::{Block, LANES, Lane, Law, Moving, Place, Program, Transcript, Variable, Wanted};
-pub use reckon::TOO_LARGE;
 pub use scalar::{Arithmetic, Real};
-pub use tape::{Blank, Nudge, Operation, Pencil, Reason, Reckoning, Recorder, Stroke, Tape};
-
-/// The arithmetic and the recorder of a board.
-pub trait Bench {
-    /// The arithmetic.
-    type Real: Real;
-    /// What listens.
-    type Recorder: Recorder;
-}
-
-/// Shorthand for the handle of a recorded scalar.
-pub type MarkOf<B> = <<B as Bench>::Recorder as Recorder>::Mark;
-
-/// An arithmetic with a recorder.
-#[derive(Debug, Clone, Copy)]
-pub struct Equipped<R, T>(PhantomData<(R, T)>);
-
-impl<R: Real, T: Recorder> Bench for Equipped<R, T> {
-    type Real = R;
-    type Recorder = T;
-}
-
-/// The whole tape, in any arithmetic: for drawing and for answers with bounds.
-pub type Taped<R> = Equipped<R, Tape>;
-
-/// Double precision with the whole tape.
-pub type Recorded = Taped<f64>;
-
-/// Double precision without a memory: for trials.
-pub type Trial = Equipped<f64, Blank>;
+pub use tape::{Nudge, Operation, Reason, Stroke, Tape};
 
 /// A recorded scalar.
-pub struct Num<B: Bench> {
-    value: B::Real,
-    mark: MarkOf<B>,
+#[derive(Debug, Clone, Copy)]
+pub struct Num {
+    /// Rounded to a double.
+    value: f64,
+    /// Where it stands on the tape.
+    mark: u32,
 }
 
 macro_rules! scalar_type {
     ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
-        pub struct $name<B: Bench>(Num<B>);
+        #[derive(Clone, Copy)]
+        pub struct $name(Num);
 
-        impl<B: Bench> Clone for $name<B> {
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        impl<B: Bench> Copy for $name<B> {}
-
-        impl<B: Bench> Debug for $name<B> {
+        impl Debug for $name {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                write!(f, concat!(stringify!($name), "({})"), self.0.value.to_f64())
+                write!(f, concat!(stringify!($name), "({})"), self.0.value)
             }
         }
 
-        impl<B: Bench> $name<B> {
+        impl $name {
             /// The value, rounded to a double.
             #[must_use]
             pub fn value(&self) -> f64 {
-                self.0.value.to_f64()
-            }
-
-            /// The value in the board's own arithmetic.
-            #[must_use]
-            pub fn real(&self) -> B::Real {
                 self.0.value
             }
 
             /// Its handle on the tape.
             #[must_use]
-            pub fn mark(&self) -> MarkOf<B> {
+            pub fn mark(&self) -> u32 {
                 self.0.mark
             }
         }
@@ -122,71 +85,51 @@ scalar_type! {
     Ratio
 }
 
-impl<B: Bench> Clone for Num<B> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<B: Bench> Copy for Num<B> {}
-
 /// A point on the paper.
-pub struct Point<B: Bench> {
-    x: Num<B>,
-    y: Num<B>,
+#[derive(Debug, Clone, Copy)]
+pub struct Point {
+    x: Num,
+    y: Num,
 }
 
 /// A unit vector; not a vector, it has no length.
-pub struct Direction<B: Bench> {
-    x: Num<B>,
-    y: Num<B>,
+#[derive(Debug, Clone, Copy)]
+pub struct Direction {
+    x: Num,
+    y: Num,
 }
 
 /// A line through a point.
-pub struct Line<B: Bench> {
+#[derive(Debug, Clone, Copy)]
+pub struct Line {
     /// A point of it.
-    pub through: Point<B>,
+    pub through: Point,
     /// Its direction.
-    pub along: Direction<B>,
+    pub along: Direction,
 }
 
 /// A circle, or the arc of one.
-pub struct Circle<B: Bench> {
+#[derive(Debug, Clone, Copy)]
+pub struct Circle {
     /// Where the compass stands.
-    pub centre: Point<B>,
+    pub centre: Point,
     /// Its opening.
-    pub radius: Mm<B>,
+    pub radius: Mm,
 }
 
-macro_rules! copy_type {
-    ($($name:ident),*) => {
-        $(impl<B: Bench> Clone for $name<B> {
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        impl<B: Bench> Copy for $name<B> {})*
-    };
-}
-
-use copy_type;
-
-copy_type!(Point, Direction, Line, Circle, Meet, Pair);
-
-impl<B: Bench> Point<B> {
+impl Point {
     /// Its coordinates, rounded to doubles.
     #[must_use]
     pub fn value(&self) -> [f64; 2] {
-        [self.x.value.to_f64(), self.y.value.to_f64()]
+        [self.x.value, self.y.value]
     }
 }
 
-impl<B: Bench> Direction<B> {
+impl Direction {
     /// Its components, rounded to doubles.
     #[must_use]
     pub fn value(&self) -> [f64; 2] {
-        [self.x.value.to_f64(), self.y.value.to_f64()]
+        [self.x.value, self.y.value]
     }
 }
 
@@ -198,21 +141,23 @@ pub struct Scale {
 }
 
 /// Where two lines meet.
-pub struct Meet<B: Bench> {
+#[derive(Debug, Clone, Copy)]
+pub struct Meet {
     /// The point.
-    pub at: Point<B>,
+    pub at: Point,
     /// Signed length from each line's own point to the meet, along its direction.
-    pub along: [Mm<B>; 2],
+    pub along: [Mm; 2],
     /// Angle of crossing, 0 to π/2.
     pub crossing: f64,
 }
 
 /// The two points in which a circle meets a line or another circle.
-pub struct Pair<B: Bench> {
+#[derive(Debug, Clone, Copy)]
+pub struct Pair {
     operation: Operation,
-    middle: Point<B>,
-    toward: Direction<B>,
-    half: Mm<B>,
+    middle: Point,
+    toward: Direction,
+    half: Mm,
     /// Angle of crossing, 0 to π/2.
     pub crossing: f64,
     /// The half chord does not stand clear of its own error: both points are one.
@@ -244,21 +189,28 @@ impl Side {
 pub struct NoMeet;
 
 /// The drawing board.
-pub struct Board<B: Bench> {
-    recorder: B::Recorder,
+#[derive(Debug, Clone, Default)]
+pub struct Board {
+    tape: Tape,
     purpose: &'static str,
-    bench: PhantomData<B>,
 }
 
-impl<B: Bench> Board<B> {
-    /// A clean board with this recorder.
-    pub fn new(recorder: B::Recorder) -> Self {
-        Self { recorder, purpose: "", bench: PhantomData }
+impl Board {
+    /// A clean board with this tape.
+    #[must_use]
+    pub fn new(tape: Tape) -> Self {
+        Self { tape, purpose: "" }
     }
 
-    /// The recorder, to ask for bounds.
-    pub fn recorder(&mut self) -> &mut B::Recorder {
-        &mut self.recorder
+    /// Scratch paper in double precision, for trials: no record, no bounds.
+    #[must_use]
+    pub fn scratch() -> Self {
+        Self::new(Tape::scratch(Arithmetic::Double))
+    }
+
+    /// The tape, to ask for bounds.
+    pub fn tape(&mut self) -> &mut Tape {
+        &mut self.tape
     }
 
     /// What the next strokes are drawn for; returns what the last ones were drawn for.
@@ -266,191 +218,185 @@ impl<B: Bench> Board<B> {
         std::mem::replace(&mut self.purpose, purpose)
     }
 
-    fn stroke(&mut self, operation: Operation, point: Point<B>) -> Point<B> {
-        let by = self.recorder.stroke(operation, point.value(), [point.x.mark, point.y.mark], self.purpose);
+    fn stroke(&mut self, operation: Operation, point: Point) -> Point {
+        let by = self.tape.stroke(operation, point.value(), [point.x.mark, point.y.mark], self.purpose);
         if by == [0.0; 2] {
             return point;
         }
         Point {
-            x: Num { value: point.x.value + B::Real::from_f64(by[0]), mark: point.x.mark },
-            y: Num { value: point.y.value + B::Real::from_f64(by[1]), mark: point.y.mark },
+            x: Num { value: point.x.value + by[0], mark: point.x.mark },
+            y: Num { value: point.y.value + by[1], mark: point.y.mark },
         }
     }
 
     // --- between paper and reality -------------------------------------------------------------
 
     /// The paper length that stands for a real quantity.
-    pub fn to_paper(&mut self, amount: Amount<B>, scale: Scale) -> Mm<B> {
+    pub fn to_paper(&mut self, amount: Amount, scale: Scale) -> Mm {
         Mm(self.times(amount.0, 1.0 / scale.si_per_mm))
     }
 
     /// A length read off the paper, multiplied by the scale factor.
-    pub fn read(&mut self, length: Mm<B>, scale: Scale) -> Amount<B> {
+    pub fn read(&mut self, length: Mm, scale: Scale) -> Amount {
         // The same factor as in `to_paper`, so that what is laid off is read back as it was.
         let read = self.pencilled(length.0, Pencil::Reading);
         Amount(self.over(read, 1.0 / scale.si_per_mm))
     }
 
     /// A number of the scene as a real quantity.
-    pub fn amount(&mut self, given: crate::given::Given) -> Amount<B> {
+    pub fn amount(&mut self, given: crate::given::Given) -> Amount {
         Amount(self.given(given))
     }
 
     /// A number of the scene as an angle in radians.
-    pub fn angle(&mut self, given: crate::given::Given) -> Angle<B> {
+    pub fn angle(&mut self, given: crate::given::Given) -> Angle {
         Angle(self.given(given))
     }
 
     /// The angle of an input, by the input's index: a sweep turns it.
-    pub fn input_angle(&mut self, index: usize, given: crate::given::Given) -> Angle<B> {
+    pub fn input_angle(&mut self, index: usize, given: crate::given::Given) -> Angle {
         Angle(self.input(index, given))
     }
 
     /// The place of a driven slide, by the input's index: a sweep moves it.
-    pub fn input_amount(&mut self, index: usize, given: crate::given::Given) -> Amount<B> {
+    pub fn input_amount(&mut self, index: usize, given: crate::given::Given) -> Amount {
         Amount(self.input(index, given))
     }
 
     /// The given rate of an input, by its index: rad/s of a link, m/s of a slide. A sweep over time changes it.
-    pub fn input_speed(&mut self, index: usize, given: crate::given::Given) -> Amount<B> {
+    pub fn input_speed(&mut self, index: usize, given: crate::given::Given) -> Amount {
         Amount(self.input_rate(index, given))
     }
 
     // --- what the textbook calculates ----------------------------------------------------------
 
     /// a / b, as in ω = V / l.
-    pub fn quotient(&mut self, a: Amount<B>, b: Amount<B>, reason: Reason) -> Amount<B> {
+    pub fn quotient(&mut self, a: Amount, b: Amount, reason: Reason) -> Amount {
         Amount(self.div(a.0, b.0, reason))
     }
 
     /// a · b, as in V = ω l.
-    pub fn product(&mut self, a: Amount<B>, b: Amount<B>) -> Amount<B> {
+    pub fn product(&mut self, a: Amount, b: Amount) -> Amount {
         Amount(self.mul(a.0, b.0))
     }
 
     /// v² / l, as in Aⁿ = V² / l.
-    pub fn square_over(&mut self, v: Amount<B>, l: Amount<B>, reason: Reason) -> Amount<B> {
+    pub fn square_over(&mut self, v: Amount, l: Amount, reason: Reason) -> Amount {
         let square = self.mul(v.0, v.0);
         Amount(self.div(square, l.0, reason))
     }
 
     /// a − b.
-    pub fn difference(&mut self, a: Amount<B>, b: Amount<B>) -> Amount<B> {
+    pub fn difference(&mut self, a: Amount, b: Amount) -> Amount {
         Amount(self.sub(a.0, b.0))
     }
 
     /// a + b.
-    pub fn sum(&mut self, a: Amount<B>, b: Amount<B>) -> Amount<B> {
+    pub fn sum(&mut self, a: Amount, b: Amount) -> Amount {
         Amount(self.add(a.0, b.0))
     }
 
     /// |a|.
-    pub fn magnitude(&mut self, a: Amount<B>) -> Amount<B> {
+    pub fn magnitude(&mut self, a: Amount) -> Amount {
         if a.value() < 0.0 { Amount(self.neg(a.0)) } else { a }
     }
 
     /// −a.
-    pub fn opposite(&mut self, a: Amount<B>) -> Amount<B> {
+    pub fn opposite(&mut self, a: Amount) -> Amount {
         Amount(self.neg(a.0))
     }
 
     /// a / b as a pure number.
-    pub fn ratio(&mut self, a: Mm<B>, b: Mm<B>, reason: Reason) -> Ratio<B> {
+    pub fn ratio(&mut self, a: Mm, b: Mm, reason: Reason) -> Ratio {
         Ratio(self.div(a.0, b.0, reason))
     }
 
     // --- the draughtsman's operations ----------------------------------------------------------
 
     /// The origin of a diagram: (0, 0), exact.
-    pub fn origin(&mut self) -> Point<B> {
+    pub fn origin(&mut self) -> Point {
         Point { x: self.exact(0.0), y: self.exact(0.0) }
     }
 
     /// A point that nobody has drawn: whatever is read from it is indeterminate, with this reason.
-    pub fn nowhere(&mut self, reason: Reason) -> Point<B> {
+    pub fn nowhere(&mut self, reason: Reason) -> Point {
         let point = self.origin();
-        self.recorder.divisor(point.x.mark, 0.0, reason);
-        self.recorder.divisor(point.y.mark, 0.0, reason);
+        self.tape.divisor(point.x.mark, 0.0, reason);
+        self.tape.divisor(point.y.mark, 0.0, reason);
         point
     }
 
     /// A direction that nobody has drawn: whatever is read from it is indeterminate, with this reason.
-    pub fn no_direction(&mut self, reason: Reason) -> Direction<B> {
+    pub fn no_direction(&mut self, reason: Reason) -> Direction {
         let direction = Direction { x: self.exact(1.0), y: self.exact(0.0) };
-        self.recorder.divisor(direction.x.mark, 0.0, reason);
-        self.recorder.divisor(direction.y.mark, 0.0, reason);
+        self.tape.divisor(direction.x.mark, 0.0, reason);
+        self.tape.divisor(direction.y.mark, 0.0, reason);
         direction
     }
 
     /// An amount that nobody has read: whatever is calculated from it is indeterminate, with this reason.
-    pub fn unknown(&mut self, reason: Reason) -> Amount<B> {
+    pub fn unknown(&mut self, reason: Reason) -> Amount {
         let amount = self.exact(0.0);
-        self.recorder.divisor(amount.mark, 0.0, reason);
+        self.tape.divisor(amount.mark, 0.0, reason);
         Amount(amount)
     }
 
     /// A point copied from another board, as exact as it stands there.
-    pub fn copied(&mut self, at: [f64; 2]) -> Point<B> {
+    pub fn copied(&mut self, at: [f64; 2]) -> Point {
         Point { x: self.exact(at[0]), y: self.exact(at[1]) }
     }
 
     /// A direction copied from another board.
-    pub fn copied_direction(&mut self, d: [f64; 2]) -> Direction<B> {
+    pub fn copied_direction(&mut self, d: [f64; 2]) -> Direction {
         Direction { x: self.exact(d[0]), y: self.exact(d[1]) }
     }
 
     /// The difference of two lengths.
-    pub fn less(&mut self, a: Mm<B>, b: Mm<B>) -> Mm<B> {
+    pub fn less(&mut self, a: Mm, b: Mm) -> Mm {
         Mm(self.sub(a.0, b.0))
     }
 
     /// An angle as the arc on a circle of one millimetre, so that it can stand where a length is missed.
-    pub fn arc_length(&mut self, angle: Angle<B>) -> Mm<B> {
+    pub fn arc_length(&mut self, angle: Angle) -> Mm {
         Mm(angle.0)
     }
 
     /// A length of zero.
-    pub fn no_length(&mut self) -> Mm<B> {
+    pub fn no_length(&mut self) -> Mm {
         Mm(self.exact(0.0))
     }
 
     /// One step of false position: the angle less miss / slope. The slope must stand clear of its error.
-    pub fn corrected(
-        &mut self,
-        angle: Angle<B>,
-        miss: Mm<B>,
-        slope: crate::given::Given,
-        reason: Reason,
-    ) -> Angle<B> {
+    pub fn corrected(&mut self, angle: Angle, miss: Mm, slope: crate::given::Given, reason: Reason) -> Angle {
         let slope = self.given(slope);
         let step = self.div(miss.0, slope, reason);
         Angle(self.sub(angle.0, step))
     }
 
     /// A part of a quantity.
-    pub fn part_of(&mut self, whole: Amount<B>, part: Ratio<B>) -> Amount<B> {
+    pub fn part_of(&mut self, whole: Amount, part: Ratio) -> Amount {
         Amount(self.mul(whole.0, part.0))
     }
 
     /// Prick a point at given coordinates.
-    pub fn prick(&mut self, x: Mm<B>, y: Mm<B>) -> Point<B> {
+    pub fn prick(&mut self, x: Mm, y: Mm) -> Point {
         let point = Point { x: self.pencilled(x.0, Pencil::Length), y: self.pencilled(y.0, Pencil::Length) };
         self.stroke(Operation::Prick, point)
     }
 
     /// The direction of an angle from +x, by protractor.
-    pub fn protractor(&mut self, angle: Angle<B>) -> Direction<B> {
+    pub fn protractor(&mut self, angle: Angle) -> Direction {
         let [x, y] = self.cos_sin(angle.0);
         Direction { x, y }
     }
 
     /// +x.
-    pub fn rightward(&mut self) -> Direction<B> {
+    pub fn rightward(&mut self) -> Direction {
         Direction { x: self.exact(1.0), y: self.exact(0.0) }
     }
 
     /// Direction and distance from one point to another.
-    pub fn toward(&mut self, from: Point<B>, to: Point<B>, reason: Reason) -> (Direction<B>, Mm<B>) {
+    pub fn toward(&mut self, from: Point, to: Point, reason: Reason) -> (Direction, Mm) {
         let [dx, dy] = self.between(from, to);
         let square = self.dot(dx.0, dx.0, dy.0, dy.0);
         let length = self.sqrt(square);
@@ -460,41 +406,41 @@ impl<B: Bench> Board<B> {
     }
 
     /// Distance of two points, by dividers.
-    pub fn distance(&mut self, from: Point<B>, to: Point<B>) -> Mm<B> {
+    pub fn distance(&mut self, from: Point, to: Point) -> Mm {
         let [dx, dy] = self.between(from, to);
         let square = self.dot(dx.0, dx.0, dy.0, dy.0);
         Mm(self.sqrt(square))
     }
 
     /// Components of the vector from one point to another.
-    pub fn between(&mut self, from: Point<B>, to: Point<B>) -> [Mm<B>; 2] {
+    pub fn between(&mut self, from: Point, to: Point) -> [Mm; 2] {
         [Mm(self.sub(to.x, from.x)), Mm(self.sub(to.y, from.y))]
     }
 
     /// A direction turned by +90°, with the set square: exact.
-    pub fn quarter_turn(&mut self, d: Direction<B>) -> Direction<B> {
+    pub fn quarter_turn(&mut self, d: Direction) -> Direction {
         Direction { x: self.neg(d.y), y: d.x }
     }
 
     /// The opposite direction.
-    pub fn reverse(&mut self, d: Direction<B>) -> Direction<B> {
+    pub fn reverse(&mut self, d: Direction) -> Direction {
         Direction { x: self.neg(d.x), y: self.neg(d.y) }
     }
 
     /// A direction turned by an angle, by protractor.
-    pub fn turned(&mut self, d: Direction<B>, by: Angle<B>) -> Direction<B> {
+    pub fn turned(&mut self, d: Direction, by: Angle) -> Direction {
         let [cos, sin] = self.cos_sin(by.0);
         Direction { x: self.cross(d.x, cos, d.y, sin), y: self.dot(d.x, sin, d.y, cos) }
     }
 
     /// Angle of a direction from +x, by protractor, in (−π, π].
-    pub fn measure_angle(&mut self, d: Direction<B>) -> Angle<B> {
+    pub fn measure_angle(&mut self, d: Direction) -> Angle {
         let angle = self.atan2(d.y, d.x);
         Angle(self.pencilled(angle, Pencil::AngleReading))
     }
 
     /// Angle from one direction to another, ccw, in (−π, π].
-    pub fn angle_between(&mut self, from: Direction<B>, to: Direction<B>) -> Angle<B> {
+    pub fn angle_between(&mut self, from: Direction, to: Direction) -> Angle {
         let sin = self.cross(from.x, to.y, from.y, to.x);
         let cos = self.dot(from.x, to.x, from.y, to.y);
         let angle = self.atan2(sin, cos);
@@ -502,54 +448,54 @@ impl<B: Bench> Board<B> {
     }
 
     /// How far a direction has turned since it was `from`, ccw: where a drawing is run on, not only up to half a turn.
-    pub fn turned_since(&mut self, from: Direction<B>, to: Direction<B>) -> Angle<B> {
+    pub fn turned_since(&mut self, from: Direction, to: Direction) -> Angle {
         let sin = self.cross(from.x, to.y, from.y, to.x);
         let cos = self.dot(from.x, to.x, from.y, to.y);
         Angle(self.turned_angle(sin, cos))
     }
 
     /// A direction for good, as it is in this drawing.
-    pub fn as_it_points(&mut self, d: Direction<B>) -> Direction<B> {
-        let [x, y] = [d.x, d.y].map(|c| self.exact(c.value.to_f64()));
+    pub fn as_it_points(&mut self, d: Direction) -> Direction {
+        let [x, y] = [d.x, d.y].map(|c| self.exact(c.value));
         Direction { x, y }
     }
 
     /// A length for good, as it is in this drawing.
-    pub fn as_it_stands(&mut self, length: Mm<B>) -> Mm<B> {
-        Mm(self.exact(length.0.value.to_f64()))
+    pub fn as_it_stands(&mut self, length: Mm) -> Mm {
+        Mm(self.exact(length.0.value))
     }
 
     /// The angle on whose arc of this radius a length lies.
-    pub fn arc_angle(&mut self, length: Mm<B>, radius: Mm<B>, reason: Reason) -> Angle<B> {
+    pub fn arc_angle(&mut self, length: Mm, radius: Mm, reason: Reason) -> Angle {
         Angle(self.div(length.0, radius.0, reason))
     }
 
     /// The sum of two angles.
-    pub fn angle_sum(&mut self, a: Angle<B>, b: Angle<B>) -> Angle<B> {
+    pub fn angle_sum(&mut self, a: Angle, b: Angle) -> Angle {
         Angle(self.add(a.0, b.0))
     }
 
     /// The difference of two angles.
-    pub fn angle_less(&mut self, a: Angle<B>, b: Angle<B>) -> Angle<B> {
+    pub fn angle_less(&mut self, a: Angle, b: Angle) -> Angle {
         Angle(self.sub(a.0, b.0))
     }
 
     /// A part of an angle.
-    pub fn part_of_angle(&mut self, whole: Angle<B>, part: Ratio<B>) -> Angle<B> {
+    pub fn part_of_angle(&mut self, whole: Angle, part: Ratio) -> Angle {
         Angle(self.mul(whole.0, part.0))
     }
 
     /// Angle between two directions, 0 to π.
-    pub fn unsigned_angle(&mut self, from: Direction<B>, to: Direction<B>) -> Angle<B> {
+    pub fn unsigned_angle(&mut self, from: Direction, to: Direction) -> Angle {
         let sin = self.cross(from.x, to.y, from.y, to.x);
-        let sin = if sin.value.to_f64() < 0.0 { self.neg(sin) } else { sin };
+        let sin = if sin.value < 0.0 { self.neg(sin) } else { sin };
         let cos = self.dot(from.x, to.x, from.y, to.y);
         let angle = self.atan2(sin, cos);
         Angle(self.pencilled(angle, Pencil::AngleReading))
     }
 
     /// A line drawn in a direction, as the hand draws it.
-    fn drawn(&mut self, d: Direction<B>) -> Direction<B> {
+    fn drawn(&mut self, d: Direction) -> Direction {
         match self.slip_of_pencil(Pencil::Direction) {
             Some(slip) => self.turned(d, Angle(slip)),
             None => d,
@@ -557,51 +503,51 @@ impl<B: Bench> Board<B> {
     }
 
     /// Lay off a signed length from a point along a direction: draw the line, step the length off.
-    pub fn lay_off(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
+    pub fn lay_off(&mut self, from: Point, along: Direction, length: Mm) -> Point {
         let along = self.drawn(along);
         self.step_off(from, along, length)
     }
 
     /// Step a signed length off along a line that stands on the paper already.
-    pub fn step_off(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
+    pub fn step_off(&mut self, from: Point, along: Direction, length: Mm) -> Point {
         let length = Mm(self.pencilled(length.0, Pencil::Length));
         let point = self.shifted(from, along, length);
         self.stroke(Operation::LayOff, point)
     }
 
     /// A point moved by two components.
-    pub fn moved(&mut self, from: Point<B>, by: [Mm<B>; 2]) -> Point<B> {
+    pub fn moved(&mut self, from: Point, by: [Mm; 2]) -> Point {
         let point = Point { x: self.add(from.x, by[0].0), y: self.add(from.y, by[1].0) };
         self.stroke(Operation::LayOff, point)
     }
 
     /// An arrow's tip turned clockwise by 90° about its tail, with the set square.
-    pub fn turned_about(&mut self, tail: Point<B>, tip: Point<B>) -> Point<B> {
+    pub fn turned_about(&mut self, tail: Point, tip: Point) -> Point {
         let [dx, dy] = self.between(tail, tip);
         let down = Mm(self.neg(dx.0));
         self.moved(tail, [dy, down])
     }
 
     /// An arrow's tip turned counter-clockwise by 90° about its tail.
-    pub fn turned_back(&mut self, tail: Point<B>, tip: Point<B>) -> Point<B> {
+    pub fn turned_back(&mut self, tail: Point, tip: Point) -> Point {
         let [dx, dy] = self.between(tail, tip);
         let left = Mm(self.neg(dy.0));
         self.moved(tail, [left, dx])
     }
 
     /// The components of a quantity that has a direction.
-    pub fn components(&mut self, along: Direction<B>, size: Amount<B>) -> [Amount<B>; 2] {
+    pub fn components(&mut self, along: Direction, size: Amount) -> [Amount; 2] {
         [Amount(self.mul(along.x, size.0)), Amount(self.mul(along.y, size.0))]
     }
 
-    fn shifted(&mut self, from: Point<B>, along: Direction<B>, length: Mm<B>) -> Point<B> {
+    fn shifted(&mut self, from: Point, along: Direction, length: Mm) -> Point {
         let dx = self.mul(along.x, length.0);
         let dy = self.mul(along.y, length.0);
         Point { x: self.add(from.x, dx), y: self.add(from.y, dy) }
     }
 
     /// How far a point lies along a line and square to it (left positive), with the set square.
-    pub fn square_off(&mut self, line: Line<B>, point: Point<B>) -> [Mm<B>; 2] {
+    pub fn square_off(&mut self, line: Line, point: Point) -> [Mm; 2] {
         let [dx, dy] = self.between(line.through, point);
         let along = self.dot(dx.0, line.along.x, dy.0, line.along.y);
         let across = self.cross(line.along.x, dy.0, line.along.y, dx.0);
@@ -610,7 +556,7 @@ impl<B: Bench> Board<B> {
 
     /// Where two lines meet, in difference form from the nearer of their two points. Parallel lines
     /// leave a weak divisor with `reason` on the tape.
-    pub fn meet_lines(&mut self, first: Line<B>, second: Line<B>, reason: Reason) -> Meet<B> {
+    pub fn meet_lines(&mut self, first: Line, second: Line, reason: Reason) -> Meet {
         let [first, second] = [first, second].map(|l| Line { along: self.drawn(l.along), ..l });
         let sin = self.cross(first.along.x, second.along.y, first.along.y, second.along.x);
         let [dx, dy] = self.between(first.through, second.through);
@@ -623,7 +569,7 @@ impl<B: Bench> Board<B> {
         } else {
             self.shifted(second.through, second.along, along[1])
         };
-        let crossing = libm::asin(sin.value.to_f64().abs().min(1.0));
+        let crossing = libm::asin(sin.value.abs().min(1.0));
         Meet { at: self.stroke(Operation::MeetLines, at), along, crossing }
     }
 
@@ -631,12 +577,7 @@ impl<B: Bench> Board<B> {
     ///
     /// # Errors
     /// [`NoMeet`] where the line passes the circle by.
-    pub fn meet_line_circle(
-        &mut self,
-        line: Line<B>,
-        circle: Circle<B>,
-        reason: Reason,
-    ) -> Result<Pair<B>, NoMeet> {
+    pub fn meet_line_circle(&mut self, line: Line, circle: Circle, reason: Reason) -> Result<Pair, NoMeet> {
         let line = Line { along: self.drawn(line.along), ..line };
         let circle = Circle { radius: Mm(self.pencilled(circle.radius.0, Pencil::Length)), ..circle };
         let [along, across] = self.square_off(line, circle.centre);
@@ -656,12 +597,7 @@ impl<B: Bench> Board<B> {
     ///
     /// # Errors
     /// [`NoMeet`] where they are too far apart or one lies within the other.
-    pub fn meet_circles(
-        &mut self,
-        first: Circle<B>,
-        second: Circle<B>,
-        reason: Reason,
-    ) -> Result<Pair<B>, NoMeet> {
+    pub fn meet_circles(&mut self, first: Circle, second: Circle, reason: Reason) -> Result<Pair, NoMeet> {
         let [first, second] =
             [first, second].map(|c| Circle { radius: Mm(self.pencilled(c.radius.0, Pencil::Length)), ..c });
         let (toward, distance) = self.toward(first.centre, second.centre, reason);
@@ -694,15 +630,15 @@ impl<B: Bench> Board<B> {
     }
 
     /// √square, where a square below zero by no more than its own error is a tangency.
-    fn half_chord(&mut self, square: Num<B>, reason: Reason) -> Result<(Mm<B>, bool), NoMeet> {
+    fn half_chord(&mut self, square: Num, reason: Reason) -> Result<(Mm, bool), NoMeet> {
         /// A square is as good as zero within this many of its own errors: the same eighth by which
         /// the tape calls a divisor weak.
         const ERRORS: f64 = 8.0;
-        let value = square.value.to_f64();
-        self.recorder.divisor(square.mark, value, reason);
+        let value = square.value;
+        self.tape.divisor(square.mark, value, reason);
         let mut tangent = value == 0.0;
         if value <= 0.0 || !value.is_finite() {
-            match self.recorder.error(square.mark) {
+            match self.tape.error(square.mark) {
                 Some(error) if -value <= ERRORS * error => tangent = true,
                 None if value == 0.0 => {}
                 _ => return Err(NoMeet),
@@ -712,7 +648,7 @@ impl<B: Bench> Board<B> {
     }
 
     /// One of the two points of a pair.
-    pub fn take(&mut self, pair: Pair<B>, side: Side) -> Point<B> {
+    pub fn take(&mut self, pair: Pair, side: Side) -> Point {
         let half = match side {
             Side::First => pair.half,
             Side::Second => Mm(self.neg(pair.half.0)),
@@ -723,7 +659,7 @@ impl<B: Bench> Board<B> {
 
     /// Where a point of the pair lies, to choose between them before one is drawn.
     #[must_use]
-    pub fn look(&self, pair: &Pair<B>, side: Side) -> [f64; 2] {
+    pub fn look(&self, pair: &Pair, side: Side) -> [f64; 2] {
         let half = match side {
             Side::First => pair.half.value(),
             Side::Second => -pair.half.value(),
@@ -733,7 +669,7 @@ impl<B: Bench> Board<B> {
     }
 
     /// Divide the line from `from` to `to`: the point at `ratio` of its length.
-    pub fn divide(&mut self, from: Point<B>, to: Point<B>, ratio: Ratio<B>) -> Point<B> {
+    pub fn divide(&mut self, from: Point, to: Point, ratio: Ratio) -> Point {
         let [dx, dy] = self.between(from, to);
         let x = self.mul(dx.0, ratio.0);
         let y = self.mul(dy.0, ratio.0);
@@ -744,7 +680,7 @@ impl<B: Bench> Board<B> {
 
     /// The corner of a figure similar to one in which the corner lies `along` and `across` (left
     /// positive), as parts of the base.
-    pub fn similar(&mut self, base: [Point<B>; 2], along: Ratio<B>, across: Ratio<B>) -> Point<B> {
+    pub fn similar(&mut self, base: [Point; 2], along: Ratio, across: Ratio) -> Point {
         let [dx, dy] = self.between(base[0], base[1]);
         let x = self.cross(dx.0, along.0, dy.0, across.0);
         let y = self.dot(dy.0, along.0, dx.0, across.0);
@@ -754,7 +690,7 @@ impl<B: Bench> Board<B> {
     }
 
     /// A point as the hand marks it.
-    fn marked(&mut self, point: Point<B>) -> Point<B> {
+    fn marked(&mut self, point: Point) -> Point {
         Point { x: self.pencilled(point.x, Pencil::Length), y: self.pencilled(point.y, Pencil::Length) }
     }
 }

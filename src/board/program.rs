@@ -1,7 +1,7 @@
 //! A drawing as a flat list of slot-indexed operations, to be run for many values of its input.
 //!
-//! The drawing is made once on a board whose recorder is a [`Transcript`]. What hangs on the input becomes
-//! an operation; everything else is reckoned at once and becomes a constant; what is reckoned twice stands
+//! The drawing is made once, and its tape read into a [`Transcript`]. What depends on the input stays
+//! an operation; everything else is computed at once and becomes a constant; what is computed twice stands
 //! once; what no asked number and no condition needs is left out. A [`Program`] holds no string, no label
 //! and no branch, and runs without allocation.
 //!
@@ -19,8 +19,8 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use super::bounded::BoundedProgram;
-use super::scalar::Real;
-use super::tape::{Operation, Reason, Reckoning, Recorder};
+use super::op::{MOST_OPERANDS, Op};
+use super::tape::{self, Event, Leaf, Reason, Role, Tape};
 use crate::given::Given;
 
 /// Positions that are reckoned together.
@@ -35,35 +35,16 @@ pub(super) const U: f64 = f64::EPSILON / 2.0;
 /// A number stands clear of its error as a divisor does on the tape.
 pub(super) const CLEAR: f64 = 8.0;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Kind {
-    Sum,
-    Difference,
-    Opposite,
-    Product,
-    Quotient,
-    Root,
-    /// ±√a; the sign is that of the chord.
-    HalfChord,
-    Dot,
-    Cross,
-    Cosine,
-    Sine,
-    Angle,
-    /// An angle, near as many half turns as the sign of that index says.
-    Turned,
-}
-
 /// The operands of a node: slots, unused ones zero. The second of a half chord is its index, the third of an angle
 /// that goes on.
-pub(super) type Operands = [u32; 4];
+pub(super) type Operands = [u32; MOST_OPERANDS];
 
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Node {
     /// A number that hangs on nothing that is varied, and its error; 0 where nobody keeps errors.
     Constant(f64, f64),
     Input,
-    Made(Kind, Operands),
+    Made(Op, Operands),
 }
 
 /// A number that a program is to give.
@@ -100,35 +81,25 @@ impl Default for Variable {
     }
 }
 
-/// The recorder that writes a drawing down as a program.
+/// A tape read for a program, in the fewest operations that say the same.
 #[derive(Debug, Clone, Default)]
 pub struct Transcript {
     variable: Variable,
     with_errors: bool,
     pub(super) nodes: Vec<Node>,
     values: Vec<f64>,
-    made: HashMap<(Kind, Operands), u32>,
+    made: HashMap<(Op, Operands), u32>,
     constants: HashMap<u64, u32>,
     pub(super) chords: Vec<u32>,
     chord_calls: Vec<Option<u32>>,
     pub(super) divisors: Vec<(u32, Reason)>,
     /// The angles that go on.
     turns: Vec<u32>,
+    /// The slot of each mark of the tape.
+    slots: Vec<u32>,
 }
 
 impl Transcript {
-    /// For a drawing in which this will be varied.
-    #[must_use]
-    pub fn of(variable: Variable) -> Self {
-        Self { variable, ..Self::default() }
-    }
-
-    /// The same, for a program that bounds its numbers.
-    #[must_use]
-    pub fn with_errors(variable: Variable) -> Self {
-        Self { variable, with_errors: true, ..Self::default() }
-    }
-
     /// Which chord every half chord of the drawing is, in the order of drawing; `None` for a constant.
     #[must_use]
     pub fn chord_calls(&self) -> &[Option<u32>] {
@@ -163,24 +134,24 @@ impl Transcript {
     }
 
     /// The error of what is reckoned from constants alone.
-    fn folded_error(&self, kind: Kind, of: Operands, value: f64) -> f64 {
+    fn folded_error(&self, op: Op, of: Operands, value: f64) -> f64 {
         let values = of.map(|slot| self.value(slot));
         let errors = of.map(|slot| match self.nodes.get(slot as usize) {
             Some(Node::Constant(_, error)) => *error,
             _ => 0.0,
         });
         let vanishes = |operand: usize| values[operand].abs() <= CLEAR * errors[operand];
-        match kind {
-            Kind::Quotient if errors[1] > 0.0 && vanishes(1) => return f64::INFINITY,
-            Kind::HalfChord if vanishes(0) => return f64::INFINITY,
-            Kind::Root if vanishes(0) => return (values[0].abs() + errors[0]).sqrt(),
+        match op {
+            Op::Quotient if errors[1] > 0.0 && vanishes(1) => return f64::INFINITY,
+            Op::HalfChord if vanishes(0) => return f64::INFINITY,
+            Op::Root if vanishes(0) => return (values[0].abs() + errors[0]).sqrt(),
             _ => {}
         }
-        let partials = partials(kind, values, value);
-        let carried: f64 = (0..operands(kind))
+        let partials = op.partials(values, value);
+        let carried: f64 = (0..op.operands())
             .map(|i| if errors[i] > 0.0 { partials[i].abs() * errors[i] } else { 0.0 })
             .sum();
-        carried + rounding(kind, values, value)
+        carried + op.rounding::<f64>(values, value)
     }
 
     /// The number that is varied.
@@ -199,8 +170,8 @@ impl Transcript {
     }
 
     /// The slot of what is reckoned so.
-    pub(super) fn made(&self, kind: Kind, of: Operands) -> Option<u32> {
-        self.made.get(&(kind, of)).copied()
+    pub(super) fn made(&self, op: Op, of: Operands) -> Option<u32> {
+        self.made.get(&(op, of)).copied()
     }
 
     fn known(&self, slot: u32) -> Option<f64> {
@@ -229,86 +200,83 @@ impl Transcript {
     }
 
     /// Writes an operation down, in the simplest form that says the same.
-    fn make(&mut self, kind: Kind, [a, b, c, d]: Operands) -> u32 {
-        let count = operands(kind);
+    fn make(&mut self, op: Op, [a, b, c, d]: Operands) -> u32 {
+        let count = op.operands();
         if [a, b, c, d][..count].iter().all(|&slot| self.known(slot).is_some()) {
-            return self.fold(kind, [a, b, c, d]);
+            return self.fold(op, [a, b, c, d]);
         }
         let number = |slot| self.exactly(slot);
         let is = |slot: u32, value: f64| number(slot) == Some(value);
-        match kind {
-            Kind::Sum if is(a, 0.0) => return b,
-            Kind::Sum | Kind::Difference if is(b, 0.0) => return a,
-            Kind::Difference if is(a, 0.0) => return self.make(Kind::Opposite, [b, 0, 0, 0]),
-            Kind::Difference if a == b => return self.constant(0.0),
-            Kind::Sum => {
-                if let Some(Node::Made(Kind::Opposite, [x, ..])) = self.nodes.get(b as usize).copied() {
-                    return self.make(Kind::Difference, [a, x, 0, 0]);
+        match op {
+            Op::Sum if is(a, 0.0) => return b,
+            Op::Sum | Op::Difference if is(b, 0.0) => return a,
+            Op::Difference if is(a, 0.0) => return self.make(Op::Opposite, [b, 0, 0, 0]),
+            Op::Difference if a == b => return self.constant(0.0),
+            Op::Sum => {
+                if let Some(Node::Made(Op::Opposite, [x, ..])) = self.nodes.get(b as usize).copied() {
+                    return self.make(Op::Difference, [a, x, 0, 0]);
                 }
             }
-            Kind::Difference => {
-                if let Some(Node::Made(Kind::Opposite, [x, ..])) = self.nodes.get(b as usize).copied() {
-                    return self.make(Kind::Sum, [a, x, 0, 0]);
+            Op::Difference => {
+                if let Some(Node::Made(Op::Opposite, [x, ..])) = self.nodes.get(b as usize).copied() {
+                    return self.make(Op::Sum, [a, x, 0, 0]);
                 }
             }
-            Kind::Product if is(a, 0.0) || is(b, 0.0) => return self.constant(0.0),
-            Kind::Product if is(a, 1.0) => return b,
-            Kind::Product | Kind::Quotient if is(b, 1.0) => return a,
-            Kind::Product if is(a, -1.0) => return self.make(Kind::Opposite, [b, 0, 0, 0]),
-            Kind::Product if is(b, -1.0) => return self.make(Kind::Opposite, [a, 0, 0, 0]),
-            Kind::Quotient if is(a, 0.0) => return self.constant(0.0),
-            Kind::Quotient if self.known(b).is_some() => {
+            Op::Product if is(a, 0.0) || is(b, 0.0) => return self.constant(0.0),
+            Op::Product if is(a, 1.0) => return b,
+            Op::Product | Op::Quotient if is(b, 1.0) => return a,
+            Op::Product if is(a, -1.0) => return self.make(Op::Opposite, [b, 0, 0, 0]),
+            Op::Product if is(b, -1.0) => return self.make(Op::Opposite, [a, 0, 0, 0]),
+            Op::Quotient if is(a, 0.0) => return self.constant(0.0),
+            Op::Quotient if self.known(b).is_some() => {
                 // A constant divisor is a factor.
                 let one = self.constant(1.0);
-                let factor = self.make(Kind::Quotient, [one, b, 0, 0]);
-                return self.make(Kind::Product, [a, factor, 0, 0]);
+                let factor = self.make(Op::Quotient, [one, b, 0, 0]);
+                return self.make(Op::Product, [a, factor, 0, 0]);
             }
-            Kind::Opposite => {
-                if let Some(Node::Made(Kind::Opposite, [x, ..])) = self.nodes.get(a as usize) {
+            Op::Opposite => {
+                if let Some(Node::Made(Op::Opposite, [x, ..])) = self.nodes.get(a as usize) {
                     return *x;
                 }
             }
-            Kind::Dot | Kind::Cross => {
+            Op::Dot | Op::Cross => {
                 let whole = [[a, b], [c, d]];
                 let idle = whole.map(|[p, q]| is(p, 0.0) || is(q, 0.0));
                 let plain = whole.map(|[p, q]| is(p, 1.0) || is(q, 1.0));
                 if idle[0] || idle[1] || plain[0] || plain[1] {
-                    let [first, second] = whole.map(|[p, q]| self.make(Kind::Product, [p, q, 0, 0]));
-                    let joint = if kind == Kind::Dot { Kind::Sum } else { Kind::Difference };
+                    let [first, second] = whole.map(|[p, q]| self.make(Op::Product, [p, q, 0, 0]));
+                    let joint = if op == Op::Dot { Op::Sum } else { Op::Difference };
                     return self.make(joint, [first, second, 0, 0]);
                 }
             }
             _ => {}
         }
-        let operands = match kind {
-            Kind::Sum | Kind::Product if b < a => [b, a, 0, 0],
+        let operands = match op {
+            Op::Sum | Op::Product if b < a => [b, a, 0, 0],
             _ => [a, b, c, d],
         };
-        if let Some(&slot) = self.made.get(&(kind, operands)) {
+        if let Some(&slot) = self.made.get(&(op, operands)) {
             return slot;
         }
-        let mut values = operands.map(|slot| self.value(slot));
-        if kind == Kind::HalfChord {
-            values[1] = 0.0;
-        }
-        let slot = self.node(Node::Made(kind, operands), reckon(kind, values, 1.0));
-        self.made.insert((kind, operands), slot);
+        let values = operands.map(|slot| self.value(slot));
+        let slot = self.node(Node::Made(op, operands), op.value(values));
+        self.made.insert((op, operands), slot);
         slot
     }
 
     /// What is reckoned from constants alone is a constant.
-    fn fold(&mut self, kind: Kind, of: Operands) -> u32 {
-        let value = reckon(kind, of.map(|slot| self.value(slot)), 1.0);
+    fn fold(&mut self, op: Op, of: Operands) -> u32 {
+        let value = op.value(of.map(|slot| self.value(slot)));
         if !self.with_errors {
             return self.constant(value);
         }
         // The same reckoning of the same numbers has the same error, not one of its own.
-        if let Some(&slot) = self.made.get(&(kind, of)) {
+        if let Some(&slot) = self.made.get(&(op, of)) {
             return slot;
         }
-        let error = self.folded_error(kind, of, value);
+        let error = self.folded_error(op, of, value);
         let slot = self.uncertain(value, error);
-        self.made.insert((kind, of), slot);
+        self.made.insert((op, of), slot);
         slot
     }
 
@@ -367,7 +335,7 @@ impl Transcript {
             if last_use[slot] == Use::Never {
                 continue;
             }
-            let Node::Made(kind, of) = *node else {
+            let Node::Made(op, of) = *node else {
                 if let Node::Constant(value, _) = *node {
                     slots[slot] = program.row();
                     program.constants.push((slots[slot], value));
@@ -375,15 +343,15 @@ impl Transcript {
                 continue;
             };
             let mut from = of.map(|slot| slots.get(slot as usize).copied().unwrap_or(0));
-            match kind {
-                Kind::HalfChord => from[1] = of[1],
-                Kind::Turned => from[2] = of[2],
+            match op {
+                Op::HalfChord => from[1] = of[1],
+                Op::Turned => from[2] = of[2],
                 _ => {}
             }
             // Sine and cosine of one angle are reckoned in one go: the second stands with the first.
-            let partner = match kind {
-                Kind::Cosine => self.made.get(&(Kind::Sine, of)),
-                Kind::Sine => self.made.get(&(Kind::Cosine, of)),
+            let partner = match op {
+                Op::Cosine => self.made.get(&(Op::Sine, of)),
+                Op::Sine => self.made.get(&(Op::Cosine, of)),
                 _ => None,
             };
             let partner = partner.map(|&p| p as usize).filter(|&p| last_use[p] != Use::Never);
@@ -398,8 +366,8 @@ impl Transcript {
                 slots[p]
             });
             let guard = guarded[slot];
-            program.steps.push(Step { kind, to, second, guard, from });
-            let mut done: Vec<u32> = of[..operands(kind)].to_vec();
+            program.steps.push(Step { op, to, second, guard, from });
+            let mut done: Vec<u32> = of[..op.operands()].to_vec();
             done.sort_unstable();
             done.dedup();
             for operand in done {
@@ -441,8 +409,8 @@ impl Transcript {
         }
         // Operands stand before what is made of them.
         for slot in (0..self.nodes.len()).rev() {
-            if let (true, Node::Made(kind, of)) = (reached[slot], self.nodes[slot]) {
-                for &operand in &of[..operands(kind)] {
+            if let (true, Node::Made(op, of)) = (reached[slot], self.nodes[slot]) {
+                for &operand in &of[..op.operands()] {
                     reached[operand as usize] = true;
                 }
             }
@@ -459,8 +427,8 @@ impl Transcript {
             if std::mem::replace(seen, true) {
                 continue;
             }
-            if let Node::Made(kind, of) = self.nodes[slot as usize] {
-                open.extend(&of[..operands(kind)]);
+            if let Node::Made(op, of) = self.nodes[slot as usize] {
+                open.extend(&of[..op.operands()]);
             }
         }
         reached
@@ -475,9 +443,9 @@ impl Transcript {
             }
         }
         for slot in (0..self.nodes.len()).rev() {
-            if let (true, Node::Made(kind, of)) = (uses[slot] != Use::Never, self.nodes[slot]) {
+            if let (true, Node::Made(op, of)) = (uses[slot] != Use::Never, self.nodes[slot]) {
                 // What is reckoned with its partner is reckoned when the first of them is.
-                for &operand in &of[..operands(kind)] {
+                for &operand in &of[..op.operands()] {
                     if uses[operand as usize] == Use::Never {
                         uses[operand as usize] = Use::At(slot);
                     }
@@ -496,14 +464,57 @@ enum Use {
     End,
 }
 
-impl Recorder for Transcript {
-    type Mark = u32;
-
-    fn given(&mut self, value: f64, error: f64) -> u32 {
-        self.uncertain(value, error)
+impl Transcript {
+    /// Reads a tape, for this to be varied.
+    #[must_use]
+    pub fn of(tape: &Tape, variable: Variable) -> Self {
+        Self { variable, ..Self::default() }.read(tape)
     }
 
-    fn input(&mut self, index: usize, value: f64, error: f64) -> u32 {
+    /// The same, for a program that bounds its numbers.
+    #[must_use]
+    pub fn with_errors(tape: &Tape, variable: Variable) -> Self {
+        Self { variable, with_errors: true, ..Self::default() }.read(tape)
+    }
+
+    fn read(mut self, tape: &Tape) -> Self {
+        for node in &tape.nodes {
+            let slot = match *node {
+                tape::Node::Leaf(leaf) => {
+                    let leaf = tape.leaves[leaf as usize];
+                    match leaf.role {
+                        Role::Given | Role::Slip => self.uncertain(leaf.given.value, leaf.error),
+                        Role::Input(index) => self.input(index, &leaf),
+                        Role::Rate(index) => self.input_rate(index, &leaf),
+                    }
+                }
+                tape::Node::Made(op, of) => {
+                    let count = op.operands();
+                    let mut slots = [0; MOST_OPERANDS];
+                    for (slot, &mark) in slots.iter_mut().zip(&of[..count]) {
+                        *slot = self.slots[mark as usize];
+                    }
+                    self.write(op, slots)
+                }
+            };
+            self.slots.push(slot);
+        }
+        for &(_, event) in &tape.events {
+            if let Event::Divisor { slot, reason, .. } = event {
+                self.divisors.push((self.slots[slot as usize], reason));
+            }
+        }
+        self
+    }
+
+    /// The slot of what has this mark on the tape.
+    #[must_use]
+    pub fn slot(&self, mark: u32) -> u32 {
+        self.slots.get(mark as usize).copied().unwrap_or(u32::MAX)
+    }
+
+    fn input(&mut self, index: usize, leaf: &Leaf) -> u32 {
+        let (value, error) = (leaf.given.value, leaf.error);
         let law = match self.variable {
             Variable::Input(swept) if swept == index => return self.varied(value),
             Variable::Input(_) => None,
@@ -515,59 +526,45 @@ impl Recorder for Transcript {
         let half = self.uncertain(law.acceleration.value / 2.0, law.acceleration.error / 2.0);
         let rate = self.uncertain(law.rate.value, law.rate.error);
         let time = self.varied(0.0);
-        let gained = self.make(Kind::Product, [half, time, 0, 0]);
-        let mean = self.make(Kind::Sum, [rate, gained, 0, 0]);
-        let way = self.make(Kind::Product, [mean, time, 0, 0]);
-        self.make(Kind::Sum, [place, way, 0, 0])
+        let gained = self.make(Op::Product, [half, time, 0, 0]);
+        let mean = self.make(Op::Sum, [rate, gained, 0, 0]);
+        let way = self.make(Op::Product, [mean, time, 0, 0]);
+        self.make(Op::Sum, [place, way, 0, 0])
     }
 
-    fn input_rate(&mut self, index: usize, value: f64, error: f64) -> u32 {
-        let Some(law) = self.law(index) else { return self.uncertain(value, error) };
+    fn input_rate(&mut self, index: usize, leaf: &Leaf) -> u32 {
+        let Some(law) = self.law(index) else { return self.uncertain(leaf.given.value, leaf.error) };
         // v + a t
         let rate = self.uncertain(law.rate.value, law.rate.error);
         let acceleration = self.uncertain(law.acceleration.value, law.acceleration.error);
         let time = self.varied(0.0);
-        let gained = self.make(Kind::Product, [acceleration, time, 0, 0]);
-        self.make(Kind::Sum, [rate, gained, 0, 0])
+        let gained = self.make(Op::Product, [acceleration, time, 0, 0]);
+        self.make(Op::Sum, [rate, gained, 0, 0])
     }
 
-    fn result(&mut self, step: Reckoning, parts: &[(u32, f64)], _: f64) -> u32 {
-        let mut of = [0; 4];
-        for (to, (mark, _)) in of.iter_mut().zip(parts) {
-            *to = *mark;
-        }
-        let kind = match step {
-            Reckoning::Sum => Kind::Sum,
-            Reckoning::Difference => Kind::Difference,
-            Reckoning::Opposite => Kind::Opposite,
-            Reckoning::Product => Kind::Product,
-            Reckoning::Quotient => Kind::Quotient,
-            Reckoning::Root => Kind::Root,
-            Reckoning::Dot => Kind::Dot,
-            Reckoning::Cross => Kind::Cross,
-            Reckoning::Cosine => Kind::Cosine,
-            Reckoning::Sine => Kind::Sine,
-            Reckoning::Angle => Kind::Angle,
-            Reckoning::Turned => {
+    /// Writes an operation of the tape down; angles that go on and half chords are numbered.
+    fn write(&mut self, op: Op, mut of: Operands) -> u32 {
+        match op {
+            Op::Turned => {
                 if of[..2].iter().all(|&slot| self.known(slot).is_some()) {
-                    return self.fold(Kind::Angle, of);
+                    return self.fold(Op::Angle, of);
                 }
                 let before = self.turns.iter().copied().find(|&slot| {
                     matches!(self.nodes.get(slot as usize),
-                             Some(Node::Made(Kind::Turned, before)) if before[..2] == of[..2])
+                             Some(Node::Made(Op::Turned, before)) if before[..2] == of[..2])
                 });
                 if let Some(slot) = before {
                     return slot;
                 }
                 of[2] = u32::try_from(self.turns.len()).unwrap_or(u32::MAX);
-                let slot = self.make(Kind::Turned, of);
+                let slot = self.make(Op::Turned, of);
                 self.turns.push(slot);
                 return slot;
             }
-            Reckoning::HalfChord => {
+            Op::HalfChord => {
                 if self.known(of[0]).is_some() {
                     self.chord_calls.push(None);
-                    return self.fold(Kind::HalfChord, of);
+                    return self.fold(Op::HalfChord, of);
                 }
                 let index = self.chords.iter().position(|&square| square == of[0]);
                 let index = index.unwrap_or_else(|| {
@@ -576,56 +573,10 @@ impl Recorder for Transcript {
                 });
                 of[1] = u32::try_from(index).unwrap_or(u32::MAX);
                 self.chord_calls.push(Some(of[1]));
-                Kind::HalfChord
             }
-            Reckoning::Times(factor) => {
-                of[1] = self.constant(factor);
-                Kind::Product
-            }
-            Reckoning::Over(divisor) => {
-                of[1] = self.constant(divisor);
-                Kind::Quotient
-            }
-        };
-        self.make(kind, of)
-    }
-
-    fn divisor(&mut self, mark: u32, _: f64, reason: Reason) {
-        self.divisors.push((mark, reason));
-    }
-
-    fn error(&mut self, _: u32) -> Option<f64> {
-        None
-    }
-
-    fn stroke(&mut self, _: Operation, _: [f64; 2], _: [u32; 2], _: &'static str) -> [f64; 2] {
-        [0.0; 2]
-    }
-}
-
-/// How many slots an operation takes.
-pub(super) fn operands(kind: Kind) -> usize {
-    match kind {
-        Kind::Opposite | Kind::Root | Kind::HalfChord | Kind::Cosine | Kind::Sine => 1,
-        Kind::Sum | Kind::Difference | Kind::Product | Kind::Quotient | Kind::Angle | Kind::Turned => 2,
-        Kind::Dot | Kind::Cross => 4,
-    }
-}
-
-/// What one operation alone may put its result off, by the rules of the tape (`reckon.rs`).
-pub(super) fn rounding(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> f64 {
-    match kind {
-        // Sums of small whole numbers and of zeros are exact, and many constants are.
-        Kind::Sum if value - a == b && value - b == a => 0.0,
-        Kind::Difference if value + b == a && a - value == b => 0.0,
-        Kind::Opposite => 0.0,
-        Kind::Product if a.abs() == 1.0 || b.abs() == 1.0 => 0.0,
-        Kind::Quotient if b.abs() == 1.0 => 0.0,
-        Kind::Dot | Kind::Cross => U * ((a * b).abs() + (c * d).abs() + value.abs()),
-        // Along the x-axis sine and cosine are exact.
-        Kind::Cosine | Kind::Sine if a == 0.0 => 0.0,
-        Kind::Cosine | Kind::Sine | Kind::Angle | Kind::Turned => TRANSCENDENTAL * U * value.abs(),
-        _ => U * value.abs(),
+            _ => {}
+        }
+        self.make(op, of)
     }
 }
 
@@ -635,30 +586,15 @@ fn angle_near(half_turns: f64, y: f64, x: f64) -> f64 {
     PI * half_turns + if odd { libm::atan2(-y, -x) } else { libm::atan2(y, x) }
 }
 
-/// A sine, cosine or angle errs by so many roundoffs of its own, and is rounded.
-const TRANSCENDENTAL: f64 = <f64 as Real>::TRANSCENDENTAL_ULPS + 1.0;
-
-/// One number by one operation.
-pub(super) fn reckon(kind: Kind, [a, b, c, d]: [f64; 4], sign: f64) -> f64 {
-    match kind {
-        Kind::Sum => a + b,
-        Kind::Difference => a - b,
-        Kind::Opposite => -a,
-        Kind::Product => a * b,
-        Kind::Quotient => a / b,
-        Kind::Root => a.max(0.0).sqrt(),
-        Kind::HalfChord => sign * a.max(0.0).sqrt(),
-        Kind::Dot => a * b + c * d,
-        Kind::Cross => a * b - c * d,
-        Kind::Cosine => libm::cos(a),
-        Kind::Sine => libm::sin(a),
-        Kind::Angle | Kind::Turned => libm::atan2(a, b),
-    }
+/// One number by one operation, with the sign of its chord.
+pub(super) fn signed(op: Op, values: [f64; MOST_OPERANDS], sign: f64) -> f64 {
+    let value = op.value(values);
+    if op == Op::HalfChord { sign * value } else { value }
 }
 
 #[derive(Debug, Clone, Copy)]
 struct Step {
-    kind: Kind,
+    op: Op,
     to: u32,
     /// Where the sine of a cosine (or the cosine of a sine) goes; 0 where nobody wants it.
     second: u32,
@@ -844,41 +780,41 @@ impl Program {
             let [a, b, c, d] = step.from;
             let x = rows[a as usize];
             let mut out = [0.0; LANES];
-            match step.kind {
-                Kind::Sum => zip(&mut out, &x, &rows[b as usize], |x, y| x + y),
-                Kind::Difference => zip(&mut out, &x, &rows[b as usize], |x, y| x - y),
-                Kind::Product => zip(&mut out, &x, &rows[b as usize], |x, y| x * y),
-                Kind::Quotient => zip(&mut out, &x, &rows[b as usize], |x, y| x / y),
-                Kind::Opposite => each(&mut out, &x, |x| -x),
-                Kind::Root => each(&mut out, &x, |x| x.max(0.0).sqrt()),
-                Kind::HalfChord => {
+            match step.op {
+                Op::Sum => zip(&mut out, &x, &rows[b as usize], |x, y| x + y),
+                Op::Difference => zip(&mut out, &x, &rows[b as usize], |x, y| x - y),
+                Op::Product => zip(&mut out, &x, &rows[b as usize], |x, y| x * y),
+                Op::Quotient => zip(&mut out, &x, &rows[b as usize], |x, y| x / y),
+                Op::Opposite => each(&mut out, &x, |x| -x),
+                Op::Root => each(&mut out, &x, |x| x.max(0.0).sqrt()),
+                Op::HalfChord => {
                     let sign = signs.get(b as usize).copied().unwrap_or(1.0);
                     each(&mut out, &x, |x| sign * x.max(0.0).sqrt());
                 }
-                Kind::Dot => {
+                Op::Dot => {
                     let (y, z, w) = (&rows[b as usize], &rows[c as usize], &rows[d as usize]);
                     for i in 0..LANES {
                         out[i] = x[i] * y[i] + z[i] * w[i];
                     }
                 }
-                Kind::Cross => {
+                Op::Cross => {
                     let (y, z, w) = (&rows[b as usize], &rows[c as usize], &rows[d as usize]);
                     for i in 0..LANES {
                         out[i] = x[i] * y[i] - z[i] * w[i];
                     }
                 }
-                Kind::Cosine | Kind::Sine => {
+                Op::Cosine | Op::Sine => {
                     let mut second = [0.0; LANES];
                     for i in 0..LANES {
                         let (sin, cos) = libm::sincos(x[i]);
-                        (out[i], second[i]) = if step.kind == Kind::Cosine { (cos, sin) } else { (sin, cos) };
+                        (out[i], second[i]) = if step.op == Op::Cosine { (cos, sin) } else { (sin, cos) };
                     }
                     if step.second != 0 {
                         rows[step.second as usize] = second;
                     }
                 }
-                Kind::Angle => zip(&mut out, &x, &rows[b as usize], libm::atan2),
-                Kind::Turned => {
+                Op::Angle => zip(&mut out, &x, &rows[b as usize], libm::atan2),
+                Op::Turned => {
                     let half_turns = self.half_turns(c, signs);
                     zip(&mut out, &x, &rows[b as usize], |y, x| angle_near(half_turns, y, x));
                 }
@@ -905,31 +841,31 @@ impl Program {
         for (number, step) in self.steps.iter().enumerate() {
             // What is no row (the index of a chord, or of a turn) is not looked at.
             let of = step.from.map(|row| rows.get(row as usize).unwrap_or(&rows[0]));
-            let of = &of[..operands(step.kind)];
+            let of = &of[..step.op.operands()];
             let sign = signs.get(step.from[1] as usize).copied().unwrap_or(1.0);
             let mut values = [0.0; 4];
             for (value, row) in values.iter_mut().zip(of) {
                 *value = row.value;
             }
-            if step.kind == Kind::HalfChord && !of[0].is_clear() {
+            if step.op == Op::HalfChord && !of[0].is_clear() {
                 // The arcs just touch: what is left of the chord is rounding.
                 values[0] = 0.0;
             }
-            let value = match step.kind {
-                Kind::Turned => angle_near(self.half_turns(step.from[2], signs), values[0], values[1]),
-                kind => reckon(kind, values, sign),
+            let value = match step.op {
+                Op::Turned => angle_near(self.half_turns(step.from[2], signs), values[0], values[1]),
+                op => signed(op, values, sign),
             };
-            let products = match step.kind {
-                Kind::Dot | Kind::Cross => (values[0] * values[1]).abs() + (values[2] * values[3]).abs(),
+            let products = match step.op {
+                Op::Dot | Op::Cross => (values[0] * values[1]).abs() + (values[2] * values[3]).abs(),
                 _ => 0.0,
             };
-            let mut out = carried(of, &partials(step.kind, values, value), value);
+            let mut out = carried(of, &step.op.partials(values, value), value);
             out.round(2.0 * U * value.abs() + U * products, lots(number + 1));
             out.lost |= step.guard && !out.is_clear();
             let second = (step.second != 0).then(|| {
-                let other = if step.kind == Kind::Cosine { Kind::Sine } else { Kind::Cosine };
-                let value = reckon(other, values, 1.0);
-                let mut out = carried(of, &partials(other, values, value), value);
+                let other = if step.op == Op::Cosine { Op::Sine } else { Op::Cosine };
+                let value = other.value(values);
+                let mut out = carried(of, &other.partials(values, value), value);
                 out.round(2.0 * U * value.abs(), lots(number + 1).rotate_left(3));
                 out
             });
@@ -1007,26 +943,5 @@ fn each(out: &mut Lane, x: &Lane, f: impl Fn(f64) -> f64) {
 fn zip(out: &mut Lane, x: &Lane, y: &Lane, f: impl Fn(f64, f64) -> f64) {
     for ((out, x), y) in out.iter_mut().zip(x).zip(y) {
         *out = f(*x, *y);
-    }
-}
-
-/// Derivatives of a result by its operands.
-pub(super) fn partials(kind: Kind, [a, b, c, d]: [f64; 4], value: f64) -> [f64; 4] {
-    let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
-    match kind {
-        Kind::Sum => [1.0, 1.0, 0.0, 0.0],
-        Kind::Difference => [1.0, -1.0, 0.0, 0.0],
-        Kind::Opposite => [-1.0, 0.0, 0.0, 0.0],
-        Kind::Product => [b, a, 0.0, 0.0],
-        Kind::Quotient => [finite(1.0 / b), finite(-value / b), 0.0, 0.0],
-        Kind::Root | Kind::HalfChord => [finite(0.5 / value), 0.0, 0.0, 0.0],
-        Kind::Dot => [b, a, d, c],
-        Kind::Cross => [b, a, -d, -c],
-        Kind::Cosine => [-libm::sin(a), 0.0, 0.0, 0.0],
-        Kind::Sine => [libm::cos(a), 0.0, 0.0, 0.0],
-        Kind::Angle | Kind::Turned => {
-            let square = a * a + b * b;
-            [finite(b / square), finite(-a / square), 0.0, 0.0]
-        }
     }
 }

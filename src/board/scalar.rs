@@ -17,6 +17,8 @@ pub enum Arithmetic {
     Double,
     /// Double-double, about 31 digits.
     DoubleDouble,
+    /// About 75 digits: the reference against which the others are measured.
+    Wide,
 }
 
 /// A real number of some precision. Every operation is correctly rounded, or its error is stated.
@@ -30,6 +32,8 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// Which arithmetic it is.
+    const ARITHMETIC: Arithmetic;
     /// Unit roundoff: a correctly rounded operation errs by at most this times its result.
     const UNIT_ROUNDOFF: f64;
     /// Error of [`Real::sin_cos`] and [`Real::atan2`] in unit roundoffs of the result.
@@ -54,6 +58,14 @@ pub trait Real:
     fn from_f64(value: f64) -> Self;
     /// Nearest number to one that was stated, and the radius within which that is true.
     fn from_given(given: Given) -> (Self, f64);
+    /// Nearest number to a double-double.
+    fn from_double_double(value: DoubleDouble) -> Self {
+        Self::from_f64(value.hi()) + Self::from_f64(value.lo())
+    }
+    /// Nearest number to one of 75 digits.
+    fn from_wide(value: Wide) -> Self {
+        Self::from_double_double(value.to_double_double())
+    }
     /// Nearest double.
     fn to_f64(self) -> f64;
     /// The number as a double-double: exactly.
@@ -62,6 +74,14 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
+    /// Sine of an angle in radians.
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// Cosine of an angle in radians.
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
     /// Angle of the vector (x, self) from +x in (−π, π].
     fn atan2(self, x: Self) -> Self;
 }
@@ -74,6 +94,7 @@ fn power_of_two_below(value: f64) -> f64 {
 }
 
 impl Real for f64 {
+    const ARITHMETIC: Arithmetic = Arithmetic::Double;
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
     // libm's sin, cos and atan2 state less than one unit in the last place, which is two roundoffs.
     const TRANSCENDENTAL_ULPS: f64 = 2.0;
@@ -116,6 +137,14 @@ impl Real for f64 {
         libm::sincos(self)
     }
 
+    fn sin(self) -> Self {
+        libm::sin(self)
+    }
+
+    fn cos(self) -> Self {
+        libm::cos(self)
+    }
+
     fn atan2(self, x: Self) -> Self {
         libm::atan2(self, x)
     }
@@ -123,6 +152,7 @@ impl Real for f64 {
 
 #[expect(clippy::cast_possible_truncation, reason = "rounding to single precision is what is asked for")]
 impl Real for f32 {
+    const ARITHMETIC: Arithmetic = Arithmetic::Single;
     const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
     // As for doubles.
     const TRANSCENDENTAL_ULPS: f64 = 2.0;
@@ -172,6 +202,7 @@ impl Real for f32 {
 }
 
 impl Real for DoubleDouble {
+    const ARITHMETIC: Arithmetic = Arithmetic::DoubleDouble;
     const UNIT_ROUNDOFF: f64 = DoubleDouble::ROUNDOFF;
     const TRANSCENDENTAL_ULPS: f64 = 8.0;
     const SINE_FLOOR: f64 = 1.0;
@@ -185,6 +216,10 @@ impl Real for DoubleDouble {
 
     fn from_given(given: Given) -> (Self, f64) {
         (given.double_double(), given.low_error)
+    }
+
+    fn from_double_double(value: DoubleDouble) -> Self {
+        value
     }
 
     fn to_f64(self) -> f64 {
@@ -210,6 +245,7 @@ impl Real for DoubleDouble {
 
 /// The reference: it takes a scene's numbers as the double-double arithmetic reads them, for exact.
 impl Real for Wide {
+    const ARITHMETIC: Arithmetic = Arithmetic::Wide;
     const UNIT_ROUNDOFF: f64 = Wide::ROUNDOFF;
     const TRANSCENDENTAL_ULPS: f64 = 8.0;
     const SINE_FLOOR: f64 = 1.0;
@@ -223,6 +259,10 @@ impl Real for Wide {
 
     fn from_given(given: Given) -> (Self, f64) {
         (Self::of(given.value) + Self::of(given.low), 0.0)
+    }
+
+    fn from_wide(value: Wide) -> Self {
+        value
     }
 
     fn to_f64(self) -> f64 {

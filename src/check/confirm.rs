@@ -305,9 +305,10 @@ impl<'a> Comparison<'a> {
                 Some((quantity, Meaning::Is(quantity), vector([0.0; 2], image.at, scale)))
             }));
             let vectors = polygon.vectors.iter().filter(|v| !is_trial(v));
-            drawn.extend(
-                vectors.map(|v| (v.quantity, self.meaning(polygon.order, v), vector(v.from, v.to, scale))),
-            );
+            drawn.extend(vectors.map(|v| {
+                let to = if v.is_zero { v.from } else { v.to };
+                (v.quantity, self.meaning(polygon.order, v), vector(v.from, to, scale))
+            }));
         }
         for act in construction.steps.iter().flat_map(|step| &step.acts) {
             let Act::Calculate(calculation) = act else { continue };

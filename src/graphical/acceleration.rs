@@ -12,7 +12,7 @@
 //! 5. Read the tangential parts; ε = Aᵗ / l, with the sense that the vector shows.
 //! 6. Further points as in the velocity polygon.
 
-use crate::board::{Amount, Bench, Direction, Line, Mm, Point};
+use crate::board::{Amount, Direction, Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
@@ -23,7 +23,7 @@ use super::draughtsman::{Draughtsman, Foot};
 use super::dyad::{Route, Target, Unknown};
 
 /// Draws the steps of the acceleration polygon.
-pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
+pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     d.open_polygon(Order::Acceleration);
     d.alphas[LinkId::FRAME.0] = Some(d.rest());
     d.step(Order::Acceleration, &[], Vec::new());
@@ -33,7 +33,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Draws the acceleration polygon of one group.
     pub(super) fn acceleration_of(&mut self, step: &GroupStep, group: &Group) {
         match group.kind {
@@ -98,7 +98,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Aⁿ = V² / l as a length on paper, with the calculation recorded.
-    fn normal_length(&mut self, link: LinkId, point: PointId, base: PointId) -> (Mm<B>, f64) {
+    fn normal_length(&mut self, link: LinkId, point: PointId, base: PointId) -> (Mm, f64) {
         let scale = self.polygon_scale(Order::Acceleration);
         let length = self.length_to(link, base, point);
         let own = self.mechanism.link(link).points.contains(&point);
@@ -135,7 +135,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         point: PointId,
         base: PointId,
         label: Label,
-    ) -> Point<B> {
+    ) -> Point {
         let (mm, value) = self.normal_length(link, point, base);
         let outward = self.outward(link, base, point);
         let inward = self.board.reverse(outward);
@@ -256,8 +256,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         &mut self,
         (roll, body): (usize, LinkId),
         claim: Claim,
-        tail: (Label, Point<B>),
-        head: (Label, Point<B>),
+        tail: (Label, Point),
+        head: (Label, Point),
     ) {
         let contact = self.contact_of(roll);
         let relative = Quantity::ContactNormal(contact, self.rolled_on(roll, body), body);
@@ -267,7 +267,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The thick vectors to an image: relative to its base, and from the pole.
-    pub(super) fn whole_acceleration(&mut self, point: PointId, base: PointId, image: Point<B>) {
+    pub(super) fn whole_acceleration(&mut self, point: PointId, base: PointId, image: Point) {
         let from = self.image(Order::Acceleration, base);
         let head = (self.label(point), image);
         let kind = self.kind_of(base);
@@ -278,13 +278,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Lays off the normal part, and from its end a line perpendicular to the link.
-    pub(super) fn acceleration_arm(
-        &mut self,
-        link: LinkId,
-        base: PointId,
-        pin: PointId,
-        index: u8,
-    ) -> Route<B> {
+    pub(super) fn acceleration_arm(&mut self, link: LinkId, base: PointId, pin: PointId, index: u8) -> Route {
         let foot_of = if self.mechanism.link(link).points.contains(&pin) { None } else { Some(link) };
         let label = Label::Foot { point: pin, link: foot_of, index };
         let foot = self.lay_off_normal(link, pin, base, label);
@@ -300,13 +294,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// From the end of the known parts of a sliding a line along the guide.
-    pub(super) fn acceleration_slide(
-        &mut self,
-        slide: usize,
-        back: bool,
-        pin: PointId,
-        index: u8,
-    ) -> Route<B> {
+    pub(super) fn acceleration_slide(&mut self, slide: usize, back: bool, pin: PointId, index: u8) -> Route {
         let (foot, along) = self.sliding_foot(slide, back, pin, index);
         let claim = Claim::Parallel(Reference::Guide(slide));
         self.act(Act::DrawRay { from: foot.0, claim });
@@ -322,7 +310,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         back: bool,
         pin: PointId,
         index: u8,
-    ) -> ((Label, Point<B>), Direction<B>) {
+    ) -> ((Label, Point), Direction) {
         let guide = self.mechanism.slides[slide].guide;
         let rider = self.riding_point(slide, pin);
         let (along, inward) = self.tangent(slide, pin);
@@ -361,7 +349,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         (roll, wheel, centre): (usize, LinkId, PointId),
         back: bool,
         index: u8,
-    ) -> Route<B> {
+    ) -> Route {
         let unknown = Unknown::Roll { roll, wheel, centre, back };
         let body = self.rolled_on(roll, wheel);
         let scale = self.polygon_scale(Order::Acceleration);
@@ -450,7 +438,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Aᶜ = 2 V ω, signed along the guide's direction turned by +90°.
-    fn coriolis(&mut self, slip: Amount<B>, (rider, link): (PointId, LinkId)) -> Amount<B> {
+    fn coriolis(&mut self, slip: Amount, (rider, link): (PointId, LinkId)) -> Amount {
         let omega = self.rate(Order::Velocity, link);
         let product = self.board.product(omega, slip);
         let coriolis = self.board.sum(product, product);
@@ -470,10 +458,10 @@ impl<B: Bench> Draughtsman<'_, B> {
         &mut self,
         slide: usize,
         (kind, quantity): (VectorKind, Quantity),
-        (label, at): (Label, Point<B>),
-        (direction, amount): (Direction<B>, Amount<B>),
+        (label, at): (Label, Point),
+        (direction, amount): (Direction, Amount),
         (back, end): (bool, Label),
-    ) -> (Label, Point<B>) {
+    ) -> (Label, Point) {
         let scale = self.polygon_scale(Order::Acceleration);
         let mm = self.board.to_paper(amount, scale);
         let way = if back { self.board.reverse(direction) } else { direction };
@@ -491,11 +479,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// Reads the tangential part along a route and divides by the link's length.
     pub(super) fn read_alpha(
         &mut self,
-        route: &Route<B>,
+        route: &Route,
         target: Target,
         (link, base): (LinkId, PointId),
-        (label, image): (Label, Point<B>),
-        along: Mm<B>,
+        (label, image): (Label, Point),
+        along: Mm,
     ) {
         let scale = self.polygon_scale(Order::Acceleration);
         let pin = target.pin();
@@ -531,11 +519,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// Reads the apparent acceleration along a route.
     pub(super) fn read_sliding(
         &mut self,
-        route: &Route<B>,
+        route: &Route,
         target: Target,
         (slide, back): (usize, bool),
-        (label, image): (Label, Point<B>),
-        along: Mm<B>,
+        (label, image): (Label, Point),
+        along: Mm,
     ) {
         let guide = self.mechanism.slides[slide].guide;
         let pin = target.pin();
@@ -570,7 +558,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Aⁿ = ω² l and Aᵗ = ε l about a point whose image is known.
-    pub(super) fn acceleration_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point<B> {
+    pub(super) fn acceleration_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point {
         let scale = self.polygon_scale(Order::Acceleration);
         let foot_of = if self.mechanism.link(link).points.contains(&point) { None } else { Some(link) };
         let label = Label::Foot { point, link: foot_of, index: 1 };

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use crate::board::{Bench, Board, Equipped, Hand, PencilTape, Tremor};
+use crate::board::{Board, Hand, Tape};
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::structure::Structure;
@@ -11,9 +11,6 @@ use crate::plan::Plan;
 
 use super::reading::{Marked, Numbers, numbers, read_all};
 use super::{DrawError, Scales, draw};
-
-type Perfect = Equipped<f64, PencilTape>;
-type Trembling = Equipped<f64, Tremor>;
 
 /// The error of one asked quantity, drawn by hand, in SI units (of a vector: the length of its error).
 #[derive(Debug, Clone, PartialEq)]
@@ -69,25 +66,25 @@ pub fn by_hand(
     draughtsmen: Draughtsmen,
 ) -> Result<Vec<HandError>, DrawError> {
     let hand = draughtsmen.hand;
-    let board = Board::<Perfect>::new(PencilTape::new(hand));
+    let board = Board::new(Tape::by_hand(hand));
     let mut perfect = draw(board, mechanism, structure, plan, scales)?;
     let readings: Vec<_> = read_all(&mut perfect).into_iter().map(|read| read.numbers).collect();
     let mut errors: Vec<Vec<f64>> = vec![Vec::new(); readings.len()];
     for seed in 0..draughtsmen.number {
-        let board = Board::<Trembling>::new(Tremor::new(hand, seed));
+        let board = Board::new(Tape::trembling(hand, seed));
         let Ok(mut drawn) = draw(board, mechanism, structure, plan, scales) else { continue };
         for (index, read) in read_all(&mut drawn).into_iter().enumerate() {
             let turns = matches!(mechanism.asked[index].quantity, Quantity::Angle(_));
-            errors[index].extend(apart::<Trembling, Perfect>(&read.numbers, &readings[index], turns));
+            errors[index].extend(apart(&read.numbers, &readings[index], turns));
         }
     }
     let mut results = Vec::with_capacity(readings.len());
     for (numbers, mut errors) in readings.iter().zip(errors) {
         errors.sort_by(f64::total_cmp);
         let marks: Vec<u32> = numbers.iter().flatten().map(|(mark, _)| *mark).collect();
-        let tape = perfect.board.recorder();
+        let tape = perfect.board.tape();
         let worst = marks.iter().fold(0.0, |sum, &mark| libm::hypot(sum, tape.worst(mark)));
-        let flat = !marks.iter().all(|&mark| tape.is_clear(mark));
+        let flat = marks.iter().any(|&mark| tape.weakness(mark).is_some());
         let all = usize::try_from(draughtsmen.number).unwrap_or(usize::MAX);
         results.push(HandError {
             worst: (numbers.is_ok() && worst.is_finite()).then_some(worst),
@@ -110,17 +107,13 @@ pub fn by_one_hand(
     scales: Scales,
     (hand, seed): (Hand, u64),
 ) -> Result<Vec<Option<Numbers<f64>>>, DrawError> {
-    let board = Board::<Trembling>::new(Tremor::new(hand, seed));
+    let board = Board::new(Tape::trembling(hand, seed));
     let mut drawn = draw(board, mechanism, structure, plan, scales)?;
-    Ok(numbers(&mut drawn, |_, ()| Some(None)))
+    Ok(numbers(&mut drawn, |_, _| Some(None)))
 }
 
 /// Distance of an answer from the perfect one.
-fn apart<A: Bench<Real = f64>, B: Bench<Real = f64>>(
-    drawn: &Marked<A>,
-    perfect: &Marked<B>,
-    turns: bool,
-) -> Option<f64> {
+fn apart(drawn: &Marked, perfect: &Marked, turns: bool) -> Option<f64> {
     let (Ok(drawn), Ok(perfect)) = (drawn, perfect) else { return None };
     let square = |sum: f64, (a, b): (f64, f64)| {
         let apart = (a - b).abs();

@@ -4,7 +4,7 @@
 //! is continued from position to position by the nearest places. The loci are kept in homogeneous coordinates, so that
 //! a centre that runs through infinity breaks its curve there, with the direction of the asymptote.
 
-use crate::board::{Blank, Board, Trial};
+use crate::board::Board;
 use crate::given::Given;
 use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
 use crate::mechanism::structure::Structure;
@@ -236,7 +236,7 @@ impl<'a> Rig<'a> {
         }
         // The present places of everything, to release what is placed and to begin from.
         let whole = Plan::with(&asking, structure, Extent::WholeSkeleton, CentreSource::Diagram);
-        let board = Board::<Trial>::new(Blank);
+        let board = Board::scratch();
         let drawn = draw(board, &asking, structure, &whole, scales)?;
         let exact = |p: &crate::mechanism::Point| match p.place {
             Place::Fixed(at) => Some(at.map(|g| g.value)),
@@ -650,7 +650,7 @@ fn position(
     scales: Scales,
     links: [LinkId; 2],
 ) -> Result<Option<Position>, DrawError> {
-    let drawn = draw(Board::<Trial>::new(Blank), mechanism, structure, plan, scales)?;
+    let drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
     let places = drawn.record().space.places.iter();
     let places = places.map(|p| p.map(|at| at.map(|x| x * scales.length))).collect();
     let known = drawn.centres.known.get(&chord(links[0], links[1]));

@@ -543,6 +543,8 @@ pub struct Vector {
     pub claim: Option<Claim>,
     /// Shorter than 1 mm: drawn as a point.
     pub as_point: bool,
+    /// Its bound cannot tell it from zero: it is drawn as a point, and nothing else is told of it.
+    pub is_zero: bool,
     /// Index into [`Construction::steps`].
     pub step: usize,
 }

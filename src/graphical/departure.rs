@@ -4,8 +4,7 @@
 //! A [`Departure`] says *which* line, length or reading is another than it should be; it does not say why. The
 //! names of mistakes are given in `grade/`.
 
-use crate::board::{Amount, Bench, Blank, Board, Direction, Equipped, Hand, Line, Mm, Point, Recorded};
-use crate::board::{Tape, Tremor, Trial};
+use crate::board::{Amount, Board, Direction, Hand, Line, Mm, Point, Tape};
 use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
@@ -141,22 +140,22 @@ pub fn sketch(
     draughtsman: Option<(Hand, u64)>,
 ) -> Result<Sketch, DrawError> {
     if let Some((hand, seed)) = draughtsman {
-        let board = Board::<Equipped<f64, Tremor>>::new(Tremor::new(hand, seed));
+        let board = Board::new(Tape::trembling(hand, seed));
         return draw_departing(board, mechanism, structure, plan, scales, departures).map(finish);
     }
     let bare = || {
-        let board = Board::<Trial>::new(Blank);
+        let board = Board::scratch();
         draw_departing(board, mechanism, structure, plan, scales, departures).map(finish)
     };
     // Only a tape tells a tangency from a miss.
     let taped = || {
-        let board = Board::<Recorded>::new(Tape::default());
+        let board = Board::default();
         draw_departing(board, mechanism, structure, plan, scales, departures).map(finish)
     };
     bare().or_else(|_| taped())
 }
 
-fn finish<B: Bench<Real = f64>>(mut d: Draughtsman<'_, B>) -> Sketch {
+fn finish(mut d: Draughtsman<'_>) -> Sketch {
     let numbers = read_all(&mut d)
         .into_iter()
         .map(|read| {
@@ -170,15 +169,15 @@ fn finish<B: Bench<Real = f64>>(mut d: Draughtsman<'_, B>) -> Sketch {
 /// An image counts as on a line if it is off it by less than this part of its distance.
 const ON_THE_LINE: f64 = 1e-6;
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Lays off a vector of known length.
     pub(super) fn lay_off_vector(
         &mut self,
         quantity: Quantity,
-        from: Point<B>,
-        along: Direction<B>,
-        mm: Mm<B>,
-    ) -> Point<B> {
+        from: Point,
+        along: Direction,
+        mm: Mm,
+    ) -> Point {
         let twists = self.departures.iter().filter_map(|departure| match *departure {
             Departure::LaidOff { quantity: of, twist } if of == quantity => Some(twist),
             _ => None,
@@ -194,7 +193,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A route as it is drawn.
-    pub(super) fn ray_as_drawn(&mut self, order: Order, route: Route<B>) -> Route<B> {
+    pub(super) fn ray_as_drawn(&mut self, order: Order, route: Route) -> Route {
         let turned = self.departures.contains(&Departure::Ray { order, claim: route.claim });
         if !turned {
             return route;
@@ -205,7 +204,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The length to be read along a route to an image: signed by the route where the image lies on it, or, where
     /// somebody's lines have another direction than he thinks, the distance, positive.
-    pub(super) fn length_along(&mut self, route: &Route<B>, at: Point<B>, meet: Mm<B>) -> Mm<B> {
+    pub(super) fn length_along(&mut self, route: &Route, at: Point, meet: Mm) -> Mm {
         let [along, across] = self.board.square_off(route.ray, at);
         if across.value().abs() <= ON_THE_LINE * along.value().abs() {
             return along;
@@ -215,7 +214,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A vector as it is read.
-    pub(super) fn as_read(&mut self, quantity: Quantity, amount: Amount<B>) -> Amount<B> {
+    pub(super) fn as_read(&mut self, quantity: Quantity, amount: Amount) -> Amount {
         let order = quantity.order();
         let factors = self.departures.iter().filter_map(|departure| match *departure {
             Departure::Read { quantity: of, factor } if of == quantity => Some(factor),
@@ -228,7 +227,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The speed from which a normal part is calculated: as read, but for a driven link, where it was calculated
     /// before.
-    pub(super) fn speed_as_read(&mut self, link: LinkId, velocity: Quantity, amount: Amount<B>) -> Amount<B> {
+    pub(super) fn speed_as_read(&mut self, link: LinkId, velocity: Quantity, amount: Amount) -> Amount {
         let driven = self.mechanism.inputs.iter().any(|input| match *input {
             Input::Angle { link: of, .. } | Input::Speed { link: of, .. } => of == link,
             Input::Slide { .. } => false,
@@ -237,7 +236,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// ω or ε as it is calculated.
-    pub(super) fn rate_as_calculated(&mut self, order: Order, link: LinkId, amount: Amount<B>) -> Amount<B> {
+    pub(super) fn rate_as_calculated(&mut self, order: Order, link: LinkId, amount: Amount) -> Amount {
         let stated = self.departures.iter().rev().find_map(|departure| match *departure {
             Departure::RateIs { order: o, link: of, value } if (o, of) == (order, link) => Some(value),
             _ => None,
@@ -253,7 +252,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.multiplied(amount, factor)
     }
 
-    fn multiplied(&mut self, amount: Amount<B>, factor: Option<f64>) -> Amount<B> {
+    fn multiplied(&mut self, amount: Amount, factor: Option<f64>) -> Amount {
         match factor {
             Some(factor) => {
                 let factor = self.board.amount(Given::exact(factor));
@@ -264,7 +263,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The image of a point as it stands on the paper.
-    pub(super) fn image_as_drawn(&mut self, order: Order, point: PointId, at: Point<B>) -> Point<B> {
+    pub(super) fn image_as_drawn(&mut self, order: Order, point: PointId, at: Point) -> Point {
         let mut at = at;
         for index in 0..self.departures.len() {
             match self.departures[index] {
@@ -289,7 +288,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A point as far behind the image of another one; where that has no image yet, the point itself.
-    fn backwards(&mut self, order: Order, from: PointId, at: Point<B>) -> Point<B> {
+    fn backwards(&mut self, order: Order, from: PointId, at: Point) -> Point {
         if !self.has_image(order, from) {
             return at;
         }
@@ -304,7 +303,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A point on the other side of the image of a line; where that has no image yet, the point itself.
-    fn mirrored(&mut self, order: Order, about: [PointId; 2], at: Point<B>) -> Point<B> {
+    fn mirrored(&mut self, order: Order, about: [PointId; 2], at: Point) -> Point {
         if !about.iter().all(|&p| self.has_image(order, p)) {
             return at;
         }

@@ -1,6 +1,6 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
-use crate::board::{Amount, Angle, Bench, Board, Point, Reason, Scale, Side};
+use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
 use crate::mechanism::quantity::{Indeterminate, Order, Quantity};
 use crate::mechanism::structure::{GroupKind, Structure, TrialDriver};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
@@ -23,30 +23,30 @@ use super::{Scales, scale};
 const SHORTEST_VECTOR: f64 = 1.0;
 
 /// Images of one polygon.
-pub(super) type Images<B> = Vec<Option<Point<B>>>;
+pub(super) type Images = Vec<Option<Point>>;
 
 /// A normal part that stands on the acceleration polygon.
-pub(super) struct Foot<B: Bench> {
+pub(super) struct Foot {
     pub(super) link: LinkId,
     /// The observed and the reference point.
     pub(super) points: [PointId; 2],
-    pub(super) tail: Point<B>,
-    pub(super) head: Point<B>,
+    pub(super) tail: Point,
+    pub(super) head: Point,
 }
 
 /// The image of the point of a link that lies under a pin of another link.
-pub(super) struct Coincident<B: Bench> {
+pub(super) struct Coincident {
     pub(super) order: Order,
     pub(super) pin: PointId,
     pub(super) link: LinkId,
-    pub(super) image: Point<B>,
+    pub(super) image: Point,
 }
 
 /// A vector of a polygon that answers a quantity by itself.
-pub(super) struct Part<B: Bench> {
+pub(super) struct Part {
     pub(super) quantity: Quantity,
-    pub(super) tail: Point<B>,
-    pub(super) head: Point<B>,
+    pub(super) tail: Point,
+    pub(super) head: Point,
 }
 
 /// Why what is behind a reason cannot be told.
@@ -58,68 +58,68 @@ enum Cause {
     Missing(Missing),
 }
 
-pub(super) struct Draughtsman<'m, B: Bench> {
+pub(super) struct Draughtsman<'m> {
     pub(super) mechanism: &'m Mechanism,
     pub(super) structure: &'m Structure,
-    pub(super) board: Board<B>,
+    pub(super) board: Board,
     pub(super) scales: Scales,
     /// Places on the skeleton, by point.
-    pub(super) places: Vec<Option<Point<B>>>,
+    pub(super) places: Vec<Option<Point>>,
     /// Given places of fixed and placed points, pricked once, by point.
-    pub(super) pricked: Vec<Option<Point<B>>>,
+    pub(super) pricked: Vec<Option<Point>>,
     /// The group that is being tried.
     pub(super) tried: Tried,
     /// Own figures of the links that have dimensions of their own, by link: every point of the link.
-    pub(super) figures: Vec<Option<Vec<Point<B>>>>,
+    pub(super) figures: Vec<Option<Vec<Point>>>,
     /// How the solved links stand, where that was needed.
-    pub(super) poses: Vec<Option<Pose<B>>>,
+    pub(super) poses: Vec<Option<Pose>>,
     /// Lengths already given or measured.
-    pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount<B>)>,
+    pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount)>,
     /// Velocity images, by point.
-    pub(super) velocities: Images<B>,
+    pub(super) velocities: Images,
     /// Acceleration images, by point.
-    pub(super) accelerations: Images<B>,
+    pub(super) accelerations: Images,
     /// ω of each link.
-    pub(super) omegas: Vec<Option<Amount<B>>>,
+    pub(super) omegas: Vec<Option<Amount>>,
     /// Which links cannot turn, whatever moves: the frame, and what slides on such links without turning.
     pub(super) translates: Vec<bool>,
     /// ε of each link.
-    pub(super) alphas: Vec<Option<Amount<B>>>,
+    pub(super) alphas: Vec<Option<Amount>>,
     /// The normal parts laid off so far.
-    pub(super) feet: Vec<Foot<B>>,
+    pub(super) feet: Vec<Foot>,
     /// Images of points of guide links under their riders.
-    pub(super) coincident: Vec<Coincident<B>>,
+    pub(super) coincident: Vec<Coincident>,
     /// The sliding velocity in each pair, signed along the guide's direction under the rider, seen from the
     /// guide's link; by index of the pair.
-    pub(super) slips: Vec<Option<Amount<B>>>,
+    pub(super) slips: Vec<Option<Amount>>,
     /// The apparent acceleration along the guide in each pair, signed, by index of the pair.
-    pub(super) sliding_accelerations: Vec<Option<Amount<B>>>,
+    pub(super) sliding_accelerations: Vec<Option<Amount>>,
     /// Velocity of a rolling wheel's centre along the line on which it rolls, by index of the rolling pair.
-    pub(super) rolling_speeds: Vec<Option<Amount<B>>>,
+    pub(super) rolling_speeds: Vec<Option<Amount>>,
     /// Instant centres found so far.
-    pub(super) centres: Centres<B>,
+    pub(super) centres: Centres,
     /// Klein's constructions drawn so far.
-    pub(super) kleins: Vec<Klein<B>>,
+    pub(super) kleins: Vec<Klein>,
     /// What the methods of centres led to, by index of the asked quantity.
-    pub(super) transferred: Vec<(usize, Result<FromCentres<B>, Why>)>,
+    pub(super) transferred: Vec<(usize, Result<FromCentres, Why>)>,
     /// Why the velocity diagram could not be laid off from centres, where it should have been.
     pub(super) fed: Result<(), Why>,
     /// Sliding, Coriolis and coincident vectors drawn so far.
-    pub(super) parts: Vec<Part<B>>,
+    pub(super) parts: Vec<Part>,
     /// While a trial is on the board, nothing is recorded.
     pub(super) silent: bool,
     /// Sides that the next choices must take, in a trial.
     pub(super) sides: Option<Vec<Side>>,
     /// Where the trial drivers are tried: an angle, or millimetres along a guide; none where they are placed.
-    pub(super) tried_places: Vec<(TrialDriver, Angle<B>)>,
+    pub(super) tried_places: Vec<(TrialDriver, Angle)>,
     /// How fast the trial drivers are tried, SI.
-    pub(super) tried_rates: Vec<(Order, TrialDriver, Amount<B>)>,
+    pub(super) tried_rates: Vec<(Order, TrialDriver, Amount)>,
     /// In what this drawing departs from the right one.
     pub(super) departures: &'m [Departure],
     /// Where points stood when wheels began to roll.
     pub(super) starts: &'m Starts,
     /// How far wheels have rolled since, by link.
-    pub(super) turned_by: Vec<Option<Angle<B>>>,
+    pub(super) turned_by: Vec<Option<Angle>>,
     /// The first thing that was asked for and nobody has drawn.
     pub(super) missing: Option<Missing>,
     reasons: Vec<Cause>,
@@ -146,7 +146,7 @@ fn translating(mechanism: &Mechanism) -> Vec<bool> {
 }
 
 /// The own axes of a link that stands so.
-fn axes<B: Bench>(pose: &Pose<B>) -> Axes {
+fn axes(pose: &Pose) -> Axes {
     let ([own_x, own_y], [x, y]) = (pose.own_along.value(), pose.along.value());
     // The turn that brings the one direction into the other.
     let turn = [own_x * x + own_y * y, own_x * y - own_y * x];
@@ -155,9 +155,9 @@ fn axes<B: Bench>(pose: &Pose<B>) -> Axes {
     Axes { origin, x: turn }
 }
 
-impl<'m, B: Bench> Draughtsman<'m, B> {
+impl<'m> Draughtsman<'m> {
     pub(super) fn new(
-        board: Board<B>,
+        board: Board,
         mechanism: &'m Mechanism,
         structure: &'m Structure,
         scales: Scales,
@@ -221,13 +221,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         &self.record
     }
 
-    pub(super) fn finish(mut self, answers: Vec<Reading>) -> (Construction, B::Recorder)
-    where
-        B::Recorder: Default,
-    {
+    pub(super) fn finish(mut self, answers: Vec<Reading>) -> (Construction, Tape) {
         self.record.answers = answers;
         self.record.space.axes = self.poses.iter().map(|pose| pose.as_ref().map(axes)).collect();
-        let tape = std::mem::take(self.board.recorder());
+        let tape = std::mem::take(self.board.tape());
         (self.record, tape)
     }
 
@@ -330,7 +327,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// Notes a place of the skeleton.
-    pub(super) fn place(&mut self, point: PointId, at: Point<B>) {
+    pub(super) fn place(&mut self, point: PointId, at: Point) {
         self.places[point.0] = Some(at);
         self.record.space.places[point.0] = Some(at.value());
     }
@@ -452,7 +449,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// The images of a polygon, by point; those of fixed points are the pole.
-    pub(super) fn images(&mut self, order: Order) -> &mut Images<B> {
+    pub(super) fn images(&mut self, order: Order) -> &mut Images {
         match order {
             Order::Acceleration => &mut self.accelerations,
             _ => &mut self.velocities,
@@ -461,7 +458,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// The image of a point whose image is known; the pole for a fixed one. What hangs on an image that no
     /// step has drawn is refused.
-    pub(super) fn image(&mut self, order: Order, point: PointId) -> Point<B> {
+    pub(super) fn image(&mut self, order: Order, point: PointId) -> Point {
         let known = self.images(order)[point.0];
         match known {
             Some(image) => image,
@@ -506,12 +503,12 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// Notes a vector that answers a quantity, for reading.
-    pub(super) fn note_part(&mut self, quantity: Quantity, tail: Point<B>, head: Point<B>) {
+    pub(super) fn note_part(&mut self, quantity: Quantity, tail: Point, head: Point) {
         self.parts.push(Part { quantity, tail, head });
     }
 
     /// Notes the image of the point of a link under a pin.
-    pub(super) fn note_under(&mut self, order: Order, pin: PointId, link: LinkId, image: Point<B>) {
+    pub(super) fn note_under(&mut self, order: Order, pin: PointId, link: LinkId, image: Point) {
         self.coincident.push(Coincident { order, pin, link, image });
         let label = self.label_under(pin, link);
         self.note_foot(order, label, image);
@@ -524,7 +521,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// Notes the image of a point, and tells where it stands.
-    pub(super) fn note_image(&mut self, order: Order, point: PointId, at: Point<B>) -> Point<B> {
+    pub(super) fn note_image(&mut self, order: Order, point: PointId, at: Point) -> Point {
         let at = self.image_as_drawn(order, point, at);
         self.images(order)[point.0] = Some(at);
         let image = Image { label: self.label(point), at: at.value() };
@@ -535,7 +532,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// Notes the end of a component.
-    pub(super) fn note_foot(&mut self, order: Order, label: Label, at: Point<B>) {
+    pub(super) fn note_foot(&mut self, order: Order, label: Label, at: Point) {
         if let Some(polygon) = self.polygon_mut(order) {
             polygon.images.push(Image { label, at: at.value() });
         }
@@ -567,19 +564,30 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         &mut self,
         order: Order,
         (kind, quantity, claim): (VectorKind, Quantity, Option<Claim>),
-        (tail, from): (Label, Point<B>),
-        (head, to): (Label, Point<B>),
+        (tail, from): (Label, Point),
+        (head, to): (Label, Point),
     ) -> usize {
         let step = self.step_index();
         let (from, to) = (from.value(), to.value());
         let as_point = libm::hypot(to[0] - from[0], to[1] - from[1]) < SHORTEST_VECTOR;
         let Some(polygon) = self.polygon_mut(order) else { return 0 };
-        polygon.vectors.push(Vector { kind, quantity, tail, head, from, to, claim, as_point, step });
+        polygon.vectors.push(Vector {
+            kind,
+            quantity,
+            tail,
+            head,
+            from,
+            to,
+            claim,
+            as_point,
+            is_zero: false,
+            step,
+        });
         polygon.vectors.len() - 1
     }
 
     /// Notes a construction line of a polygon.
-    pub(super) fn note_ray(&mut self, order: Order, from: Point<B>, to: Point<B>, claim: Claim) {
+    pub(super) fn note_ray(&mut self, order: Order, from: Point, to: Point, claim: Claim) {
         let step = self.step_index();
         let ray = ConstructionLine::Ray { from: from.value(), to: to.value(), claim: Some(claim), step };
         if let Some(polygon) = self.polygon_mut(order) {
@@ -588,7 +596,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// Notes the line on which an image lies whatever rate is tried.
-    pub(super) fn note_trial_line(&mut self, order: Order, from: Point<B>, to: Point<B>) {
+    pub(super) fn note_trial_line(&mut self, order: Order, from: Point, to: Point) {
         let step = self.step_index();
         let ray = ConstructionLine::Ray { from: from.value(), to: to.value(), claim: None, step };
         if let Some(polygon) = self.polygon_mut(order) {

@@ -3,7 +3,7 @@
 //! unknowns (`s000-ch3a` 2.3 and 2.4). What is laid off before a line begins, and what its length is called,
 //! is in `velocity.rs` and `acceleration.rs`.
 
-use crate::board::{Bench, Line, Mm, Point};
+use crate::board::{Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Group, GroupKind};
 use crate::mechanism::{Guide, LinkId, Path, PointId, Rider, Roll};
@@ -15,9 +15,9 @@ use super::construction::{
 use super::draughtsman::Draughtsman;
 
 /// A way to the sought image: where its known parts end, and from there a line of unknown length.
-pub(super) struct Route<B: Bench> {
-    pub(super) foot: (Label, Point<B>),
-    pub(super) ray: Line<B>,
+pub(super) struct Route {
+    pub(super) foot: (Label, Point),
+    pub(super) ray: Line,
     pub(super) claim: Claim,
     pub(super) unknown: Unknown,
 }
@@ -113,7 +113,7 @@ pub(super) fn main_base(kind: GroupKind, link: LinkId) -> Option<(PointId, Point
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// The image that a group is solved for, and the two unknowns that lead to it; those of the frame first.
     pub(super) fn routes_of(&self, kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
         let slide = |slide: usize, link: Option<LinkId>| {
@@ -189,7 +189,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         order: Order,
         (slide, back): (usize, bool),
         pin: PointId,
-    ) -> (Label, Point<B>) {
+    ) -> (Label, Point) {
         match self.solved_side(slide, back) {
             Some(link) => (self.label_under(pin, link), self.image_under(order, pin, link)),
             None => (self.label(pin), self.image(order, pin)),
@@ -197,7 +197,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The known parts of a route, laid off, and its line; `index` counts the feet of both routes.
-    fn route(&mut self, order: Order, unknown: Unknown, target: Target, index: &mut u8) -> Route<B> {
+    fn route(&mut self, order: Order, unknown: Unknown, target: Target, index: &mut u8) -> Route {
         let pin = target.pin();
         let first = *index;
         *index += match unknown {
@@ -239,7 +239,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The line of an open constraint from its known end, for a trial.
-    pub(super) fn closing_line(&mut self, order: Order, unknown: Unknown, end: PointId) -> Line<B> {
+    pub(super) fn closing_line(&mut self, order: Order, unknown: Unknown, end: PointId) -> Line {
         self.route(order, unknown, Target::Pin(end), &mut 1).ray
     }
 
@@ -249,7 +249,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         order: Order,
         unknown: Unknown,
         target: Target,
-        (label, image): (Label, Point<B>),
+        (label, image): (Label, Point),
     ) {
         let route = self.route(order, unknown, target, &mut 1);
         let [along, _] = self.board.square_off(route.ray, image);
@@ -258,14 +258,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Reads the unknown along a route.
-    fn read_route(
-        &mut self,
-        order: Order,
-        route: &Route<B>,
-        target: Target,
-        head: (Label, Point<B>),
-        along: Mm<B>,
-    ) {
+    fn read_route(&mut self, order: Order, route: &Route, target: Target, head: (Label, Point), along: Mm) {
         match (order, route.unknown) {
             (Order::Acceleration, Unknown::Turn { link, base, .. }) => {
                 self.read_alpha(route, target, (link, base), head, along);
@@ -302,7 +295,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// From the image of the solved body's contact point a line along the common normal.
-    fn contact_route(&mut self, order: Order, roll: usize, body: LinkId) -> Route<B> {
+    fn contact_route(&mut self, order: Order, roll: usize, body: LinkId) -> Route {
         let unknown = Unknown::Contact { roll, body };
         let other = self.rolled_on(roll, body);
         let foot = (self.contact_label(roll, other), self.contact_image(order, roll, other));
@@ -320,7 +313,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         link: LinkId,
         [other, pin]: [PointId; 2],
         index: u8,
-    ) -> Route<B> {
+    ) -> Route {
         let (start, along) = match order {
             Order::Acceleration => self.sliding_foot(slide, back, other, 1),
             _ => {
@@ -342,9 +335,9 @@ impl<B: Bench> Draughtsman<'_, B> {
         order: Order,
         link: LinkId,
         [base, point]: [PointId; 2],
-        start: (Label, Point<B>),
+        start: (Label, Point),
         (index, last): (u8, Option<Label>),
-    ) -> (Label, Point<B>) {
+    ) -> (Label, Point) {
         let second = order == Order::Acceleration;
         let scale = self.polygon_scale(order);
         let line = Reference::Points(base, point);
@@ -436,7 +429,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The line from a wheel's centre to its contact point.
-    pub(super) fn common_normal(&mut self, roll: usize) -> (crate::board::Direction<B>, Claim) {
+    pub(super) fn common_normal(&mut self, roll: usize) -> (crate::board::Direction, Claim) {
         let (wheel, centre) = match self.mechanism.rolls[roll] {
             Roll::Circles { links, centres, .. } => (links[1], centres[1]),
             Roll::Line { wheel, centre, .. } => (wheel, centre),
@@ -454,7 +447,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         roll: usize,
         (wheel, centre): (LinkId, PointId),
         head: Label,
-    ) -> Point<B> {
+    ) -> Point {
         let other = self.rolled_on(roll, wheel);
         let start = (self.contact_label(roll, other), self.contact_image(order, roll, other));
         let contact = self.contact_of(roll);
@@ -485,7 +478,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         order: Order,
         (roll, wheel, centre): (usize, LinkId, PointId),
         index: u8,
-    ) -> Route<B> {
+    ) -> Route {
         let label = Label::Foot { point: centre, link: None, index };
         let at = self.spin_part(order, roll, (wheel, centre), label);
         self.note_foot(order, label, at);
@@ -551,7 +544,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         order: Order,
         target: Target,
         unknowns: [Unknown; 2],
-        (label, image): (Label, Point<B>),
+        (label, image): (Label, Point),
     ) {
         let quantity = match (order, target) {
             (Order::Acceleration, Target::Pin(pin)) => Quantity::Acceleration(pin),
@@ -598,7 +591,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A vector of the diagram that is known by now.
-    pub(super) fn found(&mut self, quantity: Quantity, image: Point<B>, order: Order) -> Term {
+    pub(super) fn found(&mut self, quantity: Quantity, image: Point, order: Order) -> Term {
         let at = image.value();
         let si_per_mm = self.polygon_scale(order).si_per_mm;
         Term {
@@ -826,7 +819,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The vector from the pole to a point's image.
-    pub(super) fn absolute_of(&mut self, order: Order, point: PointId, image: Point<B>) {
+    pub(super) fn absolute_of(&mut self, order: Order, point: PointId, image: Point) {
         let label = self.label(point);
         let quantity = match order {
             Order::Acceleration => Quantity::Acceleration(point),
@@ -836,13 +829,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The image of a point of a turning link about one whose image is known.
-    pub(super) fn image_about(
-        &mut self,
-        order: Order,
-        link: LinkId,
-        base: PointId,
-        point: PointId,
-    ) -> Point<B> {
+    pub(super) fn image_about(&mut self, order: Order, link: LinkId, base: PointId, point: PointId) -> Point {
         match order {
             Order::Acceleration => self.acceleration_about(link, base, point),
             _ => self.velocity_about(link, base, point),
@@ -857,7 +844,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         link: LinkId,
         (base, pin): (PointId, PointId),
         point: PointId,
-    ) -> Point<B> {
+    ) -> Point {
         if !self.crosses_well(base, pin, point) {
             return self.similar_image(order, link, (base, pin), point);
         }

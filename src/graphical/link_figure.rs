@@ -1,7 +1,7 @@
 //! A link's own figure, drawn aside from its given dimensions: the lengths and offsets by which its points
 //! are transferred to the skeleton.
 
-use crate::board::{Amount, Bench, Circle, Line, Mm, Point, Ratio, Side};
+use crate::board::{Amount, Circle, Line, Mm, Point, Ratio, Side};
 use crate::mechanism::{Form, Link, LinkId, PointId, Sense};
 
 use super::construction::Act;
@@ -25,13 +25,13 @@ pub(super) fn given_lengths(link: &Link) -> Vec<f64> {
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     fn index_in(&self, link: LinkId, point: PointId) -> Option<usize> {
         self.mechanism.link(link).points.iter().position(|&p| p == point)
     }
 
     /// The own figure of a link with dimensions of its own, drawn once.
-    fn figure(&mut self, link: LinkId) -> Vec<Point<B>> {
+    fn figure(&mut self, link: LinkId) -> Vec<Point> {
         if let Some(points) = &self.figures[link.0] {
             return points.clone();
         }
@@ -42,7 +42,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         let board = &mut self.board;
         let origin = board.origin();
         let right = board.rightward();
-        let mm = |board: &mut crate::board::Board<B>, given| {
+        let mm = |board: &mut crate::board::Board, given| {
             let amount = board.amount(given);
             board.to_paper(amount, scale)
         };
@@ -101,7 +101,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// A point of the link's own figure. The own coordinates of the frame, and of a link dimensioned by placement,
     /// are the world's: there the given places stand before any step is drawn, and the skeleton is their figure.
-    pub(super) fn own(&mut self, link: LinkId, point: PointId) -> Point<B> {
+    pub(super) fn own(&mut self, link: LinkId, point: PointId) -> Point {
         let found = if self.drawn_in_world(link) {
             self.world_place(point)
         } else {
@@ -115,7 +115,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The real distance of two points of a link: as given, or measured and said so.
-    pub(super) fn length(&mut self, link: LinkId, p: PointId, q: PointId) -> Amount<B> {
+    pub(super) fn length(&mut self, link: LinkId, p: PointId, q: PointId) -> Amount {
         if let Some(&(.., length)) =
             self.lengths.iter().find(|(l, a, b, _)| *l == link && ((*a, *b) == (p, q) || (*b, *a) == (p, q)))
         {
@@ -158,7 +158,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// Where `point` stands against the base `p`→`q` in the link's own figure: along and across (left
     /// positive), with the set square.
-    pub(super) fn offsets(&mut self, link: LinkId, p: PointId, q: PointId, point: PointId) -> [Mm<B>; 2] {
+    pub(super) fn offsets(&mut self, link: LinkId, p: PointId, q: PointId, point: PointId) -> [Mm; 2] {
         let (a, b, c) = (self.own(link, p), self.own(link, q), self.own(link, point));
         let reason = self.reason(&[link]);
         let (along, _) = self.board.toward(a, b, reason);
@@ -166,13 +166,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The offsets of [`Self::offsets`] as parts of the base.
-    pub(super) fn proportions(
-        &mut self,
-        link: LinkId,
-        p: PointId,
-        q: PointId,
-        point: PointId,
-    ) -> [Ratio<B>; 2] {
+    pub(super) fn proportions(&mut self, link: LinkId, p: PointId, q: PointId, point: PointId) -> [Ratio; 2] {
         let [along, across] = self.offsets(link, p, q, point);
         let (a, b) = (self.own(link, p), self.own(link, q));
         let base = self.board.distance(a, b);

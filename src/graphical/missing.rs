@@ -4,7 +4,7 @@
 //! ink that leads nowhere: whatever is read from it is refused, with the reason told here. A skeleton in which
 //! something was missing is refused as a whole ([`super::DrawError::Missing`]).
 
-use crate::board::{Amount, Bench, Direction, Point, Reason};
+use crate::board::{Amount, Direction, Point, Reason};
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::TrialDriver;
 use crate::mechanism::{LinkId, Mechanism, PointId};
@@ -79,7 +79,7 @@ impl Missing {
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Notes that something is missing, and gives the reason for whatever is drawn from it.
     pub(super) fn miss_of(&mut self, what: Missing) -> Reason {
         self.missing.get_or_insert(what);
@@ -87,19 +87,19 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// In the place of a point that is missing: nowhere.
-    pub(super) fn no_point(&mut self, what: Missing) -> Point<B> {
+    pub(super) fn no_point(&mut self, what: Missing) -> Point {
         let reason = self.miss_of(what);
         self.board.nowhere(reason)
     }
 
     /// In the place of a direction that is missing: no direction.
-    pub(super) fn no_direction(&mut self, what: Missing) -> Direction<B> {
+    pub(super) fn no_direction(&mut self, what: Missing) -> Direction {
         let reason = self.miss_of(what);
         self.board.no_direction(reason)
     }
 
     /// In the place of a rate that no step has found: unknown.
-    pub(super) fn no_rate(&mut self, what: Missing) -> Amount<B> {
+    pub(super) fn no_rate(&mut self, what: Missing) -> Amount {
         let reason = self.miss_of(what);
         self.board.unknown(reason)
     }

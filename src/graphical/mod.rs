@@ -34,10 +34,7 @@ pub use reading::Numbers;
 pub use shown::{Shown, is_trial};
 pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, transcribe_with_bounds};
 
-use crate::board::{
-    Arithmetic, Bench, Blank, Board, Equipped, Real, Recorded, Recorder, Scale, Tape, Taped, Trial,
-};
-use crate::double_double::DoubleDouble;
+use crate::board::{Arithmetic, Board, Real, Scale, Tape};
 use crate::given::Given;
 use crate::mechanism::structure::{Drive, GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Roll};
@@ -128,7 +125,7 @@ impl Solution {
     pub fn without_noise(&self, extents: &Extents) -> Option<Extents> {
         let noise = |polygon: &Option<Polygon>, extent: [f64; 2]| {
             let vectors = || polygon.iter().flat_map(|p| &p.vectors).filter(|v| !is_trial(v));
-            extent != [0.0; 2] && vectors().next().is_some() && vectors().all(|v| v.from == v.to)
+            extent != [0.0; 2] && vectors().next().is_some() && vectors().all(|v| v.is_zero)
         };
         let mut quiet = extents.clone();
         if noise(&self.construction.velocity, extents.velocity) {
@@ -289,13 +286,7 @@ pub fn construct_in(
     plan: &Plan,
     scales: Scales,
 ) -> Result<Solution, DrawError> {
-    match arithmetic {
-        Arithmetic::Single => taped::<f32>(Tape::default(), mechanism, structure, plan, scales),
-        Arithmetic::Double => taped::<f64>(Tape::default(), mechanism, structure, plan, scales),
-        Arithmetic::DoubleDouble => {
-            taped::<DoubleDouble>(Tape::default(), mechanism, structure, plan, scales)
-        }
-    }
+    construct_on(Tape::of(arithmetic), mechanism, structure, plan, scales)
 }
 
 /// As [`construct`], on a tape of one's own: a nudged one, to see how a moved stroke moves the answers.
@@ -309,7 +300,13 @@ pub fn construct_on(
     plan: &Plan,
     scales: Scales,
 ) -> Result<Solution, DrawError> {
-    taped::<f64>(tape, mechanism, structure, plan, scales)
+    let mut draughtsman = draw(Board::new(tape), mechanism, structure, plan, scales)?;
+    auxiliary::draw(&mut draughtsman, plan);
+    let (answers, slots) = reading::answers(&mut draughtsman);
+    let shown = shown::all(&mut draughtsman);
+    let (mut construction, mut tape) = draughtsman.finish(answers);
+    settle::settle(&mut construction, &settle::zeros(&shown, &mut tape));
+    Ok(Solution { construction, tape, slots, shown })
 }
 
 /// The asked quantities by a board that keeps no record: no bounds, no strokes.
@@ -322,9 +319,9 @@ pub fn unrecorded<R: Real>(
     plan: &Plan,
     scales: Scales,
 ) -> Result<Vec<Option<Numbers<R>>>, DrawError> {
-    let board = Board::<Equipped<R, Blank>>::new(Blank);
+    let board = Board::new(Tape::scratch(R::ARITHMETIC));
     let mut drawn = draw(board, mechanism, structure, plan, scales)?;
-    Ok(reading::numbers(&mut drawn, |_, ()| Some(None)))
+    Ok(reading::numbers(&mut drawn, |_, _| Some(None)))
 }
 
 /// The asked quantities to all digits of an arithmetic, with their bounds: the reference in
@@ -338,28 +335,11 @@ pub fn recorded<R: Real>(
     plan: &Plan,
     scales: Scales,
 ) -> Result<Vec<Option<Numbers<R>>>, DrawError> {
-    let board = Board::<Taped<R>>::new(Tape::default());
+    let board = Board::new(Tape::of(R::ARITHMETIC));
     let mut drawn = draw(board, mechanism, structure, plan, scales)?;
     Ok(reading::numbers(&mut drawn, |tape, mark| {
         if tape.weakness(mark).is_some() { None } else { Some(Some(tape.bound(mark))) }
     }))
-}
-
-fn taped<R: Real>(
-    tape: Tape,
-    mechanism: &Mechanism,
-    structure: &Structure,
-    plan: &Plan,
-    scales: Scales,
-) -> Result<Solution, DrawError> {
-    let board = Board::<Taped<R>>::new(tape);
-    let mut draughtsman = draw(board, mechanism, structure, plan, scales)?;
-    auxiliary::draw(&mut draughtsman, plan);
-    let (answers, slots) = reading::answers(&mut draughtsman);
-    let shown = shown::all(&mut draughtsman);
-    let (mut construction, mut tape) = draughtsman.finish(answers);
-    settle::settle(&mut construction, &settle::zeros(&shown, &mut tape));
-    Ok(Solution { construction, tape, slots, shown })
 }
 
 /// Draws once at a provisional scale and without a tape, to see how large everything is.
@@ -375,12 +355,12 @@ pub(crate) fn seen(mechanism: &Mechanism, structure: &Structure, plan: &Plan) ->
     let scales = provisional_scales(mechanism);
     // A tangency can only be told from a miss with a tape; it is rare, so try without one first.
     let bare = || -> Result<Extents, DrawError> {
-        let mut drawn = draw(Board::<Trial>::new(Blank), mechanism, structure, plan, scales)?;
+        let mut drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
         verify::verify(&mut drawn)?;
         Ok(measure(drawn.record(), mechanism, scales))
     };
     let taped = || -> Result<Extents, DrawError> {
-        let mut drawn = draw(Board::<Recorded>::new(Tape::default()), mechanism, structure, plan, scales)?;
+        let mut drawn = draw(Board::default(), mechanism, structure, plan, scales)?;
         verify::verify(&mut drawn)?;
         Ok(measure(drawn.record(), mechanism, scales))
     };
@@ -399,7 +379,7 @@ pub(crate) fn places(
     let scales = provisional_scales(mechanism);
     let origin = origin(mechanism);
     let world = |at: [f64; 2]| [0, 1].map(|axis| origin[axis] + at[axis] * scales.length);
-    let drawn = draw(Board::<Trial>::new(crate::board::Blank), mechanism, structure, plan, scales)?;
+    let drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
     Ok(drawn.record().space.places.iter().map(|at| at.map(world)).collect())
 }
 
@@ -408,44 +388,32 @@ pub(crate) fn origin(mechanism: &Mechanism) -> [f64; 2] {
     position::origin_of_space(mechanism).map(|given| given.value)
 }
 
-fn draw<'m, B: Bench>(
-    board: Board<B>,
+fn draw<'m>(
+    board: Board,
     mechanism: &'m Mechanism,
     structure: &'m Structure,
     plan: &Plan,
     scales: Scales,
-) -> Result<Draughtsman<'m, B>, DrawError>
-where
-    B::Recorder: Recorder,
-{
+) -> Result<Draughtsman<'m>, DrawError> {
     draw_departing(board, mechanism, structure, plan, scales, &[])
 }
 
 /// As [`draw`], with departures from the right construction.
-fn draw_departing<'m, B: Bench>(
-    board: Board<B>,
+fn draw_departing<'m>(
+    board: Board,
     mechanism: &'m Mechanism,
     structure: &'m Structure,
     plan: &Plan,
     scales: Scales,
     departures: &'m [Departure],
-) -> Result<Draughtsman<'m, B>, DrawError>
-where
-    B::Recorder: Recorder,
-{
+) -> Result<Draughtsman<'m>, DrawError> {
     let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
     draughtsman.departures = departures;
     drawn_by(draughtsman, plan)
 }
 
 /// Draws what the plan says.
-fn drawn_by<'m, B: Bench>(
-    mut draughtsman: Draughtsman<'m, B>,
-    plan: &Plan,
-) -> Result<Draughtsman<'m, B>, DrawError>
-where
-    B::Recorder: Recorder,
-{
+fn drawn_by<'m>(mut draughtsman: Draughtsman<'m>, plan: &Plan) -> Result<Draughtsman<'m>, DrawError> {
     position::draw(&mut draughtsman, plan)?;
     if plan.centres.feeds {
         centres::draw(&mut draughtsman, plan);
@@ -603,7 +571,7 @@ fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, pl
         if let Input::Angle { angle, .. } = &mut turned.inputs[input] {
             *angle = Some(Given::exact(at));
         }
-        let board = Board::<Trial>::new(Blank);
+        let board = Board::scratch();
         !matches!(draw(board, &turned, structure, &positions, scales), Err(DrawError::CannotAssemble { .. }))
     };
     let angle_of = |trial: i32| std::f64::consts::PI * (2.0 * f64::from(trial) / f64::from(TRIALS) - 1.0);

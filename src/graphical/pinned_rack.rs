@@ -2,7 +2,7 @@
 //! figure the wheel's centre lies on a parallel to its line, one radius away on either side; an arc about the pin,
 //! with the distance of the centre, meets that parallel, and the figure is laid on.
 
-use crate::board::{Bench, Circle, Line, Side};
+use crate::board::{Circle, Line, Side};
 use crate::mechanism::{Form, LinkId, PointId, Roll};
 use crate::plan::GroupStep;
 
@@ -12,7 +12,7 @@ use super::pose::{Pose, Track};
 use super::position::chooses;
 use super::{DrawError, Misfit};
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// The pose of a pinned rack, with its wanted points and the contact.
     pub(super) fn pinned_rack(
         &mut self,
@@ -44,7 +44,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         (link, base): (LinkId, PointId),
         centre: PointId,
         roll: usize,
-    ) -> Result<Pose<B>, DrawError> {
+    ) -> Result<Pose, DrawError> {
         let reason = self.reason(&[link]);
         let (anchor, at_centre) = (self.at(base), self.at(centre));
         let (along, distance) = self.board.toward(anchor, at_centre, reason);
@@ -85,7 +85,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// In a rack's own figure the parallels to its line on which the wheel's centre can lie.
-    fn own_centre_tracks(&mut self, roll: usize) -> Vec<Line<B>> {
+    fn own_centre_tracks(&mut self, roll: usize) -> Vec<Line> {
         let Roll::Line { guide, radius, .. } = self.mechanism.rolls[roll] else { return Vec::new() };
         let Track::Straight(line) = self.own_line(&guide) else { return Vec::new() };
         let scale = self.length_scale();

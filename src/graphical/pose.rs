@@ -1,6 +1,6 @@
 //! How a solved link stands on the skeleton, and its guides with it.
 
-use crate::board::{Bench, Circle, Direction, Line, Point};
+use crate::board::{Circle, Direction, Line, Point};
 use crate::given::Given;
 use crate::mechanism::{Form, Guide, GuidePoint, Input, LinkId, Path, PointId, Rider, Slide};
 
@@ -8,39 +8,39 @@ use super::draughtsman::Draughtsman;
 use super::missing::Missing;
 
 /// A link's own figure laid on the skeleton: one point of it, and one direction.
-pub(super) struct Pose<B: Bench> {
-    pub(super) own_anchor: Point<B>,
-    pub(super) anchor: Point<B>,
-    pub(super) own_along: Direction<B>,
-    pub(super) along: Direction<B>,
+pub(super) struct Pose {
+    pub(super) own_anchor: Point,
+    pub(super) anchor: Point,
+    pub(super) own_along: Direction,
+    pub(super) along: Direction,
 }
 
-impl<B: Bench> Clone for Pose<B> {
+impl Clone for Pose {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<B: Bench> Copy for Pose<B> {}
+impl Copy for Pose {}
 
 /// Links that ride on links, and so on; deeper ones are not followed.
 const DEEPEST: usize = 8;
 
 /// A guide on the skeleton.
-pub(super) enum Track<B: Bench> {
-    Straight(Line<B>),
-    Arc(Circle<B>),
+pub(super) enum Track {
+    Straight(Line),
+    Arc(Circle),
 }
 
-impl<B: Bench> Clone for Track<B> {
+impl Clone for Track {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<B: Bench> Copy for Track<B> {}
+impl Copy for Track {}
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Whether a link's own coordinates are the world's at this instant. In what moves on from this instant no link
     /// but the frame does: there the given places have become its own shape.
     pub(super) fn drawn_in_world(&self, link: LinkId) -> bool {
@@ -63,18 +63,18 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// How a link stands: as a step has noted, or by what stands of it.
-    pub(super) fn pose_of(&mut self, link: LinkId) -> Option<Pose<B>> {
+    pub(super) fn pose_of(&mut self, link: LinkId) -> Option<Pose> {
         self.pose_by_places(link, DEEPEST)
     }
 
     /// How a link stands by the places of its points that stand or are given, and by the guide on which it rides;
     /// links on which it rides, and riders on those, are asked as well, so `deep` at most.
-    fn pose_by_places(&mut self, link: LinkId, deep: usize) -> Option<Pose<B>> {
+    fn pose_by_places(&mut self, link: LinkId, deep: usize) -> Option<Pose> {
         if self.poses[link.0].is_some() || deep == 0 || self.stands_in_world(link) {
             return self.poses[link.0];
         }
         let points = self.mechanism.link(link).points.clone();
-        let mut known: Vec<(PointId, Point<B>)> = Vec::new();
+        let mut known: Vec<(PointId, Point)> = Vec::new();
         for point in points {
             known.extend(self.places[point.0].or_else(|| self.given_place(point)).map(|at| (point, at)));
         }
@@ -95,7 +95,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// A direction of a link's own figure and where it points on the skeleton, by its input or by a link against
     /// which it slides without turning.
-    fn direction_by_places(&mut self, link: LinkId, deep: usize) -> Option<(Direction<B>, Direction<B>)> {
+    fn direction_by_places(&mut self, link: LinkId, deep: usize) -> Option<(Direction, Direction)> {
         let angle = self.mechanism.inputs.iter().enumerate().find_map(|(index, input)| match *input {
             Input::Angle { link: driven, angle, .. } | Input::Speed { link: driven, angle, .. }
                 if driven == link =>
@@ -130,7 +130,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The place of a point, as far as given places tell it before a step has found it.
-    pub(super) fn place_by_places(&mut self, point: PointId) -> Option<Point<B>> {
+    pub(super) fn place_by_places(&mut self, point: PointId) -> Option<Point> {
         if let Some(at) = self.places[point.0].or_else(|| self.given_place(point)) {
             return Some(at);
         }
@@ -141,7 +141,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Carries a direction of a link's own figure over to the skeleton, by protractor.
-    pub(super) fn carried(&mut self, link: LinkId, own: Direction<B>) -> Direction<B> {
+    pub(super) fn carried(&mut self, link: LinkId, own: Direction) -> Direction {
         if self.stands_in_world(link) {
             return own;
         }
@@ -155,7 +155,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Carries a point of a link's own figure over to the skeleton, with the set square.
-    pub(super) fn carried_point(&mut self, link: LinkId, own: Point<B>) -> Point<B> {
+    pub(super) fn carried_point(&mut self, link: LinkId, own: Point) -> Point {
         if self.stands_in_world(link) {
             return own;
         }
@@ -172,7 +172,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A straight guide in the own figure of its link, where only a straight one will do.
-    fn own_straight(&mut self, guide: &Guide) -> Line<B> {
+    fn own_straight(&mut self, guide: &Guide) -> Line {
         match self.own_line(guide) {
             Track::Straight(line) => line,
             Track::Arc(arc) => {
@@ -183,7 +183,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A straight guide of a solved link, where only a straight one will do.
-    pub(super) fn straight_track(&mut self, slide: usize, of: Option<PointId>) -> Line<B> {
+    pub(super) fn straight_track(&mut self, slide: usize, of: Option<PointId>) -> Line {
         match self.track(slide, of) {
             Track::Straight(line) => line,
             Track::Arc(arc) => {
@@ -195,7 +195,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A point of a guide in the own figure of its link.
-    fn own_guide_point(&mut self, link: LinkId, point: GuidePoint) -> Point<B> {
+    fn own_guide_point(&mut self, link: LinkId, point: GuidePoint) -> Point {
         match point {
             GuidePoint::Point(p) => self.own(link, p),
             GuidePoint::Own(world) if self.drawn_in_world(link) => self.prick_world(world),
@@ -211,7 +211,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The straight line of a rack or plane, on the skeleton.
-    pub(super) fn line_of(&mut self, guide: &Guide) -> Line<B> {
+    pub(super) fn line_of(&mut self, guide: &Guide) -> Line {
         let own = self.own_straight(guide);
         if self.stands_in_world(guide.link) {
             return own;
@@ -223,7 +223,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// A guide in the own figure of its link. A rider link whose pin stands off the guide moves on a
     /// parallel to it: `of` is the point whose track is wanted.
-    pub(super) fn own_track(&mut self, slide: usize, of: Option<PointId>) -> Track<B> {
+    pub(super) fn own_track(&mut self, slide: usize, of: Option<PointId>) -> Track {
         let guide = self.mechanism.slides[slide].guide;
         let track = self.own_line(&guide);
         if let (Track::Straight(mut line), Rider::Link { link, turned }, Some(of)) =
@@ -235,7 +235,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         track
     }
 
-    pub(super) fn own_line(&mut self, guide: &Guide) -> Track<B> {
+    pub(super) fn own_line(&mut self, guide: &Guide) -> Track {
         match guide.path {
             Path::Arc { centre, radius } => {
                 let centre = self.own_guide_point(guide.link, centre);
@@ -278,10 +278,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn beside_guide(
         &mut self,
         slide: usize,
-        line: Line<B>,
+        line: Line,
         (rider, turned): (LinkId, Option<Given>),
         of: PointId,
-    ) -> Point<B> {
+    ) -> Point {
         let Some(&first) = self.mechanism.link(rider).points.first() else {
             return self.no_point(Missing::Joint(rider));
         };
@@ -308,7 +308,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A guide of a solved link, on the skeleton.
-    pub(super) fn track(&mut self, slide: usize, of: Option<PointId>) -> Track<B> {
+    pub(super) fn track(&mut self, slide: usize, of: Option<PointId>) -> Track {
         let link = self.mechanism.slides[slide].guide.link;
         let own = self.own_track(slide, of);
         if self.stands_in_world(link) {
@@ -330,7 +330,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// A direction of the own figure of a link that slides without turning against a solved one, and where
     /// it points on the skeleton. The link rides on the solved one's guide, or carries the guide on which
     /// that rides. A rider of placed points rides as placed: its own axes are the world's.
-    pub(super) fn ride_directions(&mut self, slide: usize, link: LinkId) -> (Direction<B>, Direction<B>) {
+    pub(super) fn ride_directions(&mut self, slide: usize, link: LinkId) -> (Direction, Direction) {
         let own_x = self.board.rightward();
         if self.stands_in_world(link) {
             return (own_x, own_x);
@@ -352,7 +352,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The track of a point of a link that slides without turning against a solved one, or of a pin on a
     /// guide of a solved link.
-    pub(super) fn riding_track(&mut self, slide: usize, link: Option<LinkId>, of: PointId) -> Track<B> {
+    pub(super) fn riding_track(&mut self, slide: usize, link: Option<LinkId>, of: PointId) -> Track {
         let Slide { rider, guide } = self.mechanism.slides[slide];
         let (Some(link), Rider::Link { link: rider, .. }) = (link, rider) else {
             return self.track(slide, Some(of));
@@ -380,7 +380,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The direction of a guide under a point of the skeleton: along a straight guide; on an arc the
     /// radius turned by +90°. With it, on an arc, the direction from the point to the centre.
-    pub(super) fn tangent(&mut self, slide: usize, under: PointId) -> (Direction<B>, Option<Direction<B>>) {
+    pub(super) fn tangent(&mut self, slide: usize, under: PointId) -> (Direction, Option<Direction>) {
         match self.track(slide, Some(under)) {
             Track::Straight(line) => (line.along, None),
             Track::Arc(circle) => {

@@ -1,7 +1,7 @@
 //! The kinematic skeleton, by protractor, compass and guide (`s000-ch3a` 2.3: choose a length scale; draw;
 //! measure any missing length on it).
 
-use crate::board::{Angle, Bench, Circle, Direction, Line, Pair, Point, Side};
+use crate::board::{Angle, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::{Drive, Group, GroupKind, TrialDriver};
@@ -26,7 +26,7 @@ pub(super) fn origin_of_space(mechanism: &crate::mechanism::Mechanism) -> [Given
 }
 
 /// Draws the steps of the skeleton.
-pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<(), DrawError> {
+pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError> {
     d.step(Order::Position, &[], Vec::new());
     d.board.purpose("frame");
     for index in 0..d.mechanism.points.len() {
@@ -56,7 +56,7 @@ pub(super) fn chooses(less: f64, more: f64, per_mm: f64) -> bool {
     more - less > HINT_TIE * (more + less) && more.sqrt() - less.sqrt() > HINT_FLOOR * per_mm
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Finds the places of one group. Where something was missing that is the reason, whatever else went wrong.
     pub(super) fn position_of(&mut self, step: &GroupStep, group: &Group) -> Result<(), DrawError> {
         let drawn = self.draw_group(step, group);
@@ -107,7 +107,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Pricks world coordinates onto the skeleton.
-    pub(super) fn prick_world(&mut self, world: [Given; 2]) -> Point<B> {
+    pub(super) fn prick_world(&mut self, world: [Given; 2]) -> Point {
         let origin = self.origin_of_space();
         let scale = self.length_scale();
         let coordinate = |d: &mut Self, axis: usize| {
@@ -125,12 +125,12 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// Where a fixed or placed point stands. While a group is tried that is not placed as a whole, a place in it is
     /// a hint like any other.
-    pub(super) fn given_place(&mut self, point: PointId) -> Option<Point<B>> {
+    pub(super) fn given_place(&mut self, point: PointId) -> Option<Point> {
         if self.tried.points.contains(&point) { None } else { self.world_place(point) }
     }
 
     /// The given place of a fixed or placed point, pricked once.
-    pub(super) fn world_place(&mut self, point: PointId) -> Option<Point<B>> {
+    pub(super) fn world_place(&mut self, point: PointId) -> Option<Point> {
         if self.pricked[point.0].is_none() {
             let world = self.mechanism.point(point).place.exact()?;
             self.pricked[point.0] = Some(self.prick_world(world));
@@ -146,7 +146,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The place of a point that an earlier step found; what hangs on one that none found is refused.
-    pub(super) fn at(&mut self, point: PointId) -> Point<B> {
+    pub(super) fn at(&mut self, point: PointId) -> Point {
         match self.places[point.0] {
             Some(at) => at,
             None => self.no_point(Missing::Place(point)),
@@ -154,7 +154,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The angle of a driven link, where the input states it.
-    fn driven_angle(&mut self, input: Drive) -> Option<Angle<B>> {
+    fn driven_angle(&mut self, input: Drive) -> Option<Angle> {
         match input {
             Drive::Input(input) => match self.mechanism.inputs[input] {
                 Input::Angle { angle, .. } | Input::Speed { angle, .. } => {
@@ -167,7 +167,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Where a trial driver is tried; none where it is placed.
-    pub(super) fn tried_place(&self, driver: TrialDriver) -> Option<Angle<B>> {
+    pub(super) fn tried_place(&self, driver: TrialDriver) -> Option<Angle> {
         self.tried_places.iter().find(|(of, _)| *of == driver).map(|&(_, place)| place)
     }
 
@@ -287,9 +287,9 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn swivel(
         &mut self,
         link: LinkId,
-        (base, own_track): (PointId, Track<B>),
+        (base, own_track): (PointId, Track),
         (slide, rider): (usize, PointId),
-        at_rider: Point<B>,
+        at_rider: Point,
     ) -> Result<(), DrawError> {
         let (own_anchor, anchor) = (self.own(link, base), self.at(base));
         let reason = self.reason(&[link]);
@@ -326,10 +326,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn swivel_by_hints(
         &mut self,
         link: LinkId,
-        (own_anchor, anchor): (Point<B>, Point<B>),
-        along: Direction<B>,
+        (own_anchor, anchor): (Point, Point),
+        along: Direction,
         (slide, pin): (usize, PointId),
-        pair: Pair<B>,
+        pair: Pair,
     ) -> Result<Side, DrawError> {
         let Rider::Link { link: rod, .. } = self.mechanism.slides[slide].rider else {
             // Both ends of a guide on which a pin rides, in one place.
@@ -350,13 +350,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A driven link whose first-to-second line points `along`.
-    pub(super) fn driver_along(
-        &mut self,
-        step: &GroupStep,
-        link: LinkId,
-        base: PointId,
-        along: Direction<B>,
-    ) {
+    pub(super) fn driver_along(&mut self, step: &GroupStep, link: LinkId, base: PointId, along: Direction) {
         self.board.purpose("driven link");
         let from = self.at(base);
         let own_anchor = self.own(link, base);
@@ -468,7 +462,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 });
             }
             // The hint also chooses the side of the line on which the wheel rolls.
-            let mut nearest: Option<(usize, Pair<B>, f64)> = None;
+            let mut nearest: Option<(usize, Pair, f64)> = None;
             for (track, met) in met.into_iter().enumerate() {
                 let Ok(pair) = met else { continue };
                 let misses = if self.mechanism.point(centre).place.hint().is_some() {
@@ -496,7 +490,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The tracks of a rolling wheel's centre: beside the line on either side, or about the other centre.
-    pub(super) fn centre_tracks(&mut self, roll: usize, wheel: LinkId) -> Vec<Track<B>> {
+    pub(super) fn centre_tracks(&mut self, roll: usize, wheel: LinkId) -> Vec<Track> {
         let scale = self.length_scale();
         match self.mechanism.rolls[roll] {
             Roll::Circles { links, centres, radii, internal } => {
@@ -517,7 +511,7 @@ impl<B: Bench> Draughtsman<'_, B> {
                 let mm = self.board.to_paper(radius, scale);
                 let left = self.board.quarter_turn(line.along);
                 let right = self.board.reverse(left);
-                let beside = |d: &mut Self, way: Direction<B>| {
+                let beside = |d: &mut Self, way: Direction| {
                     let through = d.board.lay_off(line.through, way, mm);
                     Track::Straight(Line { through, along: line.along })
                 };
@@ -606,17 +600,13 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A direction of a figure turned as another one of it is turned.
-    fn turned_with(&mut self, own: Direction<B>, from: Direction<B>, to: Direction<B>) -> Direction<B> {
+    fn turned_with(&mut self, own: Direction, from: Direction, to: Direction) -> Direction {
         let turn = self.board.angle_between(from, own);
         self.board.turned(to, turn)
     }
 
     /// A direction of a driven link's own figure, and where it points on the skeleton; none where nothing says it.
-    fn bar_direction(
-        &mut self,
-        link: LinkId,
-        input: Drive,
-    ) -> Result<(Direction<B>, Direction<B>), DrawError> {
+    fn bar_direction(&mut self, link: LinkId, input: Drive) -> Result<(Direction, Direction), DrawError> {
         let placed: Vec<PointId> =
             self.mechanism.link(link).points.clone().into_iter().filter(|&p| self.prick_given(p)).collect();
         if self.stands_in_world(link) {
@@ -637,7 +627,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The direction of a link's first-to-second line in its own figure.
-    pub(super) fn own_line_of(&mut self, link: LinkId) -> Direction<B> {
+    pub(super) fn own_line_of(&mut self, link: LinkId) -> Direction {
         let points = self.mechanism.link(link).points.clone();
         let (Some(&first), Some(&second)) = (points.first(), points.get(1)) else {
             return self.no_direction(Missing::Joint(link));
@@ -787,8 +777,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         (first, second): (PointId, PointId),
         base: PointId,
         point: PointId,
-        (from, along): (Point<B>, Direction<B>),
-    ) -> Point<B> {
+        (from, along): (Point, Direction),
+    ) -> Point {
         let scale = self.length_scale();
         if matches!(self.mechanism.link(link).form, Form::Length(_)) {
             let length = self.length(link, base, point);
@@ -907,11 +897,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// Where an arc about a base meets a guide.
     fn meet_track(
         &mut self,
-        track: Track<B>,
-        circle: Circle<B>,
+        track: Track,
+        circle: Circle,
         (link, base): (LinkId, PointId),
         (slide, pin): (usize, PointId),
-    ) -> Result<Pair<B>, DrawError> {
+    ) -> Result<Pair, DrawError> {
         let reason = self.reason(&[link, self.mechanism.slides[slide].guide.link]);
         let per_mm = self.scales.length;
         let first = (self.mechanism.point(base).name.clone(), circle.radius.value() * per_mm);
@@ -1010,10 +1000,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn choose_lever(
         &mut self,
         lever: LinkId,
-        (own_anchor, anchor): (Point<B>, Point<B>),
-        along: Direction<B>,
+        (own_anchor, anchor): (Point, Point),
+        along: Direction,
         pin: PointId,
-        pair: Pair<B>,
+        pair: Pair,
     ) -> Result<Side, DrawError> {
         let reason = self.reason(&[lever]);
         let poses = [Side::First, Side::Second].map(|side| {
@@ -1027,12 +1017,12 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Chooses between two poses of a link by the hints for its points.
-    fn choose_pose(&mut self, link: LinkId, poses: [Pose<B>; 2], pin: PointId) -> Result<Side, DrawError> {
+    fn choose_pose(&mut self, link: LinkId, poses: [Pose; 2], pin: PointId) -> Result<Side, DrawError> {
         let side = self.right_pose(link, poses, pin)?;
         Ok(if self.takes_other_pose(link) { side.other() } else { side })
     }
 
-    fn right_pose(&mut self, link: LinkId, poses: [Pose<B>; 2], pin: PointId) -> Result<Side, DrawError> {
+    fn right_pose(&mut self, link: LinkId, poses: [Pose; 2], pin: PointId) -> Result<Side, DrawError> {
         if let Some(side) = self.prescribed_side() {
             return Ok(side);
         }
@@ -1056,7 +1046,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     pub(super) fn hints_of_pose(
         &mut self,
         link: LinkId,
-        pose: Pose<B>,
+        pose: Pose,
     ) -> (Option<f64>, Option<(PointId, [f64; 2])>) {
         let origin = self.origin_of_space().map(|g| g.value);
         let before = self.poses[link.0].replace(pose);
@@ -1122,12 +1112,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Where two guides meet.
-    fn meet_tracks(
-        &mut self,
-        tracks: [Track<B>; 2],
-        pin: PointId,
-        slides: [usize; 2],
-    ) -> Result<(), DrawError> {
+    fn meet_tracks(&mut self, tracks: [Track; 2], pin: PointId, slides: [usize; 2]) -> Result<(), DrawError> {
         let links = slides.map(|slide| self.mechanism.slides[slide].guide.link);
         let reason = self.reason(&links);
         match tracks {
@@ -1148,7 +1133,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    fn misses_arc(&self, pin: PointId, arc: Circle<B>) -> DrawError {
+    fn misses_arc(&self, pin: PointId, arc: Circle) -> DrawError {
         DrawError::CannotAssemble {
             pin,
             why: Box::new(Misfit {
@@ -1263,7 +1248,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         Ok(())
     }
 
-    fn circle(&mut self, (link, base): (LinkId, PointId), pin: PointId) -> Circle<B> {
+    fn circle(&mut self, (link, base): (LinkId, PointId), pin: PointId) -> Circle {
         let length = self.length(link, base, pin);
         let scale = self.length_scale();
         Circle { centre: self.at(base), radius: self.board.to_paper(length, scale) }
@@ -1275,7 +1260,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         main: &[(LinkId, PointId)],
         rider: Option<(usize, LinkId)>,
         pin: PointId,
-        pair: Pair<B>,
+        pair: Pair,
     ) -> Result<(), DrawError> {
         let crossing = pair.crossing;
         let mut side = if pair.tangent { Side::First } else { self.choose(main, rider, pin, pair)? };
@@ -1294,7 +1279,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         main: &[(LinkId, PointId)],
         rider: Option<(usize, LinkId)>,
         pin: PointId,
-        pair: Pair<B>,
+        pair: Pair,
     ) -> Result<Side, DrawError> {
         if let Some(side) = self.prescribed_side() {
             return Ok(side);
@@ -1336,7 +1321,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         main: &[(LinkId, PointId)],
         rider: Option<(usize, LinkId)>,
         pin: PointId,
-        pair: Pair<B>,
+        pair: Pair,
     ) -> [Option<f64>; 2] {
         let sides = [Side::First, Side::Second];
         let mut score: [Option<f64>; 2] = [None; 2];
@@ -1401,10 +1386,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn corner(
         &mut self,
         link: LinkId,
-        (p, at_p): (PointId, Point<B>),
-        (q, at_q): (PointId, Point<B>),
+        (p, at_p): (PointId, Point),
+        (q, at_q): (PointId, Point),
         point: PointId,
-    ) -> Point<B> {
+    ) -> Point {
         let reason = self.reason(&[link]);
         let (along, _) = self.board.toward(at_p, at_q, reason);
         let [forward, left] = self.offsets(link, p, q, point);

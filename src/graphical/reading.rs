@@ -1,6 +1,7 @@
 //! Reads the asked quantities off the finished diagrams.
 
-use crate::board::{Amount, Angle, Bench, Direction, Line, Location, MarkOf, Point, Real, TOO_LARGE, Tape};
+use crate::board::{Amount, Angle, Arithmetic, Direction, Line, Location, Point, Real, TOO_LARGE, Tape};
+use crate::double_double::DoubleDouble;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::{Auxiliary, chord, home, transmission_points};
@@ -13,18 +14,18 @@ use super::missing::Missing;
 use super::shown::Standing;
 
 /// What stands for a quantity on the board.
-enum Read<B: Bench> {
-    Vector([Amount<B>; 2]),
-    Scalar(Amount<B>),
-    Angle(Angle<B>),
-    Toward(Direction<B>, Angle<B>),
+enum Read {
+    Vector([Amount; 2]),
+    Scalar(Amount),
+    Angle(Angle),
+    Toward(Direction, Angle),
     Undefined(&'static str),
 }
 
 /// What was read off for an asked quantity.
-pub(super) struct ReadOff<B: Bench> {
+pub(super) struct ReadOff {
     /// Marks and values, two for a vector; or why there are none.
-    pub(super) numbers: Marked<B>,
+    pub(super) numbers: Marked,
     /// The direction of a place at infinity; its angle is the number.
     pub(super) toward: Option<[f64; 2]>,
     /// How long it was drawn.
@@ -32,12 +33,10 @@ pub(super) struct ReadOff<B: Bench> {
 }
 
 /// Marks and values of a read quantity, or why there are none.
-pub(super) type Marked<B> = Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>;
+pub(super) type Marked = Result<Vec<(u32, f64)>, &'static str>;
 
 /// Reads every asked quantity, with its bound from the tape.
-pub(super) fn answers<B: Bench<Recorder = Tape>>(
-    d: &mut Draughtsman<'_, B>,
-) -> (Vec<Reading>, Vec<Vec<u32>>) {
+pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) {
     let mut slots = Vec::new();
     let readings = read_all(d)
         .into_iter()
@@ -61,31 +60,32 @@ pub struct Numbers<R> {
 
 /// What every asked quantity reads on a board of any arithmetic; `None` where it is not determined, or a
 /// direction instead of a place.
-pub(super) fn numbers<B: Bench>(
-    d: &mut Draughtsman<'_, B>,
-    bound: impl Fn(&mut B::Recorder, MarkOf<B>) -> Option<Option<f64>>,
-) -> Vec<Option<Numbers<B::Real>>> {
+pub(super) fn numbers<R: Real>(
+    d: &mut Draughtsman<'_>,
+    bound: impl Fn(&mut Tape, u32) -> Option<Option<f64>>,
+) -> Vec<Option<Numbers<R>>> {
     let read = read_all(d);
     read.into_iter()
         .map(|read| {
             let numbers = read.numbers.ok().filter(|_| read.toward.is_none())?;
-            let recorder = d.board.recorder();
-            let bounds: Option<Vec<Option<f64>>> = numbers.iter().map(|(m, _)| bound(recorder, *m)).collect();
+            let tape = d.board.tape();
+            let bounds: Option<Vec<Option<f64>>> = numbers.iter().map(|(m, _)| bound(tape, *m)).collect();
             let together = |sum: f64, bound: f64| libm::hypot(sum, bound);
             let bound = bounds?.into_iter().try_fold(0.0, |sum, bound| Some(together(sum, bound?)));
-            Some(Numbers { value: numbers.into_iter().map(|(_, real)| real).collect(), bound })
+            let value = numbers.into_iter().map(|(mark, value)| tape.number(mark, value)).collect();
+            Some(Numbers { value, bound })
         })
         .collect()
 }
 
 /// Reads every asked quantity.
-pub(super) fn read_all<B: Bench>(d: &mut Draughtsman<'_, B>) -> Vec<ReadOff<B>> {
+pub(super) fn read_all(d: &mut Draughtsman<'_>) -> Vec<ReadOff> {
     let asked = d.mechanism.asked.clone();
     asked.iter().enumerate().map(|(index, asked)| d.read_off(index, asked)).collect()
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
-    fn read_off(&mut self, index: usize, asked: &Asked) -> ReadOff<B> {
+impl Draughtsman<'_> {
+    fn read_off(&mut self, index: usize, asked: &Asked) -> ReadOff {
         let read = if asked.method == Method::Klein {
             self.read_klein(&asked.quantity)
         } else if asked.by_centres() {
@@ -100,31 +100,31 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// What stands on the paper for a quantity.
-    pub(super) fn read_standing(&mut self, quantity: &Quantity) -> Standing<B> {
+    pub(super) fn read_standing(&mut self, quantity: &Quantity) -> Standing {
         self.read_quantity(quantity).numbers()
     }
 }
 
-impl<B: Bench> Read<B> {
-    fn numbers(self) -> Standing<B> {
+impl Read {
+    fn numbers(self) -> Standing {
         match self {
-            Self::Vector([x, y]) => (Ok(vec![(x.mark(), x.real()), (y.mark(), y.real())]), None),
-            Self::Scalar(a) => (Ok(vec![(a.mark(), a.real())]), None),
-            Self::Angle(a) => (Ok(vec![(a.mark(), a.real())]), None),
-            Self::Toward(direction, a) => (Ok(vec![(a.mark(), a.real())]), Some(direction.value())),
+            Self::Vector([x, y]) => (Ok(vec![(x.mark(), x.value()), (y.mark(), y.value())]), None),
+            Self::Scalar(a) => (Ok(vec![(a.mark(), a.value())]), None),
+            Self::Angle(a) => (Ok(vec![(a.mark(), a.value())]), None),
+            Self::Toward(direction, a) => (Ok(vec![(a.mark(), a.value())]), Some(direction.value())),
             Self::Undefined(why) => (Err(why), None),
         }
     }
 }
 
-impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
-    fn answer(&mut self, read: &ReadOff<B>) -> (Answer, Option<Fine>) {
+impl Draughtsman<'_> {
+    fn answer(&mut self, read: &ReadOff) -> (Answer, Option<Fine>) {
         let undefined = |why: &str| Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() });
         let numbers = match &read.numbers {
             Ok(numbers) => numbers,
             Err(why) => return (undefined(why), None),
         };
-        let weak = numbers.iter().find_map(|&(mark, _)| self.board.recorder().weakness(mark));
+        let weak = numbers.iter().find_map(|&(mark, _)| self.board.tape().weakness(mark));
         let too_large = || (undefined("a number on the way is too large for this arithmetic"), None);
         if weak == Some(TOO_LARGE) {
             return too_large();
@@ -132,29 +132,31 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
         if let Some(reason) = weak {
             return (Answer::Indeterminate(self.why(reason)), None);
         }
-        let bounds: Vec<f64> = numbers.iter().map(|&(mark, _)| self.board.recorder().bound(mark)).collect();
+        let bounds: Vec<f64> = numbers.iter().map(|&(mark, _)| self.board.tape().bound(mark)).collect();
         if !bounds.iter().all(|bound| bound.is_finite()) {
             return too_large();
         }
-        let values: Vec<f64> = numbers.iter().map(|(_, real)| real.to_f64()).collect();
-        let low: Vec<f64> = numbers.iter().map(|(_, real)| real.to_double_double().lo()).collect();
+        let values: Vec<f64> = numbers.iter().map(|&(_, value)| value).collect();
+        let tape = self.board.tape();
+        let digits: Vec<DoubleDouble> =
+            numbers.iter().map(|&(mark, value)| tape.number(mark, value)).collect();
         // The answer is rounded to a double: what that leaves belongs to its bound.
-        let rounded = |i: usize| bounds[i] + low[i].abs();
+        let rounded = |i: usize| bounds[i] + digits[i].lo().abs();
         let answer = match (read.toward, &values[..]) {
             (Some(direction), [_]) => return (Answer::AtInfinity { direction, bound: rounded(0) }, None),
             (None, &[value]) => Answer::Scalar { value, bound: rounded(0) },
             (None, &[x, y]) => Answer::Vector { value: [x, y], bound: libm::hypot(rounded(0), rounded(1)) },
             _ => undefined("nothing was read"),
         };
-        let fine = (B::Real::UNIT_ROUNDOFF < f64::EPSILON / 4.0).then(|| Fine {
-            value: numbers.iter().map(|(_, real)| real.to_double_double()).collect(),
+        let fine = matches!(tape.arithmetic(), Arithmetic::DoubleDouble | Arithmetic::Wide).then(|| Fine {
+            value: digits.clone(),
             bound: bounds.iter().fold(0.0, |sum, b| libm::hypot(sum, *b)),
         });
         (answer, fine)
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// The paper length of the vector that stands for a quantity.
     fn drawn_length(&self, quantity: &Quantity) -> Option<f64> {
         [Order::Velocity, Order::Acceleration].into_iter().find_map(|order| {
@@ -164,7 +166,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// What Klein's construction says of a quantity.
-    fn read_klein(&mut self, quantity: &Quantity) -> Read<B> {
+    fn read_klein(&mut self, quantity: &Quantity) -> Read {
         match self.klein_answer(quantity) {
             KleinAnswer::Vector(vector) => Read::Vector(vector),
             KleinAnswer::Scalar(scalar) => Read::Scalar(scalar),
@@ -181,7 +183,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A velocity or an angular velocity by one of the methods of instant centres.
-    fn read_from_centres(&self, index: usize) -> Read<B> {
+    fn read_from_centres(&self, index: usize) -> Read {
         match self.transferred.iter().find(|(of, _)| *of == index) {
             Some((_, Ok(FromCentres::Vector(components)))) => Read::Vector(*components),
             Some((_, Ok(FromCentres::Scalar(rate)))) => Read::Scalar(*rate),
@@ -190,7 +192,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    fn read_quantity(&mut self, quantity: &Quantity) -> Read<B> {
+    fn read_quantity(&mut self, quantity: &Quantity) -> Read {
         if let (Err(why), false) = (self.fed, matches!(quantity.order(), Order::Position)) {
             return Read::Undefined(why);
         }
@@ -234,7 +236,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    pub(super) fn rate(&mut self, order: Order, link: LinkId) -> Amount<B> {
+    pub(super) fn rate(&mut self, order: Order, link: LinkId) -> Amount {
         let known = match order {
             Order::Acceleration => self.alphas[link.0],
             _ => self.omegas[link.0],
@@ -250,7 +252,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A sliding, Coriolis or coincident vector, where one was drawn.
-    fn read_part(&mut self, order: Order, quantity: &Quantity, link: LinkId) -> Read<B> {
+    fn read_part(&mut self, order: Order, quantity: &Quantity, link: LinkId) -> Read {
         let drawn = self.parts.iter().rev().find(|p| p.quantity == *quantity).map(|p| (p.tail, p.head));
         match drawn {
             Some((tail, head)) => self.read_vector(order, tail, head),
@@ -282,13 +284,13 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    fn read_vector(&mut self, order: Order, from: Point<B>, to: Point<B>) -> Read<B> {
+    fn read_vector(&mut self, order: Order, from: Point, to: Point) -> Read {
         let scale = self.polygon_scale(order);
         let [x, y] = self.board.between(from, to);
         Read::Vector([self.board.read(x, scale), self.board.read(y, scale)])
     }
 
-    fn read_absolute(&mut self, order: Order, p: PointId, quantity: Quantity) -> Read<B> {
+    fn read_absolute(&mut self, order: Order, p: PointId, quantity: Quantity) -> Read {
         let pole = self.board.origin();
         let image = self.image(order, p);
         if !self.mechanism.is_fixed(p) {
@@ -298,7 +300,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.read_vector(order, pole, image)
     }
 
-    fn read_relative(&mut self, order: Order, b: PointId, a: PointId, quantity: Quantity) -> Read<B> {
+    fn read_relative(&mut self, order: Order, b: PointId, a: PointId, quantity: Quantity) -> Read {
         let (from, to) = (self.image(order, a), self.image(order, b));
         let (tail, head) = ((self.label(a), from), (self.label(b), to));
         self.ensure_vector(order, (VectorKind::Relative, quantity), tail, head);
@@ -310,8 +312,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         &mut self,
         order: Order,
         (kind, quantity): (VectorKind, Quantity),
-        tail: (Label, Point<B>),
-        head: (Label, Point<B>),
+        tail: (Label, Point),
+        head: (Label, Point),
     ) {
         let drawn = self.polygon(order).is_some_and(|p| p.vectors.iter().any(|v| v.quantity == quantity));
         if drawn {
@@ -338,7 +340,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Normal or tangential part of A_BA, for two points of one link.
-    fn read_component(&mut self, b: PointId, a: PointId, normal: bool) -> Read<B> {
+    fn read_component(&mut self, b: PointId, a: PointId, normal: bool) -> Read {
         let shared = self
             .mechanism
             .moving()
@@ -375,13 +377,13 @@ impl<B: Bench> Draughtsman<'_, B> {
         self.read_vector(Order::Acceleration, foot, image)
     }
 
-    fn read_difference(&mut self, order: Order, i: LinkId, j: LinkId) -> Read<B> {
+    fn read_difference(&mut self, order: Order, i: LinkId, j: LinkId) -> Read {
         let (first, second) = (self.rate(order, i), self.rate(order, j));
         Read::Scalar(self.board.difference(first, second))
     }
 
     /// V_r = r |ω_i − ω_j|.
-    fn read_rub(&mut self, pin: PointId, i: LinkId, j: LinkId) -> Read<B> {
+    fn read_rub(&mut self, pin: PointId, i: LinkId, j: LinkId) -> Read {
         let Some(journal) = self.mechanism.point(pin).journal else {
             return Read::Undefined("the pin has no journal radius");
         };
@@ -403,7 +405,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// ρ = V² / Aⁿ, with Aⁿ the part of the acceleration square to V.
-    fn read_path_radius(&mut self, p: PointId) -> Read<B> {
+    fn read_path_radius(&mut self, p: PointId) -> Read {
         if self.mechanism.is_fixed(p) {
             return Read::Undefined("the point does not move");
         }
@@ -428,7 +430,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The place in the world: as given for a fixed or placed point, else read off the skeleton.
-    fn read_position(&mut self, p: PointId) -> Read<B> {
+    fn read_position(&mut self, p: PointId) -> Read {
         if let Some([x, y]) = self.mechanism.point(p).place.exact() {
             return Read::Vector([self.board.amount(x), self.board.amount(y)]);
         }
@@ -437,7 +439,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A place of the skeleton in the world.
-    pub(super) fn in_world(&mut self, at: Point<B>) -> [Amount<B>; 2] {
+    pub(super) fn in_world(&mut self, at: Point) -> [Amount; 2] {
         let scale = self.length_scale();
         let from = self.board.origin();
         let [x, y] = self.board.between(from, at);
@@ -448,7 +450,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// An instant centre: its place in the world, or the direction in which it lies at infinity.
-    fn read_centre(&mut self, i: LinkId, j: LinkId) -> Read<B> {
+    fn read_centre(&mut self, i: LinkId, j: LinkId) -> Read {
         if i == j {
             return Read::Undefined("a link has no motion against itself");
         }
@@ -463,7 +465,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Angle of a link's own x-axis, by protractor.
-    fn read_angle(&mut self, link: LinkId) -> Angle<B> {
+    fn read_angle(&mut self, link: LinkId) -> Angle {
         let in_world = self.stands_in_world(link);
         match self.pose_of(link) {
             Some(pose) if !in_world => self.board.angle_between(pose.own_along, pose.along),
@@ -478,7 +480,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    fn read_transmission(&mut self, i: LinkId, j: LinkId) -> Read<B> {
+    fn read_transmission(&mut self, i: LinkId, j: LinkId) -> Read {
         let [Some(pin), Some(p), Some(q)] = transmission_points(self.mechanism, i, j) else {
             return Read::Undefined("the links share no pin");
         };

@@ -3,7 +3,7 @@
 //! line the way of its centre over its radius, on a circle by the ratio of the radii, both seen from what carries
 //! the line or the line of centres.
 
-use crate::board::{Angle, Bench, Direction};
+use crate::board::{Angle, Direction};
 use crate::mechanism::{Form, GivenPoint, LinkId, PointId, Roll};
 use crate::plan::GroupStep;
 
@@ -16,7 +16,7 @@ use super::pose::Pose;
 /// instant.
 pub(crate) type Starts = [Option<GivenPoint>];
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Lays the figure of a wheel onto the skeleton as far turned as it has rolled, and its wanted points with it.
     pub(super) fn roll_on(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId, roll: usize) {
         let Some(by) = self.rolled_through(wheel, centre, roll) else {
@@ -56,7 +56,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The angle that a wheel has turned through.
-    fn rolled_through(&mut self, wheel: LinkId, centre: PointId, roll: usize) -> Option<Angle<B>> {
+    fn rolled_through(&mut self, wheel: LinkId, centre: PointId, roll: usize) -> Option<Angle> {
         let scale = self.length_scale();
         let reason = self.reason(&[wheel]);
         match self.mechanism.rolls[roll] {
@@ -102,7 +102,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// How far a solved link has turned.
-    fn link_turned(&mut self, link: LinkId) -> Option<Angle<B>> {
+    fn link_turned(&mut self, link: LinkId) -> Option<Angle> {
         if link == LinkId::FRAME {
             return Some(self.board.angle(crate::given::Given::exact(0.0)));
         }
@@ -120,7 +120,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// How far a direction has turned since it stood as it stands in this drawing.
-    fn since_start(&mut self, along: Direction<B>) -> Angle<B> {
+    fn since_start(&mut self, along: Direction) -> Angle {
         let began = self.board.as_it_points(along);
         self.board.turned_since(began, along)
     }

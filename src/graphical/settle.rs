@@ -28,8 +28,7 @@ pub(super) fn settle(construction: &mut Construction, zeros: &HashMap<Quantity, 
         for vector in &mut polygon.vectors {
             let length = libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]);
             if zero(&vector.quantity, length * polygon.si_per_mm) {
-                vector.to = vector.from;
-                vector.as_point = true;
+                (vector.as_point, vector.is_zero) = (true, true);
             }
         }
     }
@@ -45,7 +44,7 @@ pub(super) fn settle(construction: &mut Construction, zeros: &HashMap<Quantity, 
                 Act::ReadVector { vector, mm, value } | Act::LayOffFromCentre { vector, mm, value, .. } => {
                     let is_read = |polygon: &&Polygon| polygon.order == step.order;
                     let polygon = [&*velocity, &*acceleration].into_iter().flatten().find(is_read);
-                    if polygon.and_then(|p| p.vectors.get(*vector)).is_some_and(|v| v.from == v.to) {
+                    if polygon.and_then(|p| p.vectors.get(*vector)).is_some_and(|v| v.is_zero) {
                         (*mm, *value) = (0.0, 0.0);
                     }
                 }

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::board::{Bench, MarkOf, Real, Tape};
+use crate::board::Tape;
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 
@@ -82,13 +82,13 @@ pub fn is_trial(vector: &Vector) -> bool {
 }
 
 /// Reads everything that stands on the paper.
-pub(super) fn all<B: Bench<Recorder = Tape>>(d: &mut Draughtsman<'_, B>) -> Vec<Shown> {
+pub(super) fn all(d: &mut Draughtsman<'_>) -> Vec<Shown> {
     // The paper is finished: what is read now is not drawn.
     d.silent = true;
     let mut shown: Vec<Shown> = Vec::new();
     for point in (0..d.places.len()).map(PointId) {
         if let Some(at) = d.places[point.0] {
-            let numbers = d.in_world(at).map(|amount| (amount.mark(), amount.real()));
+            let numbers = d.in_world(at).map(|amount| (amount.mark(), amount.value()));
             shown.push(of(Quantity::Position(point), None, &numbers));
         }
     }
@@ -100,16 +100,16 @@ pub(super) fn all<B: Bench<Recorder = Tape>>(d: &mut Draughtsman<'_, B>) -> Vec<
     shown
 }
 
-fn of<R: Real>(quantity: Quantity, toward: Option<[f64; 2]>, numbers: &[(u32, R)]) -> Shown {
+fn of(quantity: Quantity, toward: Option<[f64; 2]>, numbers: &[(u32, f64)]) -> Shown {
     Shown {
         quantity,
-        value: numbers.iter().map(|(_, real)| real.to_f64()).collect(),
+        value: numbers.iter().map(|(_, value)| *value).collect(),
         toward,
         slots: numbers.iter().map(|(mark, _)| *mark).collect(),
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// What stands on the polygons and the circle diagram, each once, in the order of drawing.
     fn standing(&self) -> Vec<Quantity> {
         let mut all = Vec::new();
@@ -148,4 +148,4 @@ impl<B: Bench> Draughtsman<'_, B> {
 }
 
 /// Marks and values of a quantity, or why there are none; the direction of a place at infinity.
-pub(super) type Standing<B> = (Result<Vec<(MarkOf<B>, <B as Bench>::Real)>, &'static str>, Option<[f64; 2]>);
+pub(super) type Standing = (Result<Vec<(u32, f64)>, &'static str>, Option<[f64; 2]>);

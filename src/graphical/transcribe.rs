@@ -1,6 +1,6 @@
 //! A mechanism's drawing as a program: made once, to be run over the range of an input.
 
-use crate::board::{Board, BoundedProgram, Equipped, Point, Program, Reason, Transcript, Variable, Wanted};
+use crate::board::{Board, BoundedProgram, Program, Reason, Tape, Transcript, Variable, Wanted};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId};
@@ -78,7 +78,7 @@ pub fn transcribe(
     (variable, lean): (Variable, usize),
     starts: &Starts,
 ) -> Result<Transcribed, DrawError> {
-    let written = write_down(Transcript::of(variable), mechanism, structure, plan, starts)?;
+    let written = write_down(|tape| Transcript::of(tape, variable), mechanism, structure, plan, starts)?;
     let wanted: Vec<Wanted> = written.wanted(mechanism).collect();
     let few = written.numbers.iter().take(lean).sum::<usize>().min(wanted.len());
     let all: Vec<Wanted> = wanted
@@ -112,7 +112,8 @@ pub fn transcribe_with_bounds(
     plan: &Plan,
     (variable, lean): (Variable, usize),
 ) -> Result<TranscribedWithBounds, DrawError> {
-    let written = write_down(Transcript::with_errors(variable), mechanism, structure, plan, &[])?;
+    let written =
+        write_down(|tape| Transcript::with_errors(tape, variable), mechanism, structure, plan, &[])?;
     let few = written.numbers.iter().take(lean).sum::<usize>().min(written.asked.len());
     let calls = written.transcript.chord_calls();
     let count = calls.iter().flatten().max().map_or(0, |last| last + 1);
@@ -154,7 +155,7 @@ impl Written {
 }
 
 fn write_down(
-    transcript: Transcript,
+    read: impl FnOnce(&Tape) -> Transcript,
     mechanism: &Mechanism,
     structure: &Structure,
     plan: &Plan,
@@ -170,32 +171,22 @@ fn write_down(
         return Err(DrawError::NoConstruction { links });
     }
     let scales = Scales { length: 1.0, velocity: 1.0, acceleration: 1.0 };
-    let board = Board::<Equipped<f64, Transcript>>::new(transcript);
+    let board = Board::new(Tape::to_be_run());
     let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
     draughtsman.starts = starts;
     let mut draughtsman = drawn_by(draughtsman, plan)?;
     let readings = read_all(&mut draughtsman);
-    let (mut marks, mut centres, mut homogeneous, mut without) =
-        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    for (index, (read, asked)) in readings.iter().zip(&mechanism.asked).enumerate() {
-        let numbers = match (&read.numbers, asked.quantity) {
+    let read_off: Vec<Result<ReadNumbers, Without>> = readings
+        .iter()
+        .zip(&mechanism.asked)
+        .map(|(read, asked)| match (&read.numbers, asked.quantity) {
             (Err(why), _) => Err(Without::Undefined(why)),
-            (Ok(_), Quantity::Centre(i, j)) => {
-                centre(&mut draughtsman, [i, j]).map(|(numbers, coordinates)| {
-                    centres.push(index);
-                    homogeneous.push(coordinates);
-                    numbers.to_vec()
-                })
+            (Ok(_), Quantity::Centre(i, j)) => centre(&mut draughtsman, [i, j]),
+            (Ok(numbers), _) => {
+                Ok(ReadNumbers { marks: numbers.iter().map(|(mark, _)| *mark).collect(), homogeneous: None })
             }
-            (Ok(numbers), _) => Ok(numbers.iter().map(|(mark, _)| *mark).collect()),
-        };
-        marks.push(numbers.unwrap_or_else(|why| {
-            without.push((index, why));
-            Vec::new()
-        }));
-    }
-    let numbers = marks.iter().map(Vec::len).collect();
-    let asked = marks.concat();
+        })
+        .collect();
     let (mut placed, mut places) = (Vec::new(), Vec::new());
     for point in (0..mechanism.points.len()).map(PointId) {
         if let Some(at) = draughtsman.places[point.0] {
@@ -205,7 +196,33 @@ fn write_down(
     }
     let stalled = draughtsman.record().circle.as_ref().is_some_and(|circle| !circle.stalled.is_empty());
     let reasons = draughtsman.all_reasons();
-    let transcript = std::mem::take(draughtsman.board.recorder());
+    let transcript = read(draughtsman.board.tape());
+    let places = places.into_iter().map(|mark| transcript.slot(mark)).collect();
+    let (mut numbers, mut asked) = (Vec::new(), Vec::new());
+    let (mut centres, mut homogeneous, mut without) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, read) in read_off.into_iter().enumerate() {
+        let read = read.and_then(|read| {
+            let coordinates = read.homogeneous.map(|marks| marks.map(|mark| transcript.slot(mark)));
+            match coordinates {
+                Some([.., weight]) if transcript.constant_at(weight) == Some(0.0) => Err(Without::AtInfinity),
+                coordinates => Ok((read.marks, coordinates)),
+            }
+        });
+        match read {
+            Ok((marks, coordinates)) => {
+                if let Some(coordinates) = coordinates {
+                    centres.push(index);
+                    homogeneous.push(coordinates);
+                }
+                numbers.push(marks.len());
+                asked.extend(marks.into_iter().map(|mark| transcript.slot(mark)));
+            }
+            Err(why) => {
+                numbers.push(0);
+                without.push((index, why));
+            }
+        }
+    }
     Ok(Written {
         transcript,
         numbers,
@@ -220,20 +237,21 @@ fn write_down(
     })
 }
 
+/// Where an asked quantity stands on the tape.
+struct ReadNumbers {
+    marks: Vec<u32>,
+    /// Of an instant centre: its reach and its weight.
+    homogeneous: Option<[u32; 3]>,
+}
+
 /// The place of an instant centre, and its reach and weight: whether it lies at infinity in this position must not
 /// decide how it is written down.
-fn centre(
-    d: &mut Draughtsman<'_, Equipped<f64, Transcript>>,
-    links: [LinkId; 2],
-) -> Result<([u32; 2], [u32; 3]), Without> {
+fn centre(d: &mut Draughtsman<'_>, links: [LinkId; 2]) -> Result<ReadNumbers, Without> {
     let Some(&centre) = d.centres.known.get(&chord(links[0], links[1])) else {
         return Err(Without::Undefined("no construction leads to this centre"));
     };
     let reason = d.reason(&links);
-    let (at, reach, weight): (Point<_>, _, _) = d.board.coordinates(centre, reason);
-    if d.board.recorder().constant_at(weight.mark()) == Some(0.0) {
-        return Err(Without::AtInfinity);
-    }
-    let numbers = d.in_world(at).map(|amount| amount.mark());
-    Ok((numbers, [reach[0].mark(), reach[1].mark(), weight.mark()]))
+    let (at, reach, weight) = d.board.coordinates(centre, reason);
+    let marks = d.in_world(at).map(|amount| amount.mark()).to_vec();
+    Ok(ReadNumbers { marks, homogeneous: Some([reach[0].mark(), reach[1].mark(), weight.mark()]) })
 }

@@ -15,7 +15,7 @@
 //!
 //! *Acceleration*: in the same way, with the trial driver's angular acceleration.
 
-use crate::board::{Amount, Angle, Bench, Blank, Board, Line, Mm, Point, Side, Trial as Sketch};
+use crate::board::{Amount, Angle, Board, Line, Mm, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::{Closing, Drive, Joint, Trial, TrialDriver};
@@ -60,14 +60,14 @@ pub(super) struct Tried {
 }
 
 /// How far the record had come before a trial.
-struct Mark<B: Bench> {
+struct Mark {
     coincident: usize,
     parts: usize,
     feet: usize,
-    images: Images<B>,
+    images: Images,
 }
 
-impl<'m, B: Bench> Draughtsman<'m, B> {
+impl<'m> Draughtsman<'m> {
     fn trial(&self, index: usize) -> Trial {
         self.structure.trials[index].clone()
     }
@@ -275,7 +275,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         &self,
         trial: &Trial,
         roots: &mut Vec<Root>,
-        sketch: &Draughtsman<'_, Sketch>,
+        sketch: &Draughtsman<'_>,
         (angle, sides): (f64, Vec<Side>),
     ) {
         let places: Vec<(PointId, [f64; 2])> = self
@@ -320,7 +320,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         trial: &Trial,
         steps: &[GroupStep],
         rod: &GroupStep,
-        tried: &[Angle<B>],
+        tried: &[Angle],
     ) -> Result<(), DrawError> {
         let drivers = trial.drivers.iter().map(|&(driver, _)| driver);
         self.tried_places = drivers.zip(tried.iter().copied()).collect();
@@ -340,7 +340,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// By how much the open constraint is missed: paper millimetres, or radians.
-    fn miss(&mut self, closing: Closing) -> Mm<B> {
+    fn miss(&mut self, closing: Closing) -> Mm {
         match closing {
             Closing::Rod { link, near, far } => {
                 let (a, b) = (self.at(near), self.at(far));
@@ -406,7 +406,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
             Closing::Contact { roll, wheel, centre } => {
                 let at = self.at(centre);
                 let tracks = self.centre_tracks(roll, wheel);
-                let mut least: Option<Mm<B>> = None;
+                let mut least: Option<Mm> = None;
                 for track in tracks {
                     let miss = match track {
                         Track::Straight(line) => self.board.square_off(line, at)[1],
@@ -430,9 +430,8 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// A scratch board with what is solved so far.
-    fn sketch(&self) -> Draughtsman<'m, Sketch> {
-        let mut sketch =
-            Draughtsman::new(Board::<Sketch>::new(Blank), self.mechanism, self.structure, self.scales);
+    fn sketch(&self) -> Draughtsman<'m> {
+        let mut sketch = Draughtsman::new(Board::scratch(), self.mechanism, self.structure, self.scales);
         sketch.silent = true;
         sketch.tried.clone_from(&self.tried);
         for (to, from) in sketch.places.iter_mut().zip(&self.places) {
@@ -617,7 +616,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     // --- velocity ------------------------------------------------------------------------------
 
-    fn mark(&mut self, order: Order) -> Mark<B> {
+    fn mark(&mut self, order: Order) -> Mark {
         Mark {
             coincident: self.coincident.len(),
             parts: self.parts.len(),
@@ -627,7 +626,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// Takes a trial polygon off the board.
-    fn rub_out(&mut self, order: Order, mark: &Mark<B>) {
+    fn rub_out(&mut self, order: Order, mark: &Mark) {
         self.coincident.truncate(mark.coincident);
         self.parts.truncate(mark.parts);
         self.feet.truncate(mark.feet);
@@ -644,7 +643,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         }
     }
 
-    fn try_rate(&mut self, order: Order, driver: TrialDriver, rate: Amount<B>) {
+    fn try_rate(&mut self, order: Order, driver: TrialDriver, rate: Amount) {
         self.tried_rates.retain(|(of, tried, _)| (*of, *tried) != (order, driver));
         self.tried_rates.push((order, driver, rate));
     }
@@ -723,7 +722,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         steps: &[GroupStep],
         level: usize,
         assumed: [f64; 2],
-    ) -> Amount<B> {
+    ) -> Amount {
         let (driver, closing) = trial.drivers[level];
         let mark = self.mark(order);
         let rates = assumed.map(|rate| self.board.amount(Given::exact(rate)));
@@ -763,7 +762,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// How far an image lies off the line on which an open constraint wants it.
-    fn off_line(&mut self, order: Order, unknown: Unknown, end: PointId) -> Amount<B> {
+    fn off_line(&mut self, order: Order, unknown: Unknown, end: PointId) -> Amount {
         let scale = self.polygon_scale(order);
         let ray = self.closing_line(order, unknown, end);
         let image = self.image(order, end);
@@ -772,7 +771,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
     }
 
     /// By how much a trial polygon does not satisfy an open constraint.
-    fn rate_missed(&mut self, order: Order, closing: Closing) -> Amount<B> {
+    fn rate_missed(&mut self, order: Order, closing: Closing) -> Amount {
         let scale = self.polygon_scale(order);
         let (has, given) = match closing {
             Closing::Angle { link, input } => (self.rate(order, link), self.given_rate(order, input)),
@@ -802,10 +801,10 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
         &mut self,
         order: Order,
         closing: Closing,
-        [first, second]: [Point<B>; 2],
-        rates: [Amount<B>; 2],
+        [first, second]: [Point; 2],
+        rates: [Amount; 2],
         reason: crate::board::Reason,
-    ) -> Amount<B> {
+    ) -> Amount {
         let Some((unknown, end)) = closing_unknown(closing) else { return rates[0] };
         let loud = !self.silent;
         self.silent = true;
@@ -826,7 +825,7 @@ impl<'m, B: Bench> Draughtsman<'m, B> {
 
     /// How fast two bodies slip on each other at their contact: that part of the difference of the contact
     /// points' images which is square to the common normal.
-    fn slip_at_contact(&mut self, order: Order, roll: usize) -> Amount<B> {
+    fn slip_at_contact(&mut self, order: Order, roll: usize) -> Amount {
         let [first, second] = self.mechanism.rolls[roll].bodies();
         let [from, to] = [first, second].map(|body| self.contact_image(order, roll, body));
         let normal = self.common_normal(roll).0;

@@ -11,7 +11,7 @@
 //! 5. Further points: divide the image line as the link is divided, or from two images perpendiculars to
 //!    the sides; the image has the link's own reading sense.
 
-use crate::board::{Amount, Bench, Direction, Line, Mm, Point, Ratio};
+use crate::board::{Amount, Direction, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind};
@@ -28,7 +28,7 @@ use super::missing::Missing;
 pub(super) const FLATTEST_CROSSING: f64 = 0.05;
 
 /// Draws the steps of the velocity polygon.
-pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
+pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     d.open_polygon(Order::Velocity);
     d.omegas[LinkId::FRAME.0] = Some(d.rest());
     d.step(Order::Velocity, &[], Vec::new());
@@ -38,7 +38,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Draws the velocity polygon of one group.
     pub(super) fn velocity_of(&mut self, step: &GroupStep, group: &Group) {
         match group.kind {
@@ -69,7 +69,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Zero, exact.
-    pub(super) fn rest(&mut self) -> Amount<B> {
+    pub(super) fn rest(&mut self) -> Amount {
         self.board.amount(crate::given::Given::exact(0.0))
     }
 
@@ -98,7 +98,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// ω or ε of a driven link, or the rate of a driven slide: given, or tried.
-    pub(super) fn driven_rate(&mut self, order: Order, input: Drive) -> Amount<B> {
+    pub(super) fn driven_rate(&mut self, order: Order, input: Drive) -> Amount {
         match input {
             Drive::Input(index) => match (self.mechanism.inputs[index], order) {
                 (Input::Slide { acceleration, .. }, Order::Acceleration) => self.board.amount(acceleration),
@@ -117,7 +117,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// ω or ε of a driven link; ω from the speed of one of its points where that is given.
-    pub(super) fn given_rate(&mut self, order: Order, input: usize) -> Amount<B> {
+    pub(super) fn given_rate(&mut self, order: Order, input: usize) -> Amount {
         let rate = match (self.mechanism.inputs[input], order) {
             (Input::Angle { alpha, .. } | Input::Speed { alpha, .. }, Order::Acceleration) => alpha,
             (Input::Angle { omega, .. }, _) => return self.board.input_speed(input, omega),
@@ -174,13 +174,13 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The direction from `base` to `point` on the skeleton, turned by +90°: that of the velocity of
     /// `point` for a positive ω.
-    pub(super) fn square_to(&mut self, link: LinkId, base: PointId, point: PointId) -> Direction<B> {
+    pub(super) fn square_to(&mut self, link: LinkId, base: PointId, point: PointId) -> Direction {
         let along = self.outward(link, base, point);
         self.board.quarter_turn(along)
     }
 
     /// The direction from `base` to `point` on the skeleton.
-    pub(super) fn outward(&mut self, link: LinkId, base: PointId, point: PointId) -> Direction<B> {
+    pub(super) fn outward(&mut self, link: LinkId, base: PointId, point: PointId) -> Direction {
         let (from, to) = (self.at(base), self.at(point));
         let reason = self.reason(&[link]);
         self.board.toward(from, to, reason).0
@@ -342,12 +342,12 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The image of the contact point as a point of a solved body: about its own centre where it is a wheel.
-    pub(super) fn contact_image(&mut self, order: Order, roll: usize, body: LinkId) -> Point<B> {
+    pub(super) fn contact_image(&mut self, order: Order, roll: usize, body: LinkId) -> Point {
         self.image_under(order, self.contact_of(roll), body)
     }
 
     /// From the image of the base a line perpendicular to the link.
-    pub(super) fn velocity_arm(&mut self, link: LinkId, base: PointId, to: PointId) -> Route<B> {
+    pub(super) fn velocity_arm(&mut self, link: LinkId, base: PointId, to: PointId) -> Route {
         let image = self.image(Order::Velocity, base);
         let along = self.square_to(link, base, to);
         let claim = Claim::Perpendicular(Reference::Points(base, to));
@@ -355,7 +355,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// From the image of the guide's point (or backwards from the rider's) a line along the guide.
-    pub(super) fn velocity_slide(&mut self, slide: usize, back: bool, pin: PointId) -> Route<B> {
+    pub(super) fn velocity_slide(&mut self, slide: usize, back: bool, pin: PointId) -> Route {
         let (along, _) = self.tangent(slide, pin);
         let from = self.slide_start(Order::Velocity, (slide, back), pin);
         let claim = Claim::Parallel(Reference::Guide(slide));
@@ -364,11 +364,11 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     fn velocity_ray(
         &mut self,
-        foot: (Label, Point<B>),
-        along: Direction<B>,
+        foot: (Label, Point),
+        along: Direction,
         claim: Claim,
         unknown: Unknown,
-    ) -> Route<B> {
+    ) -> Route {
         self.act(Act::DrawRay { from: foot.0, claim });
         Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
     }
@@ -387,7 +387,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         &mut self,
         (roll, wheel, centre): (usize, LinkId, PointId),
         back: bool,
-    ) -> Route<B> {
+    ) -> Route {
         let unknown = Unknown::Roll { roll, wheel, centre, back };
         let body = self.rolled_on(roll, wheel);
         if back {
@@ -412,7 +412,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         roll: usize,
         wheel: LinkId,
         centre: PointId,
-    ) -> (Direction<B>, Claim) {
+    ) -> (Direction, Claim) {
         let contact = self.contact_of(roll);
         let along = self.square_to(wheel, centre, contact);
         (along, Claim::Perpendicular(Reference::Points(centre, contact)))
@@ -468,11 +468,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// Reads V along a route and divides by the link's length.
     pub(super) fn read_omega(
         &mut self,
-        route: &Route<B>,
+        route: &Route,
         target: Target,
         (link, base): (LinkId, PointId),
-        (label, image): (Label, Point<B>),
-        along: Mm<B>,
+        (label, image): (Label, Point),
+        along: Mm,
     ) {
         let scale = self.polygon_scale(Order::Velocity);
         let pin = target.pin();
@@ -508,11 +508,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// Reads the sliding velocity along a route.
     pub(super) fn read_slip(
         &mut self,
-        route: &Route<B>,
+        route: &Route,
         target: Target,
         (slide, back): (usize, bool),
-        (label, image): (Label, Point<B>),
-        along: Mm<B>,
+        (label, image): (Label, Point),
+        along: Mm,
     ) {
         let pin = target.pin();
         let guide = self.mechanism.slides[slide].guide.link;
@@ -543,7 +543,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The distance of a point from a link's pin: the link's own length, or measured where one of them is not
     /// the link's.
-    pub(super) fn length_to(&mut self, link: LinkId, base: PointId, point: PointId) -> Amount<B> {
+    pub(super) fn length_to(&mut self, link: LinkId, base: PointId, point: PointId) -> Amount {
         let own = &self.mechanism.link(link).points;
         if own.contains(&base) && own.contains(&point) {
             return self.length(link, base, point);
@@ -567,7 +567,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The distance of two points, measured on the skeleton and said so.
-    pub(super) fn measured(&mut self, from: PointId, to: PointId) -> Amount<B> {
+    pub(super) fn measured(&mut self, from: PointId, to: PointId) -> Amount {
         let (a, b) = (self.at(from), self.at(to));
         let mm = self.board.distance(a, b);
         let scale = self.length_scale();
@@ -628,7 +628,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    pub(super) fn set_rate(&mut self, order: Order, link: LinkId, rate: Amount<B>) {
+    pub(super) fn set_rate(&mut self, order: Order, link: LinkId, rate: Amount) {
         match order {
             Order::Acceleration => self.alphas[link.0] = Some(rate),
             _ => self.omegas[link.0] = Some(rate),
@@ -636,13 +636,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The vector from the pole to an image.
-    pub(super) fn absolute_vector(
-        &mut self,
-        order: Order,
-        quantity: Quantity,
-        label: Label,
-        image: Point<B>,
-    ) {
+    pub(super) fn absolute_vector(&mut self, order: Order, quantity: Quantity, label: Label, image: Point) {
         let pole = self.board.origin();
         let vector = self.note_vector(
             order,
@@ -654,7 +648,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The image of the point of a solved link under a pin: V = ω l from a known image of the link.
-    pub(super) fn image_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Point<B> {
+    pub(super) fn image_under(&mut self, order: Order, pin: PointId, link: LinkId) -> Point {
         if link == LinkId::FRAME {
             return self.board.origin();
         }
@@ -704,7 +698,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// The image of a point of a link of which no joint has one: from the point under the pin by which the
     /// link was solved.
-    fn translated_image(&mut self, order: Order, link: LinkId, point: PointId) -> Point<B> {
+    fn translated_image(&mut self, order: Order, link: LinkId, point: PointId) -> Point {
         let solved_by = self.coincident.iter().find(|c| c.order == order && c.link == link).map(|c| c.pin);
         match solved_by {
             Some(pin) => self.riding_image(order, link, pin, point),
@@ -713,7 +707,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// V = ω l about a point whose image is known, laid off perpendicular in the sense of ω.
-    pub(super) fn velocity_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point<B> {
+    pub(super) fn velocity_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point {
         let scale = self.polygon_scale(Order::Velocity);
         let omega = self.rate(Order::Velocity, link);
         let length = self.length_to(link, base, point);
@@ -738,7 +732,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         quantity: Quantity,
         link: LinkId,
         ends: [PointId; 2],
-        [rate, length, part]: [Amount<B>; 3],
+        [rate, length, part]: [Amount; 3],
     ) {
         let (rate, length, value) = (rate.value(), length.value(), part.value().abs());
         self.act(Act::Calculate(match order {
@@ -751,13 +745,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// A point of a link that slides without turning: the image under its pin, where what it slides on cannot
     /// turn either; else V = ω l from there, whatever ω is at this instant.
-    pub(super) fn riding_image(
-        &mut self,
-        order: Order,
-        link: LinkId,
-        pin: PointId,
-        point: PointId,
-    ) -> Point<B> {
+    pub(super) fn riding_image(&mut self, order: Order, link: LinkId, pin: PointId, point: PointId) -> Point {
         let from = self.image_under(order, pin, link);
         if self.translates[link.0] {
             self.act(Act::SameImage {
@@ -781,7 +769,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         base: PointId,
         pin: PointId,
         point: PointId,
-    ) -> Option<Ratio<B>> {
+    ) -> Option<Ratio> {
         self.is_straight(link).then(|| self.proportions(link, base, pin, point)[0])
     }
 
@@ -791,8 +779,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         order: Order,
         (base, pin): (PointId, PointId),
         point: PointId,
-        ratio: Ratio<B>,
-    ) -> Point<B> {
+        ratio: Ratio,
+    ) -> Point {
         let (from, to) = (self.image(order, base), self.image(order, pin));
         let image = self.board.divide(from, to, ratio);
         self.act(Act::DivideImage {
@@ -819,7 +807,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         link: LinkId,
         (base, pin): (PointId, PointId),
         point: PointId,
-    ) -> Point<B> {
+    ) -> Point {
         let [along, across] = self.proportions(link, base, pin, point);
         let ends = [self.image(order, base), self.image(order, pin)];
         let base_labels = [self.label(base), self.label(pin)];

@@ -3,7 +3,7 @@
 //! A construction uses each dimension once. Where places are given besides, the rest is overdetermined, and what
 //! contradicts them shows only when the skeleton stands.
 
-use crate::board::{Bench, Line};
+use crate::board::Line;
 use crate::mechanism::{LinkId, PointId, Rider, Roll};
 
 use super::DrawError;
@@ -20,7 +20,7 @@ const ROUNDINGS: f64 = 16.0;
 ///
 /// # Errors
 /// [`DrawError::NoClosure`] with the point that is missed and by how much.
-pub(super) fn verify<B: Bench>(d: &mut Draughtsman<'_, B>) -> Result<(), DrawError> {
+pub(super) fn verify(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
     let places: Vec<[f64; 2]> = d.places.iter().flatten().map(|at| at.value()).collect();
     let extent = |axis: usize| {
         let all = || places.iter().map(|at| at[axis]);
@@ -38,7 +38,7 @@ pub(super) fn verify<B: Bench>(d: &mut Draughtsman<'_, B>) -> Result<(), DrawErr
         }
     }
     let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest;
-    let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_, B>| {
+    let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_>| {
         let fine = miss.abs() <= allowed || !miss.is_finite();
         if fine { Ok(()) } else { Err(DrawError::NoClosure { pin, least: miss.abs() * d.scales.length }) }
     };
@@ -98,7 +98,7 @@ pub(super) fn verify<B: Bench>(d: &mut Draughtsman<'_, B>) -> Result<(), DrawErr
 }
 
 /// Whether a link stands on the skeleton, so that its guides do.
-fn stands<B: Bench>(d: &Draughtsman<'_, B>, link: LinkId) -> bool {
+fn stands(d: &Draughtsman<'_>, link: LinkId) -> bool {
     let points = &d.mechanism.link(link).points;
     let guides_by_points = points.iter().filter(|p| d.places[p.0].is_some()).count() > 1;
     d.stands_in_world(link) || d.poses[link.0].is_some() || guides_by_points

@@ -175,7 +175,8 @@ fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>, wind
         VectorKind::Sliding => "sliding",
         VectorKind::Coriolis => "coriolis",
     };
-    let (from, to) = (page(vector.from), page(vector.to));
+    let from = page(vector.from);
+    let to = if vector.is_zero { from } else { page(vector.to) };
     let length = (to - from).hypot();
     let unit = notation.unit(polygon.order);
     let name = notation.quantity_name(vector.quantity);

@@ -266,6 +266,7 @@ fn hold_in(arithmetic: Arithmetic) -> usize {
         Arithmetic::Single => 0,
         Arithmetic::Double => 1,
         Arithmetic::DoubleDouble => 2,
+        Arithmetic::Wide => 3,
     };
     let data = std::fs::read_to_string(common::root().join("tests/data/extremes.tsv")).unwrap();
     let mut answered = 0;

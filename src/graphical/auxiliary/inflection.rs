@@ -8,7 +8,7 @@
 //!    point whose path has an inflection here, and whose acceleration therefore has no normal part.
 //! 4. The acceleration centre G sees PW under a right angle, turned from it by φ with tan φ = ε / ω².
 
-use crate::board::{Bench, Direction, Line, Location, Point, Tape};
+use crate::board::{Direction, Line, Location, Point};
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId, Rider};
 use crate::plan::chord;
@@ -30,22 +30,22 @@ enum PathOf {
 }
 
 /// A point of the link with the normal of its path.
-struct Station<B: Bench> {
+struct Station {
     point: PointId,
     path: PathOf,
-    at: Point<B>,
-    normal: Direction<B>,
+    at: Point,
+    normal: Direction,
 }
 
-impl<B: Bench> Clone for Station<B> {
+impl Clone for Station {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<B: Bench> Copy for Station<B> {}
+impl Copy for Station {}
 
-impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Draws both for a link whose accelerations stand.
     pub(super) fn draw_inflection(&mut self, link: LinkId) {
         self.board.purpose("inflection circle");
@@ -113,14 +113,14 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// Two points of the link with known path normals that differ; those whose curvature is known first.
-    fn stations(&mut self, link: LinkId) -> Option<[Station<B>; 2]> {
+    fn stations(&mut self, link: LinkId) -> Option<[Station; 2]> {
         let points = self.mechanism.link(link).points.clone();
-        let mut all: Vec<Station<B>> = points.iter().filter_map(|&p| self.guided(link, p)).collect();
-        let free: Vec<Station<B>> = points.iter().filter_map(|&p| self.free(link, p)).collect();
+        let mut all: Vec<Station> = points.iter().filter_map(|&p| self.guided(link, p)).collect();
+        let free: Vec<Station> = points.iter().filter_map(|&p| self.free(link, p)).collect();
         all.extend(free);
         let first = *all.first()?;
         // Flatter than 3° is badly readable by hand, and 0 is no crossing.
-        let sine = |s: &Station<B>| {
+        let sine = |s: &Station| {
             let (u, v) = (first.normal.value(), s.normal.value());
             (u[0] * v[1] - u[1] * v[0]).abs()
         };
@@ -133,7 +133,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// A point whose path is a circle about a pivot, or a guide of the frame.
-    fn guided(&mut self, link: LinkId, point: PointId) -> Option<Station<B>> {
+    fn guided(&mut self, link: LinkId, point: PointId) -> Option<Station> {
         let at = self.places[point.0]?;
         let reason = self.reason(&[link]);
         let others = self.mechanism.point(point).links.clone();
@@ -155,7 +155,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// A point with a velocity: its path normal is square to it.
-    fn free(&mut self, link: LinkId, point: PointId) -> Option<Station<B>> {
+    fn free(&mut self, link: LinkId, point: PointId) -> Option<Station> {
         let at = self.places[point.0]?;
         let image = self.velocities[point.0]?;
         self.accelerations[point.0]?;
@@ -167,7 +167,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// The line square to the pole ray at the inflection point of a station.
-    fn inflection_point(&mut self, link: LinkId, station: Station<B>, pole: Point<B>) -> Line<B> {
+    fn inflection_point(&mut self, link: LinkId, station: Station, pole: Point) -> Line {
         let Station { point, path, at, .. } = station;
         let reason = self.reason(&[link]);
         let (line, by) = match path {
@@ -198,8 +198,8 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
         &mut self,
         link: LinkId,
         point: PointId,
-        pole: Point<B>,
-    ) -> (Line<B>, InflectionBy) {
+        pole: Point,
+    ) -> (Line, InflectionBy) {
         let at = self.at(point);
         let reason = self.reason(&[link]);
         let (ray, _) = self.board.toward(at, pole, reason);
@@ -219,7 +219,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// G on the circle: the foot of W on the line from P that is turned by φ from PW, tan φ = ε / ω².
-    fn acceleration_centre(&mut self, link: LinkId, pole: Point<B>, summit: Point<B>) {
+    fn acceleration_centre(&mut self, link: LinkId, pole: Point, summit: Point) {
         let reason = self.reason(&[link]);
         let (omega, alpha) = (self.rate(Order::Velocity, link), self.rate(Order::Acceleration, link));
         let (normal, diameter) = self.board.toward(pole, summit, reason);

@@ -1,7 +1,7 @@
 //! Kennedy's theorem shown on three links of the mechanism (`s000-ch3b` A4): a centre off the line of the two others
 //! would have two velocities.
 
-use crate::board::{Bench, Direction, Location, Point, Tape};
+use crate::board::{Direction, Location, Point};
 use crate::mechanism::LinkId;
 use crate::plan::chord;
 
@@ -14,7 +14,7 @@ const ARROW: f64 = 16.0;
 /// these lengths in mm.
 const OFF: (f64, f64, f64) = (0.35, 18.0, 40.0);
 
-impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// The three centres of the links on one line, and a trial place of the third off it.
     pub(super) fn draw_kennedy(&mut self, links: [LinkId; 3]) {
         self.board.purpose("Kennedy's theorem");
@@ -28,7 +28,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
             let reason = self.reason(&pair);
             places.push(self.board.locate(centre, reason));
         }
-        let finite: Vec<Point<B>> = places
+        let finite: Vec<Point> = places
             .iter()
             .filter_map(|place| match place {
                 Location::At(at) => Some(*at),
@@ -107,7 +107,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// The velocity of the trial point as a point of a link: square to the radius.
-    fn trial_velocity(&mut self, link: LinkId, trial: Point<B>, radius: Direction<B>, place: &Location<B>) {
+    fn trial_velocity(&mut self, link: LinkId, trial: Point, radius: Direction, place: &Location) {
         let square = self.board.quarter_turn(radius);
         let length = self.board.millimetres(ARROW);
         let tip = self.board.lay_off(trial, square, length);

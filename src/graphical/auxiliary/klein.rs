@@ -12,7 +12,7 @@
 //! 4. A crank that gathers speed (ε ≠ 0) has Aᵗ as well: ε/ω² times the crank, square to it at a, and the normal
 //!    part of the rod is moved along.
 
-use crate::board::{Amount, Bench, Direction, Line, Point, Tape};
+use crate::board::{Amount, Direction, Line, Point};
 use crate::given::Given;
 use crate::mechanism::Input;
 use crate::mechanism::engine::Engine;
@@ -23,47 +23,47 @@ use super::super::draughtsman::Draughtsman;
 use super::{AuxiliaryAct, PointName, StrokeRole};
 
 /// Klein's polygons on the skeleton.
-pub(in super::super) struct Klein<B: Bench> {
+pub(in super::super) struct Klein {
     pub(in super::super) crank: Engine,
-    omega: Amount<B>,
-    pole: Point<B>,
+    omega: Amount,
+    pole: Point,
     /// A: a of the velocities.
-    pin: Point<B>,
+    pin: Point,
     /// b.
-    image: Point<B>,
+    image: Point,
     /// Through A along the rod.
-    rod: Line<B>,
-    length: Amount<B>,
-    acceleration: Option<Accelerations<B>>,
+    rod: Line,
+    length: Amount,
+    acceleration: Option<Accelerations>,
 }
 
 /// The acceleration part.
-struct Accelerations<B: Bench> {
+struct Accelerations {
     /// a′.
-    pin: Point<B>,
+    pin: Point,
     /// End of the normal part of the rod.
-    foot: Point<B>,
+    foot: Point,
     /// b′.
-    image: Point<B>,
+    image: Point,
 }
 
-impl<B: Bench> Clone for Klein<B> {
+impl Clone for Klein {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<B: Bench> Copy for Klein<B> {}
+impl Copy for Klein {}
 
-impl<B: Bench> Clone for Accelerations<B> {
+impl Clone for Accelerations {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<B: Bench> Copy for Accelerations<B> {}
+impl Copy for Accelerations {}
 
-impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Draws the velocity part, and for accelerations both.
     pub(super) fn draw_klein(&mut self, crank: Engine, order: Order) {
         self.board.purpose("Klein's construction");
@@ -115,7 +115,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// ω and ε of the crank as the input gives them.
-    fn crank_rates(&mut self, crank: Engine) -> Option<(Amount<B>, Given)> {
+    fn crank_rates(&mut self, crank: Engine) -> Option<(Amount, Given)> {
         match self.mechanism.inputs[crank.input] {
             Input::Angle { omega, alpha, .. } => Some((self.board.amount(omega), alpha)),
             Input::Speed { point, speed, alpha, .. } => {
@@ -131,11 +131,11 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
 
     fn klein_accelerations(
         &mut self,
-        klein: &Klein<B>,
+        klein: &Klein,
         alpha: Given,
-        end: Point<B>,
-        guide: Direction<B>,
-    ) -> Accelerations<B> {
+        end: Point,
+        guide: Direction,
+    ) -> Accelerations {
         let Klein { crank, omega, pole, pin, image, rod, .. } = *klein;
         let Engine { crank_pin, slider_pin, pivot, slide, .. } = crank;
         let reason = self.reason(&[crank.crank, crank.rod]);
@@ -186,13 +186,13 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// What is read off the images, for the step list.
-    fn read_klein_images(&mut self, klein: &Klein<B>) {
+    fn read_klein_images(&mut self, klein: &Klein) {
         let Klein { crank, omega, pole, pin, image, length, .. } = *klein;
         let Engine { crank_pin, slider_pin, rod, .. } = crank;
         let rate = omega.value();
         let label = |point| Label::Image { point, link: None };
         let (a, b) = (label(crank_pin), label(slider_pin));
-        let apart = |p: Point<B>, q: Point<B>| {
+        let apart = |p: Point, q: Point| {
             let (p, q) = (p.value(), q.value());
             libm::hypot(q[0] - p[0], q[1] - p[1])
         };
@@ -227,9 +227,9 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// ω of the rod: ω of the crank times ab : AB.
-    fn klein_omega(&mut self, klein: &Klein<B>) -> Amount<B> {
+    fn klein_omega(&mut self, klein: &Klein) -> Amount {
         let [along, _] = self.board.square_off(klein.rod, klein.image);
         let scale = self.length_scale();
         let image = self.board.read(along, scale);
@@ -239,7 +239,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// ε of the rod: ω² of the crank times the tangential part over AB, against the sense in which it is drawn.
-    fn klein_alpha(&mut self, klein: &Klein<B>) -> Option<Amount<B>> {
+    fn klein_alpha(&mut self, klein: &Klein) -> Option<Amount> {
         let found = klein.acceleration?;
         let from = Line { through: found.foot, along: klein.rod.along };
         let [_, across] = self.board.square_off(from, found.image);
@@ -253,7 +253,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A vector of the velocity image turned by 90° in the sense of ω.
-    fn klein_velocity(&mut self, klein: &Klein<B>, from: Point<B>, to: Point<B>) -> [Amount<B>; 2] {
+    fn klein_velocity(&mut self, klein: &Klein, from: Point, to: Point) -> [Amount; 2] {
         let scale = self.length_scale();
         let [x, y] = self.board.between(from, to).map(|mm| self.board.read(mm, scale));
         let [x, y] = [self.board.product(klein.omega, x), self.board.product(klein.omega, y)];
@@ -261,7 +261,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// A vector of the acceleration image, against the sense in which it is drawn.
-    fn klein_acceleration(&mut self, klein: &Klein<B>, from: Point<B>, to: Point<B>) -> [Amount<B>; 2] {
+    fn klein_acceleration(&mut self, klein: &Klein, from: Point, to: Point) -> [Amount; 2] {
         let scale = self.length_scale();
         self.board.between(from, to).map(|mm| {
             let real = self.board.read(mm, scale);
@@ -272,7 +272,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// What Klein's construction says of a quantity.
-    pub(in super::super) fn klein_answer(&mut self, quantity: &Quantity) -> KleinAnswer<B> {
+    pub(in super::super) fn klein_answer(&mut self, quantity: &Quantity) -> KleinAnswer {
         let Some(klein) = self.kleins.iter().copied().find(|k| k.crank.leads_to(quantity)) else {
             return KleinAnswer::None;
         };
@@ -305,9 +305,9 @@ fn rod_foot(crank: Engine) -> Label {
 }
 
 /// What Klein's construction says of a quantity.
-pub(in super::super) enum KleinAnswer<B: Bench> {
-    Vector([Amount<B>; 2]),
-    Scalar(Amount<B>),
+pub(in super::super) enum KleinAnswer {
+    Vector([Amount; 2]),
+    Scalar(Amount),
     /// The construction does not lead there.
     None,
 }

@@ -10,7 +10,7 @@ mod klein;
 mod proportion;
 mod rotation;
 
-use crate::board::{Bench, Location, Point, Tape};
+use crate::board::{Location, Point};
 use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId};
@@ -332,7 +332,7 @@ const CURVE_WITHIN: f64 = 0.02;
 const CURVE_REACH: f64 = 600.0;
 
 /// Draws the planned auxiliary constructions.
-pub(super) fn draw<B: Bench<Recorder = Tape>>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
+pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     for &auxiliary in &plan.auxiliary {
         d.open_auxiliary(auxiliary);
         match auxiliary {
@@ -345,7 +345,7 @@ pub(super) fn draw<B: Bench<Recorder = Tape>>(d: &mut Draughtsman<'_, B>, plan: 
     }
 }
 
-impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Draws the centrodes of two links. They are curves through many positions, each drawn on its own board.
     fn draw_centrodes(&mut self, links: [LinkId; 2]) {
         let per_mm = self.scales.length;
@@ -397,31 +397,31 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     }
 
     /// Whether a point is determined: no divisor behind it is weak.
-    pub(super) fn stands(&mut self, point: Point<B>) -> bool {
+    pub(super) fn stands(&mut self, point: Point) -> bool {
         let origin = self.board.origin();
         let marks = self.board.between(origin, point).map(|mm| mm.mark());
-        marks.into_iter().all(|mark| self.board.recorder().weakness(mark).is_none())
+        marks.into_iter().all(|mark| self.board.tape().weakness(mark).is_none())
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
-    pub(super) fn aux_line(&mut self, from: Point<B>, to: Point<B>, role: StrokeRole, claim: Option<Claim>) {
+impl Draughtsman<'_> {
+    pub(super) fn aux_line(&mut self, from: Point, to: Point, role: StrokeRole, claim: Option<Claim>) {
         self.note_stroke(Stroke { shape: StrokeShape::Line(from.value(), to.value()), role, claim });
     }
 
-    pub(super) fn aux_circle(&mut self, centre: Point<B>, radius: f64, role: StrokeRole) {
+    pub(super) fn aux_circle(&mut self, centre: Point, radius: f64, role: StrokeRole) {
         let shape = StrokeShape::Circle { centre: centre.value(), radius };
         self.note_stroke(Stroke { shape, role, claim: None });
     }
 
     /// A mark that two lines from a corner are square to each other.
-    pub(super) fn aux_square(&mut self, corner: Point<B>, one: Point<B>, other: Point<B>) {
+    pub(super) fn aux_square(&mut self, corner: Point, one: Point, other: Point) {
         let shape =
             StrokeShape::RightAngle { corner: corner.value(), one: one.value(), other: other.value() };
         self.note_stroke(Stroke { shape, role: StrokeRole::Construction, claim: None });
     }
 
-    pub(super) fn aux_point(&mut self, name: PointName, at: Point<B>) {
+    pub(super) fn aux_point(&mut self, name: PointName, at: Point) {
         self.note_named(NamedPoint { name, at: at.value() });
     }
 }

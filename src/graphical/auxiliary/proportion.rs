@@ -1,14 +1,14 @@
 //! The third proportional on a line, by two circles and their common chord.
 
-use crate::board::{Bench, Circle, Direction, Line, Point, Side, Tape};
+use crate::board::{Circle, Direction, Line, Point, Side};
 
 use super::super::draughtsman::Draughtsman;
 use super::{Proportion, StrokeRole};
 
 /// Where a third proportional ends, and the direction square to its line.
-pub(super) type Cut<B> = (Point<B>, Direction<B>);
+pub(super) type Cut = (Point, Direction);
 
-impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// On the line from `start` to `end` the point C with start–C : start–through = start–through : start–end, and
     /// the direction square to the line.
     ///
@@ -17,11 +17,11 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
     /// meet: the line square at `end` meets the second circle, and the tangent there meets the line in C.
     pub(super) fn third_proportional(
         &mut self,
-        start: Point<B>,
-        end: Point<B>,
-        through: Point<B>,
+        start: Point,
+        end: Point,
+        through: Point,
         reason: crate::board::Reason,
-    ) -> (Cut<B>, Proportion) {
+    ) -> (Cut, Proportion) {
         let (along, whole) = self.board.toward(start, end, reason);
         let line = Line { through: start, along };
         let square = self.board.quarter_turn(along);

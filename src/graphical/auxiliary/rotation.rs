@@ -1,13 +1,13 @@
 //! The centre of a finite rotation: where the perpendicular bisectors of the ways of two points meet.
 
-use crate::board::{Bench, Line, Point, Tape};
+use crate::board::{Line, Point};
 use crate::mechanism::{LinkId, PointId};
 
 use super::super::centrodes;
 use super::super::draughtsman::Draughtsman;
 use super::{AuxiliaryAct, PointName, StrokeRole};
 
-impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Draws the second position of the mechanism dashed, with its input at `to`, and the centre about which the
     /// link turns from one to the other.
     pub(super) fn draw_rotation(&mut self, link: LinkId, to: f64) {
@@ -23,7 +23,7 @@ impl<B: Bench<Recorder = Tape>> Draughtsman<'_, B> {
         };
         for other in self.mechanism.moving().collect::<Vec<_>>() {
             let points = self.mechanism.link(other).points.clone();
-            let ends: Vec<Point<B>> = points.iter().filter_map(|&p| moved(self, p)).collect();
+            let ends: Vec<Point> = points.iter().filter_map(|&p| moved(self, p)).collect();
             for pair in ends.windows(2) {
                 self.aux_line(pair[0], pair[1], StrokeRole::Other, None);
             }

@@ -1,7 +1,7 @@
 //! The velocity diagram laid off from instant centres, so that the acceleration polygon is fed with their ω
 //! (`s000-ch3b` A 20): centres give no accelerations, but all that the normal parts and Coriolis need.
 
-use crate::board::{Bench, Line};
+use crate::board::Line;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::GroupKind;
 use crate::mechanism::{LinkId, PointId};
@@ -17,7 +17,7 @@ const ROLLING: Why = "a wheel that rolls on a moving body: its acceleration is n
 ///
 /// # Errors
 /// Why the centres do not lead to one of them.
-pub(in super::super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) -> Result<(), Why> {
+pub(in super::super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), Why> {
     d.open_polygon(Order::Velocity);
     d.omegas[LinkId::FRAME.0] = Some(d.rest());
     d.step(Order::Velocity, &[], Vec::new());
@@ -42,7 +42,7 @@ pub(in super::super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) 
     Ok(())
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// ω of a link and the velocities of its points, from its centre.
     fn lay_off_velocities(&mut self, link: LinkId) -> Result<(), Why> {
         let omega = self.omega_of(link, false)?;

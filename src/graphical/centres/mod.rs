@@ -17,7 +17,7 @@ mod velocities;
 
 use std::collections::BTreeMap;
 
-use crate::board::{Bench, HomogeneousLine, HomogeneousPoint, Location, Point};
+use crate::board::{HomogeneousLine, HomogeneousPoint, Location, Point};
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId, Rider, Roll};
 use crate::plan::{CentrePlan, Plan, chord};
@@ -31,20 +31,20 @@ use search::{Atlas, Chord, Derivation};
 pub(super) use velocities::{FromCentres, NO_INPUT, Why};
 
 /// The centres that stand on the skeleton.
-pub(super) struct Centres<B: Bench> {
+pub(super) struct Centres {
     /// By their links.
-    pub(super) known: BTreeMap<Chord, HomogeneousPoint<B>>,
-    normals: BTreeMap<Chord, (usize, HomogeneousLine<B>)>,
+    pub(super) known: BTreeMap<Chord, HomogeneousPoint>,
+    normals: BTreeMap<Chord, (usize, HomogeneousLine)>,
 }
 
-impl<B: Bench> Default for Centres<B> {
+impl Default for Centres {
     fn default() -> Self {
         Self { known: BTreeMap::new(), normals: BTreeMap::new() }
     }
 }
 
 /// Draws the circle diagram as far as the wanted centres need it.
-pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
+pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     let plan = &plan.centres;
     d.note_circle(CircleDiagram {
         links: (0..d.mechanism.links.len()).map(LinkId).collect(),
@@ -75,7 +75,7 @@ pub(super) fn draw<B: Bench>(d: &mut Draughtsman<'_, B>, plan: &Plan) {
     }
 }
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// Marks the centres that are seen from the pairs.
     fn primary_centres(&mut self, plan: &CentrePlan) {
         let takes_part = |c: &Chord| c.iter().all(|l| plan.links.contains(l)) && !plan.barred.contains(c);
@@ -125,7 +125,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     /// Where two bodies roll: of wheels the point that divides the line of their centres as their radii, from which
     /// a contact drawn by one radius alone may be off by as much as the stated distance of the centres is.
-    fn pitch_point(&mut self, roll: usize) -> Option<Point<B>> {
+    fn pitch_point(&mut self, roll: usize) -> Option<Point> {
         let contact = self.places[self.mechanism.contacts[roll].0]?;
         let Roll::Circles { links, centres, radii, internal } = self.mechanism.rolls[roll] else {
             return Some(contact);
@@ -167,7 +167,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// Notes a centre, unless an earlier pair has shown it.
-    fn centre_found(&mut self, links: Chord, centre: HomogeneousPoint<B>, found: Found) {
+    fn centre_found(&mut self, links: Chord, centre: HomogeneousPoint, found: Found) {
         if self.centres.known.contains_key(&links) {
             return;
         }
@@ -224,7 +224,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The line of the centres (i k) and (k j), or the common normal of i and j.
-    fn line_of_centres(&mut self, links: Chord, line: CentreLine) -> Option<HomogeneousLine<B>> {
+    fn line_of_centres(&mut self, links: Chord, line: CentreLine) -> Option<HomogeneousLine> {
         match line {
             CentreLine::Normal(_) => self.centres.normals.get(&links).map(|(_, line)| *line),
             CentreLine::Via(k) => {

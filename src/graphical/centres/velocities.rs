@@ -9,7 +9,7 @@
 //!   the next pin to the same pole, and what it cuts off is the velocity of that pin, turned back. Only the
 //!   *directions* to the poles are used: they may lie off the sheet.
 
-use crate::board::{Amount, Bench, HomogeneousPoint, Line, Location, Mm, Point, Scale};
+use crate::board::{Amount, HomogeneousPoint, Line, Location, Mm, Point, Scale};
 use crate::mechanism::quantity::{Method, Order, Quantity};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
@@ -24,18 +24,18 @@ pub(in super::super) type Why = &'static str;
 
 /// The motion of a link: its pole, and its rate about it (ω over the pole's weight; for a pole at infinity the
 /// velocity of the translation).
-struct Twist<B: Bench> {
-    pole: HomogeneousPoint<B>,
-    rate: Amount<B>,
+struct Twist {
+    pole: HomogeneousPoint,
+    rate: Amount,
 }
 
-impl<B: Bench> Clone for Twist<B> {
+impl Clone for Twist {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<B: Bench> Copy for Twist<B> {}
+impl Copy for Twist {}
 
 /// The mechanism is not driven in a way from which the methods can start.
 pub(in super::super) const NO_INPUT: Why =
@@ -47,13 +47,13 @@ const OFF_SHEET: Why = "a centre lies at infinity here; the method \"link-to-lin
 const NO_CHAIN: Why =
     "no chain of pins leads there from the input link; ask for it by the method \"centres\"";
 
-impl<B: Bench> Draughtsman<'_, B> {
+impl Draughtsman<'_> {
     /// A velocity or an angular velocity from centres.
     pub(in super::super) fn velocity_from_centres(
         &mut self,
         quantity: Quantity,
         method: Method,
-    ) -> Result<FromCentres<B>, Why> {
+    ) -> Result<FromCentres, Why> {
         self.board.purpose("velocity from centres");
         match method {
             Method::LineOfCentres => self.by_line_of_centres(quantity),
@@ -64,7 +64,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     // --- the direct method ---------------------------------------------------------------------
 
-    fn directly(&mut self, quantity: Quantity) -> Result<FromCentres<B>, Why> {
+    fn directly(&mut self, quantity: Quantity) -> Result<FromCentres, Why> {
         let of = |point: PointId, d: &Self| {
             transfer_home(d.mechanism, d.structure, point).unwrap_or(LinkId::FRAME)
         };
@@ -97,7 +97,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         }
     }
 
-    fn against(&mut self, b: PointId, of_b: LinkId, a: PointId, of_a: LinkId) -> Result<FromCentres<B>, Why> {
+    fn against(&mut self, b: PointId, of_b: LinkId, a: PointId, of_a: LinkId) -> Result<FromCentres, Why> {
         let (first, second) =
             (self.velocity_of_point(b, of_b, true)?, self.velocity_of_point(a, of_a, true)?);
         Ok(FromCentres::Vector([0, 1].map(|k| self.board.difference(first[k], second[k]))))
@@ -109,7 +109,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         point: PointId,
         link: LinkId,
         tell: bool,
-    ) -> Result<[Amount<B>; 2], Why> {
+    ) -> Result<[Amount; 2], Why> {
         if link == LinkId::FRAME {
             return Ok([self.rest(), self.rest()]);
         }
@@ -133,7 +133,7 @@ impl<B: Bench> Draughtsman<'_, B> {
         Ok(velocity)
     }
 
-    pub(super) fn omega_of(&mut self, link: LinkId, tell: bool) -> Result<Amount<B>, Why> {
+    pub(super) fn omega_of(&mut self, link: LinkId, tell: bool) -> Result<Amount, Why> {
         if link == LinkId::FRAME {
             return Ok(self.rest());
         }
@@ -142,7 +142,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The input link and its motion, read off its input.
-    fn input_twist(&mut self) -> Result<(LinkId, Twist<B>), Why> {
+    fn input_twist(&mut self) -> Result<(LinkId, Twist), Why> {
         let link = driver(self.mechanism).ok_or(NO_INPUT)?;
         let pole = *self.centres.known.get(&chord(LinkId::FRAME, link)).ok_or(NO_POLE)?;
         let rate = match self.mechanism.inputs[0] {
@@ -172,13 +172,13 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The rate of a link about its pole that turns it with ω.
-    fn rate_of_turning(&mut self, link: LinkId, pole: HomogeneousPoint<B>, omega: Amount<B>) -> Amount<B> {
+    fn rate_of_turning(&mut self, link: LinkId, pole: HomogeneousPoint, omega: Amount) -> Amount {
         let reason = self.reason(&[link]);
         self.board.rate_of(pole, omega, reason)
     }
 
     /// The motion of a link, by the centre that it has with the input link.
-    fn twist(&mut self, link: LinkId, tell: bool) -> Result<Twist<B>, Why> {
+    fn twist(&mut self, link: LinkId, tell: bool) -> Result<Twist, Why> {
         let (input, driving) = self.input_twist()?;
         if link == input {
             return Ok(driving);
@@ -217,7 +217,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     // --- line of centres and gauge line --------------------------------------------------------
 
     /// V of the transfer centre, laid off on the line of centres, and the gauge line from the pole.
-    fn by_line_of_centres(&mut self, quantity: Quantity) -> Result<FromCentres<B>, Why> {
+    fn by_line_of_centres(&mut self, quantity: Quantity) -> Result<FromCentres, Why> {
         let (point, link) = self.target(quantity, transfer_home)?;
         let (input, driving) = self.input_twist()?;
         let reason = self.reason(&[input, link]);
@@ -278,7 +278,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// What is asked of the input link itself: no centre has to be changed.
-    fn of_input(&mut self, point: Option<PointId>, link: LinkId) -> Result<FromCentres<B>, Why> {
+    fn of_input(&mut self, point: Option<PointId>, link: LinkId) -> Result<FromCentres, Why> {
         match point {
             Some(point) => self.velocity_of_point(point, link, true).map(FromCentres::Vector),
             None => self.omega_of(link, true).map(FromCentres::Scalar),
@@ -286,7 +286,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// What is asked of a link that does not turn.
-    fn of_translation(&mut self, point: Option<PointId>, velocity: [Amount<B>; 2]) -> FromCentres<B> {
+    fn of_translation(&mut self, point: Option<PointId>, velocity: [Amount; 2]) -> FromCentres {
         match point {
             Some(point) => {
                 let at = self.at(point);
@@ -298,7 +298,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// ω = V / (1k–P), with the sense that the arrow shows.
-    fn omega_by(&mut self, link: LinkId, spot: Spot, along: Mm<B>, radius: Mm<B>) -> Amount<B> {
+    fn omega_by(&mut self, link: LinkId, spot: Spot, along: Mm, radius: Mm) -> Amount {
         let (scale, paper) = (self.length_scale(), self.polygon_scale(Order::Velocity));
         let reason = self.reason(&[link]);
         let (speed, length) = (self.board.read(along, paper), self.board.read(radius, scale));
@@ -317,11 +317,11 @@ impl<B: Bench> Draughtsman<'_, B> {
     /// radius; the point is turned about the pole onto that radius.
     fn on_gauge(
         &mut self,
-        pole: Point<B>,
-        (from, along, spot): (Point<B>, Mm<B>, Spot),
+        pole: Point,
+        (from, along, spot): (Point, Mm, Spot),
         point: PointId,
         reason: u32,
-    ) -> [Amount<B>; 2] {
+    ) -> [Amount; 2] {
         let paper = self.polygon_scale(Order::Velocity);
         let at = self.at(point);
         let (away, _) = self.board.toward(pole, from, reason);
@@ -350,14 +350,14 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// An arrow of the skeleton read as a velocity.
-    fn arrow(&mut self, from: Point<B>, to: Point<B>, paper: Scale) -> [Amount<B>; 2] {
+    fn arrow(&mut self, from: Point, to: Point, paper: Scale) -> [Amount; 2] {
         self.board.between(from, to).map(|mm| self.board.read(mm, paper))
     }
 
     // --- from pin to pin -----------------------------------------------------------------------
 
     /// From the input link along a chain of pins, by gauge lines or by parallels to the links.
-    fn by_chain(&mut self, quantity: Quantity, method: Method) -> Result<FromCentres<B>, Why> {
+    fn by_chain(&mut self, quantity: Quantity, method: Method) -> Result<FromCentres, Why> {
         let (point, link) = self.target(quantity, home)?;
         let (input, driving) = self.input_twist()?;
         if link == input {
@@ -412,8 +412,8 @@ impl<B: Bench> Draughtsman<'_, B> {
         &mut self,
         link: LinkId,
         pin: PointId,
-        velocity: [Amount<B>; 2],
-    ) -> Result<FromCentres<B>, Why> {
+        velocity: [Amount; 2],
+    ) -> Result<FromCentres, Why> {
         let pole = *self.centres.known.get(&chord(LinkId::FRAME, link)).ok_or(NO_POLE)?;
         let (at, scale) = (self.at(pin), self.length_scale());
         let reason = self.reason(&[link]);
@@ -422,7 +422,7 @@ impl<B: Bench> Draughtsman<'_, B> {
     }
 
     /// The tip of a velocity's arrow at its point.
-    fn tip(&mut self, at: Point<B>, velocity: [Amount<B>; 2], paper: Scale) -> Point<B> {
+    fn tip(&mut self, at: Point, velocity: [Amount; 2], paper: Scale) -> Point {
         let [x, y] = velocity.map(|v| self.board.to_paper(v, paper));
         self.board.moved(at, [x, y])
     }
@@ -439,10 +439,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn by_gauge(
         &mut self,
         link: LinkId,
-        (pin, from, tip): (PointId, Point<B>, Point<B>),
+        (pin, from, tip): (PointId, Point, Point),
         to: PointId,
         omega_too: bool,
-    ) -> Result<FromCentres<B>, Why> {
+    ) -> Result<FromCentres, Why> {
         let reason = self.reason(&[link]);
         let pole = *self.centres.known.get(&chord(LinkId::FRAME, link)).ok_or(NO_POLE)?;
         let paper = self.polygon_scale(Order::Velocity);
@@ -471,10 +471,10 @@ impl<B: Bench> Draughtsman<'_, B> {
     fn by_parallel(
         &mut self,
         link: LinkId,
-        (pin, from, tip): (PointId, Point<B>, Point<B>),
+        (pin, from, tip): (PointId, Point, Point),
         to: PointId,
         omega_too: bool,
-    ) -> Result<FromCentres<B>, Why> {
+    ) -> Result<FromCentres, Why> {
         let reason = self.reason(&[link]);
         let pole = *self.centres.known.get(&chord(LinkId::FRAME, link)).ok_or(NO_POLE)?;
         let (scale, paper) = (self.length_scale(), self.polygon_scale(Order::Velocity));
@@ -538,7 +538,7 @@ impl<B: Bench> Draughtsman<'_, B> {
 
     // --- the record ----------------------------------------------------------------------------
 
-    fn draw_velocity(&mut self, of: Spot, at: Point<B>, velocity: [Amount<B>; 2]) {
+    fn draw_velocity(&mut self, of: Spot, at: Point, velocity: [Amount; 2]) {
         let paper = self.polygon_scale(Order::Velocity);
         let tip = self.tip(at, velocity, paper);
         self.draw_transfer(TransferInk::Velocity { at: at.value(), tip: tip.value(), of });
@@ -566,16 +566,16 @@ impl<B: Bench> Draughtsman<'_, B> {
 }
 
 /// A velocity, or an angular velocity, found from centres.
-pub(in super::super) enum FromCentres<B: Bench> {
+pub(in super::super) enum FromCentres {
     /// A velocity.
-    Vector([Amount<B>; 2]),
+    Vector([Amount; 2]),
     /// An angular velocity.
-    Scalar(Amount<B>),
+    Scalar(Amount),
 }
 
 /// The farther of two points from a third.
-fn farther<B: Bench>(from: Point<B>, one: Point<B>, other: Point<B>) -> [f64; 2] {
-    let away = |p: &Point<B>| {
+fn farther(from: Point, one: Point, other: Point) -> [f64; 2] {
+    let away = |p: &Point| {
         let (a, b) = (from.value(), p.value());
         libm::hypot(b[0] - a[0], b[1] - a[1])
     };

@@ -1,0 +1,389 @@
+//! Bounds of the results of a tape, from what is known when they are asked for.
+//!
+//! One sweep back from an asked result adds up what every rounding and every uncertain number of the scene does to it,
+//! *with* the correlations that running error bounds lose: a chain of twenty dyads keeps its digits.
+//!
+//! The bound is no estimate of first order. Let a result be computed as x̂ₖ = f(x̂) + δₖ, and let eₖ be the error
+//! that it has. Then eₖ = Σ ∂f(x̂)·e + δₖ − ρₖ, where ρₖ is what the errors of the operands do to f beyond its
+//! tangent: eₐ·e_b for a product, the quotient's own error times the divisor's relative one, and so on. These
+//! equations are linear in e, so that the sweep back solves them without neglect: the error of the answer is
+//! Σ ∂answer/∂xₖ·(δₖ − ρₖ), and its bound the sum of the sizes. A bound of ρₖ needs only rough bounds of the
+//! operands' errors, since it is of second order in them: running ones, drawn in by sweeps of their own where
+//! they are too rough for that. All of this is done when somebody asks, operation by operation up to where he asks.
+
+use std::collections::BinaryHeap;
+
+use super::op::{MOST_OPERANDS, OF_PARTIALS, Op};
+use super::scalar::Arithmetic;
+use super::tape::{Errors, Event, Node, Reason, Role, Tape};
+use crate::double_double::DoubleDouble;
+use crate::wide::Wide;
+
+/// Bits of a word.
+const WORD: usize = u64::BITS as usize;
+
+/// What is known of the error of a result.
+#[derive(Debug, Clone, Copy)]
+struct Slot {
+    /// The partial derivatives by its operands.
+    partials: [f64; MOST_OPERANDS],
+    /// What this operation adds to the error: its rounding, and what the tangent leaves out of it.
+    own: f64,
+    /// The error is no larger; without the correlations often much smaller.
+    error: f64,
+    /// A coordinate of a point that was drawn.
+    is_point: bool,
+    drawn_in: DrawnIn,
+}
+
+/// How far the error of a slot has been drawn in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum DrawnIn {
+    /// It is a running error.
+    Not,
+    /// From the nearest points behind it, whose errors are drawn in by sweeps that end at points drawn in before.
+    ToPoints,
+    /// From the nearest points behind it, whose errors are drawn in by sweeps through the whole tape.
+    ToExactPoints,
+    /// By a sweep of its own through the whole tape.
+    Wholly,
+}
+
+/// A divisor that does not exceed its error.
+#[derive(Debug, Clone, Copy)]
+struct WeakDivisor {
+    slot: u32,
+    reason: Reason,
+}
+
+/// The bounds of a tape, as far as somebody has asked.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Bounds {
+    slots: Vec<Slot>,
+    /// How many events of the tape have been looked at.
+    events: usize,
+    weak: Vec<WeakDivisor>,
+    adjoint: Vec<f64>,
+    reached: Vec<bool>,
+    /// Scratch of local sweeps: zero between them.
+    local: Vec<f64>,
+    /// The slots that a local sweep has still to look at, a bit each.
+    waiting: Vec<u64>,
+}
+
+/// How far operands are drawn in, one sweep after the other as long as what the tangent leaves out is more than
+/// these parts of the rounding and of what the operands' errors do along the tangent. Running errors may be
+/// too rough to measure anything by; the longer the sweep, the more must depend on it.
+const SWEEPS: [(DrawnIn, f64, f64); 3] =
+    [(DrawnIn::ToPoints, 1.0 / 64.0, 0.0), (DrawnIn::ToExactPoints, 1.0, 0.0), (DrawnIn::Wholly, 8.0, 1e-6)];
+
+/// A divisor is too weak to divide by when its error passes this part of it.
+pub(super) const WEAK_DIVISOR: f64 = 1.0 / 8.0;
+
+/// The bound is itself computed in doubles.
+pub(super) const ROUNDED: f64 = 1e-9;
+
+impl Tape {
+    /// Bound of a recorded result: |value − truth| ≤ bound, unless [`Tape::weakness`] says that it has
+    /// none.
+    pub fn bound(&mut self, mark: u32) -> f64 {
+        (1.0 + ROUNDED) * self.total_error(mark)
+    }
+
+    /// A bound that is at hand and often much larger than [`Tape::bound`], since it knows no correlations.
+    #[must_use]
+    pub fn rough_bound(&mut self, mark: u32) -> f64 {
+        self.evaluate();
+        (1.0 + ROUNDED) * self.error_of(mark)
+    }
+
+    /// The part of [`Tape::bound`] that the numbers of the scene bring with them, each known to half a unit in its
+    /// last place: no drawing can do better. In unit roundoffs, the conditioning of the result.
+    pub fn inherited(&mut self, mark: u32) -> f64 {
+        self.sweep_back(mark);
+        let slots = self.bounds.adjoint.iter().zip(&self.bounds.slots).zip(&self.nodes);
+        let given = slots.filter(|((_, slot), node)| matches!(node, Node::Leaf(_)) && slot.own > 0.0);
+        given.map(|((adjoint, slot), _)| adjoint.abs() * slot.own).sum()
+    }
+
+    /// The reason of the first divisor behind this result that does not exceed its own error eightfold.
+    pub fn weakness(&mut self, mark: u32) -> Option<Reason> {
+        self.evaluate();
+        if self.bounds.weak.is_empty() {
+            return None;
+        }
+        self.sweep_back(mark);
+        let reached = &self.bounds.reached;
+        let is_behind = |d: &&WeakDivisor| reached.get(d.slot as usize).copied().unwrap_or(false);
+        self.bounds.weak.iter().find(is_behind).map(|d| d.reason)
+    }
+
+    /// ∂(result)/∂(slot): how the result moves when the slot is moved alone.
+    pub fn sensitivity(&mut self, mark: u32, slot: u32) -> f64 {
+        self.sweep_back(mark);
+        self.bounds.adjoint.get(slot as usize).copied().unwrap_or(0.0)
+    }
+
+    /// What all slots together can do to a result.
+    pub(super) fn total_error(&mut self, mark: u32) -> f64 {
+        self.sweep_back(mark);
+        // What does not lead to the result may err without bound.
+        let slots = self.bounds.adjoint.iter().zip(&self.bounds.slots);
+        let moves = slots.filter(|(adjoint, _)| **adjoint != 0.0);
+        moves.map(|(adjoint, slot)| adjoint.abs() * slot.own).sum()
+    }
+
+    /// What all slips of the hand together can do to a result, to first order.
+    pub fn worst(&mut self, mark: u32) -> f64 {
+        self.total_error(mark)
+    }
+
+    // --- operation by operation ----------------------------------------------------------------
+
+    /// Follows the tape to its end.
+    fn evaluate(&mut self) {
+        for index in self.bounds.slots.len()..self.nodes.len() {
+            self.look_at_events(index);
+            match self.nodes[index] {
+                Node::Leaf(leaf) => {
+                    let own = self.leaf_error(leaf);
+                    self.push([0.0; MOST_OPERANDS], own, own);
+                }
+                Node::Made(op, of) => self.follow(index, op, of),
+            }
+        }
+        self.look_at_events(self.nodes.len());
+    }
+
+    fn leaf_error(&self, leaf: u32) -> f64 {
+        let Some(leaf) = self.leaves.get(leaf as usize) else { return f64::INFINITY };
+        match self.errors {
+            Errors::Slips(_) if leaf.role != Role::Slip => 0.0,
+            _ => leaf.error,
+        }
+    }
+
+    fn push(&mut self, partials: [f64; MOST_OPERANDS], own: f64, error: f64) {
+        self.bounds.slots.push(Slot { partials, own, error, is_point: false, drawn_in: DrawnIn::Not });
+    }
+
+    fn look_at_events(&mut self, before: usize) {
+        while let Some(&(at, event)) = self.events.get(self.bounds.events) {
+            if at as usize > before {
+                return;
+            }
+            self.bounds.events += 1;
+            match event {
+                Event::Point(marks) => {
+                    for mark in marks {
+                        if let Some(slot) = self.bounds.slots.get_mut(mark as usize) {
+                            slot.is_point = true;
+                        }
+                    }
+                }
+                Event::Divisor { slot, value, reason } => self.judge(slot, value, reason),
+            }
+        }
+    }
+
+    fn judge(&mut self, mark: u32, value: f64, reason: Reason) {
+        // Written so that a not-a-number counts as weak, and a zero that has no error.
+        let clear = |tape: &Self| tape.error_of(mark) < WEAK_DIVISOR * value.abs();
+        for (sweep, ..) in SWEEPS.into_iter().filter(|_| value != 0.0) {
+            if !clear(self) {
+                self.draw_in(mark, sweep);
+            }
+        }
+        if !clear(self) {
+            self.bounds.weak.push(WeakDivisor { slot: mark, reason });
+        }
+    }
+
+    fn follow(&mut self, index: usize, op: Op, of: [u32; MOST_OPERANDS]) {
+        let count = op.operands();
+        let mut at = [0.0; MOST_OPERANDS];
+        for (at, &mark) in at.iter_mut().zip(&of[..count]) {
+            *at = self.values.get(mark as usize).copied().unwrap_or(0.0);
+        }
+        let value = self.values[index];
+        let partials = op.partials(at, value);
+        if self.errors != Errors::Roundings {
+            let error = self.along(&partials, &of[..count]);
+            return self.push(partials, 0.0, error);
+        }
+        let rounding = match self.arithmetic {
+            Arithmetic::Single => op.rounding::<f32>(at, value),
+            Arithmetic::Double => op.rounding::<f64>(at, value),
+            Arithmetic::DoubleDouble => op.rounding::<DoubleDouble>(at, value),
+            Arithmetic::Wide => op.rounding::<Wide>(at, value),
+        };
+        let errors = |tape: &Self| {
+            let mut errors = [0.0; MOST_OPERANDS];
+            for (error, &mark) in errors.iter_mut().zip(&of[..count]) {
+                *error = tape.error_of(mark);
+            }
+            errors
+        };
+        let mut along = self.along(&partials, &of[..count]);
+        let mut beyond = op.beyond(&partials, &errors(self), along);
+        for (sweep, of_rounding, of_error) in SWEEPS {
+            let matters = beyond.left_out > of_rounding * rounding + of_error * along;
+            if !matters || beyond.left_out.is_infinite() {
+                break;
+            }
+            for &mark in &of[..count] {
+                self.draw_in(mark, sweep);
+            }
+            along = self.along(&partials, &of[..count]);
+            beyond = op.beyond(&partials, &errors(self), along);
+        }
+        if beyond.has_tangent {
+            let own = rounding + beyond.left_out + OF_PARTIALS * along;
+            self.push(partials, own, own + along);
+        } else {
+            let own = rounding + beyond.left_out;
+            self.push([0.0; MOST_OPERANDS], own, own);
+        }
+    }
+
+    /// A bound of the error of a slot.
+    fn error_of(&self, mark: u32) -> f64 {
+        self.bounds.slots.get(mark as usize).map_or(f64::INFINITY, |slot| slot.error)
+    }
+
+    /// What the errors of the operands do to a result along the tangent.
+    fn along(&self, partials: &[f64; MOST_OPERANDS], of: &[u32]) -> f64 {
+        // What does not move it may err without bound.
+        let passed_on =
+            |partial: f64, mark: u32| if partial == 0.0 { 0.0 } else { partial.abs() * self.error_of(mark) };
+        partials.iter().zip(of).map(|(&partial, &mark)| passed_on(partial, mark)).sum()
+    }
+
+    /// The operands of a result.
+    fn operands(&self, index: usize) -> &[u32] {
+        match &self.nodes[index] {
+            Node::Leaf(_) => &[],
+            Node::Made(op, of) => &of[..op.operands()],
+        }
+    }
+
+    // --- sweeps --------------------------------------------------------------------------------
+
+    /// Draws in the error of a slot, as far as this sweep can.
+    ///
+    /// Where the nearest points behind it are drawn in by sweeps that end at points drawn in before, the
+    /// correlations within some ten groups count, and a long chain costs no more for each of its links than a
+    /// short one.
+    fn draw_in(&mut self, mark: u32, sweep: DrawnIn) {
+        let slot = self.bounds.slots.get(mark as usize).filter(|slot| slot.drawn_in < sweep);
+        let Some(slot) = slot else { return };
+        let nothing = slot.error == 0.0;
+        if nothing || sweep == DrawnIn::Wholly {
+            let error = if nothing { 0.0 } else { self.error_behind(mark, false) };
+            self.set_drawn_in(mark, error, sweep);
+            return;
+        }
+        let mut points = Vec::new();
+        let mut between = Vec::new();
+        let mut heap = BinaryHeap::from([mark]);
+        while let Some(index) = heap.pop() {
+            // What is reached twice comes twice in a row.
+            if heap.peek() == Some(&index) {
+                continue;
+            }
+            let slot = &self.bounds.slots[index as usize];
+            if slot.drawn_in >= sweep {
+                continue;
+            }
+            if slot.is_point {
+                points.push(index);
+            } else {
+                between.push(index);
+                heap.extend(self.operands(index as usize));
+            }
+        }
+        for &point in points.iter().rev() {
+            let error = self.error_behind(point, sweep == DrawnIn::ToPoints);
+            self.set_drawn_in(point, error, sweep);
+        }
+        for &index in between.iter().rev() {
+            let slot = &self.bounds.slots[index as usize];
+            let error = slot.own + self.along(&slot.partials, self.operands(index as usize));
+            self.set_drawn_in(index, error, sweep);
+        }
+    }
+
+    fn set_drawn_in(&mut self, mark: u32, error: f64, sweep: DrawnIn) {
+        if let Some(slot) = self.bounds.slots.get_mut(mark as usize) {
+            slot.error = slot.error.min(error);
+            slot.drawn_in = sweep;
+        }
+    }
+
+    /// A bound of the error of a slot, by a sweep back that may end at points that are drawn in.
+    fn error_behind(&mut self, mark: u32, ends_at_points: bool) -> f64 {
+        let Self { nodes, bounds, .. } = self;
+        let Bounds { slots, local, waiting: bits, .. } = bounds;
+        local.resize(slots.len(), 0.0);
+        bits.resize(slots.len().div_ceil(WORD), 0);
+        let mut word = mark as usize / WORD;
+        local[mark as usize] = 1.0;
+        bits[word] = 1 << (mark as usize % WORD);
+        let (mut waiting, mut error) = (1_usize, 0.0);
+        while waiting > 0 {
+            // A slot depends on earlier ones: the last that waits is the next. What is given stands at the very
+            // beginning; the way there must not cost a step for each slot between.
+            let Some(bit) = bits[word].checked_ilog2() else {
+                word -= 1;
+                continue;
+            };
+            bits[word] ^= 1 << bit;
+            waiting -= 1;
+            let index = word * WORD + bit as usize;
+            let adjoint = std::mem::take(&mut local[index]);
+            if adjoint != 0.0 {
+                let slot = &slots[index];
+                let known = slot.is_point && slot.drawn_in > DrawnIn::Not && index != mark as usize;
+                if ends_at_points && known {
+                    error += adjoint.abs() * slot.error;
+                    continue;
+                }
+                error += adjoint.abs() * slot.own;
+                let Node::Made(op, of) = nodes[index] else { continue };
+                for (&part, partial) in of[..op.operands()].iter().zip(slot.partials) {
+                    let part = part as usize;
+                    local[part] += adjoint * partial;
+                    let (word, bit) = (part / WORD, 1 << (part % WORD));
+                    waiting += usize::from(bits[word] & bit == 0);
+                    bits[word] |= bit;
+                }
+            }
+        }
+        error
+    }
+
+    /// Fills `adjoint` and `reached` for the slots up to `mark`.
+    fn sweep_back(&mut self, mark: u32) {
+        self.evaluate();
+        let last = mark as usize;
+        let Self { nodes, bounds, .. } = self;
+        let Bounds { slots, adjoint: adjoints, reached, .. } = bounds;
+        adjoints.clear();
+        adjoints.resize(last + 1, 0.0);
+        reached.clear();
+        reached.resize(last + 1, false);
+        adjoints[last] = 1.0;
+        reached[last] = true;
+        for index in (0..=last).rev() {
+            if !reached[index] {
+                continue;
+            }
+            let Node::Made(op, of) = nodes[index] else { continue };
+            let adjoint = adjoints[index];
+            for (&part, partial) in of[..op.operands()].iter().zip(slots[index].partials) {
+                adjoints[part as usize] += adjoint * partial;
+                reached[part as usize] = true;
+            }
+        }
+    }
+}
