@@ -2,19 +2,19 @@
 //! positions at a time and without allocation.
 //!
 //! Forward every operation notes its rounding, what the errors of its operands do to it beyond its tangent, and a
-//! running error, by the rules of `reckon.rs` and `tape.rs`; from each asked number one sweep back over the operations
+//! running error, by the rules of `op.rs`; from each asked number one sweep back over the operations
 //! adds up what every rounding and every uncertain number does to it, with their correlations. The running errors serve
 //! to see that divisors stand clear, and for what the tangent leaves out; where they are too rough for that they are
 //! replaced by sweeps of their own, as on the tape.
 //!
-//! Numbers that hang on nothing that is varied were reckoned before; each counts with its own error, as if it
+//! Numbers that hang on nothing that is varied were computed before; each counts with its own error, as if it
 //! were independent of the others.
 
 use super::bounds::{ROUNDED, WEAK_DIVISOR};
 use super::op::{Beyond, OF_PARTIALS, Op};
 use super::program::{Node, Transcript, signed};
 
-/// Positions that are bounded together: fewer than are reckoned, for four numbers stand for each.
+/// Positions that are bounded together: fewer than are computed, for four numbers stand for each.
 pub const FEW: usize = 8;
 
 /// One number for each of [`FEW`] positions.
@@ -25,7 +25,7 @@ struct Step {
     op: Op,
     to: u32,
     /// Of a sine and cosine: where the sine goes. Of a quotient, root or angle: where the reciprocal goes
-    /// by which the derivatives are reckoned.
+    /// by which the derivatives are computed.
     second: u32,
     from: [u32; 4],
 }
@@ -153,7 +153,7 @@ impl BoundedProgram {
             Op::Quotient | Op::Root | Op::HalfChord | Op::Angle | Op::Turned => self.row(None),
             _ => 0,
         };
-        // Sine and cosine are reckoned in one go, the cosine first.
+        // Sine and cosine are computed in one go, the cosine first.
         let (op, rows_here) = match op {
             Op::Cosine | Op::Sine => (Op::Cosine, [(Op::Cosine, to), (Op::Sine, second)].to_vec()),
             op => (op, vec![(op, to)]),
@@ -200,7 +200,7 @@ impl BoundedProgram {
         block
     }
 
-    /// Reckons a few positions and the bounds of their numbers. `errors` is how far each input may be off; `signs`
+    /// Computes a few positions and the bounds of their numbers. `errors` is how far each input may be off; `signs`
     /// has one number, 1 or −1, for each chord.
     pub fn run(&self, inputs: &[f64; FEW], errors: &[f64; FEW], signs: &[f64], block: &mut BoundedBlock) {
         block.values[0] = *inputs;

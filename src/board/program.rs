@@ -23,13 +23,13 @@ use super::op::{MOST_OPERANDS, Op};
 use super::tape::{self, Event, Leaf, Reason, Role, Tape};
 use crate::given::Given;
 
-/// Positions that are reckoned together.
+/// Positions that are computed together.
 pub const LANES: usize = 16;
 
 /// One number for each of [`LANES`] positions.
 pub type Lane = [f64; LANES];
 
-/// Unit roundoff of the doubles in which programs reckon.
+/// Unit roundoff of the doubles in which programs compute.
 pub(super) const U: f64 = f64::EPSILON / 2.0;
 
 /// A number stands clear of its error as a divisor does on the tape.
@@ -133,7 +133,7 @@ impl Transcript {
         self.node(Node::Constant(value, error), value)
     }
 
-    /// The error of what is reckoned from constants alone.
+    /// The error of what is computed from constants alone.
     fn folded_error(&self, op: Op, of: Operands, value: f64) -> f64 {
         let values = of.map(|slot| self.value(slot));
         let errors = of.map(|slot| match self.nodes.get(slot as usize) {
@@ -169,7 +169,7 @@ impl Transcript {
         slot
     }
 
-    /// The slot of what is reckoned so.
+    /// The slot of what is computed so.
     pub(super) fn made(&self, op: Op, of: Operands) -> Option<u32> {
         self.made.get(&(op, of)).copied()
     }
@@ -264,13 +264,13 @@ impl Transcript {
         slot
     }
 
-    /// What is reckoned from constants alone is a constant.
+    /// What is computed from constants alone is a constant.
     fn fold(&mut self, op: Op, of: Operands) -> u32 {
         let value = op.value(of.map(|slot| self.value(slot)));
         if !self.with_errors {
             return self.constant(value);
         }
-        // The same reckoning of the same numbers has the same error, not one of its own.
+        // The same computation of the same numbers has the same error, not one of its own.
         if let Some(&slot) = self.made.get(&(op, of)) {
             return slot;
         }
@@ -280,13 +280,13 @@ impl Transcript {
         slot
     }
 
-    /// The program that reckons these numbers with a bound for each.
+    /// The program that computes these numbers with a bound for each.
     #[must_use]
     pub fn bounded(&self, asked: &[u32]) -> BoundedProgram {
         BoundedProgram::new(self, asked)
     }
 
-    /// The program that reckons these numbers; with what has to be watched on the way, or without.
+    /// The program that computes these numbers; with what has to be watched on the way, or without.
     ///
     /// Conditions count only behind an answer: a meet that was drawn for a track that nobody took limits nothing.
     #[must_use]
@@ -348,7 +348,7 @@ impl Transcript {
                 Op::Turned => from[2] = of[2],
                 _ => {}
             }
-            // Sine and cosine of one angle are reckoned in one go: the second stands with the first.
+            // Sine and cosine of one angle are computed in one go: the second stands with the first.
             let partner = match op {
                 Op::Cosine => self.made.get(&(Op::Sine, of)),
                 Op::Sine => self.made.get(&(Op::Cosine, of)),
@@ -399,7 +399,7 @@ impl Transcript {
         program
     }
 
-    /// Which numbers these numbers have been reckoned from, themselves among them.
+    /// Which numbers these numbers have been computed from, themselves among them.
     fn behind_all(&self, slots: impl Iterator<Item = u32>) -> Vec<bool> {
         let mut reached = vec![false; self.nodes.len()];
         for slot in slots {
@@ -418,7 +418,7 @@ impl Transcript {
         reached
     }
 
-    /// Which numbers a number has been reckoned from, itself among them.
+    /// Which numbers a number has been computed from, itself among them.
     pub(super) fn behind(&self, slot: u32) -> Vec<bool> {
         let mut reached = vec![false; self.nodes.len()];
         let mut open = vec![slot];
@@ -444,7 +444,7 @@ impl Transcript {
         }
         for slot in (0..self.nodes.len()).rev() {
             if let (true, Node::Made(op, of)) = (uses[slot] != Use::Never, self.nodes[slot]) {
-                // What is reckoned with its partner is reckoned when the first of them is.
+                // What is computed with its partner is computed when the first of them is.
                 for &operand in &of[..op.operands()] {
                     if uses[operand as usize] == Use::Never {
                         uses[operand as usize] = Use::At(slot);
@@ -770,7 +770,7 @@ impl Program {
         Block { rows }
     }
 
-    /// Reckons a block of positions. `signs` has one number, 1 or −1, for each chord: −1 takes the other
+    /// Computes a block of positions. `signs` has one number, 1 or −1, for each chord: −1 takes the other
     /// meeting point than the drawing that was transcribed; then, for each angle that goes on, the number of half turns
     /// that it is near.
     pub fn run(&self, inputs: &Lane, signs: &[f64], block: &mut Block) {
@@ -823,7 +823,7 @@ impl Program {
         }
     }
 
-    /// Reckons one position, with the derivative of every number by the input and its error. The input counts as
+    /// Computes one position, with the derivative of every number by the input and its error. The input counts as
     /// uncertain by a unit in its last place, as a number of the scene and its unit do.
     pub fn look(&self, input: f64, signs: &[f64], place: &mut Place) {
         place.looks += 1;
@@ -833,7 +833,7 @@ impl Program {
         rows[0] = Row { value: input, slope: 1.0, ..Row::default() };
         rows[0].round(2.0 * U * input.abs(), lots(0));
         for (number, &(row, value)) in self.constants.iter().enumerate() {
-            // A constant has been reckoned from numbers of the scene: a few roundings.
+            // A constant has been computed from numbers of the scene: a few roundings.
             let constant = &mut rows[row as usize];
             constant.value = value;
             constant.round(4.0 * U * value.abs(), lots(usize::MAX - number));

@@ -1,4 +1,4 @@
-//! The arithmetic in which the board reckons.
+//! The arithmetic in which the board computes.
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -7,7 +7,7 @@ use crate::double_double::DoubleDouble;
 use crate::given::Given;
 use crate::wide::Wide;
 
-/// The arithmetics that a board can reckon in.
+/// The arithmetics that a board can compute in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Arithmetic {
     /// Single precision, about 7 digits.
