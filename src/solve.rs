@@ -28,7 +28,7 @@ pub struct Solved {
     pub structure: Structure,
     /// The steps that were needed.
     pub plan: Plan,
-    /// The scales at which it was drawn.
+    /// The scales of the page.
     pub scales: Scales,
     /// The graphical solution.
     pub solution: Solution,
@@ -128,17 +128,8 @@ pub fn solve_with(
     };
     let others = sweep::other_positions(&scene.mechanism, inputs, assembly)?;
     let draw = |plan: &Plan| {
-        let extents = graphical::extents(&scene.mechanism, &structure, plan)?.with(&others);
-        let construct = |extents| {
-            let scales = choose(scene, extents);
-            graphical::construct_in(settings.arithmetic, &scene.mechanism, &structure, plan, scales)
-                .map(|solution| (scales, solution))
-        };
-        let (scales, solution) = construct(extents.clone())?;
-        match solution.without_noise(&extents) {
-            Some(quiet) => construct(quiet),
-            None => Ok((scales, solution)),
-        }
+        let page = |extents: Extents| choose(scene, extents.with(&others));
+        graphical::solution(settings.arithmetic, &scene.mechanism, &structure, plan, page)
     };
     let plan_from = |source, left_out: &BTreeSet<usize>| {
         Plan::leaving_out(&scene.mechanism, &structure, extent, source, auxiliary, left_out)

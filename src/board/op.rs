@@ -110,8 +110,11 @@ impl Op {
             Self::Sum => R::rounding_of_sum(real(a), real(b), real(value)),
             Self::Difference => R::rounding_of_sum(real(a), real(-b), real(value)),
             Self::Opposite => 0.0,
-            Self::Product if a.abs() == 1.0 || b.abs() == 1.0 => 0.0,
-            Self::Quotient if b.abs() == 1.0 => 0.0,
+            // Powers of two only shift.
+            Self::Product if is_power_of_two(a) || is_power_of_two(b) => {
+                underflow::<R>(value, a != 0.0 && b != 0.0)
+            }
+            Self::Quotient if is_power_of_two(b) => underflow::<R>(value, a != 0.0),
             Self::Product => R::rounding(value) + underflow::<R>(value, a != 0.0 && b != 0.0),
             Self::Quotient => R::rounding(value) + underflow::<R>(value, a != 0.0),
             Self::Root | Self::HalfChord => R::rounding(value),
@@ -181,6 +184,13 @@ impl Op {
 #[inline]
 pub(super) fn divides(quotient: f64, divisor: f64) -> bool {
     quotient.is_finite() && (1.0 / divisor).is_finite() && (quotient / divisor).is_finite()
+}
+
+/// Whether a number is a power of two with a sign, of those with all digits.
+#[inline]
+fn is_power_of_two(x: f64) -> bool {
+    const DIGITS: u64 = (1 << 52) - 1;
+    x.is_normal() && x.to_bits() & DIGITS == 0
 }
 
 /// What a product or quotient may lose below the smallest number with all digits; nothing where a factor is zero.

@@ -146,6 +146,8 @@ pub struct Tape {
     keeps: bool,
     /// Whether the draughtsman may ask how large an error is.
     judges: bool,
+    /// Points that are made now are no strokes of the drawing.
+    aside: bool,
     pub(super) nodes: Vec<Node>,
     /// The results, rounded to doubles.
     pub(super) values: Vec<f64>,
@@ -184,6 +186,7 @@ impl Tape {
             errors: Errors::Roundings,
             keeps: true,
             judges: true,
+            aside: false,
             nodes: Vec::new(),
             values: Vec::new(),
             fine,
@@ -226,6 +229,11 @@ impl Tape {
     #[must_use]
     pub fn trembling(hand: Hand, seed: u64) -> Self {
         Self { dice: Some(Dice::new(hand, seed)), ..Self::scratch(Arithmetic::Double) }
+    }
+
+    /// Begins or ends what is done beside the drawing: its points are no strokes.
+    pub fn aside(&mut self, aside: bool) {
+        self.aside = aside;
     }
 
     /// The arithmetic of the drawing.
@@ -381,7 +389,7 @@ impl Tape {
         marks: [u32; 2],
         purpose: &'static str,
     ) -> [f64; 2] {
-        if !self.keeps || self.errors != Errors::Roundings {
+        if !self.keeps || self.aside || self.errors != Errors::Roundings {
             return [0.0; 2];
         }
         let by = match self.nudge {

@@ -344,6 +344,8 @@ pub enum TransferInk {
         from: Mm2,
         /// Its far end.
         to: Mm2,
+        /// Where the arrow stands that ends there.
+        foot: Mm2,
     },
     /// The arc on which a point is turned about a pole.
     Arc {
@@ -367,6 +369,8 @@ pub enum TransferInk {
         from: Mm2,
         /// B′.
         to: Mm2,
+        /// A and B.
+        link: [Mm2; 2],
     },
     /// The line from a pin toward the pole of its link.
     ToPole {
@@ -541,7 +545,7 @@ pub struct Vector {
     pub to: Mm2,
     /// The direction it claims to have.
     pub claim: Option<Claim>,
-    /// Shorter than 1 mm: drawn as a point.
+    /// Shorter than 1 mm of the page: drawn as a point.
     pub as_point: bool,
     /// Its bound cannot tell it from zero: it is drawn as a point, and nothing else is told of it.
     pub is_zero: bool,

@@ -14,13 +14,11 @@ use super::construction::{
 };
 use super::departure::Departure;
 use super::missing::Missing;
+use super::page::SHORTEST_VECTOR;
 use super::pose::Pose;
 use super::rolled::Starts;
 use super::trial::Tried;
 use super::{Scales, scale};
-
-/// Vectors shorter than this are drawn as points (millimetres).
-const SHORTEST_VECTOR: f64 = 1.0;
 
 /// Images of one polygon.
 pub(super) type Images = Vec<Option<Point>>;
@@ -63,6 +61,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) structure: &'m Structure,
     pub(super) board: Board,
     pub(super) scales: Scales,
+    /// Millimetres of the skeleton here for one of the page, for what is drawn to be looked at.
+    pub(super) per_page: f64,
     /// Places on the skeleton, by point.
     pub(super) places: Vec<Option<Point>>,
     /// Given places of fixed and placed points, pricked once, by point.
@@ -168,6 +168,7 @@ impl<'m> Draughtsman<'m> {
             structure,
             board,
             scales,
+            per_page: 1.0,
             places: vec![None; points],
             pricked: vec![None; points],
             tried: Tried::default(),

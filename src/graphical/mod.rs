@@ -15,6 +15,7 @@ mod draughtsman;
 mod dyad;
 mod link_figure;
 mod missing;
+mod page;
 mod pinned_rack;
 mod pose;
 mod position;
@@ -300,13 +301,7 @@ pub fn construct_on(
     plan: &Plan,
     scales: Scales,
 ) -> Result<Solution, DrawError> {
-    let mut draughtsman = draw(Board::new(tape), mechanism, structure, plan, scales)?;
-    auxiliary::draw(&mut draughtsman, plan);
-    let (answers, slots) = reading::answers(&mut draughtsman);
-    let shown = shown::all(&mut draughtsman);
-    let (mut construction, mut tape) = draughtsman.finish(answers);
-    settle::settle(&mut construction, &settle::zeros(&shown, &mut tape));
-    Ok(Solution { construction, tape, slots, shown })
+    Ok(finish(draw(Board::new(tape), mechanism, structure, plan, scales)?, plan))
 }
 
 /// The asked quantities by a board that keeps no record: no bounds, no strokes.
@@ -340,6 +335,43 @@ pub fn recorded<R: Real>(
     Ok(reading::numbers(&mut drawn, |tape, mark| {
         if tape.weakness(mark).is_some() { None } else { Some(Some(tape.bound(mark))) }
     }))
+}
+
+/// Draws a solution on the board and brings it to the page: `choose` finds the page's scales for the size of the
+/// diagrams. The board's own scales are powers of two, so that no digit depends on either. Gives the page's scales too.
+///
+/// # Errors
+/// See [`DrawError`].
+pub fn solution(
+    arithmetic: Arithmetic,
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    choose: impl Fn(Extents) -> Scales,
+) -> Result<(Scales, Solution), DrawError> {
+    let board = board_scales(mechanism);
+    let drawn = draw(Board::new(Tape::of(arithmetic)), mechanism, structure, plan, board);
+    let drawn = drawn.and_then(|mut drawn| verify::verify(&mut drawn).map(|()| drawn));
+    let mut drawn = drawn.map_err(|error| with_range(error, mechanism, structure, plan))?;
+    let extents = measure(drawn.record(), mechanism, board);
+    let mut page = choose(extents.clone());
+    drawn.per_page = page.length / board.length;
+    let mut solution = finish(drawn, plan);
+    if let Some(quiet) = solution.without_noise(&extents) {
+        page = choose(quiet);
+    }
+    solution.construction.to_page(&mechanism.asked, board, page);
+    Ok((page, solution))
+}
+
+/// Draws what is planned besides, reads everything off, and says zero of what its bound cannot tell from it.
+fn finish(mut draughtsman: Draughtsman<'_>, plan: &Plan) -> Solution {
+    auxiliary::draw(&mut draughtsman, plan);
+    let (answers, slots) = reading::answers(&mut draughtsman);
+    let shown = shown::all(&mut draughtsman);
+    let (mut construction, mut tape) = draughtsman.finish(answers);
+    settle::settle(&mut construction, &settle::zeros(&shown, &mut tape));
+    Solution { construction, tape, slots, shown }
 }
 
 /// Draws once at a provisional scale and without a tape, to see how large everything is.
@@ -464,6 +496,17 @@ fn provisional_scales(mechanism: &Mechanism) -> Scales {
         if scale.is_normal() { scale } else { 1.0 }
     };
     Scales { length: per_mm(size), velocity: per_mm(speed), acceleration: per_mm(acceleration) }
+}
+
+/// The scales of the board: powers of two at which paper numbers are of order 100. Every operation is homogeneous, so
+/// that no bit of an answer depends on them.
+fn board_scales(mechanism: &Mechanism) -> Scales {
+    let Scales { length, velocity, acceleration } = provisional_scales(mechanism);
+    let [length, velocity, acceleration] = [length, velocity, acceleration].map(|scale| {
+        let (mantissa, exponent) = libm::frexp(scale);
+        libm::ldexp(1.0, if mantissa < std::f64::consts::FRAC_1_SQRT_2 { exponent - 1 } else { exponent })
+    });
+    Scales { length, velocity, acceleration }
 }
 
 fn measure(record: &Construction, mechanism: &Mechanism, scales: Scales) -> Extents {

@@ -21,6 +21,14 @@ const ROUNDINGS: f64 = 16.0;
 /// # Errors
 /// [`DrawError::NoClosure`] with the point that is missed and by how much.
 pub(super) fn verify(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
+    // What is measured here is no part of the drawing.
+    d.board.tape().aside(true);
+    let verified = verified(d);
+    d.board.tape().aside(false);
+    verified
+}
+
+fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
     let places: Vec<[f64; 2]> = d.places.iter().flatten().map(|at| at.value()).collect();
     let extent = |axis: usize| {
         let all = || places.iter().map(|at| at[axis]);

@@ -86,12 +86,12 @@ pub fn millimetres(value: f64) -> Rich {
     with_unit(&Rich::upright(fixed(value, 1)), "mm")
 }
 
-/// An angle in degrees, one decimal at most.
+/// An angle in degrees, one decimal at most. Half a turn has no sign: which it is would be told by a rounding.
 #[must_use]
 pub fn degrees(radians: f64) -> Rich {
     let text = fixed(radians.to_degrees(), 1);
     let text = text.strip_suffix(".0").unwrap_or(&text);
-    let text = if text == "−0" { "0" } else { text };
+    let text = if ["−0", "−180"].contains(&text) { &text["−".len()..] } else { text };
     Rich::upright(text).up("°")
 }
 

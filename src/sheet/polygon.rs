@@ -77,7 +77,7 @@ fn link_images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
     for image in &polygon.link_images {
         let corners: Vec<Point> = image.corners.iter().map(|(_, at)| page(*at)).collect();
         let corners = hull(&corners);
-        if corners.len() < 3 {
+        if is_flat(&corners) {
             continue;
         }
         let mut own = Group::new("image link-image").data("link", notation.number(image.link));
@@ -85,6 +85,16 @@ fn link_images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
         all.group(own);
     }
     all
+}
+
+/// Whether corners lie in a line, as far as anybody can see.
+fn is_flat(corners: &[Point]) -> bool {
+    /// Thinner than a tenth of the finest line, mm.
+    const THINNEST: f64 = 0.01;
+    let Some((&first, rest)) = corners.split_first() else { return true };
+    let twice_area: f64 = rest.windows(2).map(|w| (w[0] - first).cross(w[1] - first)).sum();
+    let longest = rest.iter().map(|at| at.distance(first)).fold(0.0, f64::max);
+    twice_area.abs() <= THINNEST * longest
 }
 
 fn construction(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Group {

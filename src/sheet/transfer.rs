@@ -81,9 +81,9 @@ fn ends(stroke: &TransferInk) -> (Point, Point) {
     let (from, to) = match stroke {
         TransferInk::LineOfCentres { from, to }
         | TransferInk::Radius { from, to }
-        | TransferInk::Gauge { from, to }
+        | TransferInk::Gauge { from, to, .. }
         | TransferInk::Upright { from, to }
-        | TransferInk::Parallel { from, to }
+        | TransferInk::Parallel { from, to, .. }
         | TransferInk::ToPole { from, to }
         | TransferInk::Arc { from, to, .. }
         | TransferInk::Velocity { at: from, tip: to, .. }

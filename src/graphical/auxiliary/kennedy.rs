@@ -52,11 +52,12 @@ impl Draughtsman<'_> {
                 }
             }
         };
-        let gap = finite.get(1).map_or(OFF.2, |second| {
+        let page = self.per_page;
+        let gap = finite.get(1).map_or(OFF.2 * page, |second| {
             let (p, q) = (first.value(), second.value());
             libm::hypot(q[0] - p[0], q[1] - p[1])
         });
-        if gap < 1.0 {
+        if gap < page {
             return self.refuse_auxiliary("two of the centres fall together: every line goes through them");
         }
         // Off the line, beside its middle: anywhere else would do as well.
@@ -70,14 +71,14 @@ impl Draughtsman<'_> {
         if lean > 0.0 {
             across = self.board.reverse(across);
         }
-        let off = self.board.millimetres((OFF.0 * gap).clamp(OFF.1, OFF.2));
+        let off = self.board.millimetres((OFF.0 * gap).clamp(OFF.1 * page, OFF.2 * page));
         let trial = self.board.lay_off(middle, across, off);
 
         for &at in &finite[1..] {
             self.aux_line(first, at, StrokeRole::Axis, None);
         }
         if finite.len() == 1 {
-            let reach = self.board.millimetres(OFF.2);
+            let reach = self.board.millimetres(OFF.2 * page);
             let end = self.board.lay_off(first, along, reach);
             self.aux_line(first, end, StrokeRole::Axis, None);
         }
@@ -109,7 +110,7 @@ impl Draughtsman<'_> {
     /// The velocity of the trial point as a point of a link: square to the radius.
     fn trial_velocity(&mut self, link: LinkId, trial: Point, radius: Direction, place: &Location) {
         let square = self.board.quarter_turn(radius);
-        let length = self.board.millimetres(ARROW);
+        let length = self.board.millimetres(ARROW * self.per_page);
         let tip = self.board.lay_off(trial, square, length);
         self.aux_line(trial, tip, StrokeRole::Vector, None);
         if let Location::At(at) = place {

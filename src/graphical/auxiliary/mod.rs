@@ -349,7 +349,8 @@ impl Draughtsman<'_> {
     /// Draws the centrodes of two links. They are curves through many positions, each drawn on its own board.
     fn draw_centrodes(&mut self, links: [LinkId; 2]) {
         let per_mm = self.scales.length;
-        let fineness = Fineness { tolerance: CURVE_WITHIN * per_mm, reach: CURVE_REACH * per_mm };
+        let page = self.per_page * per_mm;
+        let fineness = Fineness { tolerance: CURVE_WITHIN * page, reach: CURVE_REACH * page };
         let found = match centrodes::trace(self.mechanism, self.structure, links, fineness) {
             Ok(found) => found,
             Err(why) => return self.refuse_auxiliary(centrodes::clause(&why)),
@@ -381,7 +382,7 @@ impl Draughtsman<'_> {
                 self.note_named(NamedPoint { name: PointName::CentrodeIn(link), at });
             }
         }
-        self.act_auxiliary(AuxiliaryAct::Loci { links, within: CURVE_WITHIN });
+        self.act_auxiliary(AuxiliaryAct::Loci { links, within: CURVE_WITHIN * self.per_page });
     }
 
     /// How badly a curve is named at a place: far from the skeleton, or close to the present centre.
@@ -390,10 +391,10 @@ impl Draughtsman<'_> {
         let count = places.len().max(1) as f64;
         let middle = [0, 1].map(|k| places.iter().map(|p| p[k]).sum::<f64>() / count);
         // About a hand's breadth from the middle: clear of the links, and on the sheet.
-        let off = (libm::hypot(at[0] - middle[0], at[1] - middle[1]) - 45.0).abs();
+        let off = (libm::hypot(at[0] - middle[0], at[1] - middle[1]) - 45.0 * self.per_page).abs();
         // Where they touch, the two curves run beside each other.
         let apart = present.map_or(f64::INFINITY, |p| libm::hypot(at[0] - p[0], at[1] - p[1]));
-        off + 3.0 * (40.0 - apart).max(0.0)
+        off + 3.0 * (40.0 * self.per_page - apart).max(0.0)
     }
 
     /// Whether a point is determined: no divisor behind it is weak.

@@ -333,7 +333,8 @@ impl Draughtsman<'_> {
         let upright = Line { through: turned, along: square };
         let meet = self.board.meet_lines(Line { through: pole, along: gauge }, upright, reason);
         let mm = meet.along[1];
-        self.draw_transfer(TransferInk::Gauge { from: pole.value(), to: farther(pole, tip, meet.at) });
+        let [foot, end] = farther(pole, [from, tip], [turned, meet.at]).map(|at| at.value());
+        self.draw_transfer(TransferInk::Gauge { from: pole.value(), to: end, foot });
         self.draw_transfer(TransferInk::Arc { centre: pole.value(), from: at.value(), to: turned.value() });
         self.draw_transfer(TransferInk::Upright { from: turned.value(), to: meet.at.value() });
         let back = self.board.quarter_turn(out);
@@ -496,7 +497,8 @@ impl Draughtsman<'_> {
             let head = self.tip(at, velocity, paper);
             self.board.turned_about(at, head)
         } else {
-            self.draw_transfer(TransferInk::Parallel { from: turned.value(), to: meet.at.value() });
+            let link = [from, at].map(|end| end.value());
+            self.draw_transfer(TransferInk::Parallel { from: turned.value(), to: meet.at.value(), link });
             meet.at
         };
         self.draw_transfer(TransferInk::ToPole { from: at.value(), to: found.value() });
@@ -574,10 +576,10 @@ pub(in super::super) enum FromCentres {
 }
 
 /// The farther of two points from a third.
-fn farther(from: Point, one: Point, other: Point) -> [f64; 2] {
-    let away = |p: &Point| {
-        let (a, b) = (from.value(), p.value());
+fn farther(from: Point, one: [Point; 2], other: [Point; 2]) -> [Point; 2] {
+    let away = |[_, tip]: &[Point; 2]| {
+        let (a, b) = (from.value(), tip.value());
         libm::hypot(b[0] - a[0], b[1] - a[1])
     };
-    if away(&one) >= away(&other) { one.value() } else { other.value() }
+    if away(&one) >= away(&other) { one } else { other }
 }
