@@ -74,11 +74,21 @@ fn structure(mechanism: &Mechanism, error: &StructureError) -> (Subject, String,
             error.to_string(),
             match joint {
                 Joint::Input(_) if mechanism.inputs.len() > 1 => "take this input away".to_owned(),
-                Joint::Input(_) => "take a link or a pair away: the chain is rigid".to_owned(),
+                Joint::Input(_) if mechanism.inputs.len() == 1 && is_rigid(error) => {
+                    "take a link or a pair away: the chain is rigid".to_owned()
+                }
+                Joint::Input(_) => "drive a slide, or another link".to_owned(),
                 _ => "take a link, a pair or an input away".to_owned(),
             },
         ),
     }
+}
+
+/// Whether the count leaves nothing to move.
+fn is_rigid(error: &StructureError) -> bool {
+    let (StructureError::UnderConstrained { mobility, .. }
+    | StructureError::OverConstrained { mobility, .. }) = error;
+    mobility.freedoms < 1
 }
 
 fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {

@@ -2,7 +2,9 @@
 //! to the hints is found.
 //!
 //! Each group of equations ([`super::ordering`]) is solved from the hints and from evenly spread angles;
-//! its distinct solutions are the group's assemblies. A group whose solutions no hint tells apart is
+//! its distinct solutions are the group's assemblies. Places overdetermine: a group with more equations than unknowns
+//! has all of them to find its solutions, and there keeps those that say most, so that which equation stands first
+//! never makes a dead centre. A group whose solutions no hint tells apart is
 //! tried both ways, since a later group or a later hint may decide; if nothing does, the scene is
 //! ambiguous. Iteration: Levenberg 1944, Marquardt 1963, finished by Newton's.
 
@@ -45,6 +47,8 @@ const POLISHINGS: usize = 4;
 const MOST_ASSEMBLIES: usize = 64;
 /// Groups solved in going back, beyond two rounds of all.
 const MOST_GROUPS: usize = 400;
+/// An equation of which less than this part says something new gives way to one that says more.
+const NEW: f64 = 0.05;
 /// Floating-point operations that one group may cost, roughly.
 const WORK: f64 = 3e9;
 
@@ -90,15 +94,15 @@ struct Hint {
     closes: bool,
 }
 
-/// Residuals and Jacobian of a group at some place.
+/// Residuals and Jacobian of a group at some place, of all its equations.
 struct Glance {
     residuals: DVector<f64>,
     jacobian: DMatrix<f64>,
 }
 
 impl Glance {
-    fn new(n: usize) -> Self {
-        Self { residuals: DVector::zeros(n), jacobian: DMatrix::zeros(n, n) }
+    fn new(equations: usize, unknowns: usize) -> Self {
+        Self { residuals: DVector::zeros(equations), jacobian: DMatrix::zeros(equations, unknowns) }
     }
 }
 
@@ -111,6 +115,8 @@ struct Choice {
 struct Assembler<'a> {
     model: &'a Model,
     groups: &'a [Group],
+    /// By group: equations beyond its own that hang on nothing later.
+    beyond: Vec<Vec<usize>>,
     /// The group with which each body is complete.
     ready: Vec<usize>,
     /// Points with a rough place, by the group that settles them.
@@ -132,8 +138,13 @@ pub(super) fn assemble(model: &Model, coarsest: f64) -> Result<Assembly, Analyti
     if !free.is_empty() {
         return Err(AnalyticError::Underdetermined { links: numbers(model, &free) });
     }
-    let assembler = Assembler::new(model, &ordering, coarsest);
+    let assembler = Assembler::new(model, &ordering, &pattern, coarsest);
     let pose = assembler.search(&ordering)?;
+    let chosen: Vec<Vec<usize>> = (0..ordering.groups.len()).map(|at| assembler.choose(at, &pose)).collect();
+    let mut ordering = ordering;
+    for (group, rows) in ordering.groups.iter_mut().zip(chosen) {
+        group.rows = rows;
+    }
     Ok(Assembly { pose, ordering })
 }
 
@@ -169,14 +180,26 @@ fn tolerance(model: &Model, linear: &Linear) -> f64 {
 }
 
 impl<'a> Assembler<'a> {
-    fn new(model: &'a Model, ordering: &'a Ordering, coarsest: f64) -> Self {
+    fn new(model: &'a Model, ordering: &'a Ordering, pattern: &[Vec<usize>], coarsest: f64) -> Self {
         let groups = &ordering.groups;
         let mut ready = vec![0; model.bodies];
         let mut slot = vec![usize::MAX; model.unknowns()];
+        let mut group_of = vec![None; model.unknowns()];
         for (index, group) in groups.iter().enumerate() {
+            let known = model.is_known(group);
             for (local, column) in group.columns.iter().enumerate() {
-                ready[column / 3] = ready[column / 3].max(index);
+                if !known {
+                    ready[column / 3] = ready[column / 3].max(index);
+                }
                 slot[*column] = local;
+                group_of[*column] = Some(index);
+            }
+        }
+        let mut beyond = vec![Vec::new(); groups.len()];
+        for row in &ordering.spare {
+            let last = pattern[*row].iter().filter_map(|column| group_of[*column]).max();
+            if let Some(group) = last {
+                beyond[group].push(*row);
             }
         }
         let mut settled: Vec<Vec<Hint>> = vec![Vec::new(); groups.len()];
@@ -195,7 +218,7 @@ impl<'a> Assembler<'a> {
                 settled[group].push(hint);
             }
         }
-        Self { model, groups, ready, settled, slot, coarsest }
+        Self { model, groups, beyond, ready, settled, slot, coarsest }
     }
 
     fn value(&self, num: Num) -> f64 {
@@ -392,9 +415,9 @@ impl<'a> Assembler<'a> {
                 })
             };
             // Newton's step alone solves linear equations, where they can be solved.
-            let straight = if linear { self.iterate(group, pose, false) } else { Err(f64::INFINITY) };
+            let straight = if linear { self.finish(index, pose, false) } else { Err(f64::INFINITY) };
             if straight.is_err() {
-                if let Some(residual) = self.approach(group, pose) {
+                if let Some(residual) = self.approach(index, pose) {
                     least = least.min(residual);
                     continue;
                 }
@@ -403,7 +426,7 @@ impl<'a> Assembler<'a> {
                     continue;
                 }
             }
-            match straight.or_else(|_| self.iterate(group, pose, true)) {
+            match straight.or_else(|_| self.finish(index, pose, true)) {
                 Err(residual) => least = least.min(residual),
                 Ok(()) => {
                     if let Some(end) = known(&ends, pose) {
@@ -576,12 +599,102 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// Residuals and Jacobian of a group without their errors; `None` where an equation has no value here or
-    /// binds more than two bodies.
-    fn glance(&self, group: &Group, pose: &[f64], at: &mut Glance) -> Option<()> {
+    /// The equations of a group and those beyond.
+    fn all_rows(&self, index: usize) -> impl Iterator<Item = usize> {
+        self.groups[index].rows.iter().chain(&self.beyond[index]).copied()
+    }
+
+    /// As many equations of a group as it has unknowns: its own, but those that say nothing new here give way to
+    /// others that do. In order of the equations that they stand for.
+    fn choose(&self, index: usize, pose: &[f64]) -> Vec<usize> {
+        let group = &self.groups[index];
+        let own = || group.rows.clone();
+        if self.beyond[index].is_empty() {
+            return own();
+        }
+        let n = group.columns.len();
+        let mut rows: Vec<(usize, DVector<f64>)> = Vec::new();
+        for row in self.all_rows(index) {
+            let Some(linear) = self.linear(&self.model.position[row], pose) else { return own() };
+            let mut slopes = DVector::zeros(n);
+            // Beside what it says of bodies that are known: of a guide along x, an angle of half a turn leaves some
+            // 1e-16 that hang on y.
+            let mut square = 0.0;
+            for (leaf, value) in &linear.terms {
+                if let Leaf::Pose(column) = leaf {
+                    square += value * value;
+                    let j = self.slot[*column];
+                    if group.columns.get(j) == Some(column) {
+                        slopes[j] = *value;
+                    }
+                }
+            }
+            if square > 0.0 {
+                rows.push((row, slopes / square.sqrt()));
+            }
+        }
+        // Gram and Schmidt: what is left of each row beside those that are taken.
+        let mut taken: Vec<(usize, DVector<f64>)> = Vec::new();
+        let rest = |slopes: &DVector<f64>, taken: &[(usize, DVector<f64>)]| {
+            let mut rest = slopes.clone();
+            // Twice, for the rounding of the first time.
+            for (_, other) in taken.iter().chain(taken) {
+                let along = rest.dot(other);
+                rest.axpy(-along, other, 1.0);
+            }
+            rest
+        };
+        let mut put_off = Vec::new();
+        for (row, slopes) in rows {
+            let rest = rest(&slopes, &taken);
+            let length = rest.norm();
+            if taken.len() < n && length > NEW {
+                taken.push((row, rest / length));
+            } else {
+                put_off.push((row, slopes));
+            }
+        }
+        while taken.len() < n {
+            let left = put_off.iter().enumerate().map(|(at, (_, slopes))| (at, rest(slopes, &taken)));
+            let Some((at, most)) = left.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm())) else {
+                return own();
+            };
+            let length = most.norm();
+            if length == 0.0 {
+                return own();
+            }
+            taken.push((put_off.remove(at).0, most / length));
+        }
+        let mut chosen: Vec<usize> = taken.into_iter().map(|(row, _)| row).collect();
+        chosen.sort_unstable();
+        chosen
+    }
+
+    /// Iterates on the equations of a group that say most where it stands; the largest residual where they end
+    /// elsewhere than at a solution, or where an equation beyond them does not hold.
+    fn finish(&self, index: usize, pose: &mut [f64], damped: bool) -> Result<(), f64> {
+        let mut rows = self.choose(index, pose);
+        self.iterate(index, &rows, pose, damped)?;
+        let now = self.choose(index, pose);
+        if now != rows {
+            rows = now;
+            self.iterate(index, &rows, pose, false)?;
+        }
+        let worst = self
+            .all_rows(index)
+            .filter(|row| !rows.contains(row))
+            .map(|row| self.linear(&self.model.position[row], pose).map_or(f64::INFINITY, |l| l.value.abs()))
+            .fold(0.0, f64::max);
+        if worst > REPEATED { Err(worst) } else { Ok(()) }
+    }
+
+    /// Residuals and Jacobian of all equations of a group without their errors; `None` where an equation has no value
+    /// here or binds more than two bodies.
+    fn glance(&self, index: usize, pose: &[f64], at: &mut Glance) -> Option<()> {
+        let group = &self.groups[index];
         at.jacobian.fill(0.0);
-        for (i, row) in group.rows.iter().enumerate() {
-            let row = &self.model.position[*row];
+        for (i, row) in self.all_rows(index).enumerate() {
+            let row = &self.model.position[row];
             let slope = Here::evaluate(row, pose, &self.model.params)?;
             at.residuals[i] = slope.value;
             for (column, slope) in slope.columns_and_slopes(row) {
@@ -596,11 +709,12 @@ impl<'a> Assembler<'a> {
 
     /// Damped Newton iterations without a record, from a start to the neighbourhood of a solution; the largest
     /// residual where they end elsewhere.
-    fn approach(&self, group: &Group, pose: &mut [f64]) -> Option<f64> {
-        let n = group.rows.len();
-        let (mut at, mut tried) = (Glance::new(n), Glance::new(n));
+    fn approach(&self, index: usize, pose: &mut [f64]) -> Option<f64> {
+        let group = &self.groups[index];
+        let (n, equations) = (group.columns.len(), self.all_rows(index).count());
+        let (mut at, mut tried) = (Glance::new(equations, n), Glance::new(equations, n));
         // What cannot be glanced at is left to the record.
-        self.glance(group, pose, &mut at)?;
+        self.glance(index, pose, &mut at)?;
         let mut next = pose.to_vec();
         let (mut normal, mut step) = (DMatrix::zeros(n, n), DVector::zeros(n));
         let mut damping = 1e-3;
@@ -623,7 +737,7 @@ impl<'a> Assembler<'a> {
                     factors.solve_mut(&mut step);
                     normal = factors.unpack_dirty();
                     Self::move_by(group, pose, &step, &mut next);
-                    self.glance(group, &next, &mut tried).is_some()
+                    self.glance(index, &next, &mut tried).is_some()
                         && tried.residuals.norm() < at.residuals.norm()
                 }
                 None => {
@@ -656,13 +770,20 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// Residuals, tolerances and Jacobian of a group; `None` where an equation has no value here.
-    fn evaluate(&self, group: &Group, pose: &[f64]) -> Option<(DVector<f64>, Vec<f64>, DMatrix<f64>)> {
-        let n = group.rows.len();
+    /// Residuals, tolerances and Jacobian of as many equations of a group as it has unknowns; `None` where one has no
+    /// value here.
+    fn evaluate(
+        &self,
+        index: usize,
+        rows: &[usize],
+        pose: &[f64],
+    ) -> Option<(DVector<f64>, Vec<f64>, DMatrix<f64>)> {
+        let group = &self.groups[index];
+        let n = rows.len();
         let mut residuals = DVector::zeros(n);
         let mut tolerances = vec![0.0; n];
         let mut jacobian = DMatrix::zeros(n, n);
-        for (i, row) in group.rows.iter().enumerate() {
+        for (i, row) in rows.iter().enumerate() {
             let linear = self.linear(&self.model.position[*row], pose)?;
             residuals[i] = linear.value;
             tolerances[i] = tolerance(self.model, &linear).max(self.coarsest);
@@ -684,10 +805,11 @@ impl<'a> Assembler<'a> {
         next
     }
 
-    /// Damped Newton iterations on one group, if they are wanted, and then Newton's own; the largest residual where
-    /// they end elsewhere than at a solution.
-    fn iterate(&self, group: &Group, pose: &mut [f64], damped: bool) -> Result<(), f64> {
-        let Some((mut residuals, mut tolerances, mut jacobian)) = self.evaluate(group, pose) else {
+    /// Damped Newton iterations on equations of one group, if they are wanted, and then Newton's own; the largest
+    /// residual where they end elsewhere than at a solution.
+    fn iterate(&self, index: usize, rows: &[usize], pose: &mut [f64], damped: bool) -> Result<(), f64> {
+        let group = &self.groups[index];
+        let Some((mut residuals, mut tolerances, mut jacobian)) = self.evaluate(index, rows, pose) else {
             return Err(f64::INFINITY);
         };
         let solved = |r: &DVector<f64>, t: &[f64]| r.iter().zip(t).all(|(r, t)| r.abs() <= *t);
@@ -705,7 +827,7 @@ impl<'a> Assembler<'a> {
             }
             let step = normal.cholesky().map(|c| c.solve(&(&transposed * &residuals)));
             let next = step.map(|step| Self::moved(group, pose, &step));
-            let tried = next.as_deref().and_then(|next| self.evaluate(group, next));
+            let tried = next.as_deref().and_then(|next| self.evaluate(index, rows, next));
             match (next, tried) {
                 (Some(next), Some((r, t, j))) if r.norm() < residuals.norm() => {
                     idle = if r.norm() < 0.999 * residuals.norm() { 0 } else { idle + 1 };
@@ -729,7 +851,7 @@ impl<'a> Assembler<'a> {
                 break;
             }
             let next = Self::moved(group, pose, &step);
-            let Some((r, t, j)) = self.evaluate(group, &next) else { break };
+            let Some((r, t, j)) = self.evaluate(index, rows, &next) else { break };
             if r.norm().is_nan() || r.norm() >= residuals.norm() {
                 break;
             }

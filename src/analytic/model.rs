@@ -8,13 +8,13 @@ use std::sync;
 
 use super::AnalyticError;
 use super::constraints::{Arc, Bearing, Drive, Motion, Num, Param, Row, Site, Straight};
-use super::ordering::{needed, order};
+use super::ordering::{Group, needed, order};
 use super::slopes::Here;
 use super::tape::{Leaf, U};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{
     Direction, Form, Given, GivenPoint, Guide, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId,
-    Rider, Roll, Sense,
+    Rider, Roll, Sense, Slide,
 };
 
 /// Largest miss of an equation that only repeats what the placed points say, in mechanism sizes. The
@@ -162,7 +162,9 @@ impl Model {
         let orders = [(order(&position, n), &position), (order(&motion, n), &motion)];
         let mut ready = vec![0; self.bodies];
         for (index, group) in orders[0].0.groups.iter().enumerate() {
-            group.columns.iter().for_each(|column| ready[column / 3] = ready[column / 3].max(index + 1));
+            if !self.is_known(group) {
+                group.columns.iter().for_each(|column| ready[column / 3] = ready[column / 3].max(index + 1));
+            }
         }
         let mut kept = vec![false; self.bodies];
         kept[0] = true;
@@ -211,6 +213,11 @@ impl Model {
         }
         self.kept = kept;
         Ok(())
+    }
+
+    /// Whether a group of the position is a coordinate that is zero by its form, wherever it stands among the others.
+    pub(super) fn is_known(&self, group: &Group) -> bool {
+        matches!(group.rows.as_slice(), [row] if matches!(self.position[*row], Row::Hold(_)))
     }
 
     /// The body in which a vector between two points is read, where it is one of one link.
@@ -382,14 +389,38 @@ impl Model {
                     .ok_or_else(|| malformed(format!("{} is not in its link", point.name)))?;
                 self.sites[index].push(Site { body: link.0, own });
             }
-            let rides =
-                mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point, .. } if point == id));
-            if self.sites[index].is_empty() && rides {
-                self.sites[index].push(Site { body: self.bodies, own: [Num::Exact(0.0); 2] });
+            if self.stands_alone(id) {
+                // First, so that who asks for the pin asks this body.
+                self.sites[index].insert(0, Site { body: self.bodies, own: [Num::Exact(0.0); 2] });
                 self.bodies += 1;
             }
         }
         Ok(())
+    }
+
+    /// Whether a pin needs a body of its own: where no link has it, and where its guides and drives alone say where it
+    /// is, whichever way its links turn.
+    fn stands_alone(&self, id: PointId) -> bool {
+        let m = &self.mechanism;
+        let on = |slide: &Slide| matches!(slide.rider, Rider::Pin { point, .. } if point == id);
+        let blocks: Vec<Option<LinkId>> = m
+            .slides
+            .iter()
+            .filter(|slide| on(slide))
+            .filter_map(|slide| match slide.rider {
+                Rider::Pin { block, .. } => Some(block),
+                Rider::Link { .. } => None,
+            })
+            .collect();
+        if m.is_fixed(id) || blocks.is_empty() {
+            return false;
+        }
+        let driven = m.inputs.iter().filter(
+            |input| matches!(input, Input::Slide { slide, .. } if m.slides.get(*slide).is_some_and(on)),
+        );
+        // A block that all of them guide and drive is such a body.
+        let one_block = blocks[0].is_some() && blocks.iter().all(|block| *block == blocks[0]);
+        self.sites[id.0].is_empty() || (!one_block && blocks.len() + driven.count() > 1)
     }
 
     fn own_coordinates(
@@ -727,6 +758,16 @@ impl Model {
         self.mechanism.links.len()..self.bodies
     }
 
+    /// The pins with a body of their own that links have as well: in that body, and in the first link.
+    fn lone_pins(&self) -> Vec<(usize, [Site; 2])> {
+        let own = self.floating();
+        let pairs = self.sites.iter().enumerate().filter_map(|(point, sites)| match sites.as_slice() {
+            [alone, link, ..] if own.contains(&alone.body) => Some((point, [*alone, *link])),
+            _ => None,
+        });
+        pairs.collect()
+    }
+
     fn input_row(&mut self, input: &Input, placed: bool, unit: bool) -> Result<Option<Row>, AnalyticError> {
         let zero = Num::Exact(0.0);
         let time = self.time;
@@ -828,6 +869,9 @@ impl Model {
             let ends = [self.point_site(a, pin.point)?, self.point_site(b, pin.point)?];
             rows.extend([0, 1].map(|axis| Row::Coincide(ends[0], ends[1], axis)));
         }
+        for (_, [alone, link]) in self.lone_pins() {
+            rows.extend([0, 1].map(|axis| Row::Coincide(alone, link, axis)));
+        }
         rows.extend(self.slide_rows(false)?);
         rows.extend(self.floating().map(|body| Row::Hold(3 * body + 2)));
         for roll in 0..self.mechanism.rolls.len() {
@@ -869,6 +913,11 @@ impl Model {
                 let [a, b] = ends;
                 let (a, b) = (a?, b?);
                 rows.extend([0, 1].map(|axis| Row::Coincide(a, b, axis)));
+            }
+        }
+        for (point, [alone, link]) in self.lone_pins() {
+            if self.places[point].is_none() {
+                rows.extend([0, 1].map(|axis| Row::Coincide(alone, link, axis)));
             }
         }
         rows.extend(self.slide_rows(true)?);

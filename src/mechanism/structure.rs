@@ -588,6 +588,17 @@ impl Structure {
             let what = name_of(mechanism, joint);
             return Err(StructureError::OverConstrained { what, joint, mobility });
         }
+        if let Some((input, link)) = turned_twice(mechanism) {
+            let joint = Joint::Input(input);
+            let turns = match link {
+                LinkId::FRAME => "which cannot turn".to_owned(),
+                other => {
+                    format!("which turns only with link {}, itself driven", mechanism.link(other).number)
+                }
+            };
+            let what = format!("{}, {turns},", name_of(mechanism, joint));
+            return Err(StructureError::OverConstrained { what, joint, mobility });
+        }
         let left = game.left();
         if left > 0 {
             let links = undriven(mechanism, &mut game);
@@ -807,6 +818,31 @@ fn name_of(mechanism: &Mechanism, joint: Joint) -> String {
             }
         },
     }
+}
+
+/// An input of an angle that its pairs, or another input, say already: the count of freedoms does not tell directions
+/// from places. Its index, and the link with which the driven link turns, the frame where it does not turn.
+fn turned_twice(mechanism: &Mechanism) -> Option<(usize, LinkId)> {
+    // Links that slide on each other without turning turn as one; the first link stands for all of them.
+    let mut turns_with: Vec<usize> = (0..mechanism.links.len()).collect();
+    let join = |turns_with: &mut Vec<usize>, a: usize, b: usize| {
+        let (a, b) = (turns_with[a], turns_with[b]);
+        turns_with.iter_mut().filter(|with| **with == a.max(b)).for_each(|with| *with = a.min(b));
+    };
+    for slide in mechanism.slides.iter().filter(|slide| is_straight(slide.guide)) {
+        if let Rider::Link { link, .. } | Rider::Pin { block: Some(link), .. } = slide.rider {
+            join(&mut turns_with, link.0, slide.guide.link.0);
+        }
+    }
+    let mut driven: Vec<(usize, LinkId)> = vec![(FRAME, LinkId::FRAME)];
+    for (index, input) in mechanism.inputs.iter().enumerate() {
+        let (Input::Angle { link, .. } | Input::Speed { link, .. }) = *input else { continue };
+        if let Some((_, first)) = driven.iter().find(|(with, _)| *with == turns_with[link.0]) {
+            return Some((index, *first));
+        }
+        driven.push((turns_with[link.0], link));
+    }
+    None
 }
 
 /// Numbers of the links that can still move against the frame.
