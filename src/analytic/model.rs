@@ -830,8 +830,15 @@ impl Model {
         }))
     }
 
-    /// The contact that a point names, which is of no link.
+    /// The contact that a point names, which is of no link; `None` where its bodies were not solved for.
     pub(super) fn contact(&self, point: PointId) -> Option<Contact> {
+        self.contact_of(point).filter(|contact| match contact {
+            Contact::Circles { centres, .. } => centres.iter().all(|site| self.kept[site.body]),
+            Contact::Line { centre, line } => self.kept[centre.body] && self.kept[line.through.body],
+        })
+    }
+
+    fn contact_of(&self, point: PointId) -> Option<Contact> {
         let roll = self.mechanism.contacts.iter().position(|contact| *contact == point)?;
         match (&self.mechanism.rolls[roll], self.roll_lines[roll]) {
             (Roll::Circles { links, centres, internal, .. }, _) => {

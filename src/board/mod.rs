@@ -361,11 +361,6 @@ impl Board {
         Mm(angle.0)
     }
 
-    /// A length of zero.
-    pub fn no_length(&mut self) -> Mm {
-        Mm(self.exact(0.0))
-    }
-
     /// One step of false position: the angle less miss / slope. The slope must stand clear of its error.
     pub fn corrected(&mut self, angle: Angle, miss: Mm, slope: crate::given::Given, reason: Reason) -> Angle {
         let slope = self.given(slope);

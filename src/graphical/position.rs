@@ -228,7 +228,7 @@ impl Draughtsman<'_> {
     /// How a link of one joint stands, which no input angle tells: where it rides as a link its x-axis follows that
     /// guide; where it carries a guide through its own joint it is turned until that meets its rider; otherwise its
     /// x-axis is the world's.
-    fn one_joint_link(&mut self, link: LinkId, base: PointId) -> Result<(), DrawError> {
+    pub(super) fn one_joint_link(&mut self, link: LinkId, base: PointId) -> Result<(), DrawError> {
         let (own_anchor, anchor) = (self.own(link, base), self.at(base));
         let ride =
             self.mechanism.slides.iter().position(
@@ -258,7 +258,7 @@ impl Draughtsman<'_> {
     }
 
     /// The pair by whose guide a link of one joint swivels: the first that leads through that joint.
-    fn swivels_by(&self, link: LinkId) -> Option<usize> {
+    pub(super) fn swivels_by(&self, link: LinkId) -> Option<usize> {
         let joint = self.mechanism.link(link).points.first();
         let single = matches!(self.mechanism.link(link).form, Form::Single);
         self.mechanism.slides.iter().position(|slide| {

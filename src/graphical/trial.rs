@@ -19,7 +19,7 @@ use crate::board::{Amount, Angle, Board, Line, Mm, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::{Closing, Drive, Joint, Trial, TrialDriver};
-use crate::mechanism::{Input, LinkId, Mechanism, Path, PointId, Rider};
+use crate::mechanism::{Form, Input, Link, LinkId, Mechanism, Path, PointId, Rider};
 use crate::plan::{GroupStep, trial_steps};
 
 use super::DrawError;
@@ -132,7 +132,7 @@ impl<'m> Draughtsman<'m> {
         let rod = self.on_rods(&trial, &step.points);
         let loose = trial.drivers.iter().find_map(|&(driver, _)| self.not_placed(driver));
         // Rolling says nothing of where it began: what is tried stands as placed.
-        let rolls = trial.drivers.iter().any(|(_, closing)| matches!(closing, Closing::Roll { .. }));
+        let rolls = trial.drivers.iter().any(|&(_, closing)| !self.says_where(closing));
         if loose.is_none() {
             if points.iter().all(exact) {
                 return self.positions(&trial, &steps, &rod, &[]);
@@ -178,7 +178,8 @@ impl<'m> Draughtsman<'m> {
         self.silent = false;
         self.nothing_missing()?;
         let reason = self.reason(&links);
-        let angle = self.board.corrected(found, miss?, slope, reason);
+        let Some(miss) = miss?? else { return Err(DrawError::NoConstruction { links }) };
+        let angle = self.board.corrected(found, miss, slope, reason);
         self.sides = Some(root.sides);
         let drawn = self.positions(trial, steps, rod, &[angle]);
         self.sides = None;
@@ -194,7 +195,7 @@ impl<'m> Draughtsman<'m> {
         loop {
             let count = waiting.len();
             for link in std::mem::take(&mut waiting) {
-                if !self.stands_in_world(link) && self.pose_of(link).is_none() {
+                if !self.stands_in_world(link) && self.pose_of(link).is_none() && !self.stands_alone(link) {
                     waiting.push(link);
                     continue;
                 }
@@ -236,6 +237,30 @@ impl<'m> Draughtsman<'m> {
         true
     }
 
+    /// Lays on a link of one joint whose place is given, where what it turns with or towards stands; says whether it does.
+    fn stands_alone(&mut self, link: LinkId) -> bool {
+        let joint = match self.mechanism.link(link) {
+            Link { form: Form::Single, points, .. } => points.first().copied(),
+            _ => None,
+        };
+        let Some(joint) = joint else { return false };
+        let Some(at) = self.place_by_places(joint) else { return false };
+        self.place(joint, at);
+        if let Some(slide) = self.swivels_by(link) {
+            let rider = match self.mechanism.slides[slide].rider {
+                Rider::Pin { point, .. } => Some(point),
+                Rider::Link { link: rider, .. } => self.mechanism.link(rider).points.first().copied(),
+            };
+            if rider.is_none_or(|rider| self.place_by_places(rider).is_none()) {
+                return false;
+            }
+        } else if !self.has_axes_of_world(link) {
+            // It rides on what does not stand yet.
+            return false;
+        }
+        self.one_joint_link(link, joint).is_ok()
+    }
+
     /// Every way in which the group closes with what is driven standing as placed.
     fn roots_as_placed(&mut self, trial: &Trial) -> Vec<Root> {
         let (steps, rod) = self.all_steps(trial);
@@ -250,8 +275,12 @@ impl<'m> Draughtsman<'m> {
             if sketch.positions(trial, &steps, &rod, &[]).is_err() {
                 continue;
             }
-            let closes = trial.drivers.iter().all(|&(_, closing)| sketch.miss(closing).value().abs() < ROOT);
-            if closes {
+            let closes = |closing| match sketch.miss(closing) {
+                Ok(Some(miss)) => miss.value().abs() < ROOT,
+                Ok(None) => true,
+                Err(_) => false,
+            };
+            if trial.drivers.iter().map(|&(_, closing)| closing).all(closes) {
                 self.add_root(trial, &mut roots, &sketch, (0.0, sides));
             }
         }
@@ -339,9 +368,37 @@ impl<'m> Draughtsman<'m> {
         self.nothing_missing()
     }
 
-    /// By how much the open constraint is missed: paper millimetres, or radians.
-    fn miss(&mut self, closing: Closing) -> Mm {
+    /// Whether an open constraint says something of places: rolling does not, nor does the angle of a link of one joint
+    /// on which nothing slides.
+    fn says_where(&self, closing: Closing) -> bool {
         match closing {
+            Closing::Roll { .. } => false,
+            Closing::Angle { link, input } => match self.mechanism.inputs[input] {
+                _ if self.mechanism.link(link).points.len() > 1 => true,
+                Input::Angle { angle, .. } | Input::Speed { angle, .. } => {
+                    angle.is_some() && self.carries_guide(link)
+                }
+                Input::Slide { .. } => false,
+            },
+            _ => true,
+        }
+    }
+
+    /// By how much the open constraint is missed: paper millimetres, or radians; none where it says nothing of places.
+    ///
+    /// # Errors
+    /// [`DrawError::Missing`] where something that it binds does not stand.
+    fn miss(&mut self, closing: Closing) -> Result<Option<Mm>, DrawError> {
+        if !self.says_where(closing) {
+            return Ok(None);
+        }
+        let miss = self.miss_of_places(closing)?;
+        self.nothing_missing()?;
+        Ok(Some(miss))
+    }
+
+    fn miss_of_places(&mut self, closing: Closing) -> Result<Mm, DrawError> {
+        Ok(match closing {
             Closing::Rod { link, near, far } => {
                 let (a, b) = (self.at(near), self.at(far));
                 let distance = self.board.distance(a, b);
@@ -362,16 +419,21 @@ impl<'m> Draughtsman<'m> {
             }
             Closing::Angle { link, input } => {
                 let points = &self.mechanism.link(link).points;
-                let (Some(&p), Some(&q)) = (points.first(), points.get(1)) else {
-                    self.miss_of(Missing::Joint(link));
-                    return self.board.no_length();
+                let ends = (points.first().copied(), points.get(1).copied());
+                let along = match ends {
+                    (Some(p), Some(q)) => self.outward(link, p, q),
+                    // Of a link of one joint the x-axis counts.
+                    _ => {
+                        let own = self.board.rightward();
+                        self.carried(link, own)
+                    }
                 };
-                let along = self.outward(link, p, q);
+                let [p, q] = [ends.0, ends.1].map(|p| p.and_then(|p| self.given_place(p)));
                 let angle = match self.mechanism.inputs[input] {
                     Input::Angle { angle, .. } | Input::Speed { angle, .. } => angle,
                     Input::Slide { .. } => None,
                 };
-                let given = match (angle, self.given_place(p), self.given_place(q)) {
+                let given = match (angle, p, q) {
                     (Some(angle), ..) => {
                         let angle = self.board.angle(angle);
                         self.board.protractor(angle)
@@ -396,10 +458,7 @@ impl<'m> Draughtsman<'m> {
                         self.board.to_paper(given, scale)
                     }
                     (_, Some(given)) => self.board.square_off(line, given)[0],
-                    _ => {
-                        self.miss_of(Missing::Input(input));
-                        self.board.no_length()
-                    }
+                    _ => return Err(DrawError::Missing(Missing::Input(input))),
                 };
                 self.board.less(along, given)
             }
@@ -419,14 +478,12 @@ impl<'m> Draughtsman<'m> {
                         least = Some(miss);
                     }
                 }
-                least.unwrap_or_else(|| {
-                    self.miss_of(Missing::Place(centre));
-                    self.board.no_length()
-                })
+                least.ok_or(DrawError::Missing(Missing::Place(centre)))?
             }
-            // The position is placed, not tried.
-            Closing::Roll { .. } => self.board.no_length(),
-        }
+            Closing::Roll { roll } => {
+                return Err(DrawError::Missing(Missing::Place(self.contact_of(roll))));
+            }
+        })
     }
 
     /// A scratch board with what is solved so far.
@@ -467,7 +524,7 @@ impl<'m> Draughtsman<'m> {
                 let along = sketch.board.angle(Given::exact(angle));
                 sketch.sides = Some(sides.clone());
                 sketch.positions(trial, &steps, &rod, &[along]).ok()?;
-                let miss = sketch.miss(closing).value();
+                let miss = sketch.miss(closing).ok()??.value();
                 miss.is_finite().then_some(miss)
             };
             // A root may hide between the last trial that closes and the edge of what closes, or where the
@@ -601,7 +658,7 @@ impl<'m> Draughtsman<'m> {
             let along = sketch.board.angle(Given::exact(angle));
             sketch.sides = Some(root.sides.clone());
             sketch.positions(trial, steps, &on_rod, &[along]).ok()?;
-            Some(sketch.miss(closing?).value())
+            Some(sketch.miss(closing?).ok()??.value())
         };
         let mut difference = |h: f64| -> f64 {
             match (miss_at(root.angle + h), miss_at(root.angle - h)) {

@@ -1,4 +1,5 @@
-//! Whether a drawn skeleton is the mechanism: no link longer than it is, no pin beside its guide.
+//! Whether a drawn skeleton is the mechanism: no link longer than it is, no pin beside its guide, no point elsewhere
+//! than where it is placed.
 //!
 //! A construction uses each dimension once. Where places are given besides, the rest is overdetermined, and what
 //! contradicts them shows only when the skeleton stands.
@@ -16,7 +17,7 @@ const ROUNDING: f64 = 1e-5;
 /// Units of rounding in a coordinate of a guide that is given by a point of it far away.
 const ROUNDINGS: f64 = 16.0;
 
-/// Refuses a skeleton that misses a dimension, a guide or a rolling contact.
+/// Refuses a skeleton that misses a given place, a dimension, a guide or a rolling contact.
 ///
 /// # Errors
 /// [`DrawError::NoClosure`] with the point that is missed and by how much.
@@ -50,6 +51,11 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
         let fine = miss.abs() <= allowed || !miss.is_finite();
         if fine { Ok(()) } else { Err(DrawError::NoClosure { pin, least: miss.abs() * d.scales.length }) }
     };
+    for point in (0..d.places.len()).map(PointId) {
+        if let (Some(at), Some(given)) = (d.places[point.0], d.world_place(point)) {
+            missed(point, d.board.distance(given, at).value(), d)?;
+        }
+    }
     for link in d.mechanism.moving() {
         let stands = |p: &PointId| d.places[p.0].is_some();
         let points: Vec<PointId> = d.mechanism.link(link).points.iter().copied().filter(stands).collect();
