@@ -5,7 +5,9 @@
 use crate::common;
 
 use linkgram::check::{Unconfirmed, confirm};
-use linkgram::graphical::construction::{Act, Calculation, Label};
+use linkgram::graphical::auxiliary::AuxiliaryAct;
+use linkgram::graphical::construction::{Act, Calculation, Label, TransferAct};
+use linkgram::mechanism::PointId;
 use linkgram::plan::Extent;
 use linkgram::scene::Scene;
 use linkgram::sheet::scale;
@@ -239,4 +241,73 @@ fn what_the_bound_cannot_tell_from_zero_is_zero_everywhere() {
         assert!(!group.contains("(3)"), "{group}");
     }
     assert!(!svg.contains("10<tspan"), "no power of ten is printed");
+}
+
+/// Constructions on the skeleton, velocities carried over by centres and other positions are confirmed as they are,
+/// and found where one of their numbers is off by a millionth.
+#[test]
+fn what_stands_beside_the_polygons_is_confirmed() {
+    let mut numbers = 0;
+    for name in [
+        "constructions/klein",
+        "constructions/inflection",
+        "centres/four-bar",
+        "centres/whitworth",
+        "other-positions",
+    ] {
+        let scene = common::example(name);
+        let wanted =
+            scene.sheet.figures.iter().filter_map(|name| linkgram::sheet::auxiliary(name, &scene).unwrap());
+        let auxiliary: Vec<_> = wanted.collect();
+        let settings = linkgram::solve::Settings::default();
+        let solved = linkgram::solve::solve_with(
+            &scene,
+            Extent::WholeSkeleton,
+            &auxiliary,
+            settings,
+            scale::for_scene,
+        );
+        let solved = solved.unwrap();
+        confirm(&scene, &solved).unwrap_or_else(|why| panic!("{name}: {why}"));
+        let found = |off: &Solved, what: &str| assert!(confirm(&scene, off).is_err(), "{name}: {what}");
+        let construction = &solved.solution.construction;
+        for (at, drawing) in construction.auxiliary.iter().enumerate() {
+            for act in 0..drawing.acts.len() {
+                let mut off = solved.clone();
+                match &mut off.solution.construction.auxiliary[at].acts[act] {
+                    AuxiliaryAct::ReadImage { mm, .. } if mm.abs() > 1.0 => *mm *= 1.0 + 1e-6,
+                    AuxiliaryAct::InflectionCircle { diameter, .. } => *diameter *= 1.0 + 1e-6,
+                    _ => continue,
+                }
+                numbers += 1;
+                found(&off, "a construction on the skeleton");
+            }
+        }
+        for (at, transfer) in construction.circle.iter().flat_map(|circle| &circle.transfers).enumerate() {
+            for act in 0..transfer.acts.len() {
+                let mut off = solved.clone();
+                let circle = off.solution.construction.circle.as_mut().unwrap();
+                match &mut circle.transfers[at].acts[act] {
+                    TransferAct::Ratio { omegas, .. } => omegas[1] *= 1.0 + 1e-6,
+                    TransferAct::Parallel { speed, .. }
+                    | TransferAct::Gauge { speed, .. }
+                    | TransferAct::AboutPole { speed, .. } => *speed *= 1.0 + 1e-6,
+                    TransferAct::Omega { omega, .. } => *omega *= 1.0 + 1e-6,
+                    _ => continue,
+                }
+                numbers += 1;
+                found(&off, "a velocity carried over");
+            }
+        }
+        for (at, other) in construction.others.iter().enumerate() {
+            for point in (0..other.places.len()).filter(|&p| !scene.mechanism.is_fixed(PointId(p))) {
+                let mut off = solved.clone();
+                let Some(place) = &mut off.solution.construction.others[at].places[point] else { continue };
+                place[0] += 1e-7;
+                numbers += 1;
+                found(&off, "another position");
+            }
+        }
+    }
+    assert!(numbers > 20, "{numbers}");
 }

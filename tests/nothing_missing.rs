@@ -9,7 +9,7 @@
 use std::path::{Path, PathBuf};
 
 /// What must not be written.
-const SHAPES: [&str; 20] = [
+const SHAPES: [&str; 21] = [
     "unwrap_or(origin",
     "unwrap_or_else(|| self.board.origin())",
     "unwrap_or(0.0)",
@@ -29,6 +29,7 @@ const SHAPES: [&str; 20] = [
     "=> self.board.rightward()",
     "=> self.rest()",
     "no_length()",
+    "slide: 0,",
     "(own_x, own_x)",
 ];
 
@@ -84,12 +85,6 @@ const RIGHT: &[(&str, &str, &str)] = &[
         "closing_unknown(closing) else { return };",
         "a given angle leaves nothing to read",
     ),
-    (
-        "graphical/trial.rs",
-        "Closing::Roll { .. } => self.board.no_length(),",
-        "the position is placed, not tried",
-    ),
-    ("graphical/trial.rs", "self.board.no_length()", "behind something that has been noted as missing"),
     ("graphical/dyad.rs", "= kind else { return };", "a group of another kind is another construction's"),
     ("graphical/velocity.rs", "= kind else { return };", "a group of another kind is another construction's"),
     (

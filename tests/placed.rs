@@ -507,3 +507,30 @@ fn an_arc_about_a_placed_point_of_a_link_that_slides() {
         &scene(&format!(r#""placed": {{ "D": {d:?} }},"#)),
     );
 }
+
+/// A link that is driven for itself and hangs on another driven one: its third point, in line with the others, has the
+/// velocity of its own turning.
+#[test]
+fn a_driven_link_on_a_driven_link() {
+    let truth = |w2: f64, w3: f64, e2: f64, e3: f64| {
+        let turned =
+            |[x, y]: [f64; 2], w: f64, e: f64| ([-w * y, w * x], [-e * y - w * w * x, e * x - w * w * y]);
+        let (va, aa) = turned([3.0, 4.0], w2, e2);
+        let (vc, ac) = turned([7.0 * 0.6, -7.0 * 0.8], w3, e3);
+        let sum = |a: [f64; 2], b: [f64; 2]| vec![a[0] + b[0], a[1] + b[1]];
+        vec![("v(C)", sum(va, vc)), ("a(C)", sum(aa, ac)), ("v(A)", va.to_vec()), ("a(A)", aa.to_vec())]
+    };
+    let inputs = r#""inputs": [ { "link": 2, "omega": 2, "alpha": -3 }, { "link": 3, "omega": -5, "alpha": 7 } ],
+        "find": ["v(C)", "a(C)", "v(A)", "a(A)"]"#;
+    let places = r#""placed": { "A": [3, 4], "B": [4.8, 1.6], "C": [7.2, -1.6] }"#;
+    let truth = truth(2.0, -5.0, -3.0, 7.0);
+    for dimensions in
+        ["", r#", "line": [0, 3, 7]"#, r#", "shape": { "A": [1, 1], "B": [4, 1], "C": [8, 1] }"#]
+    {
+        let text = format!(
+            r#"{{ "fixed": {{ "O": [0, 0] }}, {places},
+                "links": {{ "2": {{ "joins": ["O", "A"] }}, "3": {{ "joins": ["A", "B", "C"]{dimensions} }} }}, {inputs} }}"#
+        );
+        gives(&text, &truth);
+    }
+}

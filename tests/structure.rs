@@ -219,6 +219,25 @@ fn a_second_input_on_a_four_bar_is_named() {
     assert!(text.contains("one constraint too many") && text.contains("F = 3(4 - 1)"), "{text}");
 }
 
+/// The count does not tell directions from places: a link that slides without turning cannot be turned, nor can two
+/// links be that turn as one.
+#[test]
+fn the_angle_of_what_cannot_turn_is_one_too_many() {
+    let ride = r#"{ "fixed": { "O": [0, 0] }, "links": { "2": { "joins": ["A", "B"] } }, "placed": { "A": [1, 0], "B": [2, 3] },
+        "slides": [ { "link": 2, "on": { "link": 1, "through": "O" } } ], "input": { "link": 2, "omega": 5 } }"#;
+    let (what, joint, text) = over(&common::read(ride));
+    assert_eq!(joint, Joint::Input(0));
+    assert_eq!(what, "the input of link 2, which cannot turn,");
+    assert!(text.contains("one constraint too many"), "{text}");
+    let together = r#"{ "fixed": { "O": [0, 0] }, "placed": { "A": [3, 0], "C": [1, 0], "D": [1, 2] },
+        "links": { "2": { "joins": ["O", "A"] }, "3": { "joins": ["C", "D"] } },
+        "slides": [ { "link": 3, "on": { "link": 2, "through": "O", "toward": "A" } } ],
+        "inputs": [ { "link": 2, "omega": 5 }, { "link": 3, "omega": 5 } ] }"#;
+    let (what, joint, _) = over(&common::read(together));
+    assert_eq!(joint, Joint::Input(1));
+    assert_eq!(what, "the input of link 3, which turns only with link 2, itself driven,");
+}
+
 #[test]
 fn a_rigid_frame_has_no_freedom_for_its_input() {
     let scene = common::read(

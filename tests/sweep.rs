@@ -79,6 +79,40 @@ fn an_offset_slider_crank_has_its_stroke_and_time_ratio() {
     is_near(stroke.time_ratio, (back - out) / (2.0 * PI - (back - out)));
 }
 
+/// A link that rides on a crank which rests at first: what turns with the crank does so a moment later, by the closed
+/// form of its place.
+#[test]
+fn a_rider_turns_with_a_carrier_that_rests_at_the_start() {
+    let text = r#"{ "fixed": { "O": [0, 0] },
+        "links": { "2": { "joins": ["O", "A"], "length": 3 },
+                   "3": { "joins": ["C", "D"], "shape": { "C": [0, 0], "D": [0.5, 0.8] } } },
+        "slides": [ { "link": 3, "on": { "link": 2, "through": "O", "toward": "A" } } ],
+        "near": { "C": [1, 0.5], "D": [1, 1.5] },
+        "inputs": [ { "link": 2, "angle": 30, "omega": 0, "alpha": 3 }, { "slide": 3, "at": 1.2, "velocity": 0.4 } ],
+        "find": ["v(D)", "a(D)"] }"#;
+    let sweep = Sweep::over(Over::Time, &common::read(text).mechanism, Some([0.0, 0.8])).unwrap();
+    for t in [0.0, 0.3, 0.7] {
+        let (sin, cos) = libm::sincos(PI / 6.0 + 1.5 * t * t);
+        let ([x, y], w, e, s) = ([1.2 + 0.4 * t + 0.5, 0.8], 3.0 * t, 3.0, 0.4);
+        // Along and across the crank.
+        let v = [s - w * y, w * x];
+        let a = [-e * y - w * w * x, e * x + 2.0 * w * s - w * w * y];
+        let row = sweep.at(t).unwrap();
+        for (column, found) in sweep.columns.iter().zip(&row) {
+            let local = if column.asked.name == "v(D)" { v } else { a };
+            let world = [cos * local[0] - sin * local[1], sin * local[0] + cos * local[1]];
+            let Some(axis) = column.axis else { continue };
+            let found = found.unwrap().value;
+            assert!(
+                (found - world[axis]).abs() < 1e-9,
+                "{} at {t}: {found}, not {}",
+                column.name(),
+                world[axis]
+            );
+        }
+    }
+}
+
 /// The stroke is found wherever in it the scene stands, at its very ends too, and over time as well.
 #[test]
 fn a_stroke_is_found_from_every_start() {

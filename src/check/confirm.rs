@@ -1,7 +1,8 @@
 //! Whether the independent solver confirms everything that a sheet shows.
 //!
 //! A sheet shows more than was asked: every place of its skeleton, every image and every vector of its polygons, every
-//! ω and ε of its steps, every instant centre. All of them are compared, each with its bounds.
+//! ω and ε of its steps, every instant centre; and beside these (`beside.rs`) the constructions on the skeleton, the
+//! velocities carried over by centres, the other positions. All of them are compared, each with its bounds.
 
 use std::collections::HashMap;
 
@@ -16,7 +17,7 @@ use crate::report::{describe_in, significant};
 use crate::scene::{Scene, unit_of};
 use crate::solve::{Settings, SolveError, Solved, solve_with};
 
-use super::{Agreement, agreement_by, apart_as_asked};
+use super::{Agreement, agreement_by, apart_as_asked, beside};
 
 /// A quantity on which the solvers do not agree.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,9 +126,11 @@ pub fn solve_confirmed(
 pub fn confirm(scene: &Scene, solved: &Solved) -> Result<(), Unconfirmed> {
     let asked = scene.mechanism.asked.iter().map(|asked| asked.quantity);
     let shown = solved.solution.shown.iter().map(|shown| shown.quantity);
-    let quantities: Vec<Quantity> = asked.chain(shown).collect();
+    let beside = beside::quantities(scene, &solved.solution.construction);
+    let quantities: Vec<Quantity> = asked.chain(shown).chain(beside).collect();
     let state = analytic::solve_for(&scene.mechanism, &quantities)?;
-    confirm_by(scene, solved, &state)
+    confirm_by(scene, solved, &state)?;
+    beside::confirm_positions(scene, &solved.solution.construction)
 }
 
 /// Compares what a drawing shows with the state of the independent solver.
@@ -143,6 +146,7 @@ pub fn confirm_by(scene: &Scene, solved: &Solved, state: &State) -> Result<(), U
     let mut seen = Comparison::new(scene, solved, state);
     seen.everything_shown();
     wrong.extend(seen.wrong);
+    wrong.extend(beside::wrong(scene, &solved.solution.construction, state));
     let mut wrong = wrong.into_iter();
     match wrong.next() {
         None => Ok(()),

@@ -3,6 +3,7 @@
 //! **Architecture Invariant:** this room compares; it does not know how either result was found, and has
 //! no third opinion.
 
+mod beside;
 mod confirm;
 mod sweep;
 

@@ -13,6 +13,7 @@
 //! 6. Further points as in the velocity polygon.
 
 use crate::board::{Amount, Direction, Line, Mm, Point};
+use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
@@ -164,7 +165,8 @@ impl Draughtsman<'_> {
         };
         self.board.purpose("acceleration of a driven point");
         self.step(Order::Acceleration, &[link], Vec::new());
-        let uniform = alpha.value == 0.0;
+        // What the scene states, or leaves out: no number that is reckoned.
+        let uniform = alpha == Given::exact(0.0);
         let alpha = self.board.amount(alpha);
         let alpha = self.rate_as_calculated(Order::Acceleration, link, alpha);
         self.alphas[link.0] = Some(alpha);

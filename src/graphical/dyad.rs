@@ -155,8 +155,10 @@ impl Draughtsman<'_> {
                 Target::Under(self.contact_of(roll), link),
                 [slide(ride, Some(link)), Unknown::Contact { roll, body: link }],
             ),
-            GroupKind::DrivenBar { link, point, .. } => {
-                (Target::Pin(point), [0, 1].map(|hold| self.hold_of(kind, hold, (link, point))))
+            GroupKind::DrivenBar { link, point, pins, slides, riders, under, .. } => {
+                let hold =
+                    |i: usize| self.hold_of((slides[i], pins[i]), (riders[i], under[i]), (link, point));
+                (Target::Pin(point), [0, 1].map(hold))
             }
             GroupKind::DrivenWheel { wheel, centre, roll, guide, .. } => {
                 let held = match guide {
@@ -389,13 +391,14 @@ impl Draughtsman<'_> {
     }
 
     /// What one of the two sliding pairs of a driven link leaves unknown.
-    fn hold_of(&self, kind: GroupKind, hold: usize, (link, point): (LinkId, PointId)) -> Unknown {
-        let GroupKind::DrivenBar { pins, slides, riders, under, .. } = kind else {
-            return Unknown::Slide { slide: 0, back: false };
-        };
-        let (slide, pin) = (slides[hold], pins[hold]);
-        let back = under[hold] || riders[hold] == Some(self.mechanism.slides[slide].guide.link);
-        if pin == point && !under[hold] {
+    fn hold_of(
+        &self,
+        (slide, pin): (usize, PointId),
+        (rider, under): (Option<LinkId>, bool),
+        (link, point): (LinkId, PointId),
+    ) -> Unknown {
+        let back = under || rider == Some(self.mechanism.slides[slide].guide.link);
+        if pin == point && !under {
             Unknown::Slide { slide, back }
         } else {
             Unknown::Carried { slide, back, link, pin }
@@ -404,11 +407,10 @@ impl Draughtsman<'_> {
 
     /// The other pins of a driven link: their images, and what their sliding is.
     fn other_pins(&mut self, order: Order, kind: GroupKind) {
-        let GroupKind::DrivenBar { link, point, under, .. } = kind else { return };
+        let GroupKind::DrivenBar { link, point, pins, slides, riders, under, .. } = kind else { return };
         for (hold, is_under) in under.into_iter().enumerate() {
-            let Unknown::Carried { slide, back, pin, .. } = self.hold_of(kind, hold, (link, point)) else {
-                continue;
-            };
+            let found = self.hold_of((slides[hold], pins[hold]), (riders[hold], is_under), (link, point));
+            let Unknown::Carried { slide, back, pin, .. } = found else { continue };
             let (target, head) = if is_under {
                 let image = self.image_under(order, pin, link);
                 (Target::Under(pin, link), (self.label_under(pin, link), image))

@@ -8,7 +8,7 @@ use crate::plan::{Auxiliary, chord, home, transmission_points};
 
 use super::auxiliary::KleinAnswer;
 use super::centres::{FromCentres, NO_INPUT};
-use super::construction::{Act, Calculation, Fine, Label, Reading, VectorKind};
+use super::construction::{Act, Calculation, Fine, Label, Reading, Vector, VectorKind};
 use super::draughtsman::Draughtsman;
 use super::missing::Missing;
 use super::shown::Standing;
@@ -160,9 +160,23 @@ impl Draughtsman<'_> {
     /// The paper length of the vector that stands for a quantity.
     fn drawn_length(&self, quantity: &Quantity) -> Option<f64> {
         [Order::Velocity, Order::Acceleration].into_iter().find_map(|order| {
-            let vector = self.polygon(order)?.vectors.iter().find(|v| v.quantity == *quantity)?;
+            let vector = self.polygon(order)?.vectors.iter().find(|v| self.stands_for(v, *quantity))?;
             Some(libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]))
         })
+    }
+
+    /// Whether a vector of the paper is this quantity. A point against that of a link under a pin of another is not the
+    /// point against the pin, though it is named by both.
+    fn stands_for(&self, vector: &Vector, quantity: Quantity) -> bool {
+        let under = |label: Label| match label {
+            Label::Image { point, link: Some(link) } | Label::Foot { point, link: Some(link), .. } => {
+                !self.mechanism.link(link).points.contains(&point)
+            }
+            _ => false,
+        };
+        let by_points =
+            matches!(quantity, Quantity::RelativeVelocity(..) | Quantity::RelativeAcceleration(..));
+        vector.quantity == quantity && !(by_points && (under(vector.tail) || under(vector.head)))
     }
 
     /// What Klein's construction says of a quantity.
@@ -315,7 +329,8 @@ impl Draughtsman<'_> {
         tail: (Label, Point),
         head: (Label, Point),
     ) {
-        let drawn = self.polygon(order).is_some_and(|p| p.vectors.iter().any(|v| v.quantity == quantity));
+        let drawn =
+            self.polygon(order).is_some_and(|p| p.vectors.iter().any(|v| self.stands_for(v, quantity)));
         if drawn {
             return;
         }

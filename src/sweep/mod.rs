@@ -31,7 +31,7 @@ use crate::plan::{CentreSource, Extent, Plan};
 pub use bounds::SweepWithBounds;
 pub use course::{Event, EventKind, Stretch};
 pub use curve::{Table, Track};
-pub use positions::{PositionError, other_positions};
+pub use positions::{PositionError, moved_to, other_positions};
 
 /// What a sweep goes over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

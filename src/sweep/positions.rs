@@ -69,6 +69,25 @@ pub fn other_positions(
     Ok(all)
 }
 
+/// The mechanism in another position: its first input there, and every point of it near where that has it.
+///
+/// # Errors
+/// Where the mechanism does not move on as it is given.
+pub fn moved_to(mechanism: &Mechanism, other: &OtherPosition) -> Result<Mechanism, SweepError> {
+    let (mut moved, _, _) = prepare::ready(mechanism)?;
+    moved.asked.clear();
+    if let (OtherKind::Input(to), Some(input)) = (other.kind, moved.inputs.first_mut()) {
+        match input {
+            Input::Angle { angle, .. } | Input::Speed { angle, .. } => *angle = Some(Given::exact(to)),
+            Input::Slide { at, .. } => *at = Some(Given::exact(to)),
+        }
+    }
+    let origin = graphical::origin(mechanism);
+    let places = other.places.iter().map(|at| at.map(|at| [origin[0] + at[0], origin[1] + at[1]]));
+    hint(&mut moved, &places.collect());
+    Ok(moved)
+}
+
 /// A mechanism that can be moved.
 struct Mover {
     mechanism: Mechanism,

@@ -209,9 +209,8 @@ fn centre(ask: &mut Asker, b: usize, c: usize) {
     let apart = |f: fn(Moving) -> Place| minus(f(state.place(b, at)), f(state.place(c, at)));
     // At a momentary rest of everything, accelerations are as velocities a moment later.
     let rest = m.inputs.iter().all(|i| i.rate == 0.0);
-    // Nor has it a centre by nature where several inputs rest; and of links that are driven apart the drawing gives
-    // wrong centres yet.
-    if m.inputs.len() > 1 && (rest || std::env::var_os("LINKGRAM_ALL").is_none()) {
+    // Nor has it a centre by nature where several inputs rest.
+    if m.inputs.len() > 1 && rest {
         return;
     }
     let ((turn, apart), (v, w)) = if rest {

@@ -16,6 +16,7 @@ mod campaign;
 mod grow;
 mod jet;
 mod judge;
+mod kept;
 mod mechanism;
 mod minimise;
 mod restated;
@@ -48,6 +49,13 @@ fn moving(seed: u64) -> Result<(grow::Growth, State, Dice), &'static str> {
         truth::NoTruth::Singular(_) => "next to a dead centre",
     })?;
     Ok((growth, state, dice))
+}
+
+/// The text of the scene of this seed, of those that both solvers answer rightly.
+pub(crate) fn right_scene(seed: u64) -> Option<String> {
+    let case = case(seed).ok()?;
+    let right = judge::judge(&case.scene, &case.asked).faults.is_empty();
+    right.then(|| judge::asking(&case.scene, &case.asked).to_string())
 }
 
 /// The scene of this seed; why there is none, otherwise.
@@ -155,7 +163,9 @@ fn campaign() {
     if count == 1 {
         let case = case(from).unwrap();
         let faults = judge::judge(&case.scene, &case.asked).faults;
-        println!("{:#}\n{:?}\n{faults:#?}", judge::asking(&case.scene, &case.asked), case.made);
+        println!("{:#}\n{:?}", judge::asking(&case.scene, &case.asked), case.made);
+        case.asked.iter().for_each(|a| println!("{} = {:?}", a.name, a.truth));
+        println!("{faults:#?}");
         return;
     }
     let tally = campaign::run(from..from + count, from_environment("LINKGRAM_MINIMISED", 10));
