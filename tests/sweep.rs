@@ -652,6 +652,87 @@ fn every_position_is_within_its_bounds() {
     assert!((0.25..4.0).contains(&tape), "the median bound is {tape} times that of the tape");
 }
 
+/// At the scene's own place a sweep computes the doubles of `solve` (but for slotted levers, whose last places may
+/// differ), and bounds them by the same rules. What is computed
+/// twice stands once in a sweep and errs once, and what is constant errs as if it were independent: the bounds are not
+/// the same, but of one size. (Centres are left out: which of them a drawing goes over is chosen by the eye.)
+#[test]
+fn the_drawing_and_its_sweep_are_one() {
+    use linkgram::mechanism::quantity::{Answer, Method};
+    use linkgram::plan::Extent;
+    let (mut scenes, mut ratios) = (0, Vec::new());
+    let (mut apart, mut numbers) = (Vec::new(), 0);
+    for (name, mut scene) in common::scenes() {
+        scene.mechanism.asked.retain(|asked| asked.method == Method::default() && !asked.by_centres());
+        scene.mechanism.asked.retain(|asked| !matches!(asked.quantity, Quantity::Centre(..)));
+        let Ok(sweep) = Sweep::new(&scene.mechanism, None) else { continue };
+        let Ok(bounded) = sweep.with_bounds() else { continue };
+        // A sweep begins within the turn from zero on.
+        let given = match &mut scene.mechanism.inputs[0] {
+            Input::Angle { angle: Some(at), .. } | Input::Slide { at: Some(at), .. } => {
+                *at = Given::within(sweep.start, at.error);
+                *at
+            }
+            _ => continue,
+        };
+        let Ok(solved) = linkgram::solve::solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene)
+        else {
+            continue;
+        };
+        scenes += 1;
+        bounded.run_within(
+            &[sweep.start],
+            |_| given.error,
+            |_, values, bounds| {
+                let readings = scene.mechanism.asked.iter().zip(&solved.solution.construction.answers);
+                for (asked, reading) in readings {
+                    let (value, bound) = match &reading.answer {
+                        Answer::Scalar { value, bound } => (vec![*value], *bound),
+                        Answer::Vector { value, bound } => (value.to_vec(), *bound),
+                        _ => continue,
+                    };
+                    let what = format!("{name}: {}", asked.name);
+                    let of_it = sweep.columns.iter().filter(|c| !c.watched).enumerate();
+                    let columns = of_it.filter(|(_, c)| c.asked.name == asked.name).map(|(index, _)| index);
+                    let columns: Vec<usize> = columns.collect();
+                    if columns.len() != value.len() {
+                        continue;
+                    }
+                    let mut together = 0.0;
+                    for (&column, value) in columns.iter().zip(&value) {
+                        numbers += 1;
+                        assert!(
+                            (values[column].abs() - value.abs()).abs() <= bound + bounds[column],
+                            "{what}"
+                        );
+                        // A magnitude is given with either sign.
+                        if values[column] != *value && values[column] != value.abs() {
+                            apart.push(format!(
+                                "{what} is {} in the sweep, {value} in the drawing",
+                                values[column]
+                            ));
+                        }
+                        together = libm::hypot(together, bounds[column]);
+                    }
+                    if bound > 0.0 {
+                        ratios.push((together / bound, what));
+                    }
+                }
+            },
+        );
+    }
+    ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert!(scenes > 60 && ratios.len() > 500, "only {scenes} scenes, {} quantities", ratios.len());
+    assert!(apart.len() * 25 < numbers, "{} of {numbers}\n{}", apart.len(), apart.join("\n"));
+    let (least, most) = (&ratios[0], &ratios[ratios.len() - 1]);
+    println!(
+        "{scenes} scenes, {} bounds: {least:?} to {most:?}, {:?}",
+        ratios.len(),
+        ratios[ratios.len() / 2]
+    );
+    assert!(least.0 > 0.4 && most.0 < 2.5, "{least:?} {most:?}");
+}
+
 /// Two lengths that are equal by chance are not one number: each may be off on its own. (x of B over each of four
 /// lengths by the closed form of the parallelogram: the coupler turns by what the sides differ.)
 #[test]

@@ -199,7 +199,7 @@ impl Transcript {
         self.values.get(slot as usize).copied().unwrap_or(0.0)
     }
 
-    /// Writes an operation down, in the simplest form that says the same.
+    /// Writes an operation down, in the simplest form that comes to the same double.
     fn make(&mut self, op: Op, [a, b, c, d]: Operands) -> u32 {
         let count = op.operands();
         if [a, b, c, d][..count].iter().all(|&slot| self.known(slot).is_some()) {
@@ -228,12 +228,6 @@ impl Transcript {
             Op::Product if is(a, -1.0) => return self.make(Op::Opposite, [b, 0, 0, 0]),
             Op::Product if is(b, -1.0) => return self.make(Op::Opposite, [a, 0, 0, 0]),
             Op::Quotient if is(a, 0.0) => return self.constant(0.0),
-            Op::Quotient if self.known(b).is_some() => {
-                // A constant divisor is a factor.
-                let one = self.constant(1.0);
-                let factor = self.make(Op::Quotient, [one, b, 0, 0]);
-                return self.make(Op::Product, [a, factor, 0, 0]);
-            }
             Op::Opposite => {
                 if let Some(Node::Made(Op::Opposite, [x, ..])) = self.nodes.get(a as usize) {
                     return *x;

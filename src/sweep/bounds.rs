@@ -49,7 +49,17 @@ impl SweepWithBounds<'_> {
 
     /// Reckons the asked columns at many places, ascending, a few at a time and without allocation for each: `take`
     /// gets the place, its numbers and their bounds. Where a number is not determined its bound is infinite.
-    pub fn run(&self, places: &[f64], mut take: impl FnMut(f64, &[f64], &[f64])) {
+    pub fn run(&self, places: &[f64], take: impl FnMut(f64, &[f64], &[f64])) {
+        self.run_within(places, |at| OF_PLACE * at.abs(), take);
+    }
+
+    /// The same where each place is known within an error of its own, rad or m.
+    pub fn run_within(
+        &self,
+        places: &[f64],
+        error: impl Fn(f64) -> f64,
+        mut take: impl FnMut(f64, &[f64], &[f64]),
+    ) {
         let TranscribedWithBounds { program, chords } = &self.transcribed;
         let mut block = program.block();
         let width = self.sweep.columns.iter().filter(|c| !c.watched).count();
@@ -62,7 +72,7 @@ impl SweepWithBounds<'_> {
             for chunk in inside.chunks(FEW) {
                 let mut at = [chunk.last().copied().unwrap_or(0.0); FEW];
                 at[..chunk.len()].copy_from_slice(chunk);
-                let errors = at.map(|at| OF_PLACE * at.abs());
+                let errors = at.map(&error);
                 program.run(&at, &errors, &signs, &mut block);
                 for (index, &at) in chunk.iter().enumerate() {
                     let found = block.asked(program).zip(&self.sweep.columns);

@@ -159,6 +159,14 @@ impl View {
         self.chords.iter().all(|(_, c)| c.value > -ERRORS * c.error)
     }
 
+    /// How far a limit at this place may be off, as far as rounding tells: the place where the arcs just touch, and as
+    /// much on its other side.
+    fn blur(&self) -> f64 {
+        let off = |c: &Moving| 2.0 * ERRORS * c.error / c.slope.abs();
+        let touching = self.chords.iter().filter(|(_, c)| !is_clear(*c)).map(|(_, c)| off(c));
+        touching.filter(|off| off.is_finite()).fold(0.0, f64::max)
+    }
+
     /// What is measured, or its square where it is a magnitude: that has a slope where it is zero, too.
     fn measured(&self, measure: Measure) -> Moving {
         match measure {
@@ -436,7 +444,7 @@ impl Walker<'_> {
 pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<Event>, u64) {
     let [from, to] = sweep.range;
     let signs = sweep.transcribed().program.signs();
-    let mut looked = 0;
+    let (mut looked, mut looked_back) = (0, 0);
     let mut go = |end: f64| {
         let (mut stretches, mut events) = (Vec::new(), Vec::new());
         let mut walker = Walker::new(sweep);
@@ -453,8 +461,13 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         (stretches, events) = go(start + (to - from));
         if stretches.iter().any(|s| s.apart) || stretches.last().is_none_or(|s| s.to < start + (to - from)) {
             let (down, on_the_way) = go(start - (to - from));
-            let reached = down.iter().filter(|s| !s.apart).map(|s| s.from).fold(start, f64::min);
-            let above = |x: f64| x < reached + (to - from) - seam(sweep);
+            let last = down.iter().filter(|s| !s.apart).min_by(|a, b| a.from.total_cmp(&b.from));
+            let reached = last.map_or(start, |s| s.from);
+            // A limit that is met from both sides is found at two places within its own rounding.
+            let mut walker = Walker::new(sweep);
+            let blur = last.map_or(0.0, |s| walker.view(reached, &s.signs).blur());
+            looked_back = walker.place.looks();
+            let above = |x: f64| x < reached + (to - from) - seam(sweep).max(blur);
             stretches.retain(|s| !s.apart || above(s.to));
             stretches.extend(down.into_iter().filter(|s| !s.apart));
             events.retain(|e| above(e.at));
@@ -470,6 +483,7 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         stretches = down;
         stretches.extend(up);
     }
+    looked += looked_back;
     if sweep.whole_turn {
         looked += events_at_the_seam(sweep, start, looks, &stretches, &mut events);
     }

@@ -55,6 +55,18 @@ pub(crate) fn read(text: &str) -> Scene {
     scene::read(text, "test.json").unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
+/// Every scene of the examples and of the catalogue that can be read, with its name.
+pub(crate) fn scenes() -> Vec<(String, Scene)> {
+    let of_file = |path: PathBuf| {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let scene = scene::read(&std::fs::read_to_string(&path).unwrap(), &name).ok()?;
+        Some((name, scene))
+    };
+    let kinds = linkgram::catalogue::KINDS.iter();
+    let kinds = kinds.map(|kind| (kind.name.to_owned(), read(kind.scene)));
+    example_paths().into_iter().filter_map(of_file).chain(kinds).collect()
+}
+
 /// Scales that put each diagram on 120 mm of paper.
 pub(crate) fn scales_for(extents: Extents) -> Scales {
     let per_mm = |extent: [f64; 2]| {
