@@ -197,7 +197,7 @@ impl Plan {
         Self::leaving_out(mechanism, structure, extent, source, auxiliary, &BTreeSet::new())
     }
 
-    /// The same without what hangs on these groups, by index, unless it is asked for.
+    /// The same without what depends on these groups, by index, unless it is asked for.
     #[must_use]
     pub fn leaving_out(
         mechanism: &Mechanism,
@@ -308,7 +308,7 @@ pub fn transfer_home(mechanism: &Mechanism, structure: &Structure, point: PointI
     slider.or_else(|| home(mechanism, structure, point))
 }
 
-/// The shortest chain of moving links from one to another, each with the pin by which it hangs on the one before;
+/// The shortest chain of moving links from one to another, each with the pin by which it depends on the one before;
 /// `None` where no moving pins join them.
 #[must_use]
 pub fn chain(mechanism: &Mechanism, from: LinkId, to: LinkId) -> Option<Vec<(LinkId, PointId)>> {
@@ -748,7 +748,7 @@ fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
     }
 }
 
-/// The sliding pairs by which a group hangs on solved links.
+/// The sliding pairs by which a group depends on solved links.
 fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
     match kind {
         GroupKind::Rrp { slide, .. } | GroupKind::Rpr { slide, .. } => [Some(slide), None],

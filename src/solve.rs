@@ -43,7 +43,7 @@ pub struct LeftOut {
     pub links: Vec<u32>,
     /// Why the first of them cannot be drawn.
     pub why: DrawError,
-    /// The groups that cannot be drawn, by index; what hangs on them is not among them.
+    /// The groups that cannot be drawn, by index; what depends on them is not among them.
     groups: BTreeSet<usize>,
 }
 
@@ -154,7 +154,7 @@ pub fn solve_with(
     Ok(Solved { structure, plan, scales, solution, left_out })
 }
 
-/// A plan for as much of the skeleton as can be drawn: the groups that cannot, and what hangs on them, are left out,
+/// A plan for as much of the skeleton as can be drawn: the groups that cannot, and what depends on them, are left out,
 /// where nothing asked needs them.
 fn without_the_impossible(
     scene: &Scene,
@@ -172,7 +172,7 @@ fn without_the_impossible(
     loop {
         let idle: Vec<usize> =
             plan.position.iter().map(|step| step.group).filter(|group| !needed.contains(group)).collect();
-        // Groups stand in the order in which they hang on each other.
+        // Groups stand in the order in which they depend on each other.
         let closes = |count: usize| {
             let kept = |group: &usize| needed.contains(group) || idle[..count].contains(group);
             let position = plan.position.iter().filter(|step| kept(&step.group)).cloned().collect();

@@ -306,7 +306,7 @@ impl<'s> Subject<'s> {
             self.run(setting);
         }
         let lanes = match setting {
-            // A sweep reckons so many positions at a time.
+            // A sweep computes so many positions at a time.
             Setting::Transcribed => crate::board::LANES as f64,
             _ => 1.0,
         };

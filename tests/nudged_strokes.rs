@@ -9,7 +9,7 @@
 
 use crate::common;
 
-use linkgram::board::{Nudge, Stroke, Tape};
+use linkgram::board::{Nudge, PointRecord, Tape};
 use linkgram::graphical::{Solution, construct_on};
 use linkgram::mechanism::quantity::Answer;
 
@@ -36,7 +36,7 @@ fn numbers(solution: &Solution) -> Vec<(u32, f64, f64)> {
 fn nudge_all(stem: &str) -> (usize, usize) {
     let mut drawn = common::draw(&common::example(stem));
     let rest = numbers(&drawn.solution);
-    let strokes: Vec<Stroke> = drawn.solution.tape.strokes().to_vec();
+    let strokes: Vec<PointRecord> = drawn.solution.tape.strokes().to_vec();
     let (mechanism, structure, plan) = (&drawn.scene.mechanism, &drawn.structure, &drawn.plan);
     let mut moved = 0;
     for (index, stroke) in strokes.iter().enumerate() {

@@ -340,7 +340,7 @@ fn fitted_curves_stay_within_their_accuracy() {
     let sweep = Sweep::new(&m, None).unwrap();
     let stretch = &sweep.stretches[0];
     // The hodograph of the acceleration, at 1 mm for 0.1 m/s².
-    let track = |_: f64, values: &[Option<linkgram::board::Moving>]| {
+    let track = |_: f64, values: &[Option<linkgram::board::Dual>]| {
         let (x, y) = (values[2]?, values[3]?);
         Some((Point::new(10.0 * x.value, 10.0 * y.value), Vec2::new(10.0 * x.slope, 10.0 * y.slope)))
     };
@@ -362,13 +362,13 @@ fn curves_with_corners_are_followed_to_their_ends() {
     let m = four_bar(180.0, 60.0, 140.0, 120.0, r#"["x(B)", "v(B)"]"#);
     let sweep = Sweep::new(&m, None).unwrap();
     let stretch = &sweep.stretches[0];
-    let speed = |at: f64, values: &[Option<linkgram::board::Moving>]| {
+    let speed = |at: f64, values: &[Option<linkgram::board::Dual>]| {
         let (x, y) = (values[2]?, values[3]?);
         let length = libm::hypot(x.value, y.value);
         let change = (x.value * x.slope + y.value * y.slope) / length;
         Some((Point::new(10.0 * at, 50.0 * length), Vec2::new(10.0, 50.0 * change)))
     };
-    let path = |_: f64, values: &[Option<linkgram::board::Moving>]| {
+    let path = |_: f64, values: &[Option<linkgram::board::Dual>]| {
         let (x, y) = (values[0]?, values[1]?);
         Some((Point::new(300.0 * x.value, 300.0 * y.value), Vec2::new(300.0 * x.slope, 300.0 * y.slope)))
     };

@@ -7,7 +7,7 @@
 //! to see that divisors stand clear, and for what the tangent leaves out; where they are too rough for that they are
 //! replaced by sweeps of their own, as on the tape.
 //!
-//! Numbers that hang on nothing that is varied were computed before; each counts with its own error, as if it
+//! Numbers that depend on nothing that is varied were computed before; each counts with its own error, as if it
 //! were independent of the others.
 
 use super::bounds::{ROUNDED, WEAK_DIVISOR};
@@ -69,7 +69,7 @@ pub struct BoundedBlock {
 
 impl BoundedBlock {
     /// The asked numbers, in order, each with its bound: |value − truth| ≤ bound. The bound is infinite where a
-    /// divisor behind the number does not stand clear of its own error.
+    /// divisor behind the number does not exceed its own error.
     pub fn asked<'a>(
         &'a self,
         program: &'a BoundedProgram,
@@ -172,7 +172,7 @@ impl BoundedProgram {
         self.steps.len()
     }
 
-    /// Whether nothing hangs on what is varied.
+    /// Whether nothing depends on what is varied.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.steps.is_empty()

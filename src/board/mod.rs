@@ -27,9 +27,9 @@ pub use hand::{Hand, Pencil};
 pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
 pub use number::TOO_LARGE;
 pub use op::Op;
-pub use program::{Block, LANES, Lane, Law, Moving, Place, Program, Transcript, Variable, Wanted};
+pub use program::{Block, Dual, LANES, Lane, Law, Program, Transcript, Variable, Wanted, Workspace};
 pub use scalar::{Arithmetic, Real};
-pub use tape::{Nudge, Operation, Reason, Stroke, Tape};
+pub use tape::{Nudge, Operation, PointRecord, Reason, Tape};
 
 /// A recorded scalar.
 #[derive(Debug, Clone, Copy)]
@@ -160,7 +160,7 @@ pub struct Pair {
     half: Mm,
     /// Angle of crossing, 0 to π/2.
     pub crossing: f64,
-    /// The half chord does not stand clear of its own error: both points are one.
+    /// The half chord does not exceed its own error: both points are one.
     pub tangent: bool,
 }
 
@@ -361,7 +361,7 @@ impl Board {
         Mm(angle.0)
     }
 
-    /// One step of false position: the angle less miss / slope. The slope must stand clear of its error.
+    /// One step of false position: the angle less miss / slope. The slope must exceed its error.
     pub fn corrected(&mut self, angle: Angle, miss: Mm, slope: crate::given::Given, reason: Reason) -> Angle {
         let slope = self.given(slope);
         let step = self.div(miss.0, slope, reason);

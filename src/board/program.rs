@@ -32,7 +32,7 @@ pub type Lane = [f64; LANES];
 /// Unit roundoff of the doubles in which programs compute.
 pub(super) const U: f64 = f64::EPSILON / 2.0;
 
-/// A number stands clear of its error as a divisor does on the tape.
+/// A number exceeds its error as a divisor does on the tape.
 pub(super) const CLEAR: f64 = 8.0;
 
 /// The operands of a node: slots, unused ones zero. The second of a half chord is its index, the third of an angle
@@ -41,7 +41,7 @@ pub(super) type Operands = [u32; MOST_OPERANDS];
 
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Node {
-    /// A number that hangs on nothing that is varied, and its error; 0 where nobody keeps errors.
+    /// A number that depends on nothing that is varied, and its error; 0 where nobody keeps errors.
     Constant(f64, f64),
     Input,
     Made(Op, Operands),
@@ -181,7 +181,7 @@ impl Transcript {
         }
     }
 
-    /// A number that hangs on nothing that is varied; `None` for one that does.
+    /// A number that depends on nothing that is varied; `None` for one that does.
     #[must_use]
     pub fn constant_at(&self, mark: u32) -> Option<f64> {
         self.known(mark)
@@ -592,7 +592,7 @@ struct Step {
     to: u32,
     /// Where the sine of a cosine (or the cosine of a sine) goes; 0 where nobody wants it.
     second: u32,
-    /// It is divided by: where it does not stand clear of its error, nothing that follows from it is known.
+    /// It is divided by: where it does not exceed its error, nothing that follows from it is known.
     guard: bool,
     from: [u32; 4],
 }
@@ -628,7 +628,7 @@ pub struct Program {
 
 /// A number, how it changes with the input, and to first order how far rounding may have put it off.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Moving {
+pub struct Dual {
     /// The number.
     pub value: f64,
     /// Its derivative by the input.
@@ -651,7 +651,7 @@ struct Row {
     value: f64,
     slope: f64,
     errors: [f64; SAMPLES],
-    /// A divisor behind it does not stand clear of its error.
+    /// A divisor behind it does not exceed its error.
     lost: bool,
 }
 
@@ -665,8 +665,8 @@ impl Row {
         TIMES * (squares / samples).sqrt()
     }
 
-    fn moving(&self) -> Moving {
-        Moving { value: self.value, slope: self.slope, error: self.error() }
+    fn moving(&self) -> Dual {
+        Dual { value: self.value, slope: self.slope, error: self.error() }
     }
 
     fn is_clear(&self) -> bool {
@@ -704,12 +704,12 @@ impl Block {
 
 /// Room for one position.
 #[derive(Debug, Clone, Default)]
-pub struct Place {
+pub struct Workspace {
     rows: Vec<Row>,
     looks: u64,
 }
 
-impl Place {
+impl Workspace {
     /// How many positions have been looked at in this room: what a search has cost.
     #[must_use]
     pub fn looks(&self) -> u64 {
@@ -729,7 +729,7 @@ impl Program {
         self.steps.len()
     }
 
-    /// Whether nothing hangs on the input.
+    /// Whether nothing depends on the input.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.steps.is_empty()
@@ -819,7 +819,7 @@ impl Program {
 
     /// Computes one position, with the derivative of every number by the input and its error. The input counts as
     /// uncertain by a unit in its last place, as a number of the scene and its unit do.
-    pub fn look(&self, input: f64, signs: &[f64], place: &mut Place) {
+    pub fn look(&self, input: f64, signs: &[f64], place: &mut Workspace) {
         place.looks += 1;
         let rows = &mut place.rows;
         rows.clear();
@@ -871,24 +871,24 @@ impl Program {
     }
 
     /// The asked numbers of a place, in order.
-    pub fn asked<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = Moving> + 'a {
+    pub fn asked<'a>(&'a self, place: &'a Workspace) -> impl Iterator<Item = Dual> + 'a {
         self.asked.iter().map(|&row| place.rows[row as usize].moving())
     }
 
-    /// Whether each asked number is known: every divisor behind it stands clear of its error.
-    pub fn known<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = bool> + 'a {
+    /// Whether each asked number is known: every divisor behind it exceeds its error.
+    pub fn known<'a>(&'a self, place: &'a Workspace) -> impl Iterator<Item = bool> + 'a {
         self.asked.iter().map(|&row| !place.rows[row as usize].lost)
     }
 
     /// Square of every watched half chord, negative where the arcs do not meet, with its place among the signs.
-    pub fn chords<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = (usize, Moving)> + 'a {
+    pub fn chords<'a>(&'a self, place: &'a Workspace) -> impl Iterator<Item = (usize, Dual)> + 'a {
         self.chords.iter().map(|chord| (chord.index, place.rows[chord.row as usize].moving()))
     }
 
     /// How far every watched angle that goes on is from the half turns that it is near, with their place among the signs.
     pub fn turns<'a>(
         &'a self,
-        place: &'a Place,
+        place: &'a Workspace,
         signs: &'a [f64],
     ) -> impl Iterator<Item = (usize, f64)> + 'a {
         self.turns.iter().map(|&(index, row)| {
@@ -898,7 +898,7 @@ impl Program {
     }
 
     /// Every number that is divided by on the way to a number of motion, half chords not among them.
-    pub fn divisors<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = Moving> + 'a {
+    pub fn divisors<'a>(&'a self, place: &'a Workspace) -> impl Iterator<Item = Dual> + 'a {
         self.divisors.iter().map(|&(row, _)| place.rows[row as usize].moving())
     }
 

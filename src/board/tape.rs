@@ -54,7 +54,7 @@ impl Operation {
 
 /// A point that the draughtsman made, and how.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stroke {
+pub struct PointRecord {
     /// The operation.
     pub operation: Operation,
     /// The point in paper millimetres.
@@ -157,7 +157,7 @@ pub struct Tape {
     pub(super) events: Vec<(u32, Event)>,
     /// Factors that stand on the tape already.
     factors: Vec<(u64, u32)>,
-    strokes: Vec<Stroke>,
+    strokes: Vec<PointRecord>,
     nudge: Option<Nudge>,
     dice: Option<Dice>,
     pub(super) bounds: Bounds,
@@ -244,7 +244,7 @@ impl Tape {
 
     /// The strokes in the order of drawing.
     #[must_use]
-    pub fn strokes(&self) -> &[Stroke] {
+    pub fn strokes(&self) -> &[PointRecord] {
         &self.strokes
     }
 
@@ -398,7 +398,7 @@ impl Tape {
         };
         let at = [at[0] + by[0], at[1] + by[1]];
         self.events.push((self.next(), Event::Point(marks)));
-        self.strokes.push(Stroke { operation, at, slots: marks, purpose });
+        self.strokes.push(PointRecord { operation, at, slots: marks, purpose });
         by
     }
 }

@@ -16,7 +16,7 @@ use crate::report::{diagnose, short};
 use crate::scene::{Scene, Subject};
 use crate::solve::SolveError;
 use crate::sweep::{
-    Event, EventKind, InputKind, Over, Stretch, Stroke, Sweep, SweepError, SweepWithBounds, Without,
+    Event, EventKind, InputKind, Over, SliderStroke, Stretch, Sweep, SweepError, SweepWithBounds, Without,
 };
 
 /// More positions than this show a progress bar.
@@ -332,7 +332,7 @@ impl Report<'_> {
         format!("{}: {what}", self.place(event.at))
     }
 
-    fn stroke(&self, stroke: &Stroke) -> String {
+    fn stroke(&self, stroke: &SliderStroke) -> String {
         let unit = self.unit_of(stroke.column);
         let column = self.sweep.columns[stroke.column].name();
         format!(

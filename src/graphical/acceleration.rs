@@ -165,7 +165,7 @@ impl Draughtsman<'_> {
         };
         self.board.purpose("acceleration of a driven point");
         self.step(Order::Acceleration, &[link], Vec::new());
-        // What the scene states, or leaves out: no number that is reckoned.
+        // What the scene states, or leaves out: no number that is computed.
         let uniform = alpha == Given::exact(0.0);
         let alpha = self.board.amount(alpha);
         let alpha = self.rate_as_calculated(Order::Acceleration, link, alpha);

@@ -457,7 +457,7 @@ impl<'m> Draughtsman<'m> {
         }
     }
 
-    /// The image of a point whose image is known; the pole for a fixed one. What hangs on an image that no
+    /// The image of a point whose image is known; the pole for a fixed one. What depends on an image that no
     /// step has drawn is refused.
     pub(super) fn image(&mut self, order: Order, point: PointId) -> Point {
         let known = self.images(order)[point.0];

@@ -145,7 +145,7 @@ impl Draughtsman<'_> {
         true
     }
 
-    /// The place of a point that an earlier step found; what hangs on one that none found is refused.
+    /// The place of a point that an earlier step found; what depends on one that none found is refused.
     pub(super) fn at(&mut self, point: PointId) -> Point {
         match self.places[point.0] {
             Some(at) => at,

@@ -1,6 +1,6 @@
 //! What the bound cannot tell from zero is told nowhere: no arrow, no sense, no number.
 //!
-//! Lines that meet in one point meet a rounding beside it. The drawing keeps what it reckoned; what is said of it, in
+//! Lines that meet in one point meet a rounding beside it. The drawing keeps what it computed; what is said of it, in
 //! vectors, readings and calculations, is zero where the bound allows zero.
 
 use std::collections::HashMap;

@@ -29,7 +29,7 @@ impl Shown {
         self.with_bound(&vec![0.0; self.value.len()])
     }
 
-    /// With its bound, which takes a sweep through the tape for each number; indeterminate where it hangs on what is
+    /// With its bound, which takes a sweep through the tape for each number; indeterminate where it depends on what is
     /// not determined here.
     #[must_use]
     pub fn answer(&self, tape: &mut Tape) -> Answer {
@@ -59,7 +59,7 @@ impl Shown {
         }
     }
 
-    /// Whether it hangs on what is not determined here.
+    /// Whether it depends on what is not determined here.
     #[must_use]
     pub fn is_weak(&self, tape: &mut Tape) -> bool {
         self.slots.iter().any(|slot| tape.weakness(*slot).is_some())

@@ -6,7 +6,7 @@
 //!
 //! *Position*: the open end runs along its trial curve as the trial driver turns; the place where it satisfies
 //! the open constraint is found on a scratch board, laid on the real one, and corrected there by one step of
-//! the rule of false position, which leaves on the tape how the place hangs on every given number.
+//! the rule of false position, which leaves on the tape how the place depends on every given number.
 //!
 //! *Velocity*: two trial polygons, with the trial driver turning at any two rates. As the rate changes, the
 //! image of the open end moves along the straight line through its two trial images (every velocity is linear

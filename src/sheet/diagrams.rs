@@ -11,7 +11,7 @@ use super::labels::{self, Request, Site};
 use super::notation::Notation;
 use super::rich::{Line, Rich};
 use super::{Language, human};
-use crate::board::Moving;
+use crate::board::Dual;
 use crate::mechanism::quantity::{Quantity, Unit};
 use crate::scene::Scene;
 use crate::sweep::{InputKind, Stretch, Sweep, Table};
@@ -67,13 +67,13 @@ impl<'s> Seen<'s> {
     }
 
     /// These columns at a place; `None` where the mechanism cannot be assembled.
-    fn at(&self, at: f64, columns: &[usize]) -> Option<Vec<Option<Moving>>> {
+    fn at(&self, at: f64, columns: &[usize]) -> Option<Vec<Option<Dual>>> {
         let stretch = self.sweep.stretches.iter().position(|s| (s.from..=s.to).contains(&at))?;
         self.tables.get(stretch).map(|table| table.at(at, columns))
     }
 
     /// These columns at places over the range, within each stretch.
-    fn looks(&self, columns: &[usize]) -> Vec<Vec<Option<Moving>>> {
+    fn looks(&self, columns: &[usize]) -> Vec<Vec<Option<Dual>>> {
         let whole = self.sweep.range[1] - self.sweep.range[0];
         let in_stretch = |(stretch, table): (&Stretch, &Table)| {
             let part = (stretch.to - stretch.from) / whole;
@@ -280,7 +280,7 @@ fn heading_of(notation: &Notation<'_>, sweep: &Sweep, panel: &Panel) -> Rich {
 type Rate = (f64, f64);
 
 /// The number of a panel: the column, or the length of the vector.
-fn number(columns: &[usize], values: &[Option<Moving>]) -> Option<Rate> {
+fn number(columns: &[usize], values: &[Option<Dual>]) -> Option<Rate> {
     let get = |c: usize| values.get(c).copied().flatten();
     match *columns {
         [x, y] => {
@@ -377,7 +377,7 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
     // An angle that passes half a turn goes on.
     let turns = matches!(column.asked.quantity, Quantity::Angle(_));
     let middle = turns.then(|| angle_of_first(seen, columns)).flatten();
-    let read = |values: &[Option<Moving>]| -> Option<Rate> {
+    let read = |values: &[Option<Dual>]| -> Option<Rate> {
         let (value, change) = number(columns, values)?;
         let value = middle.map_or(value, |m| value - 2.0 * PI * ((value - m) / (2.0 * PI)).round());
         Some((value / unit.si, change / unit.si))
@@ -413,7 +413,7 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
     };
     axes.draw(&mut group, &marks);
     let scale = axes.scale();
-    let track = |at: f64, values: &[Option<Moving>]| {
+    let track = |at: f64, values: &[Option<Dual>]| {
         let (value, change) = read(values)?;
         // The slope of a constant is rounding.
         let change = if constant { 0.0 } else { change };
@@ -421,7 +421,7 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
         Some((p, Vec2::new(scale.x / input.si, scale.y * change)))
     };
     for (stretch, table) in sweep.stretches.iter().zip(&seen.tables) {
-        let visible = |values: &[Option<Moving>]| {
+        let visible = |values: &[Option<Dual>]| {
             is_sure(values, columns, (axes.y[1] - axes.y[0]) * unit.si)
                 && read(values).is_some_and(|r| (axes.y[0]..=axes.y[1]).contains(&r.0))
         };
@@ -451,7 +451,7 @@ fn error(seen: &Seen<'_>, columns: &[usize]) -> f64 {
 
 /// Whether numbers are known well enough to draw a curve through: beside a change point they fade into
 /// rounding.
-fn is_sure(values: &[Option<Moving>], columns: &[usize], span: f64) -> bool {
+fn is_sure(values: &[Option<Dual>], columns: &[usize], span: f64) -> bool {
     const PART: f64 = 1e-4;
     columns.iter().all(|&c| values[c].is_some_and(|m| m.error <= PART * span))
 }
@@ -475,7 +475,7 @@ fn inside(
     sweep: &Sweep,
     (stretch, table): (&Stretch, &Table),
     columns: &[usize],
-    holds: impl Fn(&[Option<Moving>]) -> bool,
+    holds: impl Fn(&[Option<Dual>]) -> bool,
 ) -> Vec<[f64; 2]> {
     let look = |at: f64| holds(&table.at(at, columns));
     let looks = sweep.looks() / 2;
@@ -522,7 +522,7 @@ fn plane(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
     let unit = &column.asked.unit;
     let path = is_place(column.asked.quantity);
     let mut group = Group::new(if path { "path" } else { "hodograph" }).data("quantity", &column.asked.name);
-    let read = |values: &[Option<Moving>]| -> Option<[Rate; 2]> {
+    let read = |values: &[Option<Dual>]| -> Option<[Rate; 2]> {
         let get = |c: usize| values.get(c).copied().flatten().map(|m| (m.value / unit.si, m.slope / unit.si));
         Some([get(columns[0])?, get(columns[1])?])
     };
@@ -548,12 +548,12 @@ fn plane(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
     let axes = Axes { plot: area, x, y };
     axes.draw(&mut group, &ticks(x[0], x[1]));
     let scale = axes.scale();
-    let track = |_: f64, values: &[Option<Moving>]| {
+    let track = |_: f64, values: &[Option<Dual>]| {
         let [x, y] = read(values)?;
         Some((axes.map(x.0, y.0), Vec2::new(scale.x * x.1, scale.y * y.1)))
     };
     for (stretch, table) in sweep.stretches.iter().zip(&seen.tables) {
-        let visible = |values: &[Option<Moving>]| {
+        let visible = |values: &[Option<Dual>]| {
             is_sure(values, &columns, (axes.x[1] - axes.x[0]) * unit.si)
                 && read(values).is_some_and(|[x, y]| {
                     (axes.x[0]..=axes.x[1]).contains(&x.0) && (axes.y[0]..=axes.y[1]).contains(&y.0)
@@ -598,7 +598,7 @@ fn polar(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
     let column = &sweep.columns[columns[0]];
     let unit = &column.asked.unit;
     let mut group = Group::new("polar").data("quantity", &column.asked.name);
-    let read = |values: &[Option<Moving>]| -> Option<Rate> {
+    let read = |values: &[Option<Dual>]| -> Option<Rate> {
         number(&columns, values).map(|(value, change)| (value / unit.si, change / unit.si))
     };
     let looks = seen.looks(&columns);
@@ -626,14 +626,14 @@ fn polar(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
         let out = radius + 2.2 + (cos.abs() * text.width + sin.abs() * 2.0) / 2.0;
         text.put(&mut group, at(angle, out) + Vec2::new(-text.width / 2.0, 0.9), "tick");
     }
-    let track = |input: f64, values: &[Option<Moving>]| {
+    let track = |input: f64, values: &[Option<Dual>]| {
         let (value, change) = read(values)?;
         let (sin, cos) = libm::sincos(input);
         let (out, round) = (Vec2::new(cos, -sin), Vec2::new(-sin, -cos));
         Some((pole + out * (value * per_unit), (out * change + round * value) * per_unit))
     };
     for (stretch, table) in sweep.stretches.iter().zip(&seen.tables) {
-        let visible = |values: &[Option<Moving>]| {
+        let visible = |values: &[Option<Dual>]| {
             is_sure(values, &columns, most * unit.si) && read(values).is_some_and(|r| r.0 <= most)
         };
         for range in inside(sweep, (stretch, table), &columns, visible) {

@@ -47,7 +47,7 @@ impl SweepWithBounds<'_> {
         self.transcribed.program.len()
     }
 
-    /// Reckons the asked columns at many places, ascending, a few at a time and without allocation for each: `take`
+    /// Computes the asked columns at many places, ascending, a few at a time and without allocation for each: `take`
     /// gets the place, its numbers and their bounds. Where a number is not determined its bound is infinite.
     pub fn run(&self, places: &[f64], take: impl FnMut(f64, &[f64], &[f64])) {
         self.run_within(places, |at| OF_PLACE * at.abs(), take);

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{InputKind, Measure, Sweep};
-use crate::board::{Moving, Place, Reason};
+use crate::board::{Dual, Reason, Workspace};
 
 /// A range of the input in which the mechanism moves freely in one assembly.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,8 +66,8 @@ pub struct Event {
 /// stand clear.
 pub(super) const ERRORS: f64 = 8.0;
 
-/// Whether a number stands clear of its own rounding.
-pub(super) fn is_clear(m: Moving) -> bool {
+/// Whether a number exceeds its own rounding.
+pub(super) fn is_clear(m: Dual) -> bool {
     m.value.abs() > ERRORS * m.error
 }
 
@@ -128,7 +128,7 @@ const FAR: f64 = 0.75 * PI;
 
 struct Walker<'s> {
     sweep: &'s Sweep,
-    place: Place,
+    place: Workspace,
     /// Where each divisor was last clear of its error in this assembly, and what it was there.
     divisors: Vec<Option<(f64, f64)>>,
     /// The same of the weights of the centres.
@@ -139,11 +139,11 @@ struct Walker<'s> {
 struct View {
     at: f64,
     /// Squares of half chords, with their place among the signs.
-    chords: Vec<(usize, Moving)>,
-    divisors: Vec<Moving>,
-    columns: Vec<Moving>,
+    chords: Vec<(usize, Dual)>,
+    divisors: Vec<Dual>,
+    columns: Vec<Dual>,
     /// Reach and weight of every centre.
-    centres: Vec<[Moving; 3]>,
+    centres: Vec<[Dual; 3]>,
     /// Angles that go on, from the half turns that they are near, with their place among the signs.
     turns: Vec<(usize, f64)>,
 }
@@ -162,17 +162,17 @@ impl View {
     /// How far a limit at this place may be off, as far as rounding tells: the place where the arcs just touch, and as
     /// much on its other side.
     fn blur(&self) -> f64 {
-        let off = |c: &Moving| 2.0 * ERRORS * c.error / c.slope.abs();
+        let off = |c: &Dual| 2.0 * ERRORS * c.error / c.slope.abs();
         let touching = self.chords.iter().filter(|(_, c)| !is_clear(*c)).map(|(_, c)| off(c));
         touching.filter(|off| off.is_finite()).fold(0.0, f64::max)
     }
 
     /// What is measured, or its square where it is a magnitude: that has a slope where it is zero, too.
-    fn measured(&self, measure: Measure) -> Moving {
+    fn measured(&self, measure: Measure) -> Dual {
         match measure {
             Measure::Column(column) => self.columns[column],
             Measure::Magnitude(columns) => {
-                let mut square = Moving::default();
+                let mut square = Dual::default();
                 for m in columns.map(|column| self.columns[column]) {
                     square.value += m.value * m.value;
                     square.slope += 2.0 * m.value * m.slope;
@@ -185,7 +185,7 @@ impl View {
 }
 
 /// Notes where a number is clear of its error; where it was last so, if it had the other sign there.
-fn crossed(last: &mut Option<(f64, f64)>, at: f64, now: Moving) -> Option<(f64, f64)> {
+fn crossed(last: &mut Option<(f64, f64)>, at: f64, now: Dual) -> Option<(f64, f64)> {
     if !is_clear(now) {
         return None;
     }
@@ -195,7 +195,7 @@ fn crossed(last: &mut Option<(f64, f64)>, at: f64, now: Moving) -> Option<(f64, 
 
 /// Whether a number that falls from one look and rises to the next may come near zero in between, seen from its tangents:
 /// their meet lies below a curve that bends upward.
-fn may_touch(a: Moving, b: Moving, way: f64) -> bool {
+fn may_touch(a: Dual, b: Dual, way: f64) -> bool {
     let (down, up) = (a.slope * way, b.slope * way);
     let meet = a.value + down * ((b.value - up - a.value) / (down - up)).clamp(0.0, 1.0);
     // Written so that a not-a-number is looked at.
@@ -205,7 +205,7 @@ fn may_touch(a: Moving, b: Moving, way: f64) -> bool {
 
 impl Walker<'_> {
     fn new(sweep: &Sweep) -> Walker<'_> {
-        Walker { sweep, place: Place::default(), divisors: Vec::new(), weights: Vec::new() }
+        Walker { sweep, place: Workspace::default(), divisors: Vec::new(), weights: Vec::new() }
     }
 
     fn view(&mut self, at: f64, signs: &[f64]) -> View {
@@ -215,7 +215,7 @@ impl Walker<'_> {
         let mut asked = program.asked(&self.place);
         let counted = asked.by_ref().take(columns).zip(&self.sweep.columns);
         let counted = counted.map(|(m, column)| column.counted(m)).collect();
-        let homogeneous: Vec<Moving> = asked.collect();
+        let homogeneous: Vec<Dual> = asked.collect();
         View {
             turns: program.turns(&self.place, signs).collect(),
             at,
@@ -228,7 +228,7 @@ impl Walker<'_> {
 
     /// Forgets where numbers were clear: from here on the mechanism is another.
     fn begin(&mut self, view: &View) {
-        let seen = |m: Moving| is_clear(m).then_some((view.at, m.value));
+        let seen = |m: Dual| is_clear(m).then_some((view.at, m.value));
         self.divisors = view.divisors.iter().map(|m| seen(*m)).collect();
         self.weights = view.centres.iter().map(|[.., weight]| seen(*weight)).collect();
     }
@@ -354,7 +354,7 @@ impl Walker<'_> {
     fn limit(&mut self, at: f64, signs: &[f64]) -> Event {
         let view = self.view(at, signs);
         let nearest = (0..view.chords.len()).min_by(|&a, &b| {
-            let part = |(_, c): (usize, Moving)| c.value.abs() / c.slope.abs().max(f64::MIN_POSITIVE);
+            let part = |(_, c): (usize, Dual)| c.value.abs() / c.slope.abs().max(f64::MIN_POSITIVE);
             part(view.chords[a]).total_cmp(&part(view.chords[b]))
         });
         let reason = nearest.and_then(|chord| self.sweep.transcribed().program.reason_of_chord(chord));
@@ -405,7 +405,7 @@ impl Walker<'_> {
                 continue;
             }
             // A slope of rounding only is no extreme.
-            let still = |m: Moving| (m.slope * (now.at - before.at)).abs() <= ERRORS * m.error;
+            let still = |m: Dual| (m.slope * (now.at - before.at)).abs() <= ERRORS * m.error;
             if still(a) && still(b) {
                 continue;
             }

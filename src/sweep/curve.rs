@@ -11,11 +11,11 @@ use std::ops::Range;
 use kurbo::{BezPath, CurveFitSample, ParamCurveFit, Point, Vec2, fit_to_bezpath};
 
 use super::{Node, Stretch, Sweep, course, ranges};
-use crate::board::{Moving, Place};
+use crate::board::{Dual, Workspace};
 use crate::mechanism::quantity::Quantity;
 
 /// A point of the page and how it moves with the input; `None` where the numbers have none.
-pub type Track<'t> = dyn Fn(f64, &[Option<Moving>]) -> Option<(Point, Vec2)> + 't;
+pub type Track<'t> = dyn Fn(f64, &[Option<Dual>]) -> Option<(Point, Vec2)> + 't;
 
 /// A whole turn is first looked at in so many places.
 const PLACES: f64 = 180.0;
@@ -40,7 +40,7 @@ pub struct Table {
 impl Table {
     fn new(sweep: &Sweep, stretch: &Stretch) -> Self {
         let range = [stretch.from, stretch.to];
-        let mut place = Place::default();
+        let mut place = Workspace::default();
         let angles: Vec<bool> =
             sweep.columns.iter().map(|c| matches!(c.asked.quantity, Quantity::Angle(_))).collect();
         let turns = f64::from(sweep.looks()) / f64::from(super::LOOKS);
@@ -98,7 +98,7 @@ impl Table {
     }
 
     /// The numbers of the places that were looked at.
-    pub fn places(&self) -> impl Iterator<Item = &[Option<Moving>]> {
+    pub fn places(&self) -> impl Iterator<Item = &[Option<Dual>]> {
         self.nodes.iter().map(|node| node.1.as_slice())
     }
 
@@ -111,13 +111,13 @@ impl Table {
     /// These columns at a place of the input in the stretch, with their derivatives by the input; `None` for any other
     /// column. Angles go on over half turns.
     #[must_use]
-    pub fn at(&self, input: f64, columns: &[usize]) -> Vec<Option<Moving>> {
+    pub fn at(&self, input: f64, columns: &[usize]) -> Vec<Option<Dual>> {
         let [from, to] = self.range;
         let part = ((f64::midpoint(from, to) - input) / ((to - from) / 2.0)).clamp(-1.0, 1.0);
         self.read(libm::acos(part) / PI, columns)
     }
 
-    fn read(&self, t: f64, columns: &[usize]) -> Vec<Option<Moving>> {
+    fn read(&self, t: f64, columns: &[usize]) -> Vec<Option<Dual>> {
         let after = self.nodes.partition_point(|node| node.0 < t).clamp(1, self.nodes.len().max(2) - 1);
         let [Some(a), Some(b)] = [after - 1, after].map(|index| self.nodes.get(index)) else {
             return Vec::new();
@@ -148,7 +148,7 @@ fn speed_at([from, to]: [f64; 2], t: f64) -> f64 {
 }
 
 /// A column between two places: the cubic with their values and slopes (Hermite).
-fn between(range: [f64; 2], a: &Node, b: &Node, t: f64, column: usize) -> Option<Moving> {
+fn between(range: [f64; 2], a: &Node, b: &Node, t: f64, column: usize) -> Option<Dual> {
     let (from, to) = (a.1[column]?, b.1[column]?);
     let width = b.0 - a.0;
     let s = (t - a.0) / width;
@@ -159,7 +159,7 @@ fn between(range: [f64; 2], a: &Node, b: &Node, t: f64, column: usize) -> Option
     let value = from.value + s * (rise + s * (c + s * d));
     let change = (rise + s * (2.0 * c + 3.0 * s * d)) / width;
     let slope = change / speed_at(range, t.clamp(END, 1.0 - END));
-    Some(Moving { value, slope, error: from.error.max(to.error) })
+    Some(Dual { value, slope, error: from.error.max(to.error) })
 }
 
 /// Whether the cubic between two places misses the look in their middle, or numbers begin or end between them.

@@ -4,7 +4,7 @@
 //! The assembly of the scene is kept from place to place. At a *limit* two arcs just touch and the input
 //! goes no further; at a *change point* they touch and come apart on the other side: the mechanism goes
 //! through, and the other meeting point is taken from there on. Limits, change points, dead positions and
-//! extremes are found as roots of what the program reckons, by halving an interval down to neighbouring
+//! extremes are found as roots of what the program computes, by halving an interval down to neighbouring
 //! doubles, not by sampling; sampling only has to see that there is one.
 //!
 //! Over the input its rates are those of the scene at every place. Over time ([`Over::Time`]) every input moves
@@ -20,12 +20,12 @@ mod curve;
 mod positions;
 mod prepare;
 
-use crate::board::{LANES, Lane, Moving, Place, Variable};
+use crate::board::{Dual, LANES, Lane, Variable, Workspace};
 pub use crate::graphical::Without;
 use crate::graphical::{DrawError, Transcribed, transcribe};
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::mechanism::structure::{Structure, StructureError};
-use crate::mechanism::{Input, LinkId, Mechanism, Place as PointPlace};
+use crate::mechanism::{Input, LinkId, Mechanism, Place};
 use crate::plan::{CentreSource, Extent, Plan};
 
 pub use bounds::SweepWithBounds;
@@ -104,9 +104,9 @@ impl Column {
     }
 
     /// The number as it counts for the quantity.
-    fn counted(&self, m: Moving) -> Moving {
+    fn counted(&self, m: Dual) -> Dual {
         if self.is_unsigned() && m.value < 0.0 {
-            return Moving { value: -m.value, slope: -m.slope, error: m.error };
+            return Dual { value: -m.value, slope: -m.slope, error: m.error };
         }
         m
     }
@@ -161,7 +161,7 @@ pub struct Position {
 
 /// A motion to and fro in a whole turn of the input.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stroke {
+pub struct SliderStroke {
     /// Index of the column: a coordinate of a pin on a guide, or the angle of a rocker.
     pub column: usize,
     /// From the least to the greatest value, SI units; along the guide for a pin.
@@ -415,9 +415,9 @@ impl Sweep {
     /// The mechanism at one place: every column with its derivative by the input; `None` where it cannot be
     /// assembled.
     #[must_use]
-    pub fn at(&self, at: f64) -> Option<Vec<Option<Moving>>> {
+    pub fn at(&self, at: f64) -> Option<Vec<Option<Dual>>> {
         let stretch = self.stretch_at(at)?;
-        let mut place = Place::default();
+        let mut place = Workspace::default();
         Some(self.look(at, &stretch.signs, &mut place))
     }
 
@@ -435,13 +435,13 @@ impl Sweep {
         mechanism.asked.truncate(self.asked);
         prepare::lead(&mut mechanism, variable, at);
         let Transcribed { skeleton, placed, .. } = &self.transcribed;
-        let mut place = Place::default();
+        let mut place = Workspace::default();
         skeleton.look(at, &stretch.signs, &mut place);
         let coordinates: Vec<f64> = skeleton.asked(&place).map(|m| m.value).collect();
         for (point, at) in placed.iter().zip(coordinates.chunks_exact(2)) {
             let place = &mut mechanism.points[point.0].place;
             if place.exact().is_none() {
-                *place = PointPlace::Near([at[0], at[1]]);
+                *place = Place::Near([at[0], at[1]]);
             }
         }
         Some(mechanism)
@@ -454,7 +454,7 @@ impl Sweep {
         self.rolls_on
     }
 
-    fn look(&self, at: f64, signs: &[f64], place: &mut Place) -> Vec<Option<Moving>> {
+    fn look(&self, at: f64, signs: &[f64], place: &mut Workspace) -> Vec<Option<Dual>> {
         let program = &self.transcribed.program;
         program.look(at, signs, place);
         program
@@ -471,7 +471,7 @@ impl Sweep {
             .collect()
     }
 
-    /// Reckons the asked columns at many places, in blocks and without allocation for each: `take` gets the place
+    /// Computes the asked columns at many places, in blocks and without allocation for each: `take` gets the place
     /// and its numbers. Numbers at events of the course (which see) mean nothing.
     pub fn run(&self, places: &[f64], mut take: impl FnMut(f64, &[f64])) {
         let program = &self.transcribed.lean;
@@ -513,7 +513,7 @@ impl Sweep {
 
     /// As [`Sweep::positions`], without keeping them: `take` gets the place and one number for each column.
     pub fn each_position(&self, places: &[f64], mut take: impl FnMut(f64, &[Option<f64>])) {
-        let mut place = Place::default();
+        let mut place = Workspace::default();
         let mut values = Vec::new();
         for &at in places {
             let Some(stretch) = self.stretch_at(at) else { continue };
@@ -541,7 +541,7 @@ impl Sweep {
     pub fn adapted(&self, tolerance: f64) -> Vec<f64> {
         /// A stretch is first cut into so many parts.
         const PARTS: u32 = 16;
-        let mut place = Place::default();
+        let mut place = Workspace::default();
         let mut places = Vec::new();
         let mut look = |at: f64, signs: &[f64]| (at, self.look(at, signs, &mut place));
         for stretch in &self.stretches {
@@ -572,7 +572,7 @@ impl Sweep {
     /// The motions to and fro, where the input goes all the way round: columns with just one least and one
     /// greatest value.
     #[must_use]
-    pub fn strokes(&self) -> Vec<Stroke> {
+    pub fn strokes(&self) -> Vec<SliderStroke> {
         let round = self.whole_turn && self.stretches.iter().all(|s| !s.apart) && {
             let covered: f64 = self.stretches.iter().map(|s| s.to - s.from).sum();
             covered >= (self.range[1] - self.range[0]) * (1.0 - f64::EPSILON * 8.0)
@@ -599,7 +599,7 @@ impl Sweep {
                 let way = (high_at - low_at).abs();
                 let (quick, slow) = (way.min(turn - way), way.max(turn - way));
                 let across = column.axis.map_or(0.0, |axis| self.along_with(index, axis, [low_at, high_at]));
-                strokes.push(Stroke {
+                strokes.push(SliderStroke {
                     column: index,
                     length: libm::hypot(high - low, across),
                     ends: [low_at, high_at],
@@ -667,7 +667,7 @@ fn looks(variable: &Variable, mechanism: &Mechanism, [from, to]: [f64; 2]) -> Re
     Ok(LOOKS * turns)
 }
 
-type Node = (f64, Vec<Option<Moving>>);
+type Node = (f64, Vec<Option<Dual>>);
 
 /// Smallest and largest value of each column.
 fn ranges(nodes: &[Node]) -> Vec<[f64; 2]> {
