@@ -10,6 +10,8 @@
 //!   points put it; pairs between such links need only hold to 2e-6 of the mechanism's size.
 //! - A wheel (one joint, not ridden, not driven to an angle) has θ = 0 at this instant; rolling has no
 //!   position equation but the contact, and that only where nothing else holds the distance.
+//! - A place that the scene states by two loci is solved for before anything else (`figure.rs`): each locus is
+//!   an equation of a circle or a line, and the point counts as placed with the bound that comes out.
 //! - A block on an arc has its x-axis along the tangent, ccw about the centre of curvature.
 //!
 //! Numbers near a dead centre are refused, not guessed: where the first-order error of the Jacobian passes
@@ -22,6 +24,7 @@
 
 mod assembly;
 mod constraints;
+mod figure;
 mod linear;
 mod model;
 mod motion;
@@ -69,6 +72,14 @@ pub enum AnalyticError {
     /// A redundant pair or input contradicts the motion of the others.
     #[error("the inputs contradict each other or the pairs")]
     Contradictory,
+    /// A point does not stand where the scene states it.
+    #[error("{point} cannot be placed: {why}")]
+    Unplaced {
+        /// Its name.
+        point: String,
+        /// Why not, one clause.
+        why: String,
+    },
     /// The mechanism is not one: an index out of range, a dimension of zero, a point without coordinates.
     #[error("not a mechanism: {what}")]
     Malformed {

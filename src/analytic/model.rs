@@ -1039,7 +1039,7 @@ impl Model {
 }
 
 /// The largest length in the mechanism, metres.
-fn size(mechanism: &Mechanism, reference: [f64; 2]) -> f64 {
+pub(super) fn size(mechanism: &Mechanism, reference: [f64; 2]) -> f64 {
     let mut size = 0.0_f64;
     let mut see = |x: f64| size = size.max(x.abs());
     for point in &mechanism.points {

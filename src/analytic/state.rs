@@ -3,6 +3,7 @@
 use super::AnalyticError;
 use super::assembly::assemble;
 use super::constraints::{Motion, Scope};
+use super::figure;
 use super::model::Model;
 use super::motion::{Located, Solved, error_of, locate, param_error, singular_values, solve_motion};
 use super::tape::{Leaf, Tape, Var};
@@ -52,7 +53,8 @@ impl State {
         tolerance: f64,
         only: Option<&[Quantity]>,
     ) -> Result<Self, AnalyticError> {
-        let mut model = Model::new(mechanism)?;
+        let standing = figure::standing(mechanism)?;
+        let mut model = Model::new(&standing)?;
         if let Some(quantities) = only {
             model.narrow(quantities, order >= Order::Velocity)?;
         }

@@ -6,6 +6,7 @@ use crate::given::Given;
 use crate::graphical::construction::Label;
 use crate::graphical::{Departure, Twist};
 use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::statement::Locus;
 use crate::mechanism::{Form, GuidePoint, Input, Mechanism, Path, Place, Roll};
 
 /// All that one mistake, or several together, change.
@@ -124,7 +125,7 @@ fn enlarge(mechanism: &mut Mechanism, factor: f64, speeds: bool) {
         match &mut point.place {
             Place::Fixed(at) | Place::Placed(at) => grow_all(at),
             Place::Near(at) => at.iter_mut().for_each(|x| *x *= factor),
-            Place::Unknown => {}
+            Place::Stated(_) | Place::Unknown => {}
         }
         if let Some(journal) = &mut point.journal {
             grow(journal);
@@ -141,6 +142,16 @@ fn enlarge(mechanism: &mut Mechanism, factor: f64, speeds: bool) {
         }
     };
     mechanism.slides.iter_mut().for_each(|slide| grow_path(&mut slide.guide.path));
+    for statement in &mut mechanism.statements {
+        for locus in statement.all_loci_mut() {
+            match locus {
+                Locus::Circle { radius, .. } => grow(radius),
+                Locus::On(path) => grow_path(path),
+                Locus::Ray { .. } | Locus::Square { .. } | Locus::Sees { .. } => {}
+            }
+        }
+        statement.near.iter_mut().flatten().for_each(|x| *x *= factor);
+    }
     for roll in &mut mechanism.rolls {
         match roll {
             Roll::Circles { radii, .. } => grow_all(radii),

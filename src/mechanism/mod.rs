@@ -10,10 +10,12 @@ pub mod engine;
 pub mod quantity;
 pub mod report;
 pub mod slider_crank;
+pub mod statement;
 pub mod structure;
 
 pub use crate::given::Given;
 use quantity::Asked;
+use statement::Statement;
 
 /// Two coordinates, x to the right and y up, in metres.
 pub type GivenPoint = [Given; 2];
@@ -48,6 +50,8 @@ pub enum Place {
     /// A moving point whose place at this instant is given; the scene room has already brought it
     /// onto its guide and onto given dimensions, so both solvers may rely on it.
     Placed(GivenPoint),
+    /// A moving point whose place at this instant a figure states: index into [`Mechanism::statements`].
+    Stated(usize),
     /// A rough place: it chooses between assemblies and fixes nothing.
     Near([f64; 2]),
     /// Nothing is known.
@@ -55,12 +59,12 @@ pub enum Place {
 }
 
 impl Place {
-    /// The exact place, of a fixed or placed point.
+    /// The exact place, of a fixed or placed point. A stated one has none before it is drawn or solved for.
     #[must_use]
     pub fn exact(&self) -> Option<GivenPoint> {
         match self {
             Self::Fixed(p) | Self::Placed(p) => Some(*p),
-            Self::Near(_) | Self::Unknown => None,
+            Self::Stated(_) | Self::Near(_) | Self::Unknown => None,
         }
     }
 
@@ -70,7 +74,7 @@ impl Place {
         match self {
             Self::Fixed(p) | Self::Placed(p) => Some([p[0].value, p[1].value]),
             Self::Near(p) => Some(*p),
-            Self::Unknown => None,
+            Self::Stated(_) | Self::Unknown => None,
         }
     }
 }
@@ -322,6 +326,8 @@ pub struct Mechanism {
     /// The contact point of each rolling pair, by index of the pair: a named point of no link, under which
     /// both bodies have one.
     pub contacts: Vec<PointId>,
+    /// Places that a figure states, each after those on which it hangs.
+    pub statements: Vec<Statement>,
     /// The inputs.
     pub inputs: Vec<Input>,
     /// What is asked, in order.

@@ -8,28 +8,107 @@ use super::units::{Measure, Scale, Scales};
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 
-/// Every name, with its form for messages.
-const NAMES: [(&str, &str); 19] = [
-    ("v", "v(B) or v(B/A)"),
-    ("a", "a(B) or a(B/A)"),
-    ("an", "an(B/A), or an(B) for a link pivoted to the frame"),
-    ("at", "at(B/A), or at(B) for a link pivoted to the frame"),
-    ("omega", "omega(3) or omega(3/2)"),
-    ("alpha", "alpha(3) or alpha(3/2)"),
-    ("ratio", "ratio(4/2)"),
-    ("advantage", "advantage(4/2)"),
-    ("slip", "slip(A/4)"),
-    ("aslip", "aslip(A/4)"),
-    ("aslipn", "aslipn(A/4)"),
-    ("aslipt", "aslipt(A/4)"),
-    ("coriolis", "coriolis(A/4)"),
-    ("I", "I(1,3)"),
-    ("rub", "rub(B) or rub(B,3/4)"),
-    ("rho", "rho(B)"),
-    ("x", "x(B)"),
-    ("angle", "angle(3)"),
-    ("transmission", "transmission(3/4)"),
+/// A kind of quantity by the letters before the parenthesis.
+#[derive(Debug, Clone, Copy)]
+pub struct Named {
+    /// `v`, `omega`.
+    pub head: &'static str,
+    /// Its forms, each with what it means.
+    pub forms: &'static [(&'static str, &'static str)],
+}
+
+/// Every name that a scene may ask for.
+pub const QUANTITIES: [Named; 19] = [
+    Named {
+        head: "v",
+        forms: &[
+            ("v(B)", "velocity of point B"),
+            ("v(B/A)", "velocity of B relative to A"),
+            ("v(A@4)", "velocity of the point of link 4 that lies under the sliding pin A (textbooks: A4)"),
+        ],
+    },
+    Named {
+        head: "a",
+        forms: &[
+            ("a(B)", "acceleration of point B"),
+            ("a(B/A)", "acceleration of B relative to A"),
+            ("a(A@4)", "acceleration of the point of link 4 under the sliding pin A"),
+        ],
+    },
+    Named {
+        head: "an",
+        forms: &[
+            ("an(B/A)", "normal part of a(B/A), for two points of one link"),
+            ("an(B)", "normal part of a(B), for a point of a link pivoted to the frame"),
+            ("an(A@4)", "normal part of a(A@4), about the fixed pivot of link 4"),
+        ],
+    },
+    Named {
+        head: "at",
+        forms: &[
+            ("at(B/A)", "tangential part of a(B/A), for two points of one link"),
+            ("at(B)", "tangential part of a(B), for a point of a link pivoted to the frame"),
+            ("at(A@4)", "tangential part of a(A@4), about the fixed pivot of link 4"),
+        ],
+    },
+    Named {
+        head: "omega",
+        forms: &[
+            ("omega(3)", "angular velocity of link 3, counter-clockwise positive"),
+            ("omega(3/2)", "angular velocity of link 3 relative to link 2"),
+        ],
+    },
+    Named {
+        head: "alpha",
+        forms: &[
+            ("alpha(3)", "angular acceleration of link 3, counter-clockwise positive"),
+            ("alpha(3/2)", "angular acceleration of link 3 relative to link 2"),
+        ],
+    },
+    Named { head: "ratio", forms: &[("ratio(4/2)", "angular velocity of link 4 over that of link 2")] },
+    Named {
+        head: "advantage",
+        forms: &[("advantage(4/2)", "mechanical advantage: torque at link 4 for a unit of torque at link 2")],
+    },
+    Named {
+        head: "slip",
+        forms: &[("slip(A/4)", "velocity of pin A along link 4, relative to the point under it")],
+    },
+    Named {
+        head: "aslip",
+        forms: &[("aslip(A/4)", "acceleration of pin A as link 4 sees it, without Coriolis")],
+    },
+    Named { head: "aslipn", forms: &[("aslipn(A/4)", "the part of aslip(A/4) normal to an arc guide")] },
+    Named { head: "aslipt", forms: &[("aslipt(A/4)", "the part of aslip(A/4) along an arc guide")] },
+    Named { head: "coriolis", forms: &[("coriolis(A/4)", "Coriolis acceleration of pin A on link 4")] },
+    Named { head: "I", forms: &[("I(1,3)", "instant centre of links 1 and 3")] },
+    Named {
+        head: "rub",
+        forms: &[
+            ("rub(B)", "rubbing speed at pin B; its `radius` stands in `pins`"),
+            ("rub(B,3/4)", "the same at a pin of more than two links: between links 3 and 4"),
+        ],
+    },
+    Named { head: "rho", forms: &[("rho(B)", "radius of curvature of the path of B")] },
+    Named { head: "x", forms: &[("x(B)", "place of point B")] },
+    Named { head: "angle", forms: &[("angle(3)", "angle of the own x-axis of link 3 from +x")] },
+    Named {
+        head: "transmission",
+        forms: &[(
+            "transmission(3/4)",
+            "angle between coupler 3 and output 4 at their pin, 0 to 180 degrees",
+        )],
+    },
 ];
+
+/// The forms of a name, for messages.
+fn written(named: &Named) -> String {
+    let forms: Vec<&str> = named.forms.iter().map(|(form, _)| *form).collect();
+    match forms.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => forms.concat(),
+    }
+}
 
 /// Reads `find`; without it, everything is asked.
 pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
@@ -187,27 +266,31 @@ struct Name<'n, 'd, 's> {
     whole: &'n str,
     at: usize,
     /// How it should look.
-    form: &'static str,
+    named: &'static Named,
     draft: &'d Draft<'s>,
 }
 
 /// Reads a name, and that what it names exists.
 fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
-    let heads = || NAMES.iter().map(|(head, _)| *head);
+    let heads = || QUANTITIES.iter().map(|named| named.head);
     let unknown = |head: &str| {
         let fault = Fault::new(at, format!("`{name}` is not the name of a quantity"));
-        if heads().any(|known| known == head) {
-            let form = NAMES.iter().find(|(known, _)| *known == head).map_or("", |(_, form)| form);
-            fault.mend(format!("write {form}"))
-        } else {
-            fault.known(head, heads())
+        if let Some(named) = QUANTITIES.iter().find(|named| named.head == head) {
+            return fault.mend(format!("write {}", written(named)));
+        }
+        // `omega3`, `vB`: the parentheses are forgotten.
+        let letters = head.trim_end_matches(|c: char| c.is_ascii_digit() || c.is_uppercase());
+        match QUANTITIES.iter().find(|named| named.head == letters) {
+            Some(named) => fault.mend(format!("write {}", written(named))),
+            None => fault.known(head, heads()),
         }
     };
     let (head, inside) = name.split_once('(').ok_or_else(|| unknown(name.trim()))?;
     let head = head.trim();
     let inside = inside.trim_end().strip_suffix(')').ok_or_else(|| unknown(head))?.trim();
-    let &(head, form) = NAMES.iter().find(|(known, _)| *known == head).ok_or_else(|| unknown(head))?;
-    let name = Name { whole: name, at, form, draft };
+    let named = QUANTITIES.iter().find(|named| named.head == head).ok_or_else(|| unknown(head))?;
+    let head = named.head;
+    let name = Name { whole: name, at, named, draft };
     let separator = if matches!(head, "I" | "rub") { ',' } else { '/' };
     let (first, second) = match inside.split_once(separator) {
         Some((first, second)) => (first.trim(), Some(second.trim())),
@@ -274,9 +357,49 @@ impl<'n> Name<'n, '_, '_> {
         self.draft.point_named(name, self.at).map_err(|_| {
             let fault = self.fault(format!("there is no point `{name}`"));
             if name.parse::<u32>().is_ok() || name.is_empty() {
-                return fault.mend(format!("write {}", self.form));
+                return fault.mend(format!("write {}", written(self.named)));
+            }
+            if let Some(meant) = self.coincident(name) {
+                return fault.mend(meant);
             }
             fault.known(name, points.iter().map(|p| p.name.as_str()))
+        })
+    }
+
+    /// What is meant by the `A4` of textbooks, the point of link 4 that lies under A.
+    fn coincident(&self, name: &str) -> Option<String> {
+        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let number = &name[letters.len()..];
+        let link = self.draft.link_of(number.parse().ok()?, self.at).ok()?;
+        let point = self.draft.point_named(letters, self.at).ok()?;
+        let under = format!("the point of link {number} that lies under {letters}");
+        let slides =
+            |link: LinkId| {
+                self.draft.mechanism.slides.iter().any(|slide| {
+                    slide.guide.link == link && self.draft.riding_point(&slide.rider) == Some(point)
+                })
+            };
+        let pair = self.whole.contains('/');
+        // `v(A2/A4)`: the other one of the pair may be the one that carries the guide.
+        let others = self.whole.split(['(', '/', ')']).map(str::trim);
+        let guide = others
+            .filter_map(|other| other.strip_prefix(letters)?.parse().ok())
+            .filter_map(|number| self.draft.link_of(number, self.at).ok())
+            .find(|link| slides(*link));
+        Some(match self.named.head {
+            "v" | "a" if pair && guide.is_some() => {
+                let head = if self.named.head == "v" { "slip" } else { "aslip" };
+                let number = guide.map_or(0, |link| self.draft.link(link).number);
+                format!(
+                    "did you mean `{head}({letters}/{number})`, {letters} relative to the point of link {number} under it?"
+                )
+            }
+            head @ ("v" | "a" | "an" | "at") if !pair && slides(link) => {
+                format!("did you mean `{head}({letters}@{number})`, {under}?")
+            }
+            // A point of its own link is that point.
+            head if self.draft.stands_in(point, link) => format!("did you mean `{head}({letters})`?"),
+            _ => return None,
         })
     }
 
@@ -285,7 +408,7 @@ impl<'n> Name<'n, '_, '_> {
         found.ok_or_else(|| {
             let fault = self.fault(format!("there is no link `{number}`"));
             if number.parse::<u32>().is_err() {
-                return fault.mend(format!("write {}", self.form));
+                return fault.mend(format!("write {}", written(self.named)));
             }
             let known: Vec<String> =
                 self.draft.mechanism.links.iter().map(|l| l.number.to_string()).collect();
@@ -347,7 +470,7 @@ impl<'n> Name<'n, '_, '_> {
         }
         let fault =
             self.fault(format!("{name} stands in no link that is pivoted to the frame by a fixed pin"));
-        Err(fault.mend(format!("name a second point of its link: {}", self.form)))
+        Err(fault.mend(format!("name a second point of its link: {}({name}/…)", self.named.head)))
     }
 
     /// Two links with a pin between them.
@@ -397,9 +520,9 @@ impl<'n> Name<'n, '_, '_> {
         let of = &self.draft.mechanism.point(point);
         let pair = match links {
             Some(links) => {
-                let (one, other) = links
-                    .split_once('/')
-                    .ok_or_else(|| self.fault("two links rub").mend(format!("write {}", self.form)))?;
+                let (one, other) = links.split_once('/').ok_or_else(|| {
+                    self.fault("two links rub").mend(format!("write {}", written(self.named)))
+                })?;
                 let pair = self.links(one.trim(), other.trim())?;
                 for link in [pair.0, pair.1] {
                     if !of.links.contains(&link) {

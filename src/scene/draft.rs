@@ -17,6 +17,8 @@ pub(super) struct Draft<'s> {
     pub(super) mechanism: Mechanism,
     pub(super) anchors: Anchors,
     pub(super) input_units: Vec<InputUnits>,
+    /// The stated room of each placed point, metres; 0 where none is stated.
+    pub(super) rooms: Vec<f64>,
     points: HashMap<String, PointId>,
     links: HashMap<u32, LinkId>,
 }
@@ -34,11 +36,13 @@ impl<'s> Draft<'s> {
                 slides: Vec::new(),
                 rolls: Vec::new(),
                 contacts: Vec::new(),
+                statements: Vec::new(),
                 inputs: Vec::new(),
                 asked: Vec::new(),
             },
             anchors: Anchors::new(root),
             input_units: Vec::new(),
+            rooms: Vec::new(),
             points: HashMap::new(),
             links: HashMap::from([(1, LinkId::FRAME)]),
         }
@@ -148,9 +152,14 @@ impl<'s> Draft<'s> {
         self.mechanism.is_fixed(point)
     }
 
-    /// Whether the file gives its exact place.
+    /// Whether the file gives its exact place, by coordinates or by what a figure states.
     pub(super) fn is_exact(&self, point: PointId) -> bool {
-        self.mechanism.point(point).place.exact().is_some()
+        matches!(self.mechanism.point(point).place, Place::Fixed(_) | Place::Placed(_) | Place::Stated(_))
+    }
+
+    /// By how much a placed point may lie elsewhere, as far as the scene says it, metres.
+    pub(super) fn room(&self, point: PointId) -> f64 {
+        self.rooms.get(point.0).copied().unwrap_or(0.0)
     }
 
     /// `link 3`, or `link 1 (the frame)`.

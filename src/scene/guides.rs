@@ -185,7 +185,7 @@ fn own_of(point: PointId, link: LinkId, draft: &Draft<'_>) -> Option<[f64; 2]> {
     if *form == Form::Placed {
         return match draft.mechanism.point(point).place {
             Place::Fixed(p) | Place::Placed(p) => Some([p[0].value, p[1].value]),
-            Place::Near(_) | Place::Unknown => None,
+            Place::Stated(_) | Place::Near(_) | Place::Unknown => None,
         };
     }
     own_coordinates(form, index_of(draft, link, point)?).map(|(place, _)| place)

@@ -122,7 +122,7 @@ fn link_input(fields: &Fields<'_, '_>, value: &Value<'_>, draft: &Draft<'_>) -> 
             let free: Vec<&str> =
                 points.iter().take(2).filter(|p| !draft.is_exact(**p)).map(|p| draft.say_point(*p)).collect();
             return Err(Fault::new(fields.at, what).mend(format!(
-                "give the angle of the line from {} to {}, or the exact place of {} in `placed`",
+                "give the angle of the line from {} to {}, or the place of {} in `placed` or `where`",
                 draft.say_point(points[0]),
                 draft.say_point(points[1]),
                 free.join(" and ")
@@ -175,7 +175,7 @@ fn slide_input(fields: &Fields<'_, '_>, value: &Value<'_>, draft: &Draft<'_>) ->
     if let (None, Some(point)) = (at, rider.filter(|p| !draft.is_exact(*p))) {
         let name = draft.say_point(point);
         return Err(Fault::new(fields.at, format!("`at` is missing: {name} is not placed")).mend(format!(
-            "give its distance along the guide from `through`, or the exact place of {name} in `placed`"
+            "give its distance along the guide from `through`, or the place of {name} in `placed` or `where`"
         )));
     }
     Ok(Input::Slide {

@@ -8,6 +8,7 @@ pub(super) const SCENE: &[&str] = &[
     "units",
     "fixed",
     "placed",
+    "where",
     "near",
     "links",
     "slides",
@@ -23,6 +24,8 @@ pub(super) const SCENE: &[&str] = &[
     "vary",
 ];
 pub(super) const UNITS: &[&str] = &["length", "angle", "time"];
+pub(super) const PLACED: &[&str] = &["at", "within"];
+pub(super) const LOCUS: &[&str] = &["from", "distance", "direction", "square_to", "sees", "at", "on"];
 pub(super) const LINK: &[&str] = &["joins", "length", "line", "sides", "turn", "shape", "arms"];
 pub(super) const SLIDE: &[&str] = &["pin", "block", "link", "turned", "on"];
 pub(super) const GUIDE: &[&str] =

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 
 use super::diagnostic::{Fault, Res, list};
 use super::draft::Draft;
-use super::json::{Entry, Fields, Value};
+use super::json::{Entry, Fields, Kind, Value};
 use super::keys;
 use super::units::Measure;
 use crate::mechanism::{Form, Given, LinkId, Place, PointId, Sense};
@@ -132,10 +132,11 @@ fn known_pin(link: &Listed<'_, '_>, scene: &Fields<'_, '_>, draft: &Draft<'_>) -
     Err(Fault::new(pin.at, format!("there is no point `{name}`")).known(name, others))
 }
 
-/// Reads `placed` and `near`.
+/// Reads `placed` and `near`, and which points `where` states.
 fn places(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     draft.anchors.places = vec![None; draft.mechanism.points.len()];
-    for key in ["placed", "near"] {
+    draft.rooms = vec![0.0; draft.mechanism.points.len()];
+    for key in ["placed", "where", "near"] {
         let Some(value) = scene.get(key) else { continue };
         for Entry { at, key: name, value } in value.object("places of moving points, by name")? {
             let point = draft.point_named(name, *at)?;
@@ -143,10 +144,23 @@ fn places(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
                 let what = format!("`{name}` is a fixed point; `{key}` is for moving ones");
                 return Err(Fault::new(*at, what).mend("keep it in one of the two"));
             }
-            let place = draft.scales.place(value)?;
+            if key == "where" {
+                if draft.is_exact(point) {
+                    let what = format!("the place of {name} is given twice: in `placed` and in `where`");
+                    return Err(Fault::new(*at, what).mend("keep one of the two"));
+                }
+                draft.anchors.places[point.0] = Some(value.at);
+                draft.mechanism.points[point.0].place = Place::Stated(usize::MAX);
+                continue;
+            }
+            let (place, room) = match (key, &value.kind) {
+                ("placed", Kind::Object(_)) => with_room(value, draft)?,
+                _ => (draft.scales.place(value)?, 0.0),
+            };
             // An exact place needs no rough one beside it.
             if !draft.is_exact(point) {
                 draft.anchors.places[point.0] = Some(value.at);
+                draft.rooms[point.0] = room;
                 draft.mechanism.points[point.0].place = match key {
                     "placed" => Place::Placed(place),
                     _ => Place::Near([place[0].value, place[1].value]),
@@ -155,6 +169,18 @@ fn places(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
         }
     }
     Ok(())
+}
+
+/// A place that was read off a figure: `{"at": [12.5, 3.1], "within": "0.5 mm"}`, with the radius of its room. A
+/// coordinate may be wrong by all of it.
+fn with_room(value: &Value<'_>, draft: &Draft<'_>) -> Res<([Given; 2], f64)> {
+    let fields = Fields::of(value, keys::PLACED, "a place: [x, y], or {\"at\": [x, y], \"within\": …}")?;
+    let at = draft.scales.place(fields.need("at", "the place, such as [12.5, 3.1]")?)?;
+    let why =
+        "how far the true place may be away, such as \"0.5 mm\"; a place that is exact is written [x, y]";
+    let within = draft.scales.positive(fields.need("within", why)?, "the room of a place")?;
+    let room = within.value + within.error;
+    Ok((at.map(|c| Given::within(c.value, c.error + room)), room))
 }
 
 /// Reads `pins`.
@@ -233,9 +259,14 @@ fn without_dimension(fields: &Fields<'_, '_>, id: LinkId, draft: &Draft<'_>) -> 
     let free: Vec<&str> =
         points.iter().filter(|p| !draft.is_exact(**p)).map(|p| draft.say_point(*p)).collect();
     if free.is_empty() {
-        let mut places = points.iter().filter_map(|p| draft.mechanism.point(*p).place.exact());
-        let first = places.next().map(|place| place.map(|c| c.value));
-        if places.all(|place| Some(place.map(|c| c.value)) == first) {
+        let mut places = points.iter().map(|p| draft.mechanism.point(*p).place);
+        let first = places.next();
+        // Of a stated place it is not known yet.
+        let same = |place: Place| match (place.exact(), first.and_then(|first| first.exact())) {
+            (Some(one), Some(other)) => one.map(|c| c.value) == other.map(|c| c.value),
+            _ => false,
+        };
+        if places.all(same) {
             let what = format!("all points of {} lie in one place: the link has no size", draft.say(id));
             return Err(
                 Fault::new(fields.at, what).mend("correct their places, or let the links share one point")
@@ -250,7 +281,7 @@ fn without_dimension(fields: &Fields<'_, '_>, id: LinkId, draft: &Draft<'_>) -> 
     };
     let place = list(&free[..free.len().min(6)]);
     Err(Fault::new(fields.at, format!("the dimensions of {} are missing", draft.say(id)))
-        .mend(format!("give {candidates}, or the exact place of {place} in `placed`")))
+        .mend(format!("give {candidates}, or the place of {place} in `placed` or `where`")))
 }
 
 /// Exactly so many items.

@@ -6,6 +6,7 @@
 pub(crate) mod asked;
 pub(crate) mod diagnostic;
 mod draft;
+mod figure;
 mod guides;
 mod inputs;
 pub(crate) mod json;
@@ -106,6 +107,8 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     rolls::read(fields.get("rolls"), &mut draft)?;
     inputs::read(&fields, &mut draft)?;
     placing::settle(&mut draft)?;
+    figure::read(&fields, &mut draft)?;
+    placing::directed_by_places(&mut draft);
     asked::read(fields.get("find"), &mut draft)?;
     let published = published::read(fields.get("published"), &mut draft)?;
     let errata = published::errata(fields.get("errata"), &published)?;

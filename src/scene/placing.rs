@@ -159,7 +159,12 @@ pub(super) fn settle(draft: &mut Draft<'_>) -> Res<()> {
     for (point, place) in places {
         draft.mechanism.points[point.0].place = place;
     }
-    // The placed points of such a link lie along its input angle now; one of the two must go.
+    Ok(())
+}
+
+/// The given points of a link that is dimensioned by placement lie along its input angle once they are settled; one of
+/// the two must go.
+pub(super) fn directed_by_places(draft: &mut Draft<'_>) {
     let links = &draft.mechanism.links;
     for input in &mut draft.mechanism.inputs {
         match input {
@@ -171,7 +176,6 @@ pub(super) fn settle(draft: &mut Draft<'_>) -> Res<()> {
             _ => {}
         }
     }
-    Ok(())
 }
 
 /// What is known while placed points are checked and settled.
@@ -217,6 +221,7 @@ impl<'b, 's> Board<'b, 's> {
         for (spot, point) in board.spots.iter_mut().zip(&mechanism.points) {
             *spot = point.place.exact().map(spot_of).or(*spot);
         }
+        board.keep_rooms();
         board
     }
 
@@ -250,6 +255,16 @@ impl<'b, 's> Board<'b, 's> {
             }
             for (point, spot) in found {
                 self.spots[point.0].get_or_insert(spot);
+            }
+        }
+    }
+
+    /// A stated room is a radius: it is not counted once for each coordinate.
+    fn keep_rooms(&mut self) {
+        for (index, spot) in self.spots.iter_mut().enumerate() {
+            let room = self.draft.room(PointId(index));
+            if let (Some(spot), true) = (spot.as_mut(), room > 0.0) {
+                spot.error = (spot.error - room).max(room);
             }
         }
     }
@@ -553,7 +568,7 @@ impl<'b, 's> Board<'b, 's> {
             let stated = cross(minus(other_own, anchor), minus(own, anchor));
             let seen = cross(minus(other.xy, origin.xy), minus(spot.xy, origin.xy));
             // Twice the area against the longest side: the height by which the triangle is not flat.
-            let flat = self.size * tolerance;
+            let flat = self.size * (tolerance + origin.error + other.error + spot.error);
             if stated * seen < 0.0 && stated.abs() > flat && seen.abs() > flat {
                 let what = format!(
                     "{}, {} and {} are placed as the mirror image of {}",
@@ -636,7 +651,13 @@ impl<'b, 's> Board<'b, 's> {
             }
         };
         Fault::new(self.draft.anchors.place(point), what)
-            .mend(format!("correct one of the two; up to {} is taken as rounding", say(tolerance)))
+            .mend(match self.draft.room(point) {
+                0.0 => format!(
+                    "correct one of the two; up to {} is taken as rounding; a place read off a figure may state its room: {{\"at\": [x, y], \"within\": …}}",
+                    say(tolerance)
+                ),
+                room => format!("correct one of the two, or the room of {} that is stated for {name}", say(room)),
+            })
     }
 
     /// Whether a point's exact place is needed whatever binds it, and whether an input needs it.
@@ -721,7 +742,7 @@ impl<'b, 's> Board<'b, 's> {
         let mut xy = spot.xy;
         match partner {
             Some(second) if sine > GRAZING => {
-                for _ in 0..4 {
+                for _ in 0..8 {
                     xy = step(xy, &first.locus, &second.locus);
                 }
                 let error = (first.error + second.error + rounding) / sine;

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::asked::QUANTITIES;
 use super::sheet::{LANGUAGES, MOST_POSITIONS, NOTATIONS, PAPERS, THEMES};
 use super::units::names;
 use crate::mechanism::quantity::Method;
@@ -60,8 +61,21 @@ fn scene() -> Value {
             "units": reference("units"),
             "fixed": by_point("Points of the frame (link 1), exact.", &reference("place")),
             "placed": by_point(
-                "Moving points at this instant, as exact as their digits; link dimensions not given elsewhere follow from them.",
-                &reference("place"),
+                "Moving points at this instant, as exact as their digits or within a stated room; link dimensions not given elsewhere follow from them.",
+                &json!({ "oneOf": [reference("place"), reference("placeWithin")] }),
+            ),
+            "where": by_point(
+                "Moving points at this instant by what a figure states: two loci for each, from points that stand already; link dimensions not given elsewhere follow from them.",
+                &json!({
+                    "oneOf": [
+                        { "type": "array", "items": reference("locus"), "minItems": 1, "maxItems": 2 },
+                        reference("locus"),
+                    ],
+                    "examples": [
+                        [{ "from": "O3", "distance": 12.5 }, { "from": "O3", "direction": 60 }],
+                        [{ "from": "A", "square_to": ["O2", "A"] }, { "on": { "link": 1, "through": [0, 37] } }],
+                    ],
+                }),
             ),
             "near": by_point(
                 "Rough places of moving points: they choose the assembly and fix nothing else.",
@@ -98,7 +112,7 @@ fn scene() -> Value {
             "sheet": reference("sheet"),
             "vary": {
                 "type": "object", "additionalProperties": reference("range"),
-                "propertyNames": { "pattern": "^(fixed|placed|links|slides|rolls|inputs?|pins)[.\\[]" },
+                "propertyNames": { "pattern": "^(fixed|placed|where|links|slides|rolls|inputs?|pins)[.\\[]" },
                 "description": "What the variants of an exam may change: the path of a given number, and its range.",
                 "examples": [{
                     "links.2.length": { "from": 12, "to": 18, "step": 0.5 },
@@ -129,7 +143,7 @@ fn definitions() -> serde_json::Map<String, Value> {
 fn values() -> Value {
     let unit = names().collect::<Vec<_>>().join("|");
     let number = r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
-    let factor = format!(r"({unit})\s*(²|\^\s*[1-9])?");
+    let factor = format!(r"({unit})\s*(²|\^?\s*[1-9])?");
     let quantity = |description: &str, examples: Value| {
         json!({
             "description": format!("{description} A bare number is in the scene's unit; text carries its own."),
@@ -158,12 +172,41 @@ fn values() -> Value {
             "type": "array", "items": reference("length"), "minItems": 2, "maxItems": 2,
             "description": "Coordinates [x, y], x to the right and y up.", "examples": [[0, 37]],
         },
+        "placeWithin": object("A place that was read off a figure, with the radius of its room.", &["at", "within"], json!({
+            "at": described("place", "The place as it was read."),
+            "within": described("length", "How far the true place may be away; it enters every bound."),
+        })),
+        "locus": locus(),
         "units": object("Units of bare numbers; m, deg and s where nothing is said.", &[], json!({
             "length": { "enum": ["nm", "um", "mm", "cm", "m", "km", "in", "ft"], "default": "m", "description": "Unit of lengths." },
             "angle": { "enum": ["deg", "rad", "rev"], "default": "deg", "description": "Unit of angles; ω and α are in rad whatever it is." },
             "time": { "enum": ["ms", "s", "min"], "default": "s", "description": "Unit of time." },
         })),
     })
+}
+
+fn locus() -> Value {
+    let two = |description: &str| {
+        json!({
+            "type": "array", "items": reference("point"), "minItems": 2, "maxItems": 2, "description": description,
+        })
+    };
+    let mut locus = object(
+        "Where a point lies: a circle (`from`, `distance`), a ray (`from`, `direction`; both together are the point itself), a line (`from`, `square_to`), the circle from which a segment is seen at an angle (`sees`, `at`), or a guide (`on`).",
+        &[],
+        json!({
+            "from": described("point", "The centre of the circle, the beginning of the ray, or a point of the line."),
+            "distance": described("length", "Distance from that point."),
+            "direction": described("angle", "Direction of the ray from +x."),
+            "square_to": two("The line is square to that through these two points."),
+            "sees": two("The ends of the segment."),
+            "at": described("angle", "The angle at which it is seen: from the direction to its first end to that to its second, counter-clockwise; of a right angle the sense does not matter."),
+            "on": described("guide", "A line or an arc, written as in `slides`."),
+        }),
+    );
+    locus["oneOf"] =
+        json!([{ "required": ["from"] }, { "required": ["sees", "at"] }, { "required": ["on"] }]);
+    locus
 }
 
 fn links() -> Value {
@@ -311,16 +354,16 @@ fn results() -> Value {
             "why": { "type": "string", "description": "Why it is allowed.", "examples": ["1 mm on the printed drawing"] },
         }),
     );
+    let heads: Vec<&str> = QUANTITIES.iter().map(|named| named.head).collect();
+    let forms = || QUANTITIES.iter().flat_map(|named| named.forms);
+    let examples: Vec<&str> = forms().map(|(form, _)| *form).collect();
+    let meanings: Vec<String> = forms().map(|(form, meaning)| format!("{form}: {meaning}")).collect();
     json!({
         "quantity": {
             "type": "string",
-            "pattern": "^\\s*(v|a|an|at|omega|alpha|slip|aslip|aslipn|aslipt|coriolis|I|rub|rho|x|angle|transmission)\\s*\\(.+\\)\\s*$",
-            "description": "Name of a quantity; `/` reads \"relative to\".",
-            "examples": [
-                "v(B)", "v(B/A)", "a(B)", "a(B/A)", "an(B/A)", "at(B/A)", "an(B)", "at(B)", "omega(3)", "omega(3/2)",
-                "alpha(3)", "alpha(3/2)", "slip(A/4)", "aslip(A/4)", "aslipn(A/4)", "aslipt(A/4)", "coriolis(A/4)",
-                "ratio(4/2)", "advantage(4/2)", "I(1,3)", "rub(B)", "rub(B,3/4)", "rho(B)", "x(B)", "angle(3)", "transmission(3/4)",
-            ],
+            "pattern": format!(r"^\s*({})\s*\(.+\)\s*$", heads.join("|")),
+            "description": format!("Name of a quantity; `/` reads \"relative to\", `@` \"on\". {}.", meanings.join("; ")),
+            "examples": examples,
         },
         "find": {
             "oneOf": [reference("quantity"), reference("asked")],
@@ -404,9 +447,11 @@ mod tests {
     #[test]
     fn same_keys_as_the_reader() {
         let schema = schema();
-        let tables: [(&str, &[&str]); 13] = [
+        let tables: [(&str, &[&str]); 15] = [
             ("", keys::SCENE),
             ("/$defs/units", keys::UNITS),
+            ("/$defs/placeWithin", keys::PLACED),
+            ("/$defs/locus", keys::LOCUS),
             ("/$defs/link", keys::LINK),
             ("/$defs/slide", keys::SLIDE),
             ("/$defs/guide", keys::GUIDE),

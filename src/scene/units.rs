@@ -259,16 +259,7 @@ impl Scale {
                 } else {
                     wrong(format!("{what}`{name}` is not a unit"))
                 };
-                // s2 for s^2 is nearer than any name.
-                match (
-                    name.trim_end_matches(|c: char| c.is_ascii_digit()),
-                    name.trim_start_matches(char::is_alphabetic),
-                ) {
-                    (letters, digits) if !digits.is_empty() && Self::base(letters).is_some() => {
-                        fault.mend(format!("powers are written `{letters}^{digits}`"))
-                    }
-                    _ => fault.known(name, names()),
-                }
+                fault.known(name, names())
             })?;
             for _ in 0..power {
                 let product = unit.combine(&base, inverse);
@@ -284,7 +275,7 @@ impl Scale {
         if !(1e-30..=1e30).contains(&unit.si()) {
             return Err(wrong(format!("`{text}` is not a unit of a mechanism's quantity")));
         }
-        unit.symbol = text.to_owned();
+        unit.symbol = spelled(text);
         Ok(unit)
     }
 
@@ -354,18 +345,42 @@ pub fn si_of(unit: &Unit) -> DoubleDouble {
     Scale::parse(&unit.symbol, 0).map_or(DoubleDouble::of(unit.si), |scale| scale.fine)
 }
 
-/// `s^2` as `s` and 2.
+/// `s^2`, `s²` or `s2` as `s` and 2.
 fn power(factor: &str) -> Option<(&str, u32)> {
     if let Some(name) = factor.strip_suffix('²') {
         return Some((name.trim_end(), 2));
     }
+    let exponent = |digits: &str| match digits.trim().as_bytes() {
+        [digit @ b'1'..=b'9'] => Some(u32::from(digit - b'0')),
+        _ => None,
+    };
     match factor.split_once('^') {
-        None => Some((factor, 1)),
-        Some((name, digits)) => match digits.trim().as_bytes() {
-            [digit @ b'1'..=b'9'] => Some((name.trim_end(), u32::from(digit - b'0'))),
-            _ => None,
-        },
+        Some((name, digits)) => Some((name.trim_end(), exponent(digits)?)),
+        // No unit ends in a digit, so that one after a unit is its power.
+        None => {
+            let name = factor.trim_end_matches(|c: char| c.is_ascii_digit());
+            let known = name != factor && Scale::base(name).is_some();
+            Some(if known { (name, exponent(&factor[name.len()..])?) } else { (factor, 1) })
+        }
     }
+}
+
+/// A unit with its powers written `s^2`, whichever way somebody wrote them.
+fn spelled(text: &str) -> String {
+    let mut symbol = String::new();
+    for part in text.split_inclusive(['/', '*']) {
+        let (factor, sign) = match part.strip_suffix(['/', '*']) {
+            Some(factor) => (factor, &part[factor.len()..]),
+            None => (part, ""),
+        };
+        match power(factor.trim()) {
+            Some((name, exponent @ 2..)) => symbol.push_str(&format!("{name}^{exponent}")),
+            Some((name, _)) => symbol.push_str(name),
+            None => symbol.push_str(factor),
+        }
+        symbol.push_str(sign);
+    }
+    symbol
 }
 
 /// The units of bare numbers.

@@ -28,6 +28,7 @@ impl Bench {
                 slides: Vec::new(),
                 rolls: Vec::new(),
                 contacts: Vec::new(),
+                statements: Vec::new(),
                 inputs: Vec::new(),
                 asked: Vec::new(),
             },

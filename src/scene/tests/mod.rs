@@ -1,6 +1,7 @@
 //! The reader as a whole: what scenes mean, and what bad ones are told.
 
 mod diagnostics;
+mod figure;
 mod meaning;
 mod placed;
 mod robust;
