@@ -1,9 +1,10 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
-use crate::graphical::{DrawError, Missing};
+use crate::graphical::{DrawError, Missing, Unplaced};
 use crate::mechanism::quantity::{Answer, Unit};
+use crate::mechanism::statement::Locus;
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
-use crate::mechanism::{Input, Mechanism};
+use crate::mechanism::{Input, Mechanism, Path, PointId};
 pub(crate) use crate::scene::units::short;
 use crate::scene::{Diagnostic, Scene, Subject};
 use crate::solve::SolveError;
@@ -108,7 +109,13 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
             let (first, second) = (place(first), place(second));
             (
                 Subject::Place(*pin),
-                format!("ambiguous: the chain closes with {name} at {first} and at {second}"),
+                match scene.mechanism.statement_of(*pin) {
+                    Some(stated) => {
+                        let loci = stated.loci.map(|locus| locus_in_words(scene, &locus)).join(" and ");
+                        format!("ambiguous: {loci} meet in {first} and in {second}")
+                    }
+                    None => format!("ambiguous: the chain closes with {name} at {first} and at {second}"),
+                },
                 format!("choose one, as in \"near\": {{ \"{name}\": {first} }}"),
             )
         }
@@ -133,6 +140,34 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 format!("say it, as in \"placed\": {{ \"{name}\": [0, 0] }}"),
             )
         }
+        DrawError::Unplaced { point, why } => {
+            let name = &scene.mechanism.point(*point).name;
+            let stated = scene.mechanism.statement_of(*point);
+            let loci =
+                stated.map(|stated| stated.loci.map(|locus| locus_in_words(scene, &locus)).join(" and "));
+            let loci = loci.unwrap_or_default();
+            match why {
+                Unplaced::Apart => (
+                    Subject::Place(*point),
+                    format!("{name} cannot be placed: {loci} do not meet"),
+                    "correct one of the two".to_owned(),
+                ),
+                Unplaced::Touches => (
+                    Subject::Place(*point),
+                    format!("{name} cannot be placed: {loci} only touch or run side by side"),
+                    "state something that crosses, from another point".to_owned(),
+                ),
+                Unplaced::Beside { by } => (
+                    Subject::Place(*point),
+                    format!(
+                        "{name} is stated {} {} beside where its links and guides put it",
+                        short(by / unit.si),
+                        unit.symbol
+                    ),
+                    format!("correct what is stated of {name}, or the dimensions of its links"),
+                ),
+            }
+        }
         DrawError::Missing(what) => (
             match *what {
                 Missing::Place(point) | Missing::Image(_, point) => Subject::Point(point),
@@ -156,6 +191,33 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 "`linkgram structure` shows how the mechanism falls apart".to_owned(),
             )
         }
+    }
+}
+
+/// A locus for a message: `the circle of 12.5 cm about O3`.
+fn locus_in_words(scene: &Scene, locus: &Locus) -> String {
+    let name = |point: PointId| scene.mechanism.point(point).name.as_str();
+    let unit = &scene.units.length;
+    let length = |metres: f64| format!("{} {}", short(metres / unit.si), unit.symbol);
+    let angle = |radians: f64| {
+        let unit = &scene.units.angle;
+        format!("{} {}", short(radians / unit.si), unit.symbol)
+    };
+    match *locus {
+        Locus::Circle { centre, radius } => {
+            format!("the circle of {} about {}", length(radius.value), name(centre))
+        }
+        Locus::Ray { from, direction } => {
+            format!("the ray from {} at {}", name(from), angle(direction.value))
+        }
+        Locus::Square { through, to: [p, q] } => {
+            format!("the line through {} square to {}{}", name(through), name(p), name(q))
+        }
+        Locus::Sees { ends: [p, q], angle: at } => {
+            format!("the circle from which {}{} is seen at {}", name(p), name(q), angle(at.value))
+        }
+        Locus::On(Path::Straight { .. }) => "the line".to_owned(),
+        Locus::On(Path::Arc { radius, .. }) => format!("the arc of {}", length(radius.value)),
     }
 }
 

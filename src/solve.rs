@@ -82,9 +82,9 @@ impl SolveError {
     #[must_use]
     pub fn refusal(&self) -> Option<Refusal> {
         match self {
-            Self::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. }) => {
-                Some(Refusal::CannotAssemble)
-            }
+            Self::Draw(
+                DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. } | DrawError::Unplaced { .. },
+            ) => Some(Refusal::CannotAssemble),
             Self::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Some(Refusal::Ambiguous),
             Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
             Self::Unanswered { .. }

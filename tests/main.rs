@@ -26,6 +26,7 @@ mod grade;
 mod groups;
 #[path = "hard/main.rs"]
 mod hard;
+mod help;
 #[path = "ink/main.rs"]
 mod ink;
 mod klein;
@@ -44,6 +45,7 @@ mod plan;
 mod planted;
 mod random_sheets;
 mod rooms;
+mod stated;
 #[path = "statements/main.rs"]
 mod statements;
 mod structure;

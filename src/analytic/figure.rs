@@ -196,7 +196,11 @@ pub(super) fn standing(mechanism: &Mechanism) -> Result<Cow<'_, Mechanism>, Anal
         spots: mechanism.points.iter().map(|p| p.place.exact().map(Spot::of)).collect(),
         size: 0.0,
     };
-    let reference = figure.spots.iter().flatten().next().map_or([0.0; 2], |spot| spot.at);
+    let Some(reference) = figure.spots.iter().flatten().next().map(|spot| spot.at) else {
+        return Err(AnalyticError::Malformed {
+            what: "nothing stands from which a place is stated".to_owned(),
+        });
+    };
     figure.size = size(mechanism, reference);
     for statement in &mechanism.statements {
         let spot = figure.place(statement)?;
@@ -343,7 +347,18 @@ impl Figure<'_> {
         let curves = [self.curve(of, first)?, self.curve(of, second)?];
         let grazes = || self.fault(of, "what is stated of it only touches, and does not say where it stands");
         let mut found = Vec::new();
-        for at in meets(&curves[0], &curves[1]).ok_or_else(grazes)? {
+        let mut places = meets(&curves[0], &curves[1]).ok_or_else(grazes)?;
+        for end in Locus::blind_ends(loci) {
+            // One of the meets is that end, found once more.
+            let end = self.spot(of, end)?.at;
+            let away = |at: &Xy| length(minus(*at, end));
+            if let Some(nearest) =
+                (0..places.len()).min_by(|i, j| away(&places[*i]).total_cmp(&away(&places[*j])))
+            {
+                places.remove(nearest);
+            }
+        }
+        for at in places {
             if self.holds(of, first, at)? && self.holds(of, second, at)? {
                 found.push(at);
             }

@@ -11,6 +11,7 @@ mod draw;
 mod exam;
 mod golden;
 mod grade;
+mod help;
 mod new;
 mod solve;
 mod structure;
@@ -35,7 +36,14 @@ use crate::terminal;
 
 /// Draws and checks graphical solutions of planar mechanisms.
 #[derive(Debug, Parser)]
-#[command(name = "linkgram", version, about, arg_required_else_help = true)]
+#[command(
+    name = "linkgram",
+    version,
+    about,
+    arg_required_else_help = true,
+    disable_help_subcommand = true,
+    after_help = "`linkgram help` lists topics to look up: scene, quantities, formats, grading, exams, sweeps, golden, accuracy."
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -251,6 +259,11 @@ enum Command {
     New {
         /// The kind
         kind: Option<String>,
+    },
+    /// Print a topic (scene, quantities, formats, grading, exams, sweeps, golden, accuracy), or the options of a command
+    Help {
+        /// The topic or the command; all of them are listed without it
+        topic: Vec<String>,
     },
     /// Print the JSON Schema of a scene, or of answers for `grade`
     Schema {
@@ -524,6 +537,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             exam::run(&exam::Job { scene, variants, seed, output, flattest, hand, format, text, lang, jobs })
         }
         Command::New { kind } => new::run(kind.as_deref()),
+        Command::Help { topic } => help::run(&topic),
         Command::Schema { of } => schema(of),
     };
     match ending {

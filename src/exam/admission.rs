@@ -183,7 +183,9 @@ fn read(text: &str) -> Result<Scene, Flaw> {
 fn refused(error: SolveError) -> Flaw {
     match error {
         // A position that the sheet is to show and that the variant does not come to is as bad as its own.
-        SolveError::Draw(DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. })
+        SolveError::Draw(
+            DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. } | DrawError::Unplaced { .. },
+        )
         | SolveError::Position(_) => Flaw::CannotAssemble,
         SolveError::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Flaw::OtherAssembly,
         SolveError::Indeterminate { name, .. } | SolveError::Unanswered { name, .. } => {

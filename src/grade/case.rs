@@ -612,7 +612,8 @@ pub(super) fn rank_of(construction: &Construction, quantity: &Quantity) -> (Orde
                 }
                 Act::MarkIntersection { point, .. }
                 | Act::TransferPoint { point, .. }
-                | Act::LayOffLink { to: point, .. } => *quantity == Quantity::Position(*point),
+                | Act::LayOffLink { to: point, .. }
+                | Act::LayOffPlace { to: point, .. } => *quantity == Quantity::Position(*point),
                 _ => false,
             };
             // A difference of two rates is known when the later one is.

@@ -223,7 +223,7 @@ impl<'a> Rig<'a> {
         links: [LinkId; 2],
     ) -> Result<Self, CentrodeError> {
         let &[input] = mechanism.inputs.as_slice() else { return Err(CentrodeError::Inputs) };
-        let mut asking = mechanism.clone();
+        let mut asking = super::figure::standing(mechanism)?.into_owned();
         let unit = Unit { symbol: String::new(), si: 1.0 };
         let quantity = Quantity::Centre(links[0], links[1]);
         asking.asked = vec![Asked { name: String::new(), quantity, unit, method: Method::default() }];

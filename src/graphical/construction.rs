@@ -658,6 +658,45 @@ pub enum Act {
         /// Length in metres.
         length: f64,
     },
+    /// From a point that stands lay off another one that is stated by distance and direction.
+    LayOffPlace {
+        /// The point that stands.
+        from: PointId,
+        /// The stated point.
+        to: PointId,
+        /// Angle from +x in radians.
+        angle: f64,
+        /// Length in metres.
+        length: f64,
+    },
+    /// Draw the ray on which a point is stated.
+    DrawStatedRay {
+        /// Where it begins.
+        from: PointId,
+        /// The stated point.
+        to: PointId,
+        /// Angle from +x in radians.
+        angle: f64,
+    },
+    /// Draw the line through a point that is square to another line.
+    DrawSquare {
+        /// The point.
+        through: PointId,
+        /// Two points of the other line.
+        to: [PointId; 2],
+    },
+    /// Draw the circle from which a segment is seen at an angle.
+    DrawSeeing {
+        /// The ends of the segment.
+        ends: [PointId; 2],
+        /// The angle in radians, ccw.
+        angle: f64,
+    },
+    /// Draw the line or the arc on which a point is stated to lie.
+    DrawPath {
+        /// The stated point.
+        point: PointId,
+    },
     /// Strike an arc about a known point.
     StrikeArc {
         /// Where the compass stands.

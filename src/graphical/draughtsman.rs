@@ -67,6 +67,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) places: Vec<Option<Point>>,
     /// Given places of fixed and placed points, pricked once, by point.
     pub(super) pricked: Vec<Option<Point>>,
+    /// Where points are stated that the rest of the scene places: hints, metres in the world, by point.
+    pub(super) stated_hints: Vec<Option<[f64; 2]>>,
     /// The group that is being tried.
     pub(super) tried: Tried,
     /// Own figures of the links that have dimensions of their own, by link: every point of the link.
@@ -171,6 +173,7 @@ impl<'m> Draughtsman<'m> {
             per_page: 1.0,
             places: vec![None; points],
             pricked: vec![None; points],
+            stated_hints: vec![None; points],
             tried: Tried::default(),
             figures: vec![None; links],
             poses: vec![None; links],

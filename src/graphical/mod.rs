@@ -13,6 +13,7 @@ pub mod construction;
 mod departure;
 mod draughtsman;
 mod dyad;
+mod figure;
 mod link_figure;
 mod missing;
 mod page;
@@ -30,6 +31,7 @@ mod verify;
 
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
+pub(crate) use figure::standing;
 pub use missing::Missing;
 pub use reading::Numbers;
 pub use shown::{Shown, is_trial};
@@ -37,6 +39,7 @@ pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, tr
 
 use crate::board::{Arithmetic, Board, Real, Scale, Tape};
 use crate::given::Given;
+use crate::mechanism::statement::Locus;
 use crate::mechanism::structure::{Drive, GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Roll};
 use crate::plan::Plan;
@@ -176,6 +179,14 @@ pub enum DrawError {
         /// The point.
         point: PointId,
     },
+    /// A point cannot be drawn from what the scene states of its place.
+    #[error("a stated place cannot be drawn")]
+    Unplaced {
+        /// The point.
+        point: PointId,
+        /// Why not.
+        why: Unplaced,
+    },
     /// A construction of the skeleton asks for what nothing in the scene and no step of the drawing gives.
     #[error("the skeleton asks for something that no step draws")]
     Missing(Missing),
@@ -184,6 +195,20 @@ pub enum DrawError {
     NoConstruction {
         /// Its links.
         links: Vec<LinkId>,
+    },
+}
+
+/// Why a point does not stand where the scene states it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unplaced {
+    /// The two loci do not meet.
+    Apart,
+    /// They only touch, or are parallel or one.
+    Touches,
+    /// A given dimension, guide or radius puts it elsewhere.
+    Beside {
+        /// By how much, metres.
+        by: f64,
     },
 }
 
@@ -471,6 +496,11 @@ fn provisional_scales(mechanism: &Mechanism) -> Scales {
         link_figure::given_lengths(link).into_iter().for_each(&mut seen);
     }
     let places: Vec<[f64; 2]> = mechanism.points.iter().filter_map(|p| p.place.hint()).collect();
+    for locus in mechanism.statements.iter().flat_map(|statement| statement.loci) {
+        if let Locus::Circle { radius, .. } = locus {
+            seen(radius.value);
+        }
+    }
     for p in &places {
         size = size.max(libm::hypot(p[0] - places[0][0], p[1] - places[0][1]));
     }

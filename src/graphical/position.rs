@@ -10,6 +10,7 @@ use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Claim, ConstructionLine, Reference};
 use super::draughtsman::Draughtsman;
+use super::figure;
 use super::missing::Missing;
 use super::pose::{Pose, Track};
 use super::{DrawError, Misfit};
@@ -35,6 +36,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError
         }
     }
     d.act(Act::MarkPlaces);
+    figure::draw(d)?;
     for step in &plan.position {
         let group = &d.structure.groups[step.group];
         d.step(Order::Position, &group.links.clone(), Vec::new());
@@ -136,6 +138,11 @@ impl Draughtsman<'_> {
             self.pricked[point.0] = Some(self.prick_world(world));
         }
         self.pricked[point.0]
+    }
+
+    /// A rough place of a point, metres in the world: it chooses between assemblies.
+    pub(super) fn hint_of(&self, point: PointId) -> Option<[f64; 2]> {
+        self.mechanism.point(point).place.hint().or(self.stated_hints[point.0])
     }
 
     /// Notes the place of a point whose place is given; says whether it is.
@@ -465,7 +472,7 @@ impl Draughtsman<'_> {
             let mut nearest: Option<(usize, Pair, f64)> = None;
             for (track, met) in met.into_iter().enumerate() {
                 let Ok(pair) = met else { continue };
-                let misses = if self.mechanism.point(centre).place.hint().is_some() {
+                let misses = if self.hint_of(centre).is_some() {
                     [Side::First, Side::Second]
                         .map(|side| self.miss_of_hint(centre, self.board.look(&pair, side)))
                 } else {
@@ -523,7 +530,7 @@ impl Draughtsman<'_> {
     /// Square of the distance of a place on paper from a point's hint, in metres.
     fn miss_of_hint(&self, point: PointId, at: [f64; 2]) -> Option<f64> {
         let origin = self.origin_of_space().map(|g| g.value);
-        self.mechanism.point(point).place.hint().map(|hint| {
+        self.hint_of(point).map(|hint| {
             let [dx, dy] = [0, 1].map(|k| origin[k] + at[k] * self.scales.length - hint[k]);
             dx * dx + dy * dy
         })
@@ -742,8 +749,7 @@ impl Draughtsman<'_> {
     /// The further points of a wheel: as placed, or transferred from its centre and a placed one.
     fn wheel_points(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId) {
         let points = &self.mechanism.link(wheel).points;
-        let placed =
-            points.iter().copied().find(|&p| p != centre && self.mechanism.point(p).place.exact().is_some());
+        let placed = points.iter().copied().find(|&p| p != centre && self.mechanism.is_given(p));
         for &(link, point) in &step.points {
             if self.prick_given(point) {
                 continue;
@@ -958,7 +964,7 @@ impl Draughtsman<'_> {
             Rider::Link { link: rod, turned: Some(_) } => {
                 let further = |p: &&PointId| **p != pin && !self.mechanism.is_fixed(**p);
                 let mut points = self.mechanism.link(rod).points.iter().filter(further);
-                let placed = points.any(|p| self.mechanism.point(*p).place.exact().is_some());
+                let placed = points.any(|p| self.mechanism.is_given(*p));
                 if placed && self.pose_of(rod).is_some() {
                     Some(self.ride_directions(slide, lever))
                 } else {
@@ -1329,7 +1335,7 @@ impl Draughtsman<'_> {
         for &(link, base) in main {
             for &point in &self.mechanism.link(link).points {
                 let known = point == pin || self.places[point.0].is_some();
-                if !known && self.mechanism.point(point).place.hint().is_some() {
+                if !known && self.hint_of(point).is_some() {
                     hinted.push((link, base, point));
                 }
             }

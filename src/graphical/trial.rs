@@ -124,7 +124,7 @@ impl<'m> Draughtsman<'m> {
         let trial = self.trial(index);
         let steps = trial_steps(&trial, step, self.mechanism);
         self.board.purpose("position by trial");
-        let exact = |p: &PointId| self.mechanism.point(*p).place.exact().is_some();
+        let exact = |p: &PointId| self.mechanism.is_given(*p);
         let points = self.points_of(&trial);
         if points.iter().any(exact) && self.stand_by_places(&trial, step) {
             return Ok(());
@@ -327,7 +327,7 @@ impl<'m> Draughtsman<'m> {
 
     /// A point that is not placed, but would have to be if what a trial moves were to stand as placed.
     fn not_placed(&self, driver: TrialDriver) -> Option<PointId> {
-        let exact = |p: PointId| self.mechanism.point(p).place.exact().is_some();
+        let exact = |p: PointId| self.mechanism.is_given(p);
         match driver {
             TrialDriver::Turn(link) => {
                 let points = &self.mechanism.link(link).points;
@@ -591,7 +591,7 @@ impl<'m> Draughtsman<'m> {
             / self.scales.length;
         let places = self.places.iter().flatten().map(|p| libm::hypot(p.value()[0], p.value()[1]));
         let origin = self.origin_of_space().map(|g| g.value);
-        let hints = self.mechanism.points.iter().filter_map(|p| p.place.hint());
+        let hints = (0..self.mechanism.points.len()).filter_map(|p| self.hint_of(PointId(p)));
         let hints = hints.map(|h| libm::hypot(h[0] - origin[0], h[1] - origin[1]) / self.scales.length);
         lengths + 2.0 * places.chain(hints).fold(0.0, f64::max)
     }
@@ -615,7 +615,7 @@ impl<'m> Draughtsman<'m> {
         let score = |root: &Root, of_joints: bool| -> f64 {
             let mut sum = 0.0;
             for (point, at) in root.places.iter().filter(|(p, _)| joints.contains(p) == of_joints) {
-                if let Some(hint) = self.mechanism.point(*point).place.hint() {
+                if let Some(hint) = self.hint_of(*point) {
                     let at = world(*at);
                     let [dx, dy] = [at[0] - hint[0], at[1] - hint[1]];
                     sum += dx * dx + dy * dy;

@@ -7,9 +7,10 @@
 use crate::board::Line;
 use crate::mechanism::{LinkId, PointId, Rider, Roll};
 
-use super::DrawError;
 use super::draughtsman::Draughtsman;
+use super::figure;
 use super::pose::Track;
+use super::{DrawError, Unplaced};
 
 /// What may be missed by, in sizes of the skeleton: given places may miss dimensions and guides by 1e-6 of the size,
 /// and what is constructed from two of them by a little more.
@@ -49,13 +50,19 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
     let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest;
     let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_>| {
         let fine = miss.abs() <= allowed || !miss.is_finite();
-        if fine { Ok(()) } else { Err(DrawError::NoClosure { pin, least: miss.abs() * d.scales.length }) }
+        let by = miss.abs() * d.scales.length;
+        match d.mechanism.statement_of(pin) {
+            _ if fine => Ok(()),
+            Some(_) => Err(DrawError::Unplaced { point: pin, why: Unplaced::Beside { by } }),
+            None => Err(DrawError::NoClosure { pin, least: by }),
+        }
     };
     for point in (0..d.places.len()).map(PointId) {
         if let (Some(at), Some(given)) = (d.places[point.0], d.world_place(point)) {
             missed(point, d.board.distance(given, at).value(), d)?;
         }
     }
+    stated_hints(d)?;
     for link in d.mechanism.moving() {
         let stands = |p: &PointId| d.places[p.0].is_some();
         let points: Vec<PointId> = d.mechanism.link(link).points.iter().copied().filter(stands).collect();
@@ -106,6 +113,22 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
                 let across = d.board.square_off(Line { through, along }, at)[1].value();
                 missed(centre, across.abs() - radius.value / d.scales.length, d)?;
             }
+        }
+    }
+    Ok(())
+}
+
+/// A place that is stated of a point must agree with where the rest of the scene puts it.
+fn stated_hints(d: &Draughtsman<'_>) -> Result<(), DrawError> {
+    let origin = d.origin_of_space().map(|g| g.value);
+    let allowed = figure::allowed(d.mechanism, d.scales);
+    for (index, hint) in d.stated_hints.iter().enumerate() {
+        let (Some(hint), Some(at)) = (hint, d.places[index]) else { continue };
+        let at = at.value();
+        let [x, y] = [0, 1].map(|k| origin[k] + at[k] * d.scales.length - hint[k]);
+        let by = libm::hypot(x, y);
+        if by > allowed {
+            return Err(DrawError::Unplaced { point: PointId(index), why: Unplaced::Beside { by } });
         }
     }
     Ok(())

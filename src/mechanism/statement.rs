@@ -102,6 +102,38 @@ impl Locus {
         }
     }
 
+    /// Whether the locus leads through a point by what is stated, whatever the numbers are.
+    #[must_use]
+    pub fn leads_through(&self, point: PointId) -> bool {
+        match self {
+            Self::Circle { .. } => false,
+            Self::Ray { from, .. } => *from == point,
+            Self::Square { through, .. } => *through == point,
+            Self::Sees { ends, .. } => ends.contains(&point),
+            Self::On(Path::Arc { .. }) => false,
+            Self::On(Path::Straight { through, direction, turned, offset }) => {
+                let along = *turned == Given::exact(0.0) && *direction == super::Direction::Toward(point);
+                *offset == Given::exact(0.0) && (*through == super::GuidePoint::Point(point) || along)
+            }
+        }
+    }
+
+    /// The ends of a segment that is seen at an angle, where the other locus leads through them: both meet there, and
+    /// from there the segment is seen at no angle.
+    #[must_use]
+    pub fn blind_ends(loci: &[Self; 2]) -> Vec<PointId> {
+        let [first, second] = loci;
+        let mut blind = Vec::new();
+        for (one, other) in [(first, second), (second, first)] {
+            if let Self::Sees { ends, .. } = one {
+                blind.extend(ends.iter().copied().filter(|end| other.leads_through(*end)));
+            }
+        }
+        blind.sort_unstable();
+        blind.dedup();
+        blind
+    }
+
     /// A right angle is seen from a whole circle; any other from an arc of one.
     #[must_use]
     pub fn is_whole(&self) -> bool {
@@ -171,7 +203,7 @@ impl Mechanism {
     /// The mechanism with every stated place as a solver found it: `at` tells the place of the point of a statement.
     #[must_use]
     pub fn with_places(&self, at: impl Fn(&Statement) -> Option<super::GivenPoint>) -> Self {
-        let mut standing = self.clone();
+        let mut standing = Self { statements: Vec::new(), ..self.clone() };
         for point in &mut standing.points {
             let Place::Stated(index) = point.place else { continue };
             let Some(statement) = self.statements.get(index) else { continue };

@@ -47,7 +47,7 @@ pub enum Drive {
 }
 
 /// The count of mobility.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Mobility {
     /// n: links with the frame.
     pub links: usize,
@@ -358,7 +358,7 @@ pub struct Group {
 }
 
 /// A mechanism taken apart.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Structure {
     /// The count.
     pub mobility: Mobility,

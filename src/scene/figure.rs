@@ -5,7 +5,7 @@
 
 use super::diagnostic::{Fault, Res};
 use super::draft::Draft;
-use super::guides::guide;
+use super::guides::path;
 use super::json::{Entry, Fields, Kind, Value};
 use super::keys;
 use super::units::Measure;
@@ -155,10 +155,10 @@ fn read_locus(value: &Value<'_>, of: PointId, draft: &Draft<'_>) -> Res<Vec<Locu
     Err(Fault::new(value.at, "this is no locus").mend(FORMS))
 }
 
-/// A guide that stands before its link does: of the frame, of a link whose own coordinates are the world's, or by
-/// points that stand.
+/// A line or an arc that stands before any link does: of the frame, of a link whose own coordinates are the world's, or
+/// by points that stand, of whichever link.
 fn path_in_world(on: &Value<'_>, draft: &Draft<'_>) -> Res<Path> {
-    let guide = guide(on, None, draft)?;
+    let guide = path(on, draft)?;
     if in_world(&guide, draft) {
         return Ok(guide.path);
     }

@@ -106,6 +106,33 @@ fn link_rider(value: &Value<'_>, turned: Option<&Value<'_>>, draft: &Draft<'_>) 
 
 /// Reads a guide. `default` is its link where `link` may be left out.
 pub(super) fn guide(value: &Value<'_>, default: Option<LinkId>, draft: &Draft<'_>) -> Res<Guide> {
+    read(value, default, Named::OfLink, draft)
+}
+
+/// Reads a line or an arc that is no guide of a pair: of the frame where it names no link, and by any points.
+pub(super) fn path(value: &Value<'_>, draft: &Draft<'_>) -> Res<Guide> {
+    read(value, Some(LinkId::FRAME), Named::Any, draft)
+}
+
+/// Which points a guide may name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Named {
+    /// Those of its link, with which it moves.
+    OfLink,
+    /// Any: it is a line of this instant.
+    Any,
+}
+
+impl Named {
+    fn point(self, value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<PointId> {
+        match self {
+            Self::OfLink => draft.point_in(value, link),
+            Self::Any => draft.point(value),
+        }
+    }
+}
+
+fn read(value: &Value<'_>, default: Option<LinkId>, named: Named, draft: &Draft<'_>) -> Res<Guide> {
     let fields = Fields::of(value, keys::GUIDE, "a guide: {\"link\": …, \"through\": …, \"angle\": …}")?;
     let link = match (fields.get("link"), default) {
         (Some(link), _) => draft.link_at(link)?,
@@ -126,27 +153,27 @@ pub(super) fn guide(value: &Value<'_>, default: Option<LinkId>, draft: &Draft<'_
         let centre = fields.need("centre", "an arc has a `centre` and a `radius`")?;
         let radius = fields.need("radius", "an arc has a `centre` and a `radius`")?;
         Path::Arc {
-            centre: guide_point(centre, link, draft)?,
+            centre: guide_point(centre, link, named, draft)?,
             radius: draft.scales.positive(radius, "the radius")?,
         }
     } else {
-        straight(&fields, link, draft)?
+        straight(&fields, link, named, draft)?
     };
     Ok(Guide { link, path })
 }
 
-fn straight(fields: &Fields<'_, '_>, link: LinkId, draft: &Draft<'_>) -> Res<Path> {
+fn straight(fields: &Fields<'_, '_>, link: LinkId, named: Named, draft: &Draft<'_>) -> Res<Path> {
     let through = fields.need(
         "through",
         "a straight guide goes through a point of its link or through [x, y]; an arc has a `centre`",
     )?;
-    let through = guide_point(through, link, draft)?;
+    let through = guide_point(through, link, named, draft)?;
     let direction = match (fields.get("angle"), fields.entry("toward")) {
         (Some(_), Some(toward)) => {
             return Err(Fault::new(toward.at, "a guide has an `angle` or goes `toward` a point, not both"));
         }
         (None, Some(toward)) => {
-            let point = draft.point_in(&toward.value, link)?;
+            let point = named.point(&toward.value, link, draft)?;
             if own_place(through, link, draft).is_some_and(|p| Some(p) == own_of(point, link, draft))
                 || through == GuidePoint::Point(point)
             {
@@ -171,9 +198,9 @@ fn straight(fields: &Fields<'_, '_>, link: LinkId, draft: &Draft<'_>) -> Res<Pat
     })
 }
 
-fn guide_point(value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<GuidePoint> {
+fn guide_point(value: &Value<'_>, link: LinkId, named: Named, draft: &Draft<'_>) -> Res<GuidePoint> {
     match value.kind {
-        super::json::Kind::Text(_) => Ok(GuidePoint::Point(draft.point_in(value, link)?)),
+        super::json::Kind::Text(_) => Ok(GuidePoint::Point(named.point(value, link, draft)?)),
         super::json::Kind::List(_) => Ok(GuidePoint::Own(draft.scales.place(value)?)),
         _ => Err(value.unexpected("a point of the link or coordinates [x, y]")),
     }

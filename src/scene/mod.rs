@@ -23,6 +23,7 @@ mod tests;
 pub(crate) mod units;
 mod vary;
 
+pub use asked::{Named, QUANTITIES};
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
 pub use sheet::{MOST_POSITIONS, input_place, paper_size};

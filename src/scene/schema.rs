@@ -201,7 +201,7 @@ fn locus() -> Value {
             "square_to": two("The line is square to that through these two points."),
             "sees": two("The ends of the segment."),
             "at": described("angle", "The angle at which it is seen: from the direction to its first end to that to its second, counter-clockwise; of a right angle the sense does not matter."),
-            "on": described("guide", "A line or an arc, written as in `slides`."),
+            "on": described("guide", "A line or an arc, written as in `slides`; without `link` of the frame, and by any points that stand."),
         }),
     );
     locus["oneOf"] =

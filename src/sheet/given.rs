@@ -6,6 +6,7 @@ use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
 use crate::mechanism::quantity::{Order, Quantity, Unit};
+use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
     Direction, Form, GivenPoint, GuidePoint, Input, Link, LinkId, Path, Place, PointId, Rider, Roll, Sense,
     Slide,
@@ -74,6 +75,9 @@ pub fn items(notation: &Notation<'_>) -> Vec<Rich> {
         {
             parts.push(notation.point(PointId(i)).up("\u{a0}").then(&teller.place(x.value, y.value)));
         }
+    }
+    for statement in mechanism.statements.iter().filter(|s| s.standing != Standing::Driven) {
+        parts.extend(statement.loci.iter().map(|locus| teller.locus(statement.point, locus)));
     }
     for (i, slide) in mechanism.slides.iter().enumerate() {
         parts.extend(teller.guide(i, slide));
@@ -157,6 +161,72 @@ impl Teller<'_> {
             }
             _ => {}
         }
+    }
+
+    /// What is stated of a point's place.
+    fn locus(&self, of: PointId, locus: &Locus) -> Rich {
+        let words = self.n.words;
+        match *locus {
+            Locus::Circle { centre, radius } => {
+                self.equals(self.n.length(centre, of), &self.length(radius.value))
+            }
+            Locus::Ray { from, direction } => {
+                let angle = ("angle", human::degrees(direction.value));
+                Rich::fill(words.stated_ray, &[("line", self.n.length(from, of)), angle])
+            }
+            Locus::Square { through, to: [from, to] } => {
+                self.n.length(through, of).up("\u{a0}⊥\u{a0}").then(&self.n.length(from, to))
+            }
+            Locus::Sees { ends: [from, to], angle } => {
+                let points = self.n.point(from).then(&self.n.point(of)).then(&self.n.point(to));
+                self.equals(Rich::upright("∠\u{a0}").then(&points), &human::degrees(angle.value.abs()))
+            }
+            Locus::On(path) => {
+                let slides = &self.n.mechanism().slides;
+                let guide = slides.iter().position(|slide| slide.guide.path == path);
+                let line = guide.map_or_else(|| self.path(&path), |slide| self.n.guide(slide));
+                Rich::fill(words.stated_on, &[("point", self.n.point(of)), ("line", line)])
+            }
+        }
+    }
+
+    /// A line or an arc that is no guide of a sliding pair.
+    fn path(&self, path: &Path) -> Rich {
+        let words = self.n.words;
+        let named = |point: GuidePoint| match point {
+            GuidePoint::Point(p) => self.n.point(p),
+            GuidePoint::Own(at) => self.own_place(at),
+        };
+        let (told, turned, offset) = match *path {
+            Path::Arc { centre, radius } => {
+                let radius = ("radius", self.length(radius.value));
+                return Rich::fill(words.stated_arc, &[("centre", named(centre)), radius]);
+            }
+            Path::Straight { through, direction: Direction::Angle(angle), turned, offset } => {
+                let angle = ("angle", human::degrees(angle.value + turned.value));
+                (Rich::fill(words.stated_line, &[("place", named(through)), angle]), None, offset)
+            }
+            Path::Straight { through, direction: Direction::Toward(target), turned, offset } => {
+                let line = match through {
+                    GuidePoint::Point(p) => self.n.length(p, target),
+                    GuidePoint::Own(at) => {
+                        self.own_place(at).up("\u{2009}→\u{2009}").then(&self.n.point(target))
+                    }
+                };
+                (line, Some(turned).filter(|turned| turned.value != 0.0), offset)
+            }
+        };
+        let told = match turned {
+            Some(turned) => {
+                let angle = ("angle", human::degrees(turned.value));
+                told.up(" ").then(&Rich::fill(words.given_turned, &[angle]))
+            }
+            None => told,
+        };
+        if offset.value == 0.0 {
+            return told;
+        }
+        told.up(" ").then(&Rich::fill(words.given_offset, &[("offset", self.length(offset.value))]))
     }
 
     fn guide(&self, index: usize, slide: &Slide) -> Option<Rich> {

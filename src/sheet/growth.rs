@@ -51,6 +51,7 @@ fn is_placed(construction: &Construction, mechanism: &Mechanism, point: PointId,
     let Some(given) = mechanism.points.get(point.0) else { return false };
     let found = |act: &Act| match act {
         Act::LayOffLink { to: found, .. }
+        | Act::LayOffPlace { to: found, .. }
         | Act::MarkIntersection { point: found, .. }
         | Act::TransferPoint { point: found, .. }
         | Act::MarkContact { contact: found } => *found == point,
@@ -64,7 +65,7 @@ fn is_placed(construction: &Construction, mechanism: &Mechanism, point: PointId,
             .any(|s| s.acts.iter().any(found) || s.links.iter().any(|link| given.links.contains(link)))
     };
     // What no step mentions is there from the beginning.
-    given.place.exact().is_some() || by(last + 1) || !by(construction.steps.len())
+    mechanism.is_given(point) || by(last + 1) || !by(construction.steps.len())
 }
 
 /// The image points that the steps so far have named, or that a vector drawn so far has at its ends.

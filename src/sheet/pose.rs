@@ -86,8 +86,15 @@ impl<'a> Pose<'a> {
             Form::Shape(points) => points.iter().map(|p| [p[0].value, p[1].value]).collect(),
             Form::Placed => {
                 let exact = |p: &PointId| {
-                    let place = self.mechanism.points.get(p.0)?.place.exact()?;
-                    Some([place[0].value, place[1].value])
+                    match self.mechanism.points.get(p.0)?.place.exact() {
+                        Some(place) => Some([place[0].value, place[1].value]),
+                        // A stated place is known as it was drawn.
+                        None => {
+                            let away = self.place(*p)? - self.frame(LinkId::FRAME, 0)?.origin;
+                            let metres = self.space.metres_per_mm;
+                            Some([away.x * metres, -away.y * metres])
+                        }
+                    }
                 };
                 return link.points.iter().map(exact).collect();
             }

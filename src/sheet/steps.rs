@@ -530,7 +530,20 @@ impl Teller<'_> {
                 Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)])
             }
             Act::MarkContact { contact } => Rich::fill(words.mark_contact, &[("point", n.point(*contact))]),
-            Act::LayOffLink { from, to, angle, length, .. } => Rich::fill(
+            Act::DrawStatedRay { from, angle, .. } => Rich::fill(
+                words.draw_stated_ray,
+                &[("from", n.point(*from)), ("angle", human::degrees(*angle))],
+            ),
+            Act::DrawSquare { through, to: [from, to] } => {
+                Rich::fill(words.draw_square, &[("point", n.point(*through)), ("line", n.length(*from, *to))])
+            }
+            Act::DrawSeeing { ends: [from, to], angle } => Rich::fill(
+                words.draw_seeing,
+                &[("line", n.length(*from, *to)), ("angle", human::degrees(angle.abs()))],
+            ),
+            Act::DrawPath { point } => Rich::fill(words.draw_path, &[("point", n.point(*point))]),
+            Act::LayOffLink { from, to, angle, length, .. }
+            | Act::LayOffPlace { from, to, angle, length } => Rich::fill(
                 words.lay_off_link,
                 &[
                     ("from", n.point(*from)),

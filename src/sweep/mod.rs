@@ -241,7 +241,8 @@ impl Sweep {
     /// See [`SweepError`].
     pub fn over(over: Over, mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Self, SweepError> {
         let asked = mechanism.asked.len();
-        let placed = mechanism;
+        let standing = crate::graphical::standing(mechanism)?;
+        let placed = &*standing;
         let (mut mechanism, swept, start) = prepare::ready(placed)?;
         let structure = Structure::of(&mechanism)?;
         let starts = prepare::starts(placed, &mechanism, &structure)?;

@@ -57,7 +57,8 @@ pub fn other_positions(
     if inputs.is_empty() && !assembly {
         return Ok(Vec::new());
     }
-    let mover = Mover::new(mechanism)?;
+    let standing = graphical::standing(mechanism).map_err(SweepError::from)?;
+    let mover = Mover::new(&standing)?;
     let mut all = Vec::new();
     for &to in inputs {
         all.push(mover.shown(OtherKind::Input(to), mover.led_to(to)?));
