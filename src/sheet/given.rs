@@ -77,7 +77,8 @@ pub fn items(notation: &Notation<'_>) -> Vec<Rich> {
         }
     }
     for statement in mechanism.statements.iter().filter(|s| s.standing != Standing::Driven) {
-        parts.extend(statement.loci.iter().map(|locus| teller.locus(statement.point, locus)));
+        let told = statement.loci.iter().filter(|locus| !teller.is_guide_of(statement.point, locus));
+        parts.extend(told.map(|locus| teller.locus(statement.point, locus)));
     }
     for (i, slide) in mechanism.slides.iter().enumerate() {
         parts.extend(teller.guide(i, slide));
@@ -161,6 +162,16 @@ impl Teller<'_> {
             }
             _ => {}
         }
+    }
+
+    /// Whether a locus is the guide on which the point rides, which is told among the guides.
+    fn is_guide_of(&self, of: PointId, locus: &Locus) -> bool {
+        let rides = |slide: &Slide| match slide.rider {
+            Rider::Pin { point, .. } => point == of,
+            Rider::Link { link, .. } => self.n.mechanism().link(link).points.first() == Some(&of),
+        };
+        let Locus::On(path) = locus else { return false };
+        self.n.mechanism().slides.iter().any(|slide| slide.guide.path == *path && rides(slide))
     }
 
     /// What is stated of a point's place.
