@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector};
 use super::AnalyticError;
 use super::constraints::{Motion, Num, Row, Site};
 use super::model::{Model, REPEATED};
-use super::ordering::{Group, Ordering, order};
+use super::ordering::{Group, Ordering};
 use super::slopes::Here;
 use super::tape::{Leaf, Linear};
 use crate::mechanism::{Place, PointId, Rider};
@@ -130,9 +130,8 @@ struct Assembler<'a> {
 ///
 /// No equation of it misses by more than `coarsest`, or than rounding where that is more.
 pub(super) fn assemble(model: &Model, coarsest: f64) -> Result<Assembly, AnalyticError> {
-    let n = model.unknowns();
     let pattern = model.pattern(&model.position, 0)?;
-    let ordering = order(&pattern, n);
+    let ordering = model.order_of_position(&pattern);
     let free: Vec<usize> =
         ordering.free.iter().map(|c| c / 3).filter(|b| *b != 0 && model.kept[*b]).collect();
     if !free.is_empty() {

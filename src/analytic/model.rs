@@ -8,7 +8,7 @@ use std::sync;
 
 use super::AnalyticError;
 use super::constraints::{Arc, Bearing, Drive, Motion, Num, Param, Row, Site, Straight};
-use super::ordering::{Group, needed, order};
+use super::ordering::{Group, Ordering, needed, order};
 use super::slopes::Here;
 use super::tape::{Leaf, U};
 use crate::mechanism::quantity::Quantity;
@@ -23,6 +23,17 @@ pub(super) const REPEATED: f64 = 2e-6;
 
 /// Two directions are parallel, for the question whether a guide holds a wheel on its line.
 const PARALLEL: f64 = 1e-9;
+
+/// Part of an equation's slopes below which nothing of them is left beside others.
+const INDEPENDENT: f64 = 1e-9;
+
+/// Seeds of poses without meaning.
+const ANYHOW: [f64; 3] = [1.25, 17.5, 101.75];
+
+/// A pose without meaning, by a Weyl sequence: no three of them have a special direction in common.
+fn anyhow(n: usize, seed: f64) -> Vec<f64> {
+    (0..n).map(|i| 2.0 * ((i as f64 + seed) * 0.618_033_988_749_894_9).fract() - 0.9).collect()
+}
 
 /// A swivelling guide: its x-axis points towards its rider.
 #[derive(Debug, Clone, Copy)]
@@ -159,7 +170,7 @@ impl Model {
         let n = self.unknowns();
         let position = self.pattern(&self.position, 0)?;
         let motion = if moves { self.pattern(&self.motion, 1)? } else { Vec::new() };
-        let orders = [(order(&position, n), &position), (order(&motion, n), &motion)];
+        let orders = [(self.order_of_position(&position), &position), (order(&motion, n), &motion)];
         let mut ready = vec![0; self.bodies];
         for (index, group) in orders[0].0.groups.iter().enumerate() {
             if !self.is_known(group) {
@@ -215,6 +226,66 @@ impl Model {
         Ok(())
     }
 
+    /// The order in which the equations of the position are solved. Of more equations than unknowns those are left out
+    /// that follow from the ones before them wherever the bodies are: two points of a link that both coincide with those
+    /// of another link say three things, not four, though four unknowns stand in them.
+    pub(super) fn order_of_position(&self, pattern: &[Vec<usize>]) -> Ordering {
+        let n = self.unknowns();
+        let whole = order(pattern, n);
+        if whole.spare.is_empty() {
+            return whole;
+        }
+        let independent = self.independent();
+        let masked: Vec<Vec<usize>> = pattern
+            .iter()
+            .zip(independent)
+            .map(|(columns, independent)| if independent { columns.clone() } else { Vec::new() })
+            .collect();
+        let some = order(&masked, n);
+        if some.free.len() > whole.free.len() { whole } else { some }
+    }
+
+    /// Which equations of the position do not follow from those before them, where the bodies stand anyhow: rank is
+    /// greatest at a pose without meaning. By elimination with the largest slope left.
+    fn independent(&self) -> Vec<bool> {
+        let n = self.unknowns();
+        let pose = anyhow(n, ANYHOW[1]);
+        let mut pivots: Vec<(usize, Vec<(usize, f64)>)> = Vec::new();
+        let mut slopes = vec![0.0; n];
+        let mut eliminate = |row: &Row| {
+            slopes.fill(0.0);
+            match Here::evaluate(row, &pose, &self.params) {
+                Some(slope) => slope.columns_and_slopes(row).for_each(|(column, d)| slopes[column] += d),
+                None => {
+                    let motion = Motion { pose: &pose, rate: &[], accel: &[], params: &self.params };
+                    let Some(linear) = row.linear(motion, 0) else { return true };
+                    for (leaf, d) in &linear.terms {
+                        if let Leaf::Pose(column) = leaf {
+                            slopes[*column] += d;
+                        }
+                    }
+                }
+            }
+            let size = slopes.iter().fold(0.0_f64, |size, d| size.max(d.abs()));
+            for (column, pivot) in &pivots {
+                let factor = slopes[*column];
+                if factor != 0.0 {
+                    pivot.iter().for_each(|(column, d)| slopes[*column] -= factor * d);
+                    slopes[*column] = 0.0;
+                }
+            }
+            let largest = (0..n).max_by(|a, b| slopes[*a].abs().total_cmp(&slopes[*b].abs()));
+            let Some(column) = largest.filter(|column| slopes[*column].abs() > INDEPENDENT * size) else {
+                return false;
+            };
+            let by = slopes[column];
+            let all = slopes.iter().enumerate().filter(|(_, d)| d.abs() > INDEPENDENT * size);
+            pivots.push((column, all.map(|(column, d)| (column, d / by)).collect()));
+            true
+        };
+        self.position.iter().map(&mut eliminate).collect()
+    }
+
     /// Whether a group of the position is a coordinate that is zero by its form, wherever it stands among the others.
     pub(super) fn is_known(&self, group: &Group) -> bool {
         matches!(group.rows.as_slice(), [row] if matches!(self.position[*row], Row::Hold(_)))
@@ -254,11 +325,7 @@ impl Model {
     /// The unknowns in each equation, at any position: read off three positions without meaning.
     pub(super) fn pattern(&self, rows: &[Row], order: u8) -> Result<Vec<Vec<usize>>, AnalyticError> {
         let n = self.unknowns();
-        // Weyl sequences: no three of these poses have a special direction in common.
-        let pose = |seed: f64| -> Vec<f64> {
-            (0..n).map(|i| 2.0 * ((i as f64 + seed) * 0.618_033_988_749_894_9).fract() - 0.9).collect()
-        };
-        let poses = [pose(1.25), pose(17.5), pose(101.75)];
+        let poses = ANYHOW.map(|seed| anyhow(n, seed));
         let rest = vec![0.0; n];
         rows.iter()
             .map(|row| {
