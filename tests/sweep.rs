@@ -652,8 +652,7 @@ fn every_position_is_within_its_bounds() {
     assert!((0.25..4.0).contains(&tape), "the median bound is {tape} times that of the tape");
 }
 
-/// At the scene's own place a sweep computes the doubles of `solve` (but for slotted levers, whose last places may
-/// differ), and bounds them by the same rules. What is computed
+/// At the scene's own place a sweep computes the doubles of `solve`, and bounds them by the same rules. What is computed
 /// twice stands once in a sweep and errs once, and what is constant errs as if it were independent: the bounds are not
 /// the same, but of one size. (Centres are left out: which of them a drawing goes over is chosen by the eye.)
 #[test]
@@ -723,7 +722,7 @@ fn the_drawing_and_its_sweep_are_one() {
     }
     ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
     assert!(scenes > 60 && ratios.len() > 500, "only {scenes} scenes, {} quantities", ratios.len());
-    assert!(apart.len() * 25 < numbers, "{} of {numbers}\n{}", apart.len(), apart.join("\n"));
+    assert!(apart.is_empty(), "{} of {numbers}\n{}", apart.len(), apart.join("\n"));
     let (least, most) = (&ratios[0], &ratios[ratios.len() - 1]);
     println!(
         "{scenes} scenes, {} bounds: {least:?} to {most:?}, {:?}",

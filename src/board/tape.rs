@@ -427,8 +427,10 @@ impl<R: Real> Nearest<R> {
     }
 }
 
-/// The number, or zero and `false` where the arithmetic has run over.
+/// The number, or zero and `false` where the arithmetic has run over. Zero has no sign: whether a half turn is one to the
+/// left or to the right must not depend on how a zero came about, for evaluators drop what is multiplied by it.
 #[inline]
 fn finite<R: Real>(value: R) -> (R, bool) {
-    if value.to_f64().is_finite() { (value, true) } else { (R::from_f64(0.0), false) }
+    let zero = R::from_f64(0.0);
+    if value.to_f64().is_finite() { (value + zero, true) } else { (zero, false) }
 }
