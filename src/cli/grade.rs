@@ -1,74 +1,96 @@
 //! `linkgram grade`.
 
+use std::collections::HashSet;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use super::{Ending, Failure, failure, print, read_scene};
+use super::{Ending, Failure, failure, print, progress, read_scene};
 use crate::files;
-use crate::grade::{self, GradeError, GradeSettings};
+use crate::grade::{self, Allowed, GradeError, GradeSettings, HandIn, Report};
+use crate::parallel;
+use crate::render::theme::Theme;
 use crate::render::{self, Format};
+use crate::scene::Scene;
+use crate::sheet::Figure;
 use crate::solve::Hand;
 
 /// What is to be graded, and how.
 pub(super) struct Job {
     pub(super) scene: PathBuf,
-    pub(super) answers: PathBuf,
+    pub(super) answers: Vec<PathBuf>,
     pub(super) drawing: Option<PathBuf>,
     pub(super) json: bool,
     pub(super) hand: Option<Hand>,
+    pub(super) max_tolerance: f64,
     pub(super) output: Option<PathBuf>,
 }
 
+/// What is written.
+enum Output {
+    Overlay(PathBuf, Format),
+    Page(PathBuf),
+    /// A page for each, and the tables of the class.
+    Folder(PathBuf),
+}
+
+/// Endings of files that may be handed in; a drawing is one of its own where no other file of its name is there.
+const ENDINGS: [&str; 3] = ["json", "csv", "svg"];
+
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
-    files::spare(&job.scene, &job.output)?;
-    for handed_in in [&job.answers].into_iter().chain(&job.drawing) {
-        files::spare_input("what was handed in", handed_in, &job.output)?;
+    if job.max_tolerance <= 0.0 {
+        return Err(Failure("--max-tolerance: a tolerance is greater than zero".to_owned()));
+    }
+    let answers = handed_in(&job.answers)?;
+    if answers.len() > 1 && job.drawing.is_some() {
+        return Err(Failure(
+            "--drawing is that of one student; name it in the answers, as `drawing`".to_owned(),
+        ));
+    }
+    let class = answers.len() > 1 || job.answers.iter().any(|path| path.is_dir());
+    let output = job.output.as_deref().map(|path| output(path, class)).transpose()?;
+    if !matches!(output, Some(Output::Folder(_))) {
+        files::spare(&job.scene, &job.output)?;
+        for handed_in in answers.iter().chain(&job.drawing) {
+            files::spare_input("what was handed in", handed_in, &job.output)?;
+        }
     }
     let standard_inputs =
-        [&job.scene, &job.answers].into_iter().filter(|path| path.as_os_str() == "-").count();
+        [&job.scene].into_iter().chain(&answers).filter(|path| path.as_os_str() == "-").count();
     if standard_inputs > 1 {
         return Err(Failure("scene and answers cannot both be standard input".to_owned()));
     }
     let (_, scene) = read_scene(&job.scene)?;
-    let (file, text) = files::read(&job.answers)?;
-    let mut answers = grade::read_named(&text, &file, &scene)?;
-    // Where nobody says on the command line which drawing it is, it lies beside the answers.
-    let drawing = match (&job.drawing, &answers.drawing) {
-        (Some(given), _) => Some(given.clone()),
-        (None, Some(named)) => Some(beside(job, &answers, named)?),
-        (None, None) => None,
-    };
-    if let Some(drawing) = drawing {
-        let (file, svg) = files::read_file(&drawing)?;
-        answers.add_drawing(&svg, &file, &scene)?;
-    }
-    if answers.is_empty() {
-        return Err(Failure(format!(
-            "{file}: no answers: give `values`, `lengths`, `points` or a `drawing`"
-        )));
-    }
-    let mut settings = GradeSettings::default();
+    let mut settings = GradeSettings { max_tolerance: job.max_tolerance, ..GradeSettings::default() };
     if let Some(hand) = job.hand {
         settings.hand = hand;
     }
-    let format = job.output.as_deref().map(overlay_format).transpose()?;
-    let graded = grade::grade_with_overlay(&scene, &answers, &settings);
-    let (report, figure) = graded.map_err(|error| match error {
-        GradeError::Solve(error) => failure(&scene, &error),
-        GradeError::Unconfirmed(why) => {
-            Failure::unconfirmed(format!("{}: not confirmed, nothing is graded: {why}", scene.source.file()))
+    if answers.is_empty() {
+        return tolerances(job, &scene, &settings);
+    }
+    if class {
+        return of_class(job, &scene, &settings, &answers, output.as_ref());
+    }
+    let (report, figure) = graded(&scene, &answers[0], job.drawing.as_deref(), &settings)?;
+    match &output {
+        None => {}
+        Some(Output::Overlay(path, format)) => {
+            let Some(figure) = figure else {
+                return Err(Failure(format!(
+                    "{}: no answer needs a polygon, so there is nothing to lay over",
+                    files::shown(path)
+                )));
+            };
+            let bytes = render::render(&figure, *format, &render::Options::default())
+                .map_err(|error| Failure(error.to_string()))?;
+            files::write_all(&[(path.clone(), bytes)])?;
         }
-        GradeError::Answers(diagnostic) => diagnostic.into(),
-    })?;
-    if let (Some(path), Some(format)) = (&job.output, format) {
-        let Some(figure) = figure else {
-            return Err(Failure(format!(
-                "{}: no answer needs a polygon, so there is nothing to lay over",
-                files::shown(path)
-            )));
-        };
-        let bytes = render::render(&figure, format, &render::Options::default())
-            .map_err(|error| Failure(error.to_string()))?;
-        files::write_all(&[(path.clone(), bytes)])?;
+        Some(Output::Page(path)) => {
+            files::write_all(&[(path.clone(), page(&scene, &report, figure.as_ref())?)])?;
+        }
+        Some(Output::Folder(folder)) => {
+            let one = HandIn { file: files::shown(&answers[0]), outcome: Ok(report.clone()) };
+            write_folder(&scene, folder, &answers, &[one], &[figure])?;
+        }
     }
     if job.json {
         let text =
@@ -80,16 +102,291 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     Ok(if report.holds() { Ending::Fine } else { Ending::DoesNotHold })
 }
 
+/// The files that were handed in; of a folder those in it.
+fn handed_in(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let mut all = Vec::new();
+    for path in paths {
+        if !path.is_dir() {
+            all.push(path.clone());
+            continue;
+        }
+        let read = std::fs::read_dir(path);
+        let read = read.map_err(|error| Failure(format!("{}: {error}", files::shown(path))))?;
+        let mut found: Vec<PathBuf> = read.filter_map(|entry| Some(entry.ok()?.path())).collect();
+        let ending = |path: &Path| path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+        found.retain(|file| file.is_file() && ending(file).is_some_and(|e| ENDINGS.contains(&e.as_str())));
+        let written: HashSet<PathBuf> = found
+            .iter()
+            .filter(|file| ending(file).as_deref() != Some("svg"))
+            .map(|file| file.with_extension(""))
+            .collect();
+        found.retain(|file| {
+            ending(file).as_deref() != Some("svg") || !written.contains(&file.with_extension(""))
+        });
+        if found.is_empty() {
+            let why = "no .json, .csv or .svg in this folder";
+            return Err(Failure(format!("{}: {why}", files::shown(path))));
+        }
+        found.sort();
+        all.extend(found);
+    }
+    Ok(all)
+}
+
+/// What an output's name means.
+fn output(path: &Path, class: bool) -> Result<Output, Failure> {
+    let named_folder = path.to_str().is_some_and(|text| text.ends_with(['/', '\\']));
+    let ending = path.extension().and_then(|e| e.to_str());
+    if path.is_dir() || named_folder || (class && ending.is_none()) {
+        return Ok(Output::Folder(path.to_owned()));
+    }
+    if class {
+        return Err(Failure(format!(
+            "{}: several hand-ins have a folder of reports; end its name in /",
+            files::shown(path)
+        )));
+    }
+    if ending.is_some_and(|ending| ending.eq_ignore_ascii_case("html")) {
+        return Ok(Output::Page(path.to_owned()));
+    }
+    match ending.and_then(Format::from_name) {
+        Some(format) => Ok(Output::Overlay(path.to_owned(), format)),
+        None => Err(Failure(format!(
+            "{}: unknown format; end the name in .svg, .html, or in / for a folder of reports",
+            files::shown(path)
+        ))),
+    }
+}
+
+/// Reads and grades what one student handed in.
+fn graded(
+    scene: &Scene,
+    path: &Path,
+    drawing: Option<&Path>,
+    settings: &GradeSettings,
+) -> Result<(Report, Option<Figure>), Failure> {
+    let (file, text) = files::read(path)?;
+    let mut answers = grade::read_named(&text, &file, scene)?;
+    // Where nobody says on the command line which drawing it is, it lies beside the answers.
+    let drawing = match (drawing, &answers.drawing) {
+        (Some(given), _) => Some(given.to_owned()),
+        (None, Some(named)) => Some(beside(path, &answers, named)?),
+        (None, None) => None,
+    };
+    if let Some(drawing) = drawing {
+        let (file, svg) = files::read_file(&drawing)?;
+        answers.add_drawing(&svg, &file, scene)?;
+    }
+    if answers.is_empty() {
+        return Err(Failure(format!(
+            "{file}: no answers: give `values`, `lengths`, `points` or a `drawing`"
+        )));
+    }
+    grade::grade_with_overlay(scene, &answers, settings).map_err(|error| refused(scene, error))
+}
+
+fn refused(scene: &Scene, error: GradeError) -> Failure {
+    match error {
+        GradeError::Solve(error) => failure(scene, &error),
+        GradeError::Unconfirmed(why) => {
+            Failure::unconfirmed(format!("{}: not confirmed, nothing is graded: {why}", scene.source.file()))
+        }
+        GradeError::Answers(diagnostic) => diagnostic.into(),
+    }
+}
+
+/// By how much each asked quantity may be off: for whoever makes the problem.
+fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Ending, Failure> {
+    if let Some(path) = &job.output {
+        let why = "nothing was handed in, so there is nothing to lay over";
+        return Err(Failure(format!("{}: {why}", files::shown(path))));
+    }
+    let all = grade::tolerances(scene, settings).map_err(|error| refused(scene, error))?;
+    let loose = |graded: &grade::Graded| matches!(graded.allowed, Allowed::Capped { .. });
+    if job.json {
+        let told: Vec<serde_json::Value> = all
+            .iter()
+            .map(|graded| {
+                serde_json::json!({
+                    "name": graded.name, "unit": graded.unit.symbol, "right": graded.right,
+                    "tolerance": graded.tolerance, "tolerance_because": graded.because(),
+                    "loose": loose(graded),
+                })
+            })
+            .collect();
+        let told = serde_json::json!({ "tolerances": told, "ok": !all.iter().any(loose) });
+        let text = serde_json::to_string_pretty(&told).map_err(|error| Failure(error.to_string()))?;
+        print(&(text + "\n"))?;
+    } else {
+        let mut text = String::new();
+        for graded in &all {
+            let flag = if loose(graded) { "  TOO LOOSE: ask for something else, or draw larger" } else { "" };
+            let _ = writeln!(
+                text,
+                "{}: {} ± {}: {}{flag}",
+                graded.name,
+                graded.expected(),
+                graded.within(),
+                graded.because()
+            );
+        }
+        print(&text)?;
+    }
+    Ok(if all.iter().any(loose) { Ending::DoesNotHold } else { Ending::Fine })
+}
+
+/// Grades a class: what cannot be read is told, and the others are graded all the same.
+fn of_class(
+    job: &Job,
+    scene: &Scene,
+    settings: &GradeSettings,
+    answers: &[PathBuf],
+    output: Option<&Output>,
+) -> Result<Ending, Failure> {
+    let bar = progress(answers.len(), "hand-ins");
+    let all = parallel::map(answers, |path| {
+        let graded = graded(scene, path, None, settings);
+        bar.inc(1);
+        graded
+    });
+    bar.finish_and_clear();
+    let mut class = Vec::new();
+    let mut figures = Vec::new();
+    for (path, outcome) in answers.iter().zip(all) {
+        let (outcome, figure) = match outcome {
+            Ok((report, figure)) => (Ok(report), figure),
+            Err(failure) => (Err(failure.told), None),
+        };
+        class.push(HandIn { file: files::shown(path), outcome });
+        figures.push(figure);
+    }
+    let unread: Vec<&str> =
+        class.iter().filter_map(|one| one.outcome.as_ref().err()).map(String::as_str).collect();
+    // Where none can be graded, the scene is at fault, or all of them.
+    if unread.len() == class.len() {
+        return Err(Failure(unread.join("\nerror: ")));
+    }
+    if let Some(Output::Folder(folder)) = output {
+        write_folder(scene, folder, answers, &class, &figures)?;
+    }
+    let faults = grade::class_faults(&class);
+    if job.json {
+        let students: Vec<serde_json::Value> = class
+            .iter()
+            .map(|one| match &one.outcome {
+                Ok(report) => serde_json::json!({ "file": one.file, "report": report.to_json() }),
+                Err(why) => serde_json::json!({ "file": one.file, "not_graded": why }),
+            })
+            .collect();
+        let counted: Vec<serde_json::Value> = faults
+            .iter()
+            .map(
+                |f| serde_json::json!({ "kind": f.kind, "at": f.at, "text": f.text, "students": f.students }),
+            )
+            .collect();
+        let told = serde_json::json!({ "students": students, "faults": counted });
+        let text = serde_json::to_string_pretty(&told).map_err(|error| Failure(error.to_string()))?;
+        print(&(text + "\n"))?;
+    } else {
+        print(&told(&class, &faults))?;
+    }
+    if !unread.is_empty() {
+        return Err(Failure(unread.join("\nerror: ")));
+    }
+    let holds = class.iter().all(|one| one.outcome.as_ref().is_ok_and(Report::holds));
+    Ok(if holds { Ending::Fine } else { Ending::DoesNotHold })
+}
+
+/// The class as a table, and its faults.
+fn told(class: &[HandIn], faults: &[grade::ClassFault]) -> String {
+    let name = |one: &HandIn| {
+        let student = one.outcome.as_ref().ok().and_then(|report| report.student.clone());
+        student.map_or_else(|| one.file.clone(), |student| format!("{student} ({})", one.file))
+    };
+    let width = class.iter().map(|one| name(one).chars().count()).max().unwrap_or(0);
+    let mut text = String::new();
+    for one in class {
+        let name = name(one);
+        match &one.outcome {
+            Ok(report) => {
+                let (reached, of) = report.sum();
+                let fault = report.first_fault().map_or(String::new(), |fault| fault.text());
+                let marks = format!("{} of {}", short(reached), short(of));
+                let _ = writeln!(text, "{name:<width$}  {marks:>10}  {fault}");
+            }
+            Err(_) => {
+                let _ = writeln!(text, "{name:<width$}  not graded");
+            }
+        }
+    }
+    let graded: Vec<(f64, f64)> =
+        class.iter().filter_map(|one| one.outcome.as_ref().ok()).map(Report::sum).collect();
+    let (reached, of) = graded.iter().fold((0.0, 0.0), |(a, b), (reached, of)| (a + reached, b + of));
+    if of > 0.0 {
+        let _ = writeln!(text, "{} graded, {:.0} % of the marks reached", graded.len(), 100.0 * reached / of);
+    }
+    for fault in faults {
+        let students = if fault.students == 1 { "student" } else { "students" };
+        let _ = writeln!(text, "{} {students}: {}", fault.students, fault.text);
+    }
+    text
+}
+
+fn short(value: f64) -> String {
+    let text = format!("{value:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Writes a page for each who was graded, and the tables of the class: all of them, or none.
+fn write_folder(
+    scene: &Scene,
+    folder: &Path,
+    answers: &[PathBuf],
+    class: &[HandIn],
+    figures: &[Option<Figure>],
+) -> Result<(), Failure> {
+    let mut all: Vec<(PathBuf, Vec<u8>)> = Vec::new();
+    let mut names: HashSet<String> = HashSet::new();
+    for ((path, one), figure) in answers.iter().zip(class).zip(figures) {
+        let Ok(report) = &one.outcome else { continue };
+        let stem =
+            path.file_stem().map_or_else(|| "answers".to_owned(), |s| s.to_string_lossy().into_owned());
+        let stem = if stem == "-" { "answers".to_owned() } else { stem };
+        let mut name = stem.clone();
+        let mut number = 2;
+        // File systems that know no capitals would take two for one.
+        while !names.insert(name.to_lowercase()) {
+            name = format!("{stem}-{number}");
+            number += 1;
+        }
+        all.push((folder.join(format!("{name}.html")), page(scene, report, figure.as_ref())?));
+    }
+    all.push((folder.join("marks.csv"), grade::class_csv(class).into_bytes()));
+    let faults = grade::class_faults(class);
+    all.push((folder.join("faults.csv"), grade::faults_csv(&faults).into_bytes()));
+    for (path, _) in &all {
+        for input in answers {
+            files::spare_input("what was handed in", input, [path])?;
+        }
+    }
+    std::fs::create_dir_all(folder).map_err(|error| Failure(format!("{}: {error}", files::shown(folder))))?;
+    Ok(files::write_all(&all)?)
+}
+
+/// A student's page.
+fn page(scene: &Scene, report: &Report, figure: Option<&Figure>) -> Result<Vec<u8>, Failure> {
+    let options = render::Options { theme: Theme::Colour, ..render::Options::default() };
+    let svg = figure.map(|figure| render::render(figure, Format::Svg, &options)).transpose();
+    let svg = svg.map_err(|error| Failure(error.to_string()))?;
+    let svg = svg.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let title = scene.title.in_language("en").unwrap_or("Solution");
+    Ok(report.to_html(title, svg.as_deref()).into_bytes())
+}
+
 /// The place of the drawing that the answers name; told at the key that names it, where it is refused.
-fn beside(job: &Job, answers: &grade::Answers, named: &str) -> Result<PathBuf, Failure> {
-    files::beside_of(&job.answers, named).map_err(|error| {
+fn beside(file: &Path, answers: &grade::Answers, named: &str) -> Result<PathBuf, Failure> {
+    files::beside_of(file, named).map_err(|error| {
         let mend = "name a file beside the answers, or give it on the command line: --drawing FILE";
         answers.complain(answers.drawing_at, error.to_string(), Some(mend.to_owned())).into()
     })
-}
-
-/// The format of the overlay, by the ending of its name.
-fn overlay_format(path: &Path) -> Result<Format, Failure> {
-    let ending = path.extension().and_then(|e| e.to_str()).and_then(Format::from_name);
-    ending.ok_or_else(|| Failure(format!("{}: unknown format; end the name in .svg", files::shown(path))))
 }

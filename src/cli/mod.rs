@@ -138,8 +138,9 @@ enum Command {
     Grade {
         /// The scene file; - for standard input
         scene: PathBuf,
-        /// What was handed in: JSON, CSV or SVG (linkgram schema answers); - for standard input
-        answers: PathBuf,
+        /// What was handed in: JSON, CSV or SVG (linkgram schema answers), of one or of a whole class; folders of
+        /// such files; - for standard input. Without any: by how much each answer may be off
+        answers: Vec<PathBuf>,
         /// The SVG of the drawing, instead of the one that the answers name
         #[arg(long, value_name = "FILE")]
         drawing: Option<PathBuf>,
@@ -150,9 +151,12 @@ enum Command {
         /// 0.2mm,0.3deg where neither this nor the answers say it
         #[arg(long, value_name = "MM,DEG", allow_hyphen_values = true, value_parser = parse_hand)]
         hand: Option<Hand>,
-        /// Where to write the student's polygons over the right ones, the first fault circled; the ending chooses
-        /// the format
-        #[arg(short, long, value_name = "FILE")]
+        /// No answer may be off by a larger part of the right value; a tolerance that the answers state is not capped
+        #[arg(long, value_name = "PERCENT", default_value = "10%", allow_hyphen_values = true, value_parser = parse_percent)]
+        max_tolerance: f64,
+        /// Where to write the student's polygons over the right ones, every fault circled; the ending chooses the
+        /// format, .html is a page with report and figure. A folder: a page for each, marks.csv and faults.csv
+        #[arg(short, long, value_name = "FILE|DIR")]
         output: Option<PathBuf>,
     },
     /// Report links, pairs, mobility, groups, Grashof class and dead positions
@@ -502,8 +506,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check { paths, json, tolerance, arith } => {
             check::run(&paths, json, tolerance, Settings { arithmetic: arith, ..Settings::default() })
         }
-        Command::Grade { scene, answers, drawing, json, hand, output } => {
-            grade::run(&grade::Job { scene, answers, drawing, json, hand, output })
+        Command::Grade { scene, answers, drawing, json, hand, max_tolerance, output } => {
+            grade::run(&grade::Job { scene, answers, drawing, json, hand, max_tolerance, output })
         }
         Command::Structure { scene, json } => structure::run(&scene, json),
         Command::Sweep {

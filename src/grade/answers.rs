@@ -47,10 +47,25 @@ pub struct Item {
     pub asked: Asked,
     /// What was written.
     pub given: Given,
+    /// In which form it was written.
+    pub form: Form,
     /// Half a unit in its last place, in the unit of `given`.
     pub rounding: f64,
     /// Where it stands in the file.
     pub at: usize,
+}
+
+/// In which form somebody writes an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// A number, or a magnitude alone.
+    Number,
+    /// A magnitude with a direction.
+    Polar,
+    /// Two components.
+    Components,
+    /// Millimetres of paper: a length, or a point of the drawing.
+    Paper,
 }
 
 /// What was written of a quantity.
@@ -148,6 +163,31 @@ impl Answers {
         if self.items.len() + points <= limits::ANSWERS { Ok(()) } else { self.count(at) }
     }
 
+    /// As if all that a scene asks had been answered with nothing: what may be said of it before anybody answers.
+    pub(super) fn of_asked(scene: &Scene) -> Self {
+        let item = |asked: &Asked| {
+            let given = if is_vector(&asked.quantity) { Given::Vector([0.0; 2]) } else { Given::Signed(0.0) };
+            Item { asked: asked.clone(), given, form: Form::Polar, rounding: 0.0, at: 0 }
+        };
+        let items = scene.mechanism.asked.iter().map(item).collect();
+        Self { items, ..Self::none("", "") }
+    }
+
+    fn none(file: &str, text: &str) -> Self {
+        Self {
+            student: None,
+            items: Vec::new(),
+            scales: StatedScales::default(),
+            figures: Vec::new(),
+            hand: (None, None),
+            tolerances: Vec::new(),
+            drawing: None,
+            drawing_at: 0,
+            file: file.to_owned(),
+            text: text.to_owned(),
+        }
+    }
+
     /// Whether nothing was handed in.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -168,18 +208,7 @@ pub fn read_answers(text: &str, scene: &Scene) -> Result<Answers, Diagnostic> {
 /// # Errors
 /// See [`read_answers`].
 pub fn read_named(text: &str, file: &str, scene: &Scene) -> Result<Answers, Diagnostic> {
-    let empty = Answers {
-        student: None,
-        items: Vec::new(),
-        scales: StatedScales::default(),
-        figures: Vec::new(),
-        hand: (None, None),
-        tolerances: Vec::new(),
-        drawing: None,
-        drawing_at: 0,
-        file: file.to_owned(),
-        text: text.to_owned(),
-    };
+    let empty = Answers::none(file, text);
     let begin = text.trim_start_matches('\u{feff}').trim_start();
     if begin.starts_with('<') {
         return super::drawing::read(text, scene, empty).map_err(|fault| fault.locate(file, text, None));
@@ -329,7 +358,7 @@ pub(super) fn directed(item: Item, angle: f64) -> Res<Item> {
     match item.given {
         Given::Magnitude(size) if is_vector(&item.asked.quantity) => {
             let given = Given::Vector([size * libm::cos(angle), size * libm::sin(angle)]);
-            Ok(Item { given, ..item })
+            Ok(Item { given, form: Form::Polar, ..item })
         }
         _ => Err(Fault::new(item.at, format!("`{}` has no direction", item.asked.name))),
     }
@@ -359,7 +388,7 @@ pub(super) fn scalar(
     };
     let unit = stated.scale.unit();
     let rounding = last_place(value) / 2.0 * unit.si;
-    Ok(Item { asked: Asked { unit, ..asked }, given, rounding, at })
+    Ok(Item { asked: Asked { unit, ..asked }, given, form: Form::Number, rounding, at })
 }
 
 /// A list of two components.
@@ -388,7 +417,7 @@ pub(super) fn vector(
     let unit: Unit = a.scale.unit();
     let rounding = last_place(x).max(last_place(y)) / 2.0 * unit.si;
     let given = Given::Vector([a.given.value, b.given.value]);
-    Ok(Item { asked: Asked { unit, ..asked }, given, rounding, at })
+    Ok(Item { asked: Asked { unit, ..asked }, given, form: Form::Components, rounding, at })
 }
 
 /// A length measured on the drawing.
@@ -401,7 +430,7 @@ pub(super) fn drawn(asked: Asked, mm: f64, rounding: f64, at: usize) -> Res<Item
         return Err(Fault::new(at, "a length on the drawing is not negative"));
     }
     on_paper(mm, at)?;
-    Ok(Item { asked, given: Given::Drawn(mm), rounding, at })
+    Ok(Item { asked, given: Given::Drawn(mm), form: Form::Paper, rounding, at })
 }
 
 /// A tolerance beyond it says nothing.

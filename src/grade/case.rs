@@ -4,17 +4,20 @@
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
-use super::answers::{Answers, FigurePoints, Given, StatedScales, Tolerance, is_vector};
-use super::change::{Change, Misreading, Which};
+use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
+use super::change::{Change, Misreading, Stray, Which};
 use super::{GradeError, GradeSettings};
 use crate::board::Hand;
-use crate::graphical::construction::{Act, Calculation, Construction, Label};
-use crate::graphical::{Scales, Sketch, sketch};
+use crate::graphical::construction::{
+    Act, Calculation, Claim, Construction, ConstructionLine, Label, Reference,
+};
+use crate::graphical::{Departure, Scales, Sketch, sketch};
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::structure::Structure;
-use crate::mechanism::{LinkId, Mechanism, PointId};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
 use crate::scene::Scene;
+use crate::sheet::HandedIn;
 use crate::solve::{self, Solved};
 
 /// What an answer is of.
@@ -40,6 +43,8 @@ pub(super) struct Observation {
     pub(super) given: Given,
     /// It was measured on the drawing by the student: no scale was used.
     pub(super) on_paper: bool,
+    /// In which form it was written.
+    pub(super) form: Form,
     pub(super) unit: Unit,
     /// Half a unit in the last place that was written, SI.
     pub(super) rounding: f64,
@@ -69,6 +74,40 @@ pub(super) struct Case<'s> {
     pub(super) truth: Vec<Option<Vec<f64>>>,
     /// Of each answer, by how much it may be off.
     pub(super) tolerances: Vec<f64>,
+    /// Of each answer, how that was found.
+    pub(super) allowances: Vec<Allowance>,
+    /// Of each answer, how many times more a miss of its length counts than one of its direction.
+    stiffness: Vec<f64>,
+    /// No tolerance is a larger part of its value.
+    max_tolerance: f64,
+}
+
+/// By how much an answer may be off, and why. SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Allowance {
+    pub(super) by: f64,
+    /// What it would be without a cap.
+    pub(super) honest: f64,
+    pub(super) basis: Basis,
+}
+
+/// Why an answer may be off by what it may.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Basis {
+    /// The answers state it.
+    Stated,
+    /// It is calculated from what is given: no drawing is behind it.
+    Calculated,
+    /// It is read off the drawing, or calculated from what is.
+    Read,
+}
+
+/// What the cap needs to know of an answer.
+struct Drawn {
+    /// How far off the worst of the draughtsmen is.
+    worst: f64,
+    /// By how much a change of readings enlarges it.
+    factor: f64,
 }
 
 /// How a student's figure lies against the right one, both in millimetres.
@@ -123,6 +162,9 @@ impl<'s> Case<'s> {
             observations: Vec::new(),
             truth: Vec::new(),
             tolerances: Vec::new(),
+            allowances: Vec::new(),
+            stiffness: Vec::new(),
+            max_tolerance: settings.max_tolerance,
         };
         case.observe_items(answers);
         for figure in &answers.figures {
@@ -137,7 +179,17 @@ impl<'s> Case<'s> {
                 Tolerance::Amount(amount) => Some(amount),
             });
         }
-        case.tolerances = case.tolerances_of(&Change::default(), &case.truth, case.draughtsmen);
+        case.stiffness = vec![1.0; case.observations.len()];
+        case.allowances = case.allowances_of(&Change::default(), &case.truth, case.draughtsmen);
+        case.tolerances = case.allowances.iter().map(|allowance| allowance.by).collect();
+        for (index, observation) in case.observations.iter().enumerate() {
+            let calculated = case.allowances[index].basis == Basis::Calculated;
+            if let (true, Given::Vector(_), Some(truth)) = (calculated, observation.given, &case.truth[index])
+            {
+                let length = CALCULATED * size(truth) + observation.rounding.min(ROUNDED * size(truth));
+                case.stiffness[index] = (case.tolerances[index] / length).max(1.0);
+            }
+        }
         Ok(case)
     }
 
@@ -157,6 +209,7 @@ impl<'s> Case<'s> {
                 quantity: Some(quantity),
                 given,
                 on_paper,
+                form: item.form,
                 unit: item.asked.unit.clone(),
                 rounding,
                 stated: None,
@@ -215,6 +268,7 @@ impl<'s> Case<'s> {
                 quantity,
                 given: Given::Vector([at[0] * si, at[1] * si]),
                 on_paper: true,
+                form: Form::Paper,
                 unit: self.unit_of(order),
                 rounding: 0.0,
                 stated: None,
@@ -316,7 +370,47 @@ impl<'s> Case<'s> {
     pub(super) fn drawn(&self, change: &Change, draughtsman: Option<u64>) -> Option<Sketch> {
         let mechanism = change.mechanism(&self.mechanism);
         let by = draughtsman.map(|seed| (self.hand, seed));
-        sketch(&mechanism, &self.structure, &self.plan, self.scales, &change.departures, by).ok()
+        let drawn = |departures: &[Departure]| {
+            sketch(&mechanism, &self.structure, &self.plan, self.scales, departures, by).ok()
+        };
+        if change.strays.is_empty() {
+            return drawn(&change.departures);
+        }
+        // Where a stray line leads is seen on the drawing as it is without it; the same hand draws both.
+        let mut departures = change.departures.clone();
+        for stray in &change.strays {
+            let without = drawn(&departures)?;
+            departures.push(strayed(&without.construction, stray)?);
+        }
+        drawn(&departures)
+    }
+
+    /// A vector of a polygon as the student handed it in; a magnitude has the direction that the drawing gives it.
+    pub(super) fn handed_in(&self, index: usize, sketch: &Sketch) -> Option<HandedIn> {
+        let observation = &self.observations[index];
+        if let (Target::Image(order, head), Given::Vector(at)) = (observation.target, observation.given) {
+            let si = self.si_per_mm(order);
+            return Some(HandedIn { order, from: [0.0; 2], to: at.map(|x| x / si), head });
+        }
+        let quantity = observation.quantity.filter(is_vector)?;
+        let order = quantity.order();
+        let vectors = &polygon(&sketch.construction, order)?.vectors;
+        let vector = vectors.iter().find(|v| v.quantity == quantity)?;
+        let drawn = [vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]];
+        let si = self.si_per_mm(order);
+        let own = match observation.given {
+            Given::Vector(given) => given.map(|x| x / si),
+            Given::Magnitude(given) | Given::Drawn(given) if size(&drawn) > 0.0 => {
+                drawn.map(|x| x / size(&drawn) * given / si)
+            }
+            _ => return None,
+        };
+        // What would leave the sheet is not drawn.
+        if size(&own) > FARTHEST {
+            return None;
+        }
+        let to = [vector.from[0] + own[0], vector.from[1] + own[1]];
+        Some(HandedIn { order, from: vector.from, to, head: vector.head })
     }
 
     /// Where in a polygon an answer stands: the head of its vector, or of that from which it is calculated.
@@ -370,6 +464,16 @@ impl<'s> Case<'s> {
                     let [head, tail] = self.head_and(&sketch.construction, &of, tail)?;
                     numbers = vec![head[0] - tail[0], head[1] - tail[1]];
                 }
+                Misreading::MeasuredTo { of, head } if observation.quantity == Some(of) => {
+                    let polygon = polygon(&sketch.construction, of.order())?;
+                    let tail = polygon.vectors.iter().find(|v| v.quantity == of)?.from;
+                    let head = match head {
+                        Label::Pole => [0.0; 2],
+                        _ => polygon.images.iter().find(|known| known.label == head)?.at,
+                    };
+                    let si = self.si_per_mm(of.order());
+                    numbers = vec![(head[0] - tail[0]) * si, (head[1] - tail[1]) * si];
+                }
                 Misreading::Backwards { of, from } if observation.quantity == Some(of) => {
                     let [head, from] = self.head_and(&sketch.construction, &of, from)?;
                     numbers = vec![2.0 * from[0] - head[0], 2.0 * from[1] - head[1]];
@@ -393,7 +497,23 @@ impl<'s> Case<'s> {
     }
 
     fn misread(&self, observation: &Observation, reading: Misreading, numbers: &mut [f64]) {
+        // A scale that is wrong as a whole shows in the points of the figure too.
+        if let (Target::Image(order, _), Misreading::Twisted { of, twist }) = (observation.target, reading)
+            && (of == Which::Vectors(order) || of == Which::AllVectors)
+        {
+            numbers.iter_mut().for_each(|n| *n *= twist.factor);
+            return;
+        }
         let Some(quantity) = observation.quantity else { return };
+        if let Misreading::InRadians { of, how } = reading {
+            if of.includes(&quantity)
+                && let [x, y] = numbers
+            {
+                let (length, angle) = (libm::hypot(*x, *y), how.spoilt(libm::atan2(*y, *x)));
+                [*x, *y] = [length * libm::cos(angle), length * libm::sin(angle)];
+            }
+            return;
+        }
         let (of, twist) = match reading {
             Misreading::Twisted { of, twist } => (of, twist),
             Misreading::Unscaled { of, factor } | Misreading::Divided { of, factor } => {
@@ -406,7 +526,10 @@ impl<'s> Case<'s> {
                 let factor = if divided { mm * mm * factor } else { mm * factor };
                 (of, crate::graphical::Twist::scaled(factor))
             }
-            Misreading::MeasuredFrom { .. } | Misreading::Backwards { .. } => return,
+            Misreading::MeasuredFrom { .. }
+            | Misreading::MeasuredTo { .. }
+            | Misreading::Backwards { .. }
+            | Misreading::InRadians { .. } => return,
         };
         if !of.includes(&quantity) {
             return;
@@ -443,6 +566,12 @@ impl<'s> Case<'s> {
         seen: &[Option<Vec<f64>>],
         draughtsmen: u64,
     ) -> Vec<f64> {
+        let allowances = self.allowances_of(change, seen, draughtsmen);
+        // What is not the right drawing is not asked to be drawn as closely as a cap wants it.
+        allowances.iter().map(|allowance| allowance.honest).collect()
+    }
+
+    fn allowances_of(&self, change: &Change, seen: &[Option<Vec<f64>>], draughtsmen: u64) -> Vec<Allowance> {
         let mut worst = vec![0.0_f64; self.observations.len()];
         for seed in 0..draughtsmen {
             let Some(sketch) = self.drawn(change, Some(seed)) else { continue };
@@ -453,31 +582,116 @@ impl<'s> Case<'s> {
             }
         }
         let factors = self.enlarged(change);
+        let largest = self.largest_rates();
         let allowed = |index: usize| {
             let seen = seen[index].as_deref();
-            let own = self.allowed(&self.observations[index], worst[index], factors[index], seen);
+            let drawn = Drawn { worst: worst[index], factor: factors[index] };
+            let own = self.allowed(&self.observations[index], &drawn, seen, largest);
             // Where lines cross so flatly that the result is no number, only an exact hand would prove anything.
             match self.tolerances.get(index) {
-                Some(&usual) if own > WIDE * usual && own > TELLS * seen.map_or(0.0, size) => usual,
+                Some(&usual) if own.honest > WIDE * usual && own.honest > TELLS * seen.map_or(0.0, size) => {
+                    Allowance { honest: usual, by: own.by.min(usual), ..own }
+                }
                 _ => own,
             }
         };
         (0..self.observations.len()).map(allowed).collect()
     }
 
-    fn allowed(&self, observation: &Observation, worst: f64, factor: f64, seen: Option<&[f64]>) -> f64 {
+    fn allowed(
+        &self,
+        observation: &Observation,
+        drawn: &Drawn,
+        seen: Option<&[f64]>,
+        largest: [f64; 2],
+    ) -> Allowance {
         // A part of nothing is no tolerance.
         if let Some(stated) = observation.stated.filter(|stated| *stated > 0.0) {
-            return stated;
+            return Allowance { by: stated, honest: stated, basis: Basis::Stated };
         }
         let exact = seen.map_or(0.0, size);
+        let rounding = observation.rounding.min(ROUNDED * exact) + ROUNDING * exact;
+        if !observation.on_paper && observation.quantity.is_some_and(|q| self.is_calculated(&q)) {
+            let length = CALCULATED * exact + rounding;
+            // Its direction is measured on the skeleton, or drawn.
+            let across = match observation.given {
+                Given::Vector(_) => exact * libm::sin(DIRECTION.max(3.0 * self.hand.angle)),
+                _ => 0.0,
+            };
+            let by = libm::hypot(length, across).max(f64::MIN_POSITIVE);
+            return Allowance { by, honest: by, basis: Basis::Calculated };
+        }
         // One reading more than the drawing itself: the length that is handed in.
         let order = observation.quantity.map_or(Order::Position, |q| q.order());
         let order = if let Target::Image(order, _) = observation.target { order } else { order };
         let linear = observation.quantity.is_none_or(|q| is_vector(&q));
-        let reading = if linear { self.hand.length * self.si_per_mm(order) * factor } else { 0.0 };
-        let rounding = observation.rounding.min(ROUNDED * exact);
-        (SAFETY * worst + reading + rounding + ROUNDING * exact).max(f64::MIN_POSITIVE)
+        let reading = if linear { self.hand.length * self.si_per_mm(order) * drawn.factor } else { 0.0 };
+        let honest = (SAFETY * drawn.worst + reading + rounding).max(f64::MIN_POSITIVE);
+        // However short a vector is, nobody reads it finer than this.
+        let least = match observation.quantity {
+            _ if linear => FINEST * reading,
+            Some(Quantity::Omega(_) | Quantity::RelativeOmega(..)) => self.max_tolerance * SMALL * largest[0],
+            Some(Quantity::Alpha(_) | Quantity::RelativeAlpha(..)) => self.max_tolerance * SMALL * largest[1],
+            _ => honest,
+        };
+        let position = matches!(observation.quantity, Some(Quantity::Angle(_) | Quantity::Transmission(..)));
+        let place = matches!(observation.target, Target::Place(_))
+            || matches!(observation.quantity, Some(Quantity::Position(_) | Quantity::Centre(..)));
+        let by = match position || place {
+            // A place is counted from an origin that nobody reads it from.
+            true => honest,
+            false => honest.min((self.max_tolerance * exact + rounding).max(least)),
+        };
+        Allowance { by, honest, basis: Basis::Read }
+    }
+
+    /// The largest ω and ε of the right solution.
+    fn largest_rates(&self) -> [f64; 2] {
+        let acts = self.right.construction.steps.iter().flat_map(|step| &step.acts);
+        let mut largest = acts.fold([0.0_f64; 2], |[w, e], act| match *act {
+            Act::Calculate(Calculation::Omega { value, .. }) => [w.max(value.abs()), e],
+            Act::Calculate(Calculation::Alpha { value, .. }) => [w, e.max(value.abs())],
+            _ => [w, e],
+        });
+        for input in &self.mechanism.inputs {
+            if let Input::Angle { omega, alpha, .. } = input {
+                largest = [largest[0].max(omega.value.abs()), largest[1].max(alpha.value.abs())];
+            }
+        }
+        largest
+    }
+
+    /// Whether a quantity is calculated from what is given, and no reading is behind it.
+    fn is_calculated(&self, quantity: &Quantity) -> bool {
+        let driven = |link: LinkId| {
+            self.mechanism.inputs.iter().any(|input| match *input {
+                Input::Angle { link: of, .. } | Input::Speed { link: of, .. } => of == link,
+                Input::Slide { .. } => false,
+            })
+        };
+        if let Quantity::Omega(link) | Quantity::Alpha(link) = *quantity {
+            let given = |input: &Input| matches!(*input, Input::Angle { link: of, .. } if of == link);
+            return self.mechanism.inputs.iter().any(given);
+        }
+        let mut acts = self.right.construction.steps.iter().flat_map(|step| &step.acts);
+        let measured = |[a, b]: [PointId; 2]| {
+            let mut acts = self.right.construction.steps.iter().flat_map(|step| &step.acts);
+            acts.any(|act| {
+                matches!(*act, Act::MeasureLength { from, to, .. } if [from, to] == [a, b] || [to, from] == [a, b])
+            })
+        };
+        acts.any(|act| match *act {
+            Act::Calculate(
+                Calculation::Speed { quantity: of, link, ends, .. }
+                | Calculation::Tangential { quantity: of, link, ends, .. },
+            ) => of == *quantity && driven(link) && !measured(ends),
+            Act::Calculate(Calculation::Normal { quantity: of, ends, .. }) => {
+                let whole = |link: LinkId| ends.iter().all(|p| self.mechanism.link(link).points.contains(p));
+                let by_driven = self.mechanism.moving().any(|link| driven(link) && whole(link));
+                of == *quantity && by_driven && !measured(ends)
+            }
+            _ => false,
+        })
     }
 
     /// How far two sets of numbers of an answer are apart.
@@ -499,10 +713,25 @@ impl<'s> Case<'s> {
         match self.observations[index].given {
             Given::Magnitude(given) | Given::Drawn(given) => (given - size(seen)).abs(),
             Given::Signed(given) => self.apart(index, &[given], seen),
-            Given::Vector(given) => self.apart(index, &given, seen),
+            Given::Vector(given) => {
+                let off = (size(&given) - size(seen)).abs();
+                self.apart(index, &given, seen).max(self.stiffness[index] * off)
+            }
         }
     }
 }
+
+/// A vector that is longer on paper (mm) is not drawn beside the right one.
+const FARTHEST: f64 = 400.0;
+
+/// A value that is calculated from what is given may be off by this part: a calculator has more digits than a question.
+const CALCULATED: f64 = 0.004;
+/// A direction that is drawn or measured once is good to this, radians.
+const DIRECTION: f64 = 0.0175;
+/// However a tolerance is capped, so many readings off the paper are always allowed.
+const FINEST: f64 = 2.0;
+/// A rate that is smaller than this part of the largest one is read no finer than if it were as large as that.
+const SMALL: f64 = 0.1;
 
 /// The worst of the draughtsmen is not the worst of all.
 const SAFETY: f64 = 1.3;
@@ -514,6 +743,78 @@ const TELLS: f64 = 0.5;
 const ROUNDED: f64 = 0.01;
 /// What is lost in the conversion of units, as a part of the value.
 const ROUNDING: f64 = 1e-9;
+
+/// The direction of a line of the skeleton; `None` where it is not drawn.
+pub(super) fn direction(construction: &Construction, of: Reference) -> Option<[f64; 2]> {
+    let along = match of {
+        Reference::Points(a, b) => {
+            let places = &construction.space.places;
+            let [a, b] = [places[a.0]?, places[b.0]?];
+            [b[0] - a[0], b[1] - a[1]]
+        }
+        // A guide is seen by a line that is drawn along it or square to it.
+        Reference::Guide(_) => {
+            let polygons = [&construction.velocity, &construction.acceleration];
+            let mut lines = polygons.into_iter().flatten().flat_map(|p| &p.lines);
+            lines.find_map(|line| match *line {
+                ConstructionLine::Ray { from, to, claim: Some(Claim::Parallel(r)), .. } if r == of => {
+                    Some([to[0] - from[0], to[1] - from[1]]).filter(|d| size(d) > LEGIBLE)
+                }
+                ConstructionLine::Ray { from, to, claim: Some(Claim::Perpendicular(r)), .. } if r == of => {
+                    Some([to[1] - from[1], from[0] - to[0]]).filter(|d| size(d) > LEGIBLE)
+                }
+                _ => None,
+            })?
+        }
+    };
+    let length = size(&along);
+    (length > 0.0).then(|| along.map(|x| x / length))
+}
+
+/// A line that is shorter (mm) has no direction to be seen.
+const LEGIBLE: f64 = 1e-3;
+
+/// The sine of the flattest crossing at which a pencil still finds a point.
+const FLAT: f64 = 0.05;
+
+/// The direction that a line claims to have.
+pub(super) fn claimed(construction: &Construction, claim: Claim) -> Option<[f64; 2]> {
+    match claim {
+        Claim::Parallel(of) => direction(construction, of),
+        Claim::Perpendicular(of) => direction(construction, of).map(|[x, y]| [-y, x]),
+    }
+}
+
+/// Where the image stands to which a stray line leads.
+fn strayed(construction: &Construction, stray: &Stray) -> Option<Departure> {
+    let lines = &polygon(construction, stray.order)?.lines;
+    let ray = |wanted: &dyn Fn(Claim, usize) -> bool| {
+        lines.iter().find_map(|line| match *line {
+            ConstructionLine::Ray { from, claim: Some(claim), step, .. } if wanted(claim, step) => {
+                Some((from, claim, step))
+            }
+            _ => None,
+        })
+    };
+    let (from, _, step) = ray(&|claim, _| claim == stray.claim)?;
+    let (other, held, _) = ray(&|claim, at| at == step && claim != stray.claim)?;
+    let along = direction(construction, stray.by)?;
+    let along = if stray.square { [-along[1], along[0]] } else { along };
+    let across = claimed(construction, held)?;
+    let sine = along[0] * across[1] - along[1] * across[0];
+    if sine.abs() < FLAT {
+        return None;
+    }
+    let apart = [other[0] - from[0], other[1] - from[1]];
+    let far = (apart[0] * across[1] - apart[1] * across[0]) / sine;
+    let label = construction.steps.get(step)?.acts.iter().find_map(|act| match *act {
+        Act::MarkMeet { label, .. } => Some(label),
+        _ => None,
+    })?;
+    let Label::Image { point, link: None } = label else { return None };
+    let at = [from[0] + far * along[0], from[1] + far * along[1]];
+    Some(Departure::Image { order: stray.order, point, at })
+}
 
 /// The length of a vector, the size of a number.
 pub(super) fn size(numbers: &[f64]) -> f64 {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::given::Given;
-use crate::graphical::construction::Label;
+use crate::graphical::construction::{Claim, Label, Reference};
 use crate::graphical::{Departure, Twist};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::statement::Locus;
@@ -14,7 +14,21 @@ use crate::mechanism::{Form, GuidePoint, Input, Mechanism, Path, Place, Roll};
 pub(super) struct Change {
     pub(super) inputs: Vec<InputChange>,
     pub(super) departures: Vec<Departure>,
+    /// Lines that were drawn by another line of the skeleton than they should be.
+    pub(super) strays: Vec<Stray>,
     pub(super) readings: Vec<Misreading>,
+}
+
+/// A line of a polygon that was drawn parallel or square to the wrong line of the skeleton.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stray {
+    pub(super) order: Order,
+    /// The direction that it should have.
+    pub(super) claim: Claim,
+    /// The line by which it was drawn.
+    pub(super) by: Reference,
+    /// Square to that line, not parallel.
+    pub(super) square: bool,
 }
 
 /// What was given was taken otherwise.
@@ -22,6 +36,8 @@ pub(super) struct Change {
 pub(super) enum InputChange {
     /// ω and α of every input are multiplied (of a slide its velocity and acceleration).
     Rates { omega: f64, alpha: f64 },
+    /// Angles in degrees were taken as radians by the calculator.
+    AnglesInRadians,
     /// Every length is multiplied; the given speeds of points and slides as well, or not.
     Lengths { factor: f64, speeds: bool },
 }
@@ -37,8 +53,30 @@ pub(super) enum Misreading {
     Divided { of: Which, factor: f64 },
     /// The vector was measured from the pole or from another image, instead of from its own tail.
     MeasuredFrom { of: Quantity, tail: Label },
+    /// The vector was measured to another image than its own head.
+    MeasuredTo { of: Quantity, head: Label },
     /// Its relative vector was laid off backwards from another image.
     Backwards { of: Quantity, from: Label },
+    /// Directions went through a calculator that reckons in radians.
+    InRadians { of: Which, how: InRadians },
+}
+
+/// How a calculator set to radians spoils a direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct InRadians {
+    /// The degrees were typed into a sine or cosine; otherwise radians came out of an arc tangent and were written
+    /// down as degrees.
+    pub(super) typed: bool,
+    /// Directions were counted from 0 to a whole turn, otherwise from minus to plus half a turn.
+    pub(super) from_zero: bool,
+}
+
+impl InRadians {
+    /// What becomes of a direction, radians.
+    pub(super) fn spoilt(self, angle: f64) -> f64 {
+        let angle = if self.from_zero && angle < 0.0 { angle + 2.0 * std::f64::consts::PI } else { angle };
+        if self.typed { angle.to_degrees() } else { angle.to_radians() }
+    }
 }
 
 /// Which answers were misread.
@@ -51,6 +89,8 @@ pub(super) enum Which {
     AllVectors,
     /// All velocities and accelerations, rates not.
     AllLinear,
+    /// All angular velocities.
+    Omegas,
 }
 
 impl Change {
@@ -62,6 +102,10 @@ impl Change {
         Self { departures, ..Self::default() }
     }
 
+    pub(super) fn strayed(stray: Stray) -> Self {
+        Self { strays: vec![stray], ..Self::default() }
+    }
+
     pub(super) fn read(reading: Misreading) -> Self {
         Self { readings: vec![reading], ..Self::default() }
     }
@@ -71,13 +115,14 @@ impl Change {
         Self {
             inputs: [&self.inputs[..], &other.inputs[..]].concat(),
             departures: [&self.departures[..], &other.departures[..]].concat(),
+            strays: [&self.strays[..], &other.strays[..]].concat(),
             readings: [&self.readings[..], &other.readings[..]].concat(),
         }
     }
 
     /// Whether anything is drawn otherwise.
     pub(super) fn redraws(&self) -> bool {
-        !(self.inputs.is_empty() && self.departures.is_empty())
+        !(self.inputs.is_empty() && self.departures.is_empty() && self.strays.is_empty())
     }
 
     /// The mechanism that was solved.
@@ -86,6 +131,7 @@ impl Change {
         for change in &self.inputs {
             match *change {
                 InputChange::Rates { omega, alpha } => drive(mechanism.to_mut(), omega, alpha),
+                InputChange::AnglesInRadians => take_for_radians(mechanism.to_mut()),
                 InputChange::Lengths { factor, speeds } => enlarge(mechanism.to_mut(), factor, speeds),
             }
         }
@@ -102,6 +148,14 @@ fn drive(mechanism: &mut Mechanism, first: f64, second: f64) {
         };
         *rate = rate.times(first);
         *change = change.times(second);
+    }
+}
+
+fn take_for_radians(mechanism: &mut Mechanism) {
+    for input in &mut mechanism.inputs {
+        if let Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. } = input {
+            *angle = angle.times(1_f64.to_degrees());
+        }
     }
 }
 
@@ -195,6 +249,7 @@ impl Which {
             Self::Vectors(order) => vector && quantity.order() == order,
             Self::AllVectors => vector,
             Self::AllLinear => vector || matches!(quantity, Quantity::Rub(..)),
+            Self::Omegas => matches!(quantity, Quantity::Omega(_) | Quantity::RelativeOmega(..)),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! A student's drawing as the SVG of a vector editor: its points are found by the letters beside them.
 //!
-//! A letter names the dot next to it, or where there is none the nearest end or corner of a line. Which figure it
-//! belongs to is told by the layer (an `id`, class or label that holds `velocity`, `acceleration` or `skeleton`),
+//! Letters and marks are matched one to one, so that the letters in all lie as near to their marks as they can: a dot
+//! rather than a place where lines end, that rather than the end of one line. Whatever leaves a choice (a mark that two
+//! letters claim, two marks as near, none within reach) is told, never guessed. Which figure a letter belongs to is told by the layer (an `id`, class or label that holds `velocity`, `acceleration` or `skeleton`),
 //! and without layers by its spelling: *A* is a joint, *a* a velocity image, *a′* an acceleration image.
 
 use std::collections::hash_map::Entry;
@@ -12,6 +13,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 use svgtypes::{Length, LengthUnit, PathParser, PathSegment, Transform};
 
 use super::answers::{Answers, FigurePoints};
+use super::assign::assign;
 use super::nearest::Nearest;
 use super::weight::weigh;
 use crate::limits;
@@ -28,9 +30,26 @@ const REACH: f64 = 2.5;
 /// What the default style of SVG says.
 const FONT_SIZE_PX: f64 = 16.0;
 
+/// A mark may lie so much farther off (in heights of the letter) if it is a dot and not where lines end, or the end of
+/// several lines and not of one.
+const RANK: f64 = 0.35;
+
+/// Two ways to read the letters that differ by less than this (in heights of a letter) are two ways.
+const DOUBT: f64 = 0.1;
+
+/// Marks that lie nearer to each other (mm) are one.
+const SAME_MARK: f64 = 0.3;
+
+/// A closed figure of three or four corners that is not larger than this (mm) is an arrowhead.
+const ARROWHEAD: f64 = 6.0;
+
+/// So many marks beside a letter are looked at.
+const CANDIDATES: usize = 12;
+
 /// A letter of the drawing.
 struct Letter {
-    name: String,
+    /// As the text names its point; several where it says so, as in "b, c".
+    names: Vec<String>,
     order: Order,
     /// The middle of its ink, about.
     middle: Point,
@@ -44,12 +63,18 @@ struct Letter {
 struct Marks {
     dots: Vec<Point>,
     ends: Vec<Point>,
+    /// Tips of arrowheads, and how far these reach back.
+    tips: Vec<(Point, f64)>,
 }
 
-/// The marks, to be found by their places.
-struct Found {
-    dots: Nearest,
-    ends: Nearest,
+/// One place that letters may name.
+#[derive(Clone, Copy)]
+struct Mark {
+    at: Point,
+    /// It has a dot.
+    dot: bool,
+    /// So many lines end or bend here.
+    lines: usize,
 }
 
 /// Reads the points of a drawing into the answers.
@@ -76,31 +101,27 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
         return Err(Fault::new(root.range().start, "neither JSON, nor a table, nor an SVG"));
     }
     let (marks, letters) = read_all(root, &Names::new(scene))?;
-    let found = Found { dots: Nearest::new(&marks.dots), ends: Nearest::new(&marks.ends) };
+    let marks = marks.gathered();
     let mut figures: Vec<FigurePoints> = Vec::new();
     let mut named: HashMap<(usize, String), [f64; 2]> = HashMap::new();
-    for letter in letters {
-        let Some(mark) = found.beside(&letter) else {
-            let what = format!("nothing is marked beside the letter `{}`", letter.name);
-            return Err(
-                Fault::new(letter.at, what).mend("set it nearer to its dot or to the end of its line")
-            );
-        };
+    for (letter, mark) in matched(letters, &marks)? {
         let place = [mark.x, -mark.y];
         let index = figures.iter().position(|f| f.order == letter.order).unwrap_or_else(|| {
             figures.push(FigurePoints { order: letter.order, points: Vec::new() });
             figures.len() - 1
         });
-        match named.entry((index, letter.name)) {
-            Entry::Vacant(free) => {
-                figures[index].points.push((free.key().1.clone(), place, letter.at));
-                free.insert(place);
+        for name in letter.names {
+            match named.entry((index, name)) {
+                Entry::Vacant(free) => {
+                    figures[index].points.push((free.key().1.clone(), place, letter.at));
+                    free.insert(place);
+                }
+                Entry::Occupied(taken) if *taken.get() != place => {
+                    let fault = Fault::new(letter.at, format!("`{}` names two points", taken.key().1));
+                    return Err(fault.mend("keep one of the two, or tell the figures apart by layers"));
+                }
+                Entry::Occupied(_) => {}
             }
-            Entry::Occupied(taken) if *taken.get() != place => {
-                let fault = Fault::new(letter.at, format!("`{}` names two points", taken.key().1));
-                return Err(fault.mend("keep one of the two, or tell the figures apart by layers"));
-            }
-            Entry::Occupied(_) => {}
         }
     }
     if figures.is_empty() {
@@ -110,13 +131,117 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
     Ok(figures)
 }
 
-impl Found {
-    /// What a letter names: a dot before the end of a line.
-    fn beside(&self, letter: &Letter) -> Option<Point> {
+/// The letters with their marks.
+fn matched(mut letters: Vec<Letter>, marks: &[Mark]) -> Res<Vec<(Letter, Point)>> {
+    let places: Vec<Point> = marks.iter().map(|mark| mark.at).collect();
+    let nearest = Nearest::new(&places);
+    // In heights of the letter, the nearest first.
+    let claims = |letter: &Letter| -> Vec<(usize, f64)> {
         let reach = REACH * letter.height;
-        let near =
-            |marks: &Nearest| marks.to(letter.middle).filter(|(_, far)| *far <= reach).map(|(at, _)| at);
-        near(&self.dots).or_else(|| near(&self.ends))
+        let cost = |(mark, far): (usize, f64)| {
+            let rank = if marks[mark].dot {
+                0.0
+            } else if marks[mark].lines > 1 {
+                RANK
+            } else {
+                2.0 * RANK
+            };
+            (mark, far / letter.height + rank)
+        };
+        let mut claims: Vec<(usize, f64)> =
+            nearest.within(letter.middle, reach, CANDIDATES).into_iter().map(cost).collect();
+        claims.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        claims
+    };
+    let mut costs: Vec<Vec<(usize, f64)>> = letters.iter().map(claims).collect();
+    // The same letter twice beside one mark is written twice, and names one point.
+    let mut kept: HashSet<(u8, Vec<String>, usize)> = HashSet::new();
+    let mut twice = Vec::new();
+    for (index, (letter, claims)) in letters.iter().zip(&costs).enumerate() {
+        let Some(&(mark, _)) = claims.first() else {
+            let what = format!("nothing is marked beside the letter `{}`", letter.text());
+            let mend = "set it nearer to its dot or to the end of its line";
+            return Err(Fault::new(letter.at, what).mend(mend));
+        };
+        if !kept.insert((letter.order as u8, letter.names.clone(), mark)) {
+            twice.push(index);
+        }
+    }
+    for index in twice.into_iter().rev() {
+        letters.remove(index);
+        costs.remove(index);
+    }
+    let given = assign(&costs);
+    let cost = |letter: usize, mark: usize| -> Option<f64> {
+        costs[letter].iter().find(|(known, _)| *known == mark).map(|(_, cost)| *cost)
+    };
+    let owner: HashMap<usize, usize> = given.iter().zip(0..).filter_map(|(m, i)| Some(((*m)?, i))).collect();
+    let mut found = Vec::new();
+    for (index, mark) in given.iter().enumerate() {
+        let letter = &letters[index];
+        let Some(mark) = *mark else {
+            let rival = costs[index].first().and_then(|(mark, _)| owner.get(mark));
+            let rival = rival.map_or("another letter", |&other| letters[other].text());
+            let what = format!("`{}` and `{rival}` stand beside one mark", letter.text());
+            let mend = format!(
+                "give each a dot of its own, or write `{}, {rival}` in one text if they are one point",
+                letter.text()
+            );
+            return Err(Fault::new(letter.at, what).mend(mend));
+        };
+        let own = cost(index, mark).unwrap_or(0.0);
+        for &(other, else_cost) in costs[index].iter().filter(|(other, _)| *other != mark) {
+            let apart = match owner.get(&other) {
+                // Another letter would have to go where this one stands.
+                Some(&rival) => cost(rival, mark).zip(cost(rival, other)).map(|(there, here)| there - here),
+                None => Some(0.0),
+            };
+            let doubtful = apart.is_some_and(|apart| else_cost - own + apart < DOUBT);
+            if doubtful {
+                let what = format!("`{}` stands as near to one mark as to another", letter.text());
+                return Err(Fault::new(letter.at, what).mend("set it nearer to its own, or draw a dot there"));
+            }
+        }
+        found.push(marks[mark].at);
+    }
+    Ok(letters.into_iter().zip(found).collect())
+}
+
+impl Letter {
+    fn text(&self) -> &str {
+        self.names.first().map_or("", String::as_str)
+    }
+}
+
+impl Marks {
+    /// The marks, each place once: what lies together is one, and the lines that end at an arrowhead end at its tip.
+    fn gathered(self) -> Vec<Mark> {
+        let tips: Vec<Point> = self.tips.iter().map(|(at, _)| *at).collect();
+        let farthest = self.tips.iter().map(|(_, back)| *back).fold(0.0, f64::max);
+        let nearest = Nearest::new(&tips);
+        let at_tip = |end: Point| {
+            let near = nearest.within(end, farthest, CANDIDATES);
+            near.into_iter().find(|(tip, far)| *far <= self.tips[*tip].1).map_or(end, |(tip, _)| tips[tip])
+        };
+        let dots = self.dots.iter().map(|at| (*at, true));
+        let ends = self.ends.iter().map(|at| (at_tip(*at), false));
+        let mut marks: Vec<Mark> = Vec::new();
+        let mut cells: HashMap<(i64, i64), Vec<usize>> = HashMap::new();
+        for (at, dot) in dots.chain(tips.iter().map(|at| (*at, false))).chain(ends) {
+            #[expect(clippy::cast_possible_truncation, reason = "what is on paper is small")]
+            let cell = ((at.x / SAME_MARK).floor() as i64, (at.y / SAME_MARK).floor() as i64);
+            let around = (-1..=1).flat_map(|x| (-1..=1).map(move |y| (cell.0 + x, cell.1 + y)));
+            let near = around.filter_map(|cell| cells.get(&cell)).flatten().copied();
+            let one = near.into_iter().find(|&known| marks[known].at.distance(at) <= SAME_MARK);
+            let index = one.unwrap_or_else(|| {
+                cells.entry(cell).or_default().push(marks.len());
+                marks.push(Mark { at, dot: false, lines: 0 });
+                marks.len() - 1
+            });
+            marks[index].dot |= dot;
+            marks[index].lines += usize::from(!dot);
+        }
+        marks
     }
 }
 
@@ -125,12 +250,22 @@ struct Names<'s> {
     points: HashSet<&'s str>,
     /// In small letters, as images are named.
     images: HashSet<String>,
+    /// The same of fixed points alone: their images are the pole.
+    poles: HashSet<String>,
 }
 
 impl<'s> Names<'s> {
     fn new(scene: &'s Scene) -> Self {
         let points = || scene.mechanism.points.iter().map(|p| p.name.as_str());
-        Self { points: points().collect(), images: points().map(str::to_lowercase).collect() }
+        let mechanism = &scene.mechanism;
+        let fixed = |p: &&crate::mechanism::Point| matches!(p.place, crate::mechanism::Place::Fixed(_));
+        let names = |fixed_ones: bool| -> HashSet<String> {
+            let all = mechanism.points.iter().filter(|p| fixed(p) == fixed_ones);
+            all.map(|p| p.name.to_lowercase()).collect()
+        };
+        let moving = names(false);
+        let poles = names(true).into_iter().filter(|name| !moving.contains(name)).collect();
+        Self { points: points().collect(), images: points().map(str::to_lowercase).collect(), poles }
     }
 }
 
@@ -250,13 +385,33 @@ impl Marks {
                 let text = node.attribute("points").unwrap_or_default();
                 let numbers: Vec<f64> =
                     text.split([' ', ',', '\n', '\t']).filter_map(|n| n.parse().ok()).collect();
-                self.ends.extend(numbers.chunks_exact(2).filter_map(|corner| place(corner[0], corner[1])));
+                let corners =
+                    numbers.chunks_exact(2).filter_map(|corner| place(corner[0], corner[1])).collect();
+                self.add_corners(corners, node.tag_name().name() == "polygon");
             }
             "path" => {
-                let corners = corners(node.attribute("d").unwrap_or_default());
-                self.ends.extend(corners.into_iter().filter_map(|p| place(p.x, p.y)));
+                let path = node.attribute("d").unwrap_or_default();
+                let corners = corners(path).into_iter().filter_map(|p| place(p.x, p.y)).collect();
+                self.add_corners(corners, path.contains(['z', 'Z']));
             }
             _ => {}
+        }
+    }
+}
+
+impl Marks {
+    /// Corners of a line or of a closed figure; of an arrowhead its tip alone.
+    fn add_corners(&mut self, corners: Vec<Point>, closed: bool) {
+        let middle = corners.iter().fold(Point::ZERO, |sum, p| sum + p.to_vec2() / corners.len() as f64);
+        let far = |p: &&Point| p.distance(middle);
+        let extent =
+            corners.iter().flat_map(|p| corners.iter().map(|q| p.distance(*q))).take(64).fold(0.0, f64::max);
+        let tip = corners.iter().max_by(|p, q| far(p).total_cmp(&far(q)));
+        match tip {
+            Some(&tip) if closed && matches!(corners.len(), 3..=5) && extent <= ARROWHEAD => {
+                self.tips.push((tip, 1.1 * extent));
+            }
+            _ => self.ends.extend(corners),
         }
     }
 }
@@ -294,26 +449,19 @@ fn corners(path: &str) -> Vec<Point> {
 /// A text that names a point of the scene; all other texts are captions and the like.
 fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Option<Letter> {
     let written: String = text.descendants().filter(Node::is_text).filter_map(|n| n.text()).collect();
-    let name: String = written.split_whitespace().collect();
-    let is_prime = |c: char| matches!(c, '\'' | '′' | '’');
-    let bare: String = name.chars().filter(|c| !is_prime(*c) && *c != ',').collect();
-    let letters = bare.trim_end_matches(|c: char| c.is_ascii_digit());
-    let is_image = letters == "o" || names.images.contains(letters) || names.images.contains(&bare);
-    let by_spelling = if names.points.contains(name.as_str()) && name.contains(char::is_uppercase) {
-        Some(Order::Position)
-    } else if !is_image {
-        None
-    } else if name.contains(is_prime) {
-        Some(Order::Acceleration)
-    } else {
-        Some(Order::Velocity)
+    let whole: String = written.split_whitespace().collect();
+    // One text may name several points that are one: "b, c". An index like that of b′1,2 is none of them.
+    let several: Vec<&str> = whole.split(',').collect();
+    let read: Option<Vec<(String, Order)>> =
+        several.iter().map(|part| named(part, around.layer, names)).collect();
+    let read = match read {
+        Some(read) if several.len() > 1 => read,
+        _ => vec![named(&whole, around.layer, names)?],
     };
-    let order = match (around.layer, by_spelling?) {
-        // An image in the layer of its polygon may go without its prime; a joint's name there is none of its points.
-        (Some(layer), Order::Position) if layer != Order::Position => return None,
-        (Some(layer), _) => layer,
-        (None, spelled) => spelled,
-    };
+    let order = read.first()?.1;
+    if read.iter().any(|(_, other)| *other != order) {
+        return None;
+    }
     let positioned = |node: &Node<'_, '_>| node.attribute("x").is_some() && node.attribute("y").is_some();
     let place = text.descendants().find(positioned).unwrap_or(text);
     let first = |name: &str| {
@@ -323,7 +471,7 @@ fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Option<Lette
     let inside = || place.ancestors().take_while(|node| *node != text);
     let size = inside().find_map(font_size).unwrap_or(around.font_size);
     // Letters are about half as wide as high, their ink about two thirds of the height of the font.
-    let width = 0.5 * size * name.chars().count() as f64;
+    let width = 0.5 * size * whole.chars().count() as f64;
     let before = match inside().find_map(anchor).unwrap_or(around.anchor) {
         Anchor::Middle => 0.0,
         Anchor::End => -0.5,
@@ -331,13 +479,39 @@ fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Option<Lette
     };
     let middle = around.onto * Point::new(first("x") + before * width, first("y") - 0.33 * size);
     let height = size * around.onto.determinant().abs().sqrt();
-    (middle.is_finite() && height.is_finite()).then(|| Letter {
-        name,
+    (middle.is_finite() && height.is_finite() && height > 0.0).then(|| Letter {
+        names: read.into_iter().map(|(name, _)| name).collect(),
         order,
         middle,
         height,
         at: text.range().start,
     })
+}
+
+/// The point that a text names, and in which figure: by the layer, or by its spelling.
+fn named(name: &str, layer: Option<Order>, names: &Names<'_>) -> Option<(String, Order)> {
+    let is_prime = |c: char| matches!(c, '\'' | '′' | '’');
+    let bare: String = name.chars().filter(|c| !is_prime(*c) && *c != ',').collect();
+    let letters = bare.trim_end_matches(|c: char| c.is_ascii_digit());
+    let is_image = letters == "o" || names.images.contains(letters) || names.images.contains(&bare);
+    let by_spelling = if names.points.contains(name) && name.contains(char::is_uppercase) {
+        Some(Order::Position)
+    } else if !is_image {
+        None
+    } else if name.contains(is_prime) {
+        Some(Order::Acceleration)
+    } else {
+        Some(Order::Velocity)
+    };
+    let order = match (layer, by_spelling?) {
+        // An image in the layer of its polygon may go without its prime; a joint's name there is none of its points.
+        (Some(layer), Order::Position) if layer != Order::Position => return None,
+        (Some(layer), _) => layer,
+        (None, spelled) => spelled,
+    };
+    // What stands still has its image in the pole.
+    let pole = order != Order::Position && (bare == "o" || names.poles.contains(&bare));
+    Some((if pole { "o".to_owned() } else { name.to_owned() }, order))
 }
 
 /// The figure that a layer says to hold.

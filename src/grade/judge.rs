@@ -10,6 +10,7 @@ use super::case::{Case, Observation, Target, WIDE, size};
 use super::change::{Change, Misreading, Which};
 use super::kind::Kind;
 use super::mistakes::{self, Hypothesis, vector_of};
+use super::routes;
 use crate::graphical::construction::{Act, Calculation, Label};
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::quantity::{Order, Quantity};
@@ -36,6 +37,8 @@ pub struct Mistake {
     pub at: String,
     /// In which step of the solution it was made, from 1, where that can be said.
     pub step: Option<usize>,
+    /// What exactly was done, where kind and place do not say it: `bc read for oc`.
+    pub how: Option<String>,
     /// How far the explained answers are from what the mistake leads to: root of the mean square, in tolerances.
     pub residual: f64,
     /// How many answers it explains that are not right.
@@ -107,6 +110,16 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
     let mut drawn = Change::default();
     let mut faults = Vec::new();
     while let Some(first) = verdicts.iter().position(Option::is_none) {
+        if !faults.is_empty()
+            && let Some(base) = case.drawn(&drawn, None)
+        {
+            let seen = case.seen(&base, &drawn);
+            let allowed = EXPLAINED * case.tolerances[first];
+            if routes::follows(case, &base, &seen, &verdicts, first, allowed) {
+                verdicts[first] = Some(Verdict::Consistent);
+                continue;
+            }
+        }
         let judge = Judge { case, drawn: &drawn, verdicts: &verdicts, first };
         let (mistakes, change) = judge.explain();
         verdicts[first] = Some(Verdict::Wrong);
@@ -164,7 +177,7 @@ impl Judge<'_, '_> {
     }
 
     fn mistake(&self, tried: &Tried) -> Mistake {
-        let Hypothesis { kind, at, step, .. } = &tried.hypothesis;
+        let Hypothesis { kind, at, step, how, .. } = &tried.hypothesis;
         let explained: Vec<f64> = (0..tried.misses.len())
             .filter(|&i| self.verdicts[i].is_none() && tried.misses[i] <= EXPLAINED)
             .map(|i| tried.misses[i])
@@ -176,6 +189,7 @@ impl Judge<'_, '_> {
             kind: *kind,
             at: at.clone(),
             step: step.map(|s| s + 1),
+            how: how.clone(),
             residual,
             explains: explained.len(),
         }
@@ -313,6 +327,7 @@ impl Judge<'_, '_> {
                 step: None,
                 price: UNKNOWN,
                 change: way,
+                how: None,
             };
             let tolerances = self.case.tolerances_of(&change, &seen, FEW);
             let mut tried = self.counted(hypothesis, change, &seen, &tolerances);

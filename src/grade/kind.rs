@@ -43,11 +43,25 @@ pub enum Kind {
     RelativeReversed,
     /// A vector was measured from the wrong point of its polygon.
     WrongPole,
+    /// Revolutions per second were used as rad/s.
+    RevAsRad,
+    /// Radians per second were taken for revolutions per minute, or the other way round in the answer.
+    RadAsRpm,
+    /// Metres were mixed up with centimetres or millimetres.
+    MetreMixed,
+    /// A diagram was read with another scale factor than it was drawn with.
+    ScaleWrong,
+    /// The calculator reckoned in radians, and degrees were typed or written.
+    CalculatorInRadians,
+    /// A line was drawn parallel or perpendicular to the wrong line of the skeleton.
+    WrongLine,
+    /// A vector was measured to a neighbouring point of its polygon.
+    NeighbourRead,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 27] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -68,6 +82,13 @@ impl Kind {
         Self::AlphaSign,
         Self::RelativeReversed,
         Self::WrongPole,
+        Self::RevAsRad,
+        Self::RadAsRpm,
+        Self::MetreMixed,
+        Self::ScaleWrong,
+        Self::CalculatorInRadians,
+        Self::WrongLine,
+        Self::NeighbourRead,
     ];
 
     /// Its name in a report.
@@ -94,6 +115,13 @@ impl Kind {
             Self::AlphaSign => "alpha-sign",
             Self::RelativeReversed => "relative-reversed",
             Self::WrongPole => "wrong-pole",
+            Self::RevAsRad => "rev-as-rad",
+            Self::RadAsRpm => "rad-as-rpm",
+            Self::MetreMixed => "metre-mixed",
+            Self::ScaleWrong => "scale-wrong",
+            Self::CalculatorInRadians => "calculator-in-radians",
+            Self::WrongLine => "wrong-line",
+            Self::NeighbourRead => "neighbour-read",
         }
     }
 }

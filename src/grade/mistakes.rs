@@ -2,10 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::case::{Case, Target, polygon, size};
-use super::change::{Change, InputChange, Misreading, Which};
+use super::case::{Case, Target, claimed, direction, polygon, size};
+use super::change::{Change, InRadians, InputChange, Misreading, Stray, Which};
 use super::kind::Kind;
-use crate::graphical::construction::{Act, Calculation, Construction, Label, Vector};
+use crate::graphical::construction::{Act, Calculation, Claim, Construction, Label, Reference, Vector};
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
@@ -21,6 +21,8 @@ pub(super) struct Hypothesis {
     /// How far-fetched it is, as the squares of misses are counted.
     pub(super) price: f64,
     pub(super) change: Change,
+    /// What exactly was done, in a clause, where kind and place do not say it.
+    pub(super) how: Option<String>,
 }
 
 /// A slip that is made as a whole, in the way that the textbook warns of.
@@ -39,10 +41,13 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch) -> Vec<Hypothesis> {
     list.rays();
     list.rates();
     list.images();
+    list.stray_lines();
     list.readings();
     list.scales();
+    list.wrong_scales();
     list.poles(so_far);
     list.units();
+    list.calculator();
     list.found
 }
 
@@ -64,7 +69,19 @@ struct Turning {
 
 impl<'c> List<'c, '_> {
     fn add(&mut self, kind: Kind, at: &str, step: Option<usize>, price: f64, change: Change) {
-        self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change });
+        self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change, how: None });
+    }
+
+    /// The same, with what exactly was done.
+    fn add_so(
+        &mut self,
+        (kind, how): (Kind, String),
+        at: &str,
+        step: Option<usize>,
+        price: f64,
+        change: Change,
+    ) {
+        self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change, how: Some(how) });
     }
 
     fn name(&self, quantity: &Quantity) -> String {
@@ -92,12 +109,53 @@ impl<'c> List<'c, '_> {
         }
         for units in &self.case.scene.input_units {
             let Some(rate) = &units.rate else { continue };
-            let per_minute = rate.symbol == "rpm" || rate.symbol.ends_with("/min");
-            if per_minute {
+            let turn = 2.0 * PI;
+            if rate.symbol == "rpm" || rate.symbol.ends_with("/min") {
                 self.add(Kind::RpmAsRad, "the input", None, PLAIN, rates(1.0 / rate.si, 1.0));
                 // Turned into revolutions per second only, or only by 2π.
-                self.add(Kind::RpmAsRad, "the input", None, UNUSUAL, rates(1.0 / (2.0 * PI), 1.0));
+                self.add(Kind::RevAsRad, "the input", None, PLAIN, rates(1.0 / turn, 1.0));
                 self.add(Kind::RpmAsRad, "the input", None, UNUSUAL, rates(60.0, 1.0));
+            } else if rate.symbol.starts_with("rev") {
+                self.add(Kind::RevAsRad, "the input", None, PLAIN, rates(1.0 / turn, 1.0));
+            } else if rate.symbol.starts_with("rad") {
+                self.add(Kind::RadAsRpm, "the input", None, PLAIN, rates(turn / 60.0, 1.0));
+                self.add(Kind::RevAsRad, "the input", None, UNUSUAL, rates(turn, 1.0));
+            }
+        }
+        // The answers in another unit than they say.
+        for (kind, factor) in [(Kind::RadAsRpm, 30.0 / PI), (Kind::RevAsRad, 0.5 / PI)] {
+            let twisted = |of| Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
+            self.add(kind, "the answers", None, UNUSUAL, twisted(Which::Omegas));
+            for quantity in self.observed() {
+                if Which::Omegas.includes(&quantity) {
+                    let name = self.name(&quantity);
+                    self.add(kind, &name, None, UNUSUAL + 1.0, twisted(Which::One(quantity)));
+                }
+            }
+        }
+    }
+
+    /// A calculator that reckons in radians: of the given angle, or of every direction that is written down.
+    fn calculator(&mut self) {
+        let kind = Kind::CalculatorInRadians;
+        let given = Change::of_inputs(InputChange::AnglesInRadians);
+        self.add(kind, "the given angle", None, 1.0, given);
+        let ways = [true, false]
+            .into_iter()
+            .flat_map(|typed| [false, true].into_iter().map(move |from_zero| InRadians { typed, from_zero }));
+        for how in ways {
+            let spoilt = |of| Change::read(Misreading::InRadians { of, how });
+            self.add(kind, "the directions", None, 1.0, spoilt(Which::AllVectors));
+            for (order, at) in
+                [(Order::Velocity, "the velocities"), (Order::Acceleration, "the accelerations")]
+            {
+                self.add(kind, at, None, UNUSUAL, spoilt(Which::Vectors(order)));
+            }
+            for quantity in self.observed() {
+                if super::answers::is_vector(&quantity) {
+                    let name = self.name(&quantity);
+                    self.add(kind, &name, None, FAR, spoilt(Which::One(quantity)));
+                }
             }
         }
     }
@@ -105,42 +163,107 @@ impl<'c> List<'c, '_> {
     /// Lengths in the wrong unit.
     fn units(&mut self) {
         let symbol = self.case.scene.units.length.symbol.as_str();
-        let (kind, factors) = match symbol {
-            "in" => (Kind::InchAsFoot, [12.0, 1.0 / 12.0]),
-            "ft" => (Kind::InchAsFoot, [1.0 / 12.0, 12.0]),
-            "mm" => (Kind::CmAsMm, [10.0, 0.1]),
-            _ => (Kind::CmAsMm, [0.1, 10.0]),
+        let (kind, near, far): (Kind, [f64; 2], &[f64]) = match symbol {
+            "in" => (Kind::InchAsFoot, [12.0, 1.0 / 12.0], &[]),
+            "ft" => (Kind::InchAsFoot, [1.0 / 12.0, 12.0], &[]),
+            "mm" => (Kind::CmAsMm, [10.0, 0.1], &[1e-3, 1e3]),
+            "m" => (Kind::MetreMixed, [0.01, 100.0], &[1e-3, 1e3]),
+            _ => (Kind::CmAsMm, [0.1, 10.0], &[0.01, 100.0]),
         };
         let given_speeds = self.case.mechanism.inputs.iter().any(|i| !matches!(i, Input::Angle { .. }));
-        for (factor, price) in factors.into_iter().zip([PLAIN, 1.0]) {
+        for &factor in far {
+            let kind = Kind::MetreMixed;
+            for speeds in [true, false] {
+                if speeds || given_speeds {
+                    let change = InputChange::Lengths { factor, speeds };
+                    self.add(kind, "all lengths", None, 1.0, Change::of_inputs(change));
+                }
+            }
+            self.divided_by(kind, factor, 1.0);
+            self.answers_in(kind, factor, 1.0);
+        }
+        for (factor, price) in near.into_iter().zip([PLAIN, 1.0]) {
             for speeds in [true, false] {
                 if speeds || given_speeds {
                     let change = InputChange::Lengths { factor, speeds };
                     self.add(kind, "all lengths", None, price, Change::of_inputs(change));
                 }
             }
-            // The lengths by which velocities and accelerations are divided, and no others.
-            let rates = self.calculated_rates();
-            let departures =
-                rates.iter().map(|&(order, link, _)| Departure::Rate { order, link, factor: 1.0 / factor });
-            let change = Change::drawn(departures.collect());
-            self.add(kind, "the lengths by which is divided", None, price + UNUSUAL, change);
-            for &(order, link, step) in &rates {
-                let departure = Departure::Rate { order, link, factor: 1.0 / factor };
-                let at = format!("the length of link {}", self.number(link));
-                self.add(kind, &at, Some(step), price + UNUSUAL, Change::drawn(vec![departure]));
-            }
-            for which in
-                [Which::AllLinear, Which::Vectors(Order::Velocity), Which::Vectors(Order::Acceleration)]
-            {
-                let reading = Misreading::Twisted { of: which, twist: Twist::scaled(factor) };
-                self.add(kind, "the answers' unit", None, price + UNUSUAL, Change::read(reading));
-            }
+            self.divided_by(kind, factor, price);
+            self.answers_in(kind, factor, price);
             self.single_lengths(kind, factor, price);
-            for quantity in self.observed() {
-                let reading = Misreading::Twisted { of: Which::One(quantity), twist: Twist::scaled(factor) };
-                let name = self.name(&quantity);
-                self.add(kind, &name, None, price + FAR, Change::read(reading));
+        }
+    }
+
+    /// The lengths by which velocities and accelerations are divided, and no others.
+    fn divided_by(&mut self, kind: Kind, factor: f64, price: f64) {
+        let rates = self.calculated_rates();
+        let departures =
+            rates.iter().map(|&(order, link, _)| Departure::Rate { order, link, factor: 1.0 / factor });
+        let change = Change::drawn(departures.collect());
+        self.add(kind, "the lengths by which is divided", None, price + UNUSUAL, change);
+        for &(order, link, step) in &rates {
+            let departure = Departure::Rate { order, link, factor: 1.0 / factor };
+            let at = format!("the length of link {}", self.number(link));
+            self.add(kind, &at, Some(step), price + UNUSUAL, Change::drawn(vec![departure]));
+        }
+    }
+
+    /// Answers written down in another unit than they were found in.
+    fn answers_in(&mut self, kind: Kind, factor: f64, price: f64) {
+        let twisted = |of| Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
+        self.add(kind, "the answers' unit", None, price + UNUSUAL, twisted(Which::AllLinear));
+        for order in [Order::Velocity, Order::Acceleration] {
+            self.add(kind, "the answers' unit", None, price + FAR, twisted(Which::Vectors(order)));
+        }
+        for quantity in self.observed() {
+            let name = self.name(&quantity);
+            self.add(kind, &name, None, price + FAR, twisted(Which::One(quantity)));
+        }
+    }
+
+    /// A diagram, or the lengths that are measured on the skeleton, with another scale factor than the drawing's.
+    fn wrong_scales(&mut self) {
+        let mut measured: Vec<[PointId; 2]> = Vec::new();
+        for (_, act) in self.acts() {
+            if let Act::MeasureLength { from, to, .. } = *act {
+                measured.push([from, to]);
+            }
+        }
+        for (factor, price) in
+            [(2.0, PLAIN), (0.5, PLAIN), (10.0, PLAIN), (0.1, PLAIN), (5.0, 1.0), (0.2, 1.0)]
+        {
+            let how = if factor > 1.0 {
+                format!("read {factor} times too large")
+            } else {
+                format!("read {} times too small", 1.0 / factor)
+            };
+            let kind = || (Kind::ScaleWrong, how.clone());
+            let scopes = [
+                (Which::Vectors(Order::Velocity), "the velocities"),
+                (Which::Vectors(Order::Acceleration), "the accelerations"),
+            ];
+            for (of, at) in scopes {
+                let Which::Vectors(order) = of else { continue };
+                let read = Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
+                self.add_so(kind(), at, None, price, read.clone());
+                let followed = Change::drawn(vec![Departure::ReadAll { order, factor }]);
+                self.add_so(kind(), at, None, price + 0.5, read.and(&followed));
+                let rates = self.rates_from(of).into_iter().map(|(_, rate)| Misreading::Twisted {
+                    of: Which::One(rate),
+                    twist: Twist::scaled(factor),
+                });
+                let rates = Change { readings: rates.collect(), ..Change::default() };
+                if !rates.readings.is_empty() {
+                    self.add_so(kind(), at, None, price + 1.0, read.and(&rates));
+                }
+            }
+            let departures = self.misused(factor, |[a, b], _| {
+                measured.iter().any(|known| *known == [a, b] || *known == [b, a])
+            });
+            if !departures.is_empty() {
+                let at = "the lengths measured on the skeleton";
+                self.add_so(kind(), at, None, price + 1.0, Change::drawn(departures));
             }
         }
     }
@@ -408,6 +531,67 @@ impl<'c> List<'c, '_> {
         }
     }
 
+    /// Lines that were drawn parallel or square to another line of the skeleton.
+    fn stray_lines(&mut self) {
+        let mut known: Vec<(Reference, [f64; 2])> = Vec::new();
+        let mut references: Vec<Reference> = Vec::new();
+        for link in self.case.mechanism.moving() {
+            if let [a, b, ..] = self.case.mechanism.link(link).points[..] {
+                references.push(Reference::Points(a, b));
+            }
+        }
+        let mut rays: Vec<(usize, Order, Claim)> = Vec::new();
+        for (number, step) in self.construction.steps.iter().enumerate() {
+            for act in &step.acts {
+                if let Act::DrawRay { claim, .. } = *act {
+                    rays.push((number, step.order, claim));
+                    let (Claim::Parallel(of) | Claim::Perpendicular(of)) = claim;
+                    references.push(of);
+                }
+            }
+        }
+        rays.dedup_by_key(|(_, order, claim)| (*order as u8, *claim));
+        for reference in references {
+            let Some(along) = direction(self.construction, reference) else { continue };
+            // A line as steep as one before leads to nothing new.
+            if known.iter().all(|(_, other)| apart(along, *other)) {
+                known.push((reference, along));
+            }
+        }
+        let price = one_of(2 * known.len()) / 2.0;
+        for (step, order, claim) in rays {
+            let Some(right) = claimed(self.construction, claim) else { continue };
+            let at = self.sought(step, order);
+            for &(by, along) in &known {
+                for square in [false, true] {
+                    let drawn = if square { [-along[1], along[0]] } else { along };
+                    // Square to its own line is a mistake of another name.
+                    if !apart(drawn, right) || !apart(drawn, [-right[1], right[0]]) {
+                        continue;
+                    }
+                    let sign = if square { "⊥" } else { "∥" };
+                    let how = format!("{sign} {} instead of {}", self.line(by), self.claim(claim));
+                    let change = Change::strayed(Stray { order, claim, by, square });
+                    self.add_so((Kind::WrongLine, how), &at, Some(step), price, change);
+                }
+            }
+        }
+    }
+
+    fn line(&self, of: Reference) -> String {
+        match of {
+            Reference::Points(a, b) => [a, b].map(|p| self.case.mechanism.point(p).name.as_str()).concat(),
+            Reference::Guide(_) => "the guide".to_owned(),
+        }
+    }
+
+    fn claim(&self, claim: Claim) -> String {
+        match claim {
+            Claim::Parallel(of) => format!("∥ {}", self.line(of)),
+            Claim::Perpendicular(of) => format!("⊥ {}", self.line(of)),
+        }
+    }
+
     /// What the lines of a step lead to.
     fn sought(&self, step: usize, order: Order) -> String {
         let acts = &self.construction.steps[step].acts;
@@ -618,7 +802,7 @@ impl<'c> List<'c, '_> {
                 vec![Departure::Read { quantity, factor: factor_of(quantity.order()) }]
             }
             Which::Vectors(order) => vec![Departure::ReadAll { order, factor: factor_of(order) }],
-            Which::AllVectors | Which::AllLinear => [Order::Velocity, Order::Acceleration]
+            Which::AllVectors | Which::AllLinear | Which::Omegas => [Order::Velocity, Order::Acceleration]
                 .map(|order| Departure::ReadAll { order, factor: factor_of(order) })
                 .to_vec(),
         };
@@ -682,7 +866,8 @@ impl<'c> List<'c, '_> {
                 tried.push(tail);
                 let read = difference(vector.to, tail);
                 let from_there = Misreading::MeasuredFrom { of: quantity, tail: label };
-                self.add(Kind::WrongPole, &name, step, 0.5, Change::read(from_there));
+                let how = self.read_for([label, vector.head], &vector, order);
+                self.add_so((Kind::WrongPole, how.clone()), &name, step, 0.5, Change::read(from_there));
                 if length > 0.0 {
                     let departure = Departure::Read { quantity, factor: size(&read) / length };
                     let change = Change {
@@ -690,10 +875,37 @@ impl<'c> List<'c, '_> {
                         readings: vec![from_there],
                         ..Change::default()
                     };
-                    self.add(Kind::WrongPole, &name, step, 1.0, change);
+                    self.add_so((Kind::WrongPole, how), &name, step, 1.0, change);
+                }
+            }
+            let price = 0.5 + one_of(tried.len()) / 2.0;
+            let heads: Vec<(Label, [f64; 2])> =
+                polygon.images.iter().map(|image| (image.label, image.at)).collect();
+            let mut tried: Vec<[f64; 2]> = vec![vector.from, vector.to];
+            for (label, head) in heads {
+                if tried.iter().any(|t| size(&difference(*t, head)) < 1.0) {
+                    continue;
+                }
+                tried.push(head);
+                let to_there = Misreading::MeasuredTo { of: quantity, head: label };
+                let how = self.read_for([vector.tail, label], &vector, order);
+                let kind = || (Kind::NeighbourRead, how.clone());
+                self.add_so(kind(), &name, step, price, Change::read(to_there));
+                if length > 0.0 {
+                    let factor = size(&difference(head, vector.from)) / length;
+                    let departure = Departure::Read { quantity, factor };
+                    let change =
+                        Change { departures: vec![departure], readings: vec![to_there], ..Change::default() };
+                    self.add_so(kind(), &name, step, price + 0.5, change);
                 }
             }
         }
+    }
+
+    /// "bc read for oc".
+    fn read_for(&self, [tail, head]: [Label; 2], vector: &Vector, order: Order) -> String {
+        let name = |label: Label| crate::sheet::image_name(self.case.scene, label, order);
+        format!("{}{} read for {}{}", name(tail), name(head), name(vector.tail), name(vector.head))
     }
 
     // --- what stands in the construction -------------------------------------------------------
@@ -847,6 +1059,11 @@ impl<'c> List<'c, '_> {
         let both = |link: &LinkId| [a, b].iter().all(|p| mechanism.link(*link).points.contains(p));
         mechanism.moving().find(both).unwrap_or(LinkId::FRAME)
     }
+}
+
+/// Whether two directions are clear of each other, whichever way each is followed.
+fn apart(a: [f64; 2], b: [f64; 2]) -> bool {
+    (a[0] * b[1] - a[1] * b[0]).abs() > 0.07
 }
 
 /// A scale in millimetres or centimetres that is one of its round neighbours.

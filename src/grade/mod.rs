@@ -22,23 +22,32 @@
 //! construction (`graphical::Departure`) or a changed reading, and what follows from it is drawn by `graphical/`.
 
 mod answers;
+mod assign;
 mod case;
 mod change;
+mod class;
 mod csv;
 mod drawing;
 mod judge;
 mod kind;
 mod mistakes;
 mod nearest;
+mod page;
 mod report;
+mod routes;
 mod scan;
 mod schema;
+mod text;
 mod weight;
+mod words;
 
-pub use answers::{Answers, FigurePoints, Given, Item, StatedScales, Tolerance, read_answers, read_named};
+pub use answers::{
+    Answers, FigurePoints, Form, Given, Item, StatedScales, Tolerance, read_answers, read_named,
+};
+pub use class::{ClassFault, HandIn, class_csv, class_faults, faults_csv};
 pub use judge::{Mistake, Verdict};
 pub use kind::Kind;
-pub use report::{FirstFault, Graded, Report};
+pub use report::{Allowed, FirstFault, Graded, Report, StepMarks};
 pub use scan::Scan;
 pub use schema::schema;
 
@@ -55,11 +64,20 @@ pub struct GradeSettings {
     pub hand: Hand,
     /// How many draughtsmen draw it for the tolerances.
     pub draughtsmen: u64,
+    /// No tolerance is a larger part of the right value; a tolerance that the answers state is not capped.
+    pub max_tolerance: f64,
 }
+
+/// Where nothing is said, no answer may be off by more than a tenth.
+pub const MAX_TOLERANCE: f64 = 0.1;
 
 impl Default for GradeSettings {
     fn default() -> Self {
-        Self { hand: Hand { length: 0.2, angle: 0.3_f64.to_radians() }, draughtsmen: 96 }
+        Self {
+            hand: Hand { length: 0.2, angle: 0.3_f64.to_radians() },
+            draughtsmen: 96,
+            max_tolerance: MAX_TOLERANCE,
+        }
     }
 }
 
@@ -87,8 +105,8 @@ pub fn grade(scene: &Scene, answers: &Answers, settings: &GradeSettings) -> Resu
     Ok(report::report(&case, answers, &judgement))
 }
 
-/// As [`grade`], with the student's polygons, as far as the answers tell of them, thin over the right ones; the
-/// first fault is circled and named. No figure where nothing that was answered needs a polygon.
+/// As [`grade`], with the student's polygons, as far as the answers tell of them, over the right ones; each fault is
+/// circled where the student has it, and named. No figure where nothing that was answered needs a polygon.
 ///
 /// # Errors
 /// See [`GradeError`].
@@ -102,9 +120,46 @@ pub fn grade_with_overlay(
     let report = report::report(&case, answers, &judgement);
     let student = case.drawn(&judgement.drawn, None);
     let student = student.as_ref().unwrap_or(&case.right);
-    let text = report.first_fault().map(|fault| format!("First fault, {}", fault.text()));
-    let place = judgement.faults.first().and_then(|fault| case.place_of(fault.first, student));
-    let fault = text.as_deref().zip(place).map(|(text, (order, at))| crate::sheet::Fault { order, at, text });
-    let figure = crate::sheet::overlay(scene, &case.right.construction, &student.construction, fault);
+    let mut handed_in = Vec::new();
+    for (index, verdict) in judgement.verdicts.iter().enumerate() {
+        if matches!(verdict, Verdict::Wrong | Verdict::Consistent) {
+            handed_in.extend(case.handed_in(index, student));
+        }
+    }
+    let named: Vec<String> = report
+        .quantities
+        .iter()
+        .filter(|graded| graded.verdict == Verdict::Wrong)
+        .enumerate()
+        .map(|(place, graded)| {
+            let fault = FirstFault { step: graded.step, name: &graded.name, mistakes: &graded.mistakes };
+            if place == 0 { format!("First fault, {}", fault.text()) } else { fault.text() }
+        })
+        .collect();
+    let faults: Vec<crate::sheet::Fault<'_>> = judgement
+        .faults
+        .iter()
+        .zip(&named)
+        .filter_map(|(fault, text)| {
+            let own = case.handed_in(fault.first, student).map(|own| (own.order, own.to));
+            let (order, at) = own.or_else(|| case.place_of(fault.first, student))?;
+            Some(crate::sheet::Fault { order, at, text })
+        })
+        .collect();
+    let right = &case.right.construction;
+    let figure = crate::sheet::overlay(scene, right, &student.construction, &handed_in, &faults);
     Ok((report, figure))
+}
+
+/// What may be said of a problem before anybody answers it: of every asked quantity what is right, and by how much an
+/// answer may be off. An asked quantity whose [`Allowed`] is [`Allowed::Capped`] is one that a careful hand may miss.
+///
+/// # Errors
+/// See [`GradeError`].
+pub fn tolerances(scene: &Scene, settings: &GradeSettings) -> Result<Vec<Graded>, GradeError> {
+    let answers = Answers::of_asked(scene);
+    let case = case::Case::new(scene, &answers, settings)?;
+    let verdicts = vec![Verdict::NotChecked; case.observations.len()];
+    let judgement = judge::Judgement { verdicts, faults: Vec::new(), drawn: change::Change::default() };
+    Ok(report::report(&case, &answers, &judgement).quantities)
 }

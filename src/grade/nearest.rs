@@ -1,13 +1,10 @@
-//! Which of many points lies nearest to a place.
+//! Which of many points lie near a place.
 
 use kurbo::Point;
 
 /// Points, each with its number, halved again and again across x and y in turn.
 #[derive(Debug, Default)]
 pub(super) struct Nearest(Vec<(Point, usize)>);
-
-/// A point that was found, and how far off.
-type Found = Option<(f64, usize, Point)>;
 
 impl Nearest {
     /// All coordinates are finite.
@@ -17,11 +14,13 @@ impl Nearest {
         Self(points)
     }
 
-    /// The nearest point and its distance; of several equally near, the first.
-    pub(super) fn to(&self, place: Point) -> Option<(Point, f64)> {
-        let mut found = None;
-        search(&self.0, Axis::X, place, &mut found);
-        found.map(|(distance, _, point)| (point, distance))
+    /// The number and the distance of every point within a distance of a place, the nearest first; no more than `most`.
+    pub(super) fn within(&self, place: Point, far: f64, most: usize) -> Vec<(usize, f64)> {
+        let mut found = Vec::new();
+        collect(&self.0, Axis::X, place, far, &mut found);
+        found.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        found.truncate(most);
+        found
     }
 }
 
@@ -58,18 +57,19 @@ fn halve(points: &mut [(Point, usize)], axis: Axis) {
     halve(above, axis.other());
 }
 
-fn search(points: &[(Point, usize)], axis: Axis, place: Point, found: &mut Found) {
+fn collect(points: &[(Point, usize)], axis: Axis, place: Point, far: f64, found: &mut Vec<(usize, f64)>) {
     let (below, rest) = points.split_at(points.len() / 2);
     let Some((&(point, number), above)) = rest.split_first() else { return };
     let distance = point.distance(place);
-    if found.is_none_or(|(least, first, _)| (distance, number) < (least, first)) {
-        *found = Some((distance, number, point));
+    if distance <= far {
+        found.push((number, distance));
     }
     let beyond = axis.of(place) - axis.of(point);
-    let (near, far) = if beyond < 0.0 { (below, above) } else { (above, below) };
-    search(near, axis.other(), place, found);
-    if found.is_none_or(|(least, ..)| beyond.abs() <= least) {
-        search(far, axis.other(), place, found);
+    if beyond <= far {
+        collect(below, axis.other(), place, far, found);
+    }
+    if beyond >= -far {
+        collect(above, axis.other(), place, far, found);
     }
 }
 
@@ -88,9 +88,17 @@ mod tests {
         let nearest = Nearest::new(&points);
         for _ in 0..500 {
             let place = Point::new(next(), next());
-            let each = points.iter().min_by(|a, b| a.distance(place).total_cmp(&b.distance(place)));
-            assert_eq!(nearest.to(place).map(|(point, _)| point), each.copied());
+            let mut each: Vec<(usize, f64)> = points
+                .iter()
+                .map(|p| p.distance(place))
+                .enumerate()
+                .filter(|(_, far)| *far <= 30.0)
+                .collect();
+            each.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+            assert_eq!(nearest.within(place, 30.0, usize::MAX), each);
+            each.truncate(2);
+            assert_eq!(nearest.within(place, 30.0, 2), each);
         }
-        assert_eq!(Nearest::new(&[]).to(Point::ZERO), None);
+        assert!(Nearest::new(&[]).within(Point::ZERO, 1.0, 1).is_empty());
     }
 }

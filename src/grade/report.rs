@@ -1,13 +1,10 @@
-//! What is told of graded answers: as data, as JSON and as text.
-
-use std::fmt::Write as _;
+//! What is told of graded answers: as data and as JSON; `text.rs` and `page.rs` tell it to people.
 
 use serde_json::{Value, json};
 
-use super::answers::{Answers, Given};
-use super::case::{Case, Observation, size};
+use super::answers::{Answers, Form, Given};
+use super::case::{Allowance, Basis, Case, Observation, Target, size};
 use super::judge::{Judgement, Mistake, Verdict};
-use super::kind::Kind;
 use crate::mechanism::quantity::{Order, Unit};
 
 /// A graded solution.
@@ -19,7 +16,9 @@ pub struct Report {
     pub student: Option<String>,
     /// Every answer, in the order of the solution.
     pub quantities: Vec<Graded>,
-    /// Points given for steps.
+    /// What is asked and was not answered, with the marks that it would have brought.
+    pub missing: Vec<(String, f64)>,
+    /// Points given for steps; what was not answered is one of them, without a step.
     pub marks: Vec<StepMarks>,
 }
 
@@ -30,12 +29,22 @@ pub struct Graded {
     pub name: String,
     /// What was handed in: one number, or two components.
     pub given: Vec<f64>,
+    /// In which form it was written.
+    pub form: Form,
+    /// What one millimetre of paper is of the unit, where it is a length or a point of the drawing.
+    pub per_mm: Option<f64>,
+    /// Half a unit in the last place that was written; 0 where that is not told.
+    pub rounding: f64,
     /// Whether only a magnitude was handed in.
     pub magnitude_only: bool,
     /// What is right; empty where it is not determined.
     pub right: Vec<f64>,
     /// By how much it may be off.
     pub tolerance: f64,
+    /// Why.
+    pub allowed: Allowed,
+    /// What it is worth.
+    pub weight: f64,
     /// By how much it is off.
     pub off: f64,
     /// Of all these numbers.
@@ -46,6 +55,27 @@ pub struct Graded {
     pub verdict: Verdict,
     /// For a wrong answer: the mistakes that explain it, ranked; empty where no known mistake fits.
     pub mistakes: Vec<Mistake>,
+}
+
+/// Why an answer may be off by what it may.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Allowed {
+    /// The answers' file states it.
+    Stated,
+    /// The value is calculated from what is given alone.
+    Calculated,
+    /// The value is read off the drawing: so many millimetres of paper at that place, where it is a length of paper.
+    Read {
+        /// Millimetres.
+        mm: Option<f64>,
+        /// The vector's own length on paper, mm.
+        of: Option<f64>,
+    },
+    /// A careful hand may be off by more, and no more is allowed.
+    Capped {
+        /// What a careful hand may be off, in the unit of the answer.
+        honest: f64,
+    },
 }
 
 /// Where the first fault shows.
@@ -109,8 +139,37 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
             graded(case, index, observation, judgement.verdicts[index], mistakes)
         })
         .collect();
-    let marks = marks(case, &quantities);
-    Report { scene: case.scene.source.file().to_owned(), student: answers.student.clone(), quantities, marks }
+    let missing = missing(case);
+    let marks = marks(&quantities, case, &missing);
+    Report {
+        scene: case.scene.source.file().to_owned(),
+        student: answers.student.clone(),
+        quantities,
+        missing,
+        marks,
+    }
+}
+
+/// What the marks of the scene say of an answer; 1 where they say nothing.
+fn weight(case: &Case<'_>, name: &str) -> f64 {
+    let stated = case.scene.sheet.marks.iter().find(|(known, _)| *known == name);
+    stated.map_or(1.0, |(_, weight)| *weight)
+}
+
+/// What is asked, and neither answered nor drawn as a point.
+fn missing(case: &Case<'_>) -> Vec<(String, f64)> {
+    use crate::graphical::construction::Label;
+    use crate::mechanism::quantity::Quantity;
+    let answered = |wanted: &Quantity| {
+        case.observations.iter().any(|observation| match (observation.target, *wanted) {
+            (Target::Image(Order::Velocity, Label::Image { point, .. }), Quantity::Velocity(of))
+            | (Target::Image(Order::Acceleration, Label::Image { point, .. }), Quantity::Acceleration(of))
+            | (Target::Place(point), Quantity::Position(of)) => point == of,
+            _ => observation.quantity == Some(*wanted),
+        })
+    };
+    let asked = case.scene.mechanism.asked.iter().filter(|asked| !answered(&asked.quantity));
+    asked.map(|asked| (asked.name.clone(), weight(case, &asked.name))).collect()
 }
 
 fn graded(
@@ -128,13 +187,34 @@ fn graded(
         Given::Vector(vector) => (vector.to_vec(), false),
     };
     let right = if magnitude_only && !truth.is_empty() { vec![size(&truth)] } else { truth };
+    let order = match (observation.target, observation.quantity) {
+        (Target::Image(order, _), _) => order,
+        (_, quantity) => quantity.map_or(Order::Position, |quantity| quantity.order()),
+    };
+    let Allowance { by, honest, basis } = case.allowances[index];
+    let linear = observation.quantity.is_none_or(|q| super::answers::is_vector(&q));
+    let on_paper = |amount: f64| amount / case.si_per_mm(order);
+    let allowed = match basis {
+        Basis::Stated => Allowed::Stated,
+        Basis::Calculated => Allowed::Calculated,
+        Basis::Read if by < honest => Allowed::Capped { honest: honest / si },
+        Basis::Read => Allowed::Read {
+            mm: linear.then(|| on_paper(by)),
+            of: (linear && !right.is_empty()).then(|| on_paper(size(&right))),
+        },
+    };
     let in_unit = |numbers: Vec<f64>| numbers.into_iter().map(|n| n / si).collect();
     Graded {
         name: observation.name.clone(),
         given: in_unit(given),
+        form: observation.form,
+        per_mm: observation.on_paper.then(|| case.si_per_mm(order) / si),
+        rounding: observation.rounding / si,
         magnitude_only,
         right: in_unit(right),
-        tolerance: case.tolerances[index] / si,
+        tolerance: by / si,
+        allowed,
+        weight: weight(case, &observation.name),
         off: case.miss(index, &case.truth[index]) / si,
         unit: observation.unit.clone(),
         step: observation.rank.1.checked_add(1),
@@ -144,7 +224,7 @@ fn graded(
 }
 
 /// Marks by steps: what is right, or follows rightly, has its whole weight.
-fn marks(case: &Case<'_>, quantities: &[Graded]) -> Vec<StepMarks> {
+fn marks(quantities: &[Graded], case: &Case<'_>, missing: &[(String, f64)]) -> Vec<StepMarks> {
     let mut steps: Vec<((Order, Option<usize>), StepMarks)> = Vec::new();
     for (graded, observation) in quantities.iter().zip(&case.observations) {
         if graded.verdict == Verdict::NotChecked {
@@ -156,16 +236,29 @@ fn marks(case: &Case<'_>, quantities: &[Graded]) -> Vec<StepMarks> {
             steps.push((key, marks));
             steps.len() - 1
         });
-        let stated = case.scene.sheet.marks.iter().find(|(name, _)| *name == graded.name);
-        let weight = stated.map_or(1.0, |(_, weight)| *weight);
         let marks = &mut steps[index].1;
         marks.names.push(graded.name.clone());
-        marks.of += weight;
-        if matches!(graded.verdict, Verdict::Right | Verdict::Consistent) {
-            marks.reached += weight;
-        }
+        marks.of += graded.weight;
+        marks.reached += graded.reached();
     }
-    steps.into_iter().map(|(_, marks)| marks).collect()
+    let mut marks: Vec<StepMarks> = steps.into_iter().map(|(_, marks)| marks).collect();
+    if !missing.is_empty() {
+        marks.push(StepMarks {
+            step: None,
+            names: missing.iter().map(|(name, _)| name.clone()).collect(),
+            reached: 0.0,
+            of: missing.iter().map(|(_, weight)| weight).sum(),
+        });
+    }
+    marks
+}
+
+impl Graded {
+    /// Its marks: all of them where it is right or follows rightly.
+    #[must_use]
+    pub fn reached(&self) -> f64 {
+        if matches!(self.verdict, Verdict::Right | Verdict::Consistent) { self.weight } else { 0.0 }
+    }
 }
 
 impl Report {
@@ -207,6 +300,7 @@ impl Report {
         let mut report = json!({
             "scene": self.scene,
             "quantities": quantities,
+            "missing": self.missing.iter().map(|(name, _)| name).collect::<Vec<_>>(),
             "first_fault": first,
             "marks": { "reached": reached, "of": of, "steps": steps },
         });
@@ -215,60 +309,6 @@ impl Report {
         }
         report
     }
-
-    /// The report as text.
-    #[must_use]
-    pub fn to_text(&self) -> String {
-        let mut text = String::new();
-        let rows: Vec<[String; 4]> = self.quantities.iter().map(row).collect();
-        let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max().unwrap_or(0);
-        let widths = [width(0), width(1), width(2)];
-        for (graded, [name, given, right, verdict]) in self.quantities.iter().zip(&rows) {
-            let [a, b, c] = widths;
-            let _ = writeln!(text, "{name:<a$}  {given:>b$}   {right:<c$}   {verdict}");
-            if graded.verdict != Verdict::Wrong {
-                continue;
-            }
-            if graded.mistakes.is_empty() {
-                let _ = writeln!(text, "    no known mistake fits");
-            }
-            for (place, mistake) in graded.mistakes.iter().enumerate() {
-                let lead = if place == 0 { "probably" } else { "or" };
-                let _ = writeln!(text, "    {lead} {}", sentence(mistake));
-            }
-        }
-        if let Some(fault) = self.first_fault() {
-            let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));
-            let _ = writeln!(text, "first fault{place}, {}", fault.text());
-        }
-        let (reached, of) = self.sum();
-        let _ = writeln!(text, "marks: {} of {}", short(reached), short(of));
-        text
-    }
-}
-
-fn sentence(mistake: &Mistake) -> String {
-    let answers = if mistake.explains == 1 { "answer" } else { "answers" };
-    format!(
-        "{} (explains {} {answers}, off by {} of the tolerance)",
-        mistake.text(),
-        mistake.explains,
-        two(mistake.residual)
-    )
-}
-
-fn row(graded: &Graded) -> [String; 4] {
-    let unit = &graded.unit.symbol;
-    let one = |numbers: &[f64]| match numbers {
-        [x, y] => format!("({}, {}) {unit}", short(*x), short(*y)),
-        [x] => format!("{} {unit}", short(*x)).trim_end().to_owned(),
-        _ => "-".to_owned(),
-    };
-    let right = match graded.right[..] {
-        [] => "not determined here".to_owned(),
-        _ => format!("right: {} ± {}", one(&graded.right), two(graded.tolerance)),
-    };
-    [graded.name.clone(), one(&graded.given), right, graded.verdict.name().to_owned()]
 }
 
 fn quantity_json(graded: &Graded) -> Value {
@@ -283,6 +323,8 @@ fn quantity_json(graded: &Graded) -> Value {
         "given": one(&graded.given),
         "right": one(&graded.right),
         "tolerance": graded.tolerance,
+        "tolerance_because": graded.because(),
+        "marks": { "reached": graded.reached(), "of": graded.weight },
         "verdict": graded.verdict.name(),
     });
     if graded.verdict == Verdict::Wrong {
@@ -295,51 +337,6 @@ fn mistake_json(mistake: &Mistake) -> Value {
     json!({
         "kind": mistake.kind.name(), "at": mistake.at, "step": mistake.step,
         "residual": mistake.residual, "explains": mistake.explains, "text": mistake.text(),
+        "look": mistake.look(),
     })
-}
-
-impl Mistake {
-    /// The mistake in words.
-    #[must_use]
-    pub fn text(&self) -> String {
-        let at = &self.at;
-        match self.kind {
-            Kind::SenseReversed => format!("{at}: the opposite sense"),
-            Kind::PerpendicularForParallel => {
-                format!("{at}: drawn parallel instead of perpendicular, or the other way round")
-            }
-            Kind::NormalAwayFromCentre => format!("{at} points away from its centre"),
-            Kind::NormalOfWrongLink => format!("{at} with ω, velocity, length or direction of another link"),
-            Kind::CoriolisMissing => format!("{at} was left out"),
-            Kind::CoriolisWithoutTwo => format!("{at} without the factor 2"),
-            Kind::CoriolisWrongOmega => format!("{at} with the ω of another link"),
-            Kind::CoriolisWrongTurn => format!("{at} turned the wrong way"),
-            Kind::RpmAsRad => format!("{at}: revolutions per minute used as rad/s"),
-            Kind::CmAsMm => format!("{at}: centimetres and millimetres mixed up"),
-            Kind::InchAsFoot => format!("{at}: inches and feet mixed up"),
-            Kind::ScaleForgotten => format!("{at}: the length on paper without its scale factor"),
-            Kind::ScaleInverted => format!("{at}: divided by the scale factor instead of multiplied"),
-            Kind::WrongAssembly => format!("{at}: the other assembly of the mechanism"),
-            Kind::ImageMirrored => format!("{at} is mirrored"),
-            Kind::TangentialWrongLength => format!("{at} with the length of another link or part"),
-            Kind::AlphaIgnored => format!("{at}: the angular acceleration was left out"),
-            Kind::AlphaSign => format!("{at}: the angular acceleration with the opposite sense"),
-            Kind::RelativeReversed => format!("{at} taken the wrong way round"),
-            Kind::WrongPole => format!("{at} measured from the wrong point of the polygon"),
-        }
-    }
-}
-
-/// Four significant digits.
-fn short(x: f64) -> String {
-    digits(x, 3)
-}
-
-fn two(x: f64) -> String {
-    digits(x, 1)
-}
-
-fn digits(x: f64, more: usize) -> String {
-    let text = format!("{x:.more$e}");
-    text.parse::<f64>().map_or(text, |rounded| format!("{}", rounded + 0.0))
 }

@@ -49,7 +49,7 @@ pub use compose::{
     step_by_step,
 };
 pub use figure::Figure;
-pub use overlay::{Fault, overlay};
+pub use overlay::{Fault, HandedIn, overlay};
 pub use remark::{left_out, unconfirmed};
 pub use wanted::{auxiliary, figure_head};
 pub use words::Language;

@@ -4,13 +4,13 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::compose::{cut, localised};
 use super::feet::told_apart;
-use super::figure::{Dash, Figure, Group, Mark, Pen, Shape};
-use super::ink::{FINE, SMALL, THIN, page};
+use super::figure::{Dash, Figure, Group, Mark, Node, Pen, Shape};
+use super::ink::{FINE, HEAD, SMALL, THIN, head, page};
 use super::notation::Notation;
 use super::polygon;
 use super::rich::Rich;
 use super::words::Language;
-use crate::graphical::construction::{Construction, Mm2, Polygon, VectorKind};
+use crate::graphical::construction::{Construction, Label, Mm2, Polygon, VectorKind};
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
 
@@ -20,26 +20,47 @@ const SAME: f64 = 0.5;
 const CIRCLE: f64 = 4.5;
 /// Blank between two polygons, and between a polygon and its caption, mm.
 const BLANK: f64 = 8.0;
+/// From one line of a caption to the next, mm.
+const LINE: f64 = 4.6;
+/// Captions are not set narrower than this, mm.
+const NARROWEST: f64 = 120.0;
+/// How far a letter stands from what it names, mm.
+const OFF: [f64; 3] = [2.4, 3.6, 5.2];
 
 /// Where a fault shows, and its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fault<'a> {
     /// In which polygon.
     pub order: Order,
-    /// Where in it, mm from the pole, y up.
+    /// Where the student has it, mm from the pole, y up.
     pub at: Mm2,
     /// What it is.
     pub text: &'a str,
 }
 
-/// The right polygons, over them thin and dashed those of a student where they differ, the first fault circled and
-/// named below. `None` where there is no polygon.
+/// A vector as the student handed it in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HandedIn {
+    /// In which polygon.
+    pub order: Order,
+    /// Its tail, mm from the pole, y up.
+    pub from: Mm2,
+    /// Its head.
+    pub to: Mm2,
+    /// The name of its head.
+    pub head: Label,
+}
+
+/// The right polygons; over them dashed, with arrows and starred letters, those of a student where they differ: as far as
+/// they are known to be drawn, and vectors as they were handed in. Each fault is circled where the student has it,
+/// numbered and named below, with a legend. `None` where there is no polygon.
 #[must_use]
 pub fn overlay(
     scene: &Scene,
     right: &Construction,
     student: &Construction,
-    fault: Option<Fault<'_>>,
+    handed_in: &[HandedIn],
+    faults: &[Fault<'_>],
 ) -> Option<Figure> {
     let words = Language::English.words();
     let notation = Notation::new(scene, words);
@@ -50,43 +71,127 @@ pub fn overlay(
     for (polygon, own) in pairs {
         let Some(polygon) = polygon else { continue };
         let mut panel = polygon::draw(polygon, &right.steps, &notation);
-        if let Some(own) = own {
-            panel.group(drawn_by_student(polygon, own));
+        let mut arrows: Vec<(Mm2, Mm2, Label, bool)> =
+            own.as_ref().map_or_else(Vec::new, |own| differing(polygon, own));
+        for vector in handed_in.iter().filter(|vector| vector.order == polygon.order) {
+            let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= SAME;
+            if !arrows.iter().any(|(from, to, ..)| near(*from, vector.from) && near(*to, vector.to)) {
+                arrows.push((vector.from, vector.to, vector.head, true));
+            }
         }
-        let here = fault.filter(|fault| fault.order == polygon.order);
-        if let Some(fault) = here {
-            let circle = Shape::Circle { centre: page(fault.at), radius: CIRCLE };
+        let here: Vec<(usize, &Fault<'_>)> =
+            (1..).zip(faults).filter(|(_, fault)| fault.order == polygon.order).collect();
+        draw_arrows(&mut panel, &arrows, polygon.order, &notation);
+        for (number, fault) in &here {
+            let centre = page(fault.at);
+            let circle = Shape::Circle { centre, radius: CIRCLE };
             panel.mark(Mark::stroke(circle, Pen::solid(THIN)).class("fault"));
+            if faults.len() > 1 {
+                name(&mut panel, &Rich::bold(number.to_string()), centre, CIRCLE, "fault-number");
+            }
         }
         let ink = panel.bounds().unwrap_or(Rect::ZERO);
         panel.translate(Vec2::new(-ink.x0, y - ink.y0));
         root.group(panel);
         y += ink.height() + BLANK;
-        if let Some(fault) = here {
-            Rich::upright(fault.text).set(SMALL).put(&mut root, Point::new(0.0, y), "caption");
-            y += BLANK;
+        for (number, fault) in here {
+            let text =
+                if faults.len() > 1 { format!("{number}. {}", fault.text) } else { fault.text.to_owned() };
+            for line in Rich::upright(text).wrap(SMALL, ink.width().max(NARROWEST)) {
+                line.set(SMALL).put(&mut root, Point::new(0.0, y), "caption");
+                y += LINE;
+            }
+            y += BLANK - LINE;
         }
+    }
+    if y > 0.0 {
+        legend(&mut root, y, !faults.is_empty());
     }
     let title = scene.title.in_language(words.tag).unwrap_or(words.untitled);
-    let description = fault.map_or_else(String::new, |fault| fault.text.to_owned());
-    (y > 0.0).then(|| localised(cut(root, format!("{title}: overlay"), description, words), scene))
+    let texts: Vec<&str> = faults.iter().map(|fault| fault.text).collect();
+    (y > 0.0).then(|| localised(cut(root, format!("{title}: overlay"), texts.join("; "), words), scene))
 }
 
-/// The student's vectors where they differ.
-fn drawn_by_student(right: &Polygon, own: &Polygon) -> Group {
-    let mut group = Group::new("student");
+/// The student's vectors where they differ: tail, head, name of the head, whether it is one of those that are drawn thick.
+fn differing(right: &Polygon, own: &Polygon) -> Vec<(Mm2, Mm2, Label, bool)> {
     let apart = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) > SAME;
-    for vector in &own.vectors {
+    let differs = |vector: &&crate::graphical::construction::Vector| {
         let same = right.vectors.iter().find(|v| v.quantity == vector.quantity && v.kind == vector.kind);
-        if same.is_some_and(|v| !apart(v.from, vector.from) && !apart(v.to, vector.to)) {
+        !same.is_some_and(|v| !apart(v.from, vector.from) && !apart(v.to, vector.to))
+    };
+    let whole = |kind| matches!(kind, VectorKind::Absolute | VectorKind::Relative);
+    own.vectors.iter().filter(differs).map(|v| (v.from, v.to, v.head, whole(v.kind))).collect()
+}
+
+fn draw_arrows(panel: &mut Group, arrows: &[(Mm2, Mm2, Label, bool)], order: Order, notation: &Notation<'_>) {
+    let mut group = Group::new("student");
+    for &(from, to, _, whole) in arrows {
+        let pen = Pen { width: if whole { THIN } else { FINE }, dash: Dash::Dashed };
+        let (from, to) = (page(from), page(to));
+        let way = to - from;
+        if way.hypot() <= 0.0 {
             continue;
         }
-        let whole = matches!(vector.kind, VectorKind::Absolute | VectorKind::Relative);
-        let pen = Pen { width: if whole { THIN } else { FINE }, dash: Dash::Dashed };
-        let (from, to) = (page(vector.from), page(vector.to));
         group.mark(Mark::stroke(Shape::Line(from, to), pen).class("student"));
-        let dot = Shape::Circle { centre: to, radius: 0.5 };
-        group.mark(Mark::stroke(dot, Pen::solid(FINE)).class("student"));
+        group.mark(head(to, way.normalize(), HEAD.min(way.hypot() / 3.0)));
     }
-    group
+    panel.group(group);
+    let mut named: Vec<(Label, Mm2)> = Vec::new();
+    for &(_, to, label, _) in arrows {
+        let near = |at: Mm2| libm::hypot(at[0] - to[0], at[1] - to[1]) <= SAME;
+        if label == Label::Pole || named.iter().any(|(known, at)| *known == label && near(*at)) {
+            continue;
+        }
+        named.push((label, to));
+        let letter = notation.image(label, order).up("*");
+        name(panel, &letter, page(to), 0.0, "label student-name");
+    }
+}
+
+/// Sets a name beside a place, where it touches no other text if there is such a place.
+fn name(panel: &mut Group, text: &Rich, at: Point, radius: f64, class: &'static str) {
+    let mut taken: Vec<Rect> = Vec::new();
+    panel.walk(&mut |node| {
+        if let Node::Text(text) = node {
+            taken.extend(text.bounds());
+        }
+    });
+    let line = text.set(SMALL);
+    let ink = line.ink_at(Point::ZERO);
+    let place = |off: f64, turn: u8| {
+        let angle = f64::from(turn) * std::f64::consts::FRAC_PI_4 - 0.6;
+        let middle = at + Vec2::new(libm::cos(angle), libm::sin(angle)) * (radius + off);
+        middle - ink.center().to_vec2()
+    };
+    let clear = |from: &Point| {
+        let own = ink + from.to_vec2();
+        taken.iter().all(|other| own.inflate(0.3, 0.3).intersect(*other).is_zero_area())
+    };
+    let places = OFF.into_iter().flat_map(|off| (0..8).map(move |turn| (off, turn)));
+    let mut places = places.map(|(off, turn)| place(off, turn));
+    let best = places.find(clear).unwrap_or_else(|| place(OFF[0], 0));
+    line.put(panel, best, class);
+}
+
+/// What the lines mean.
+fn legend(root: &mut Group, y: f64, faults: bool) {
+    let mut legend = Group::new("legend");
+    let mut x = 0.0;
+    let mut entry = |legend: &mut Group, text: &str, dash: Dash| {
+        let (from, to) = (Point::new(x, y), Point::new(x + 12.0, y));
+        legend.mark(Mark::stroke(Shape::Line(from, to), Pen { width: THIN, dash }));
+        legend.mark(head(to, Vec2::new(1.0, 0.0), HEAD));
+        let words = Rich::upright(text);
+        words.set(SMALL).put(legend, Point::new(x + 14.0, y + 1.2), "caption");
+        x += 14.0 + words.width(SMALL) + 8.0;
+    };
+    entry(&mut legend, "right", Dash::Solid);
+    entry(&mut legend, "yours, letters with *", Dash::Dashed);
+    if faults {
+        let centre = Point::new(x + 2.5, y);
+        legend.mark(Mark::stroke(Shape::Circle { centre, radius: 2.5 }, Pen::solid(THIN)));
+        let words = Rich::upright("where a fault shows");
+        words.set(SMALL).put(&mut legend, Point::new(x + 7.0, y + 1.2), "caption");
+    }
+    root.group(legend);
 }

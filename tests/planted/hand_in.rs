@@ -123,15 +123,33 @@ impl HandIn {
             let size = reading.value.size();
             let written = digits(size);
             let degrees = (reading.value.degrees() * 10.0).round() / 10.0;
+            let spoilt = |how| planted.iter().any(|m| m.kind == Kind::CalculatorInRadians && m.how == how);
+            // Radians written as degrees, or degrees typed into a calculator that takes them for radians.
+            let radians = reading.value.degrees().to_radians();
+            let (degrees, seen) = if spoilt("written") {
+                let written = (radians * 1000.0).round() / 1000.0;
+                (written, Xy::polar(size, written.to_radians()))
+            } else {
+                (degrees, reading.value)
+            };
             match style {
+                Style::Values if spoilt("typed") => {
+                    let typed = Xy::polar(size, reading.value.degrees());
+                    let component = |x: f64| json!(format!("{} {unit}/{time}", digits(x)));
+                    values.insert(
+                        name.clone(),
+                        json!({ "components": [component(typed.x), component(typed.y)] }),
+                    );
+                    answers.push((name, Answer::Vector(typed)));
+                }
                 Style::Values => {
                     let value = json!({ "magnitude": format!("{written} {unit}/{time}"), "direction": format!("{degrees} deg") });
                     values.insert(name.clone(), value);
-                    answers.push((name, Answer::Vector(reading.value)));
+                    answers.push((name, Answer::Vector(seen)));
                 }
                 Style::Csv => {
                     rows.push(format!("{name},{written},{unit}/{time},,{degrees}"));
-                    answers.push((name, Answer::Vector(reading.value)));
+                    answers.push((name, Answer::Vector(seen)));
                 }
                 Style::Exam if asked => {
                     values.insert(name.clone(), json!(format!("{written} {unit}/{time}")));

@@ -87,6 +87,9 @@ struct Tally {
     /// Answers without a mistake, and those of them that were called wrong.
     quantities: usize,
     alarms: usize,
+    /// Sheets without a mistake, and those of them on which some answer was called wrong.
+    sheets: usize,
+    refused: usize,
     /// Answers on sheets with a mistake that the mistake does not touch, and those of them that were called wrong.
     unharmed: usize,
     accused: usize,
@@ -107,6 +110,8 @@ impl Tally {
             let alarms: Vec<&str> =
                 judgement.verdicts.iter().filter(|(_, v)| v == "wrong").map(|(n, _)| n.as_str()).collect();
             self.alarms += alarms.len();
+            self.sheets += 1;
+            self.refused += usize::from(!alarms.is_empty());
             if !alarms.is_empty() {
                 self.misses.push(format!(
                     "untouched, {}, {:?}, seed {seed}: {}",
@@ -163,6 +168,8 @@ impl Tally {
         self.left_open += other.left_open;
         self.quantities += other.quantities;
         self.alarms += other.alarms;
+        self.sheets += other.sheets;
+        self.refused += other.refused;
         self.unharmed += other.unharmed;
         self.accused += other.accused;
         self.wrong += other.wrong;
@@ -182,6 +189,12 @@ impl Tally {
         );
         assert!(self.left_open * 100 >= self.odd * 75, "{} of {} left open", self.left_open, self.odd);
         assert!(self.alarms * 100 <= self.quantities, "{} false alarms of {}", self.alarms, self.quantities);
+        assert!(
+            self.refused * 200 <= self.sheets,
+            "{} of {} right sheets refused",
+            self.refused,
+            self.sheets
+        );
         assert!(self.accused * 100 <= self.unharmed, "{} of {} called wrong", self.accused, self.unharmed);
     }
 
@@ -202,6 +215,7 @@ impl Tally {
         );
         println!("unforeseen, and left open: {} of {}", self.left_open, self.odd);
         println!("false alarms: {} of {} quantities", self.alarms, self.quantities);
+        println!("right sheets accepted in full: {} of {}", self.sheets - self.refused, self.sheets);
         println!(
             "called wrong beside a mistake that does not touch them: {} of {}",
             self.accused, self.unharmed
@@ -227,7 +241,10 @@ fn keep(case: &Case, name: &str) {
 /// So many cases of every kind and so many untouched sheets, on all processors. `PLANTED_SEED` deals others.
 fn campaign(each: u64, clean: u64) -> Tally {
     let start: u64 = std::env::var("PLANTED_SEED").map_or(0, |seed| seed.parse().unwrap());
-    let kinds = Kind::FORESEEN.into_iter().chain([Kind::Unforeseen]).map(Some);
+    // `PLANTED_KIND` deals cases of one kind alone.
+    let only = std::env::var("PLANTED_KIND").ok();
+    let wanted = |kind: &Kind| only.as_deref().is_none_or(|only| kind.name() == only);
+    let kinds = Kind::FORESEEN.into_iter().chain([Kind::Unforeseen]).filter(wanted).map(Some);
     let planted = kinds
         .enumerate()
         .flat_map(|(row, kind)| (0..each).map(move |n| (kind, start + 1000 * row as u64 + n)));
@@ -269,7 +286,8 @@ fn mistakes_are_named() {
 #[test]
 #[ignore = "a campaign of some minutes: cargo test --release --test all -- --ignored --nocapture confusion"]
 fn confusion() {
-    let tally = campaign(20, 200);
+    let number = |name: &str, usual| std::env::var(name).map_or(usual, |n| n.parse().unwrap());
+    let tally = campaign(number("PLANTED_EACH", 20), number("PLANTED_CLEAN", 200));
     tally.print();
     tally.hold(95);
 }

@@ -23,13 +23,20 @@ pub(crate) enum Kind {
     AlphaSign,
     RelativeReversed,
     WrongPole,
+    RevAsRad,
+    RadAsRpm,
+    MetreMixed,
+    ScaleWrong,
+    CalculatorInRadians,
+    WrongLine,
+    NeighbourRead,
     /// Not of the list: a length 1.37 times too long, a line 17° off.
     Unforeseen,
 }
 
 impl Kind {
     /// All that a grader is to know.
-    pub(crate) const FORESEEN: [Self; 20] = [
+    pub(crate) const FORESEEN: [Self; 27] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -50,6 +57,13 @@ impl Kind {
         Self::AlphaSign,
         Self::RelativeReversed,
         Self::WrongPole,
+        Self::RevAsRad,
+        Self::RadAsRpm,
+        Self::MetreMixed,
+        Self::ScaleWrong,
+        Self::CalculatorInRadians,
+        Self::WrongLine,
+        Self::NeighbourRead,
     ];
 
     pub(crate) fn name(self) -> &'static str {
@@ -74,6 +88,13 @@ impl Kind {
             Self::AlphaSign => "alpha-sign",
             Self::RelativeReversed => "relative-reversed",
             Self::WrongPole => "wrong-pole",
+            Self::RevAsRad => "rev-as-rad",
+            Self::RadAsRpm => "rad-as-rpm",
+            Self::MetreMixed => "metre-mixed",
+            Self::ScaleWrong => "scale-wrong",
+            Self::CalculatorInRadians => "calculator-in-radians",
+            Self::WrongLine => "wrong-line",
+            Self::NeighbourRead => "neighbour-read",
             Self::Unforeseen => "(unforeseen)",
         }
     }

@@ -179,6 +179,12 @@ impl Student<'_> {
             Unit::Inch => (Kind::InchAsFoot, 12.0),
             Unit::Foot => (Kind::InchAsFoot, 1.0 / 12.0),
         };
+        if matches!(self.mechanism.unit, Unit::Cm | Unit::Mm)
+            && self.slips(Kind::MetreMixed, "lengths", "all")
+        {
+            self.lengths.insert(link, given);
+            return given * if self.mechanism.unit == Unit::Cm { 0.01 } else { 0.001 };
+        }
         let all = self.slips(kind, "lengths", "all");
         let one = self.slips(kind, &format!("length({link})"), "one");
         self.lengths.insert(link, given);
@@ -193,6 +199,11 @@ impl Student<'_> {
             Diagram::Acceleration => "accelerations",
         };
         let mut factor = 1.0;
+        for (how, times) in [("twice", 2.0), ("half", 0.5), ("mm for cm", 10.0), ("cm for mm", 0.1)] {
+            if self.slips(Kind::ScaleWrong, every, how) {
+                factor = times;
+            }
+        }
         for at in [name, every] {
             if self.slips(Kind::ScaleForgotten, at, "mm") {
                 factor = 1.0 / per_mm;
@@ -217,6 +228,14 @@ impl Student<'_> {
             && self.slips(Kind::WrongPole, name, "")
         {
             drawn = to - pole;
+        }
+        let scale = self.scales.of(diagram);
+        let far = |p: &Xy| (*p - to).size() > 3.0 * scale && (*p - from).size() > 3.0 * scale;
+        let neighbour = self.images(diagram).iter().rev().map(|(_, p)| *p).find(far);
+        if let Some(neighbour) = neighbour
+            && self.slips(Kind::NeighbourRead, name, "head")
+        {
+            drawn = neighbour - from;
         }
         if name.contains('/') && self.slips(Kind::RelativeReversed, name, "read") {
             drawn = -drawn;
@@ -259,7 +278,14 @@ impl Student<'_> {
     fn crank_omega(&self) -> f64 {
         let m = self.mechanism;
         let is = |kind| self.planted.iter().any(|p| p.kind == kind && p.at == "omega(2)");
-        let w = if m.rpm && !is(Kind::RpmAsRad) { m.omega * std::f64::consts::TAU / 60.0 } else { m.omega };
+        let turn = std::f64::consts::TAU;
+        let w = match m.rpm {
+            true if is(Kind::RpmAsRad) => m.omega,
+            true if is(Kind::RevAsRad) => m.omega / 60.0,
+            true => m.omega * turn / 60.0,
+            false if is(Kind::RadAsRpm) => m.omega * turn / 60.0,
+            false => m.omega,
+        };
         if is(Kind::SenseReversed) { -w } else { w }
     }
 
@@ -268,6 +294,12 @@ impl Student<'_> {
         let mut direction = if across { along.left() } else { along };
         if self.slips(Kind::PerpendicularForParallel, name, "") {
             direction = direction.left();
+        }
+        // The crank's direction, where it is clear of the right one.
+        let crank = self.place("A").unit();
+        let clear = crank.cross(along.unit()).abs() > 0.3 && crank.dot(along.unit()).abs() > 0.3;
+        if clear && !name.contains('@') && self.slips(Kind::WrongLine, name, "by the crank") {
+            direction = if across { crank.left() } else { crank };
         }
         if self.slips(Kind::Unforeseen, name, "line turned") {
             direction = direction.turned(TURNED.to_radians());
@@ -313,7 +345,11 @@ impl Student<'_> {
 
     fn positions(&mut self) -> Result<(), Stuck> {
         let m = self.mechanism;
-        self.pin("A", Xy::polar(m.crank, m.angle));
+        let angle = match self.slips(Kind::CalculatorInRadians, "angle(2)", "given") {
+            true => m.angle.to_degrees(),
+            false => m.angle,
+        };
+        self.pin("A", Xy::polar(m.crank, angle));
         for group in &m.groups {
             match *group {
                 Group::Dyad { from, coupler_length, pivot, rocker_length, pin, side, .. } => {
@@ -355,6 +391,13 @@ impl Student<'_> {
         let m = self.mechanism;
         if m.rpm {
             self.slips(Kind::RpmAsRad, "omega(2)", "");
+            self.slips(Kind::RevAsRad, "omega(2)", "");
+        } else {
+            self.slips(Kind::RadAsRpm, "omega(2)", "");
+        }
+        // How vectors are written down is seen by whoever writes them.
+        for how in ["written", "typed"] {
+            self.slips(Kind::CalculatorInRadians, "directions", how);
         }
         self.slips(Kind::SenseReversed, "omega(2)", "");
         let omega = self.crank_omega();

@@ -1,0 +1,123 @@
+//! A whole class: the marks of each as a table, and which faults how many made.
+
+use std::collections::BTreeMap;
+
+use super::judge::Verdict;
+use super::report::Report;
+use super::text::marks;
+
+/// One hand-in of a class.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HandIn {
+    /// Its file.
+    pub file: String,
+    /// How it was graded; why it was not, where it cannot be read.
+    pub outcome: Result<Report, String>,
+}
+
+/// A fault that several made.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ClassFault {
+    /// The name of the mistake; `unknown` where none of the known fits.
+    pub kind: &'static str,
+    /// The answer at which it shows.
+    pub at: String,
+    /// What it is, in words.
+    pub text: String,
+    /// How many students made it.
+    pub students: usize,
+}
+
+/// Which faults were made how often, the most frequent first. Whoever makes one twice counts once.
+#[must_use]
+pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
+    let mut found: BTreeMap<(&'static str, String), (String, usize)> = BTreeMap::new();
+    for report in class.iter().filter_map(|one| one.outcome.as_ref().ok()) {
+        let mut own: BTreeMap<(&'static str, String), String> = BTreeMap::new();
+        for graded in report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong) {
+            let (kind, at, text) = match graded.mistakes.first() {
+                Some(mistake) => (mistake.kind.name(), mistake.at.clone(), mistake.text()),
+                None => ("unknown", graded.name.clone(), format!("{}: no known mistake fits", graded.name)),
+            };
+            own.insert((kind, at), text);
+        }
+        for (key, text) in own {
+            found.entry(key).or_insert((text, 0)).1 += 1;
+        }
+    }
+    let mut faults: Vec<ClassFault> = found
+        .into_iter()
+        .map(|((kind, at), (text, students))| ClassFault { kind, at, text, students })
+        .collect();
+    faults.sort_by(|a, b| b.students.cmp(&a.students));
+    faults
+}
+
+/// One line per hand-in: marks, the first fault, the verdict on each answer.
+#[must_use]
+pub fn class_csv(class: &[HandIn]) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    let reports = || class.iter().filter_map(|one| one.outcome.as_ref().ok());
+    for report in reports() {
+        let own = report.quantities.iter().map(|graded| graded.name.as_str());
+        for name in own.chain(report.missing.iter().map(|(name, _)| name.as_str())) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+    }
+    let mut text = String::from("file,student,marks,of,percent,first fault,mistake");
+    for name in &names {
+        text.push(',');
+        text.push_str(&field(name));
+    }
+    text.push('\n');
+    for one in class {
+        let mut fields = vec![field(&one.file)];
+        match &one.outcome {
+            Err(why) => {
+                fields.extend([String::new(), String::new(), String::new(), String::new()]);
+                fields.extend([field("not graded"), field(why)]);
+                fields.extend(names.iter().map(|_| String::new()));
+            }
+            Ok(report) => {
+                let (reached, of) = report.sum();
+                let percent = if of > 0.0 { format!("{:.1}", 100.0 * reached / of) } else { String::new() };
+                let fault = report.first_fault();
+                let first = fault.map_or("", |fault| fault.name);
+                let mistake = fault.map_or(String::new(), |fault| {
+                    fault.mistakes.first().map_or("unknown".to_owned(), |m| m.kind.name().to_owned())
+                });
+                fields.push(field(report.student.as_deref().unwrap_or("")));
+                fields.extend([marks(reached), marks(of), percent, field(first), field(&mistake)]);
+                fields.extend(names.iter().map(|name| {
+                    let graded = report.quantities.iter().find(|graded| graded.name == *name);
+                    let missing = report.missing.iter().any(|(missing, _)| missing == name);
+                    graded.map_or(if missing { "missing" } else { "" }, |g| g.verdict.name()).to_owned()
+                }));
+            }
+        }
+        text.push_str(&fields.join(","));
+        text.push('\n');
+    }
+    text
+}
+
+/// The faults of a class as a table.
+#[must_use]
+pub fn faults_csv(faults: &[ClassFault]) -> String {
+    let mut text = String::from("students,mistake,at,text\n");
+    for fault in faults {
+        let fields = [fault.students.to_string(), field(fault.kind), field(&fault.at), field(&fault.text)];
+        text.push_str(&fields.join(","));
+        text.push('\n');
+    }
+    text
+}
+
+/// A field of a table: nothing that a spreadsheet would reckon, in quotes where it needs them.
+fn field(text: &str) -> String {
+    let text: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let text = if text.starts_with(['=', '+', '-', '@']) { format!("'{text}") } else { text };
+    if text.contains([',', ';', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+}

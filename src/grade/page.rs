@@ -1,0 +1,108 @@
+//! A report as a page of hypertext for one student: to be printed on one sheet, or sent.
+
+use std::fmt::Write as _;
+
+use super::judge::Verdict;
+use super::report::Report;
+use super::text::{marks, sentences};
+
+const STYLE: &str = "\
+@page{size:A4;margin:15mm}\
+body{font:11pt/1.35 Georgia,'Times New Roman',serif;max-width:180mm;margin:1em auto;color:#111}\
+h1{font-size:15pt;margin:0}\
+p.who{margin:.2em 0 1em}\
+table{border-collapse:collapse;width:100%;font-size:10pt}\
+th{text-align:left;border-bottom:1.5px solid #111}\
+td{border-bottom:.5px solid #999;vertical-align:top}\
+th,td{padding:.2em .6em .2em 0}\
+td.n{text-align:right;white-space:nowrap}\
+tr.wrong td:first-child::before{content:'\u{2717} '}\
+tr.right td:first-child::before{content:'\u{2713} '}\
+tr.consistent td:first-child::before{content:'\u{21b3} '}\
+tr.missing{color:#555}\
+p.sum{font-weight:bold;text-align:right;margin:.4em 0 1em}\
+ol{padding-left:1.2em}\
+figure{margin:1em 0;break-inside:avoid}\
+figure svg{max-width:100%;height:auto;max-height:150mm}\
+small{color:#444}";
+
+impl Report {
+    /// The report as a page of hypertext, with the overlay (an SVG) where there is one.
+    #[must_use]
+    pub fn to_html(&self, title: &str, overlay: Option<&str>) -> String {
+        let who = self.student.as_deref().unwrap_or("");
+        let mut page = format!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<style>{STYLE}</style>\n\
+             </head>\n<body>\n<h1>{}</h1>\n<p class=\"who\">{}</p>\n",
+            escaped(&[who, title].into_iter().filter(|t| !t.is_empty()).collect::<Vec<_>>().join(": ")),
+            escaped(title),
+            escaped(who),
+        );
+        page.push_str(
+            "<table>\n<tr><th>asked</th><th>yours</th><th>right</th><th>verdict</th><th class=\"n\">marks</th></tr>\n",
+        );
+        for graded in &self.quantities {
+            let right = match graded.right.is_empty() {
+                true => String::new(),
+                false => format!("{} ± {}", graded.expected(), graded.within()),
+            };
+            let _ = writeln!(
+                page,
+                "<tr class=\"{}\"><td>{}</td><td><bdi>{}</bdi></td><td><bdi>{}</bdi></td><td>{}</td><td class=\"n\">{} of {}</td></tr>",
+                graded.verdict.name(),
+                escaped(&graded.name),
+                escaped(&graded.handed_in()),
+                escaped(&right),
+                graded.verdict.told(),
+                marks(graded.reached()),
+                marks(graded.weight),
+            );
+        }
+        for (name, weight) in &self.missing {
+            let _ = writeln!(
+                page,
+                "<tr class=\"missing\"><td>{}</td><td></td><td></td><td>not answered</td><td class=\"n\">0 of {}</td></tr>",
+                escaped(name),
+                marks(*weight),
+            );
+        }
+        let (reached, of) = self.sum();
+        let _ = writeln!(page, "</table>\n<p class=\"sum\">{} of {} marks</p>", marks(reached), marks(of));
+        let wrong: Vec<_> =
+            self.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong).collect();
+        if !wrong.is_empty() {
+            page.push_str("<ol>\n");
+            for graded in wrong {
+                let said = sentences(graded).join(" ");
+                let _ = writeln!(page, "<li><b>{}</b>: {}</li>", escaped(&graded.name), escaped(&said));
+            }
+            page.push_str("</ol>\n");
+        }
+        if let Some(svg) = overlay {
+            let start = svg.find("<svg").unwrap_or(0);
+            let _ = writeln!(page, "<figure>\n{}\n</figure>", &svg[start..]);
+        }
+        page.push_str("<p><small>How far an answer may be off: ");
+        let because: Vec<String> =
+            self.quantities.iter().map(|graded| format!("{}: {}", graded.name, graded.because())).collect();
+        page.push_str(&escaped(&because.join("; ")));
+        page.push_str(".</small></p>\n</body>\n</html>\n");
+        page
+    }
+}
+
+/// Text in hypertext.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c if c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,439 @@
+//! Other right ways to an answer than the one that the solution takes: from the student's own earlier vectors by the
+//! polygon's sums, by proportion within a link's image, and by what a textbook calculates between reading and laying
+//! off (V = ωl, Aⁿ = V²/l, Aᵗ = εl, 2ωV).
+//!
+//! Nothing is found to be right here. An answer that is wrong already is asked whether it follows from numbers of the
+//! same student of which one at least is wrong.
+
+use super::answers::Given;
+use super::case::{Case, Target, size};
+use super::judge::Verdict;
+use crate::graphical::Sketch;
+use crate::graphical::construction::Label;
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::{Input, LinkId, PointId};
+
+type Xy = [f64; 2];
+
+/// Numbers, and whether a wrong answer is behind them.
+#[derive(Debug, Clone, Copy)]
+struct Own<T> {
+    value: T,
+    wrong: bool,
+}
+
+impl<T: Copy> Own<T> {
+    fn known(value: T) -> Self {
+        Self { value, wrong: false }
+    }
+
+    fn with<U: Copy, V>(self, other: Own<U>, make: impl Fn(T, U) -> V) -> Own<V> {
+        Own { value: make(self.value, other.value), wrong: self.wrong || other.wrong }
+    }
+
+    fn map<V>(self, make: impl Fn(T) -> V) -> Own<V> {
+        Own { value: make(self.value), wrong: self.wrong }
+    }
+}
+
+/// Whether an answer follows rightly, by some way, from the student's other answers that were judged already, a wrong
+/// one among them. `base` is what is known of the drawing; `seen` what an exact reader would answer by it.
+pub(super) fn follows(
+    case: &Case<'_>,
+    base: &Sketch,
+    seen: &[Option<Vec<f64>>],
+    verdicts: &[Option<Verdict>],
+    index: usize,
+    allowed: f64,
+) -> bool {
+    let desk = Desk { case, base, seen, verdicts, index };
+    let target = match (case.observations[index].target, case.observations[index].quantity) {
+        (Target::Image(Order::Velocity, Label::Image { point, link: None }), _) => Quantity::Velocity(point),
+        (Target::Image(Order::Acceleration, Label::Image { point, link: None }), _) => {
+            Quantity::Acceleration(point)
+        }
+        (Target::Asked(_), Some(quantity)) => quantity,
+        _ => return false,
+    };
+    let fits = |numbers: Vec<f64>| {
+        let right = case.truth[index].as_deref().map_or(0.0, size);
+        let larger = if right > 0.0 { (size(&numbers) / right).max(1.0) } else { 1.0 };
+        case.miss(index, &Some(numbers)) <= allowed * larger
+    };
+    let vectors =
+        desk.vectors(target).into_iter().filter(|own| own.wrong).any(|own| fits(own.value.to_vec()));
+    vectors || desk.scalars(target).into_iter().filter(|own| own.wrong).any(|own| fits(vec![own.value]))
+}
+
+struct Desk<'d, 's> {
+    case: &'d Case<'s>,
+    base: &'d Sketch,
+    seen: &'d [Option<Vec<f64>>],
+    verdicts: &'d [Option<Verdict>],
+    index: usize,
+}
+
+fn plus(a: Xy, b: Xy) -> Xy {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+fn minus(a: Xy, b: Xy) -> Xy {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn times(a: Xy, b: f64) -> Xy {
+    [a[0] * b, a[1] * b]
+}
+
+fn left(a: Xy) -> Xy {
+    [-a[1], a[0]]
+}
+
+fn cross(a: Xy, b: Xy) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+impl Desk<'_, '_> {
+    /// What the student answered to another question, as numbers; a magnitude has the direction that it would have.
+    fn numbers(&self, wanted: impl Fn(&Quantity, Target) -> bool) -> Option<Own<Vec<f64>>> {
+        let judged = |index: usize| match self.verdicts[index] {
+            Some(Verdict::Right) => Some(false),
+            Some(Verdict::Wrong | Verdict::Consistent) => Some(true),
+            _ => None,
+        };
+        self.case.observations.iter().enumerate().find_map(|(index, observation)| {
+            let quantity = match (observation.target, observation.quantity) {
+                (Target::Asked(_), Some(quantity)) => quantity,
+                (Target::Image(Order::Velocity, Label::Image { point, link: None }), _) => {
+                    Quantity::Velocity(point)
+                }
+                (Target::Image(Order::Acceleration, Label::Image { point, link: None }), _) => {
+                    Quantity::Acceleration(point)
+                }
+                _ => return None,
+            };
+            if index == self.index || !wanted(&quantity, observation.target) {
+                return None;
+            }
+            let wrong = judged(index)?;
+            let value = match observation.given {
+                Given::Vector(vector) => vector.to_vec(),
+                Given::Signed(value) => vec![value],
+                Given::Magnitude(given) | Given::Drawn(given) => {
+                    let seen = self.seen[index].as_deref()?;
+                    let length = size(seen);
+                    if length <= 0.0 {
+                        return None;
+                    }
+                    seen.iter().map(|n| n / length * given).collect()
+                }
+            };
+            Some(Own { value, wrong })
+        })
+    }
+
+    fn vector(&self, quantity: Quantity) -> Option<Own<Xy>> {
+        let still = |point: PointId| self.case.mechanism.is_fixed(point);
+        let turned = match quantity {
+            Quantity::Velocity(p) | Quantity::Acceleration(p) if still(p) => {
+                return Some(Own::known([0.0; 2]));
+            }
+            Quantity::RelativeVelocity(a, b) => Some(Quantity::RelativeVelocity(b, a)),
+            Quantity::RelativeAcceleration(a, b) => Some(Quantity::RelativeAcceleration(b, a)),
+            Quantity::RelativeNormal(a, b) => Some(Quantity::RelativeNormal(b, a)),
+            Quantity::RelativeTangential(a, b) => Some(Quantity::RelativeTangential(b, a)),
+            _ => None,
+        };
+        let read = |wanted: Quantity| {
+            let own = self.numbers(|quantity, _| *quantity == wanted)?;
+            let [x, y] = own.value[..] else { return None };
+            Some(Own { value: [x, y], wrong: own.wrong })
+        };
+        read(quantity).or_else(|| read(turned?).map(|own| own.map(|v| times(v, -1.0))))
+    }
+
+    fn scalar(&self, quantity: Quantity) -> Option<Own<f64>> {
+        if let Some(own) = self.numbers(|known, _| *known == quantity) {
+            let [value] = own.value[..] else { return None };
+            return Some(Own { value, wrong: own.wrong });
+        }
+        let mut inputs = self.case.mechanism.inputs.iter();
+        match quantity {
+            Quantity::Omega(LinkId::FRAME) | Quantity::Alpha(LinkId::FRAME) => Some(Own::known(0.0)),
+            Quantity::Omega(wanted) => inputs.find_map(|input| match *input {
+                Input::Angle { link, omega, .. } if link == wanted => Some(Own::known(omega.value)),
+                _ => None,
+            }),
+            Quantity::Alpha(wanted) => inputs.find_map(|input| match *input {
+                Input::Angle { link, alpha, .. } | Input::Speed { link, alpha, .. } if link == wanted => {
+                    Some(Own::known(alpha.value))
+                }
+                _ => None,
+            }),
+            _ => None,
+        }
+    }
+
+    /// From one point to another, metres.
+    fn arm(&self, from: PointId, to: PointId) -> Option<Xy> {
+        let space = &self.base.construction.space;
+        let [a, b] = [space.places[from.0]?, space.places[to.0]?];
+        Some(times(minus(b, a), space.metres_per_mm)).filter(|arm| size(arm) > 0.0)
+    }
+
+    /// The moving links that have both points.
+    fn links_of(&self, a: PointId, b: PointId) -> Vec<LinkId> {
+        let mechanism = &self.case.mechanism;
+        let both = |link: &LinkId| [a, b].iter().all(|p| mechanism.link(*link).points.contains(p));
+        mechanism.moving().filter(both).collect()
+    }
+
+    /// The fixed point about which a link turns.
+    fn pivot(&self, link: LinkId) -> Option<PointId> {
+        let mechanism = &self.case.mechanism;
+        mechanism.link(link).points.iter().copied().find(|p| mechanism.is_fixed(*p))
+    }
+
+    /// V of a point seen from another of its link, read or as a difference.
+    fn relative(&self, to: PointId, from: PointId) -> Vec<Own<Xy>> {
+        let read = self.vector(Quantity::RelativeVelocity(to, from));
+        let ends = [to, from].map(|p| self.vector(Quantity::Velocity(p)));
+        let difference = match ends {
+            [Some(to), Some(from)] => Some(to.with(from, minus)),
+            _ => None,
+        };
+        read.into_iter().chain(difference).collect()
+    }
+
+    fn vectors(&self, target: Quantity) -> Vec<Own<Xy>> {
+        let mut ways = self.sums(target);
+        match target {
+            Quantity::Velocity(p) | Quantity::Acceleration(p) => ways.extend(self.images(target, p)),
+            Quantity::RelativeVelocity(to, from) => {
+                for link in self.links_of(to, from) {
+                    let turned = self.scalar(Quantity::Omega(link)).zip(self.arm(from, to));
+                    ways.extend(turned.map(|(w, arm)| w.map(|w| times(left(arm), w))));
+                }
+            }
+            Quantity::RelativeNormal(to, from) => ways.extend(self.normals(to, from)),
+            Quantity::RelativeTangential(to, from) => ways.extend(self.tangentials(to, from)),
+            Quantity::Normal(p) | Quantity::Tangential(p) => {
+                for link in self.case.mechanism.moving() {
+                    let Some(pivot) = self.pivot(link) else { continue };
+                    if !self.case.mechanism.link(link).points.contains(&p) {
+                        continue;
+                    }
+                    match target {
+                        Quantity::Normal(_) => ways.extend(self.normals(p, pivot)),
+                        _ => ways.extend(self.tangentials(p, pivot)),
+                    }
+                }
+            }
+            Quantity::CoincidentVelocity(p, link) | Quantity::CoincidentTangential(p, link) => {
+                let rate = match target {
+                    Quantity::CoincidentVelocity(..) => Quantity::Omega(link),
+                    _ => Quantity::Alpha(link),
+                };
+                let arm = self.pivot(link).and_then(|pivot| self.arm(pivot, p));
+                ways.extend(self.scalar(rate).zip(arm).map(|(r, arm)| r.map(|r| times(left(arm), r))));
+            }
+            Quantity::CoincidentNormal(p, link) => {
+                let arm = self.pivot(link).and_then(|pivot| self.arm(pivot, p));
+                let by_rate = self.scalar(Quantity::Omega(link)).zip(arm);
+                ways.extend(by_rate.map(|(w, arm)| w.map(|w| times(arm, -w * w))));
+                let by_speed = self.vector(Quantity::CoincidentVelocity(p, link)).zip(arm);
+                ways.extend(by_speed.map(|(v, arm)| v.map(|v| toward_base(arm, size(&v)))));
+            }
+            Quantity::Coriolis(p, link) => {
+                let both = self.scalar(Quantity::Omega(link)).zip(self.vector(Quantity::Slip(p, link)));
+                ways.extend(both.map(|(w, slip)| w.with(slip, |w, slip| times(left(slip), 2.0 * w))));
+            }
+            _ => {}
+        }
+        ways
+    }
+
+    /// V² / l from either end, or ω² l.
+    fn normals(&self, to: PointId, from: PointId) -> Vec<Own<Xy>> {
+        let Some(arm) = self.arm(from, to) else { return Vec::new() };
+        let speeds = self.relative(to, from).into_iter().map(|v| v.map(|v| toward_base(arm, size(&v))));
+        let links = self.links_of(to, from).into_iter();
+        let rates = links.filter_map(|link| self.scalar(Quantity::Omega(link)));
+        speeds.chain(rates.map(|w| w.map(|w| times(arm, -w * w)))).collect()
+    }
+
+    fn tangentials(&self, to: PointId, from: PointId) -> Vec<Own<Xy>> {
+        let Some(arm) = self.arm(from, to) else { return Vec::new() };
+        let rates = self.links_of(to, from).into_iter().filter_map(|link| self.scalar(Quantity::Alpha(link)));
+        rates.map(|e| e.map(|e| times(left(arm), e))).collect()
+    }
+
+    /// By proportion from two other points of a link.
+    fn images(&self, target: Quantity, point: PointId) -> Vec<Own<Xy>> {
+        let of = |p: PointId| match target {
+            Quantity::Velocity(_) => self.vector(Quantity::Velocity(p)),
+            _ => self.vector(Quantity::Acceleration(p)),
+        };
+        let mut ways = Vec::new();
+        for link in self.case.mechanism.moving() {
+            let points = &self.case.mechanism.link(link).points;
+            if !points.contains(&point) {
+                continue;
+            }
+            for (place, &a) in points.iter().enumerate() {
+                for &b in &points[place + 1..] {
+                    if a == point || b == point {
+                        continue;
+                    }
+                    let (Some(base), Some(arm), Some(va), Some(vb)) =
+                        (self.arm(a, b), self.arm(a, point), of(a), of(b))
+                    else {
+                        continue;
+                    };
+                    let square = base[0] * base[0] + base[1] * base[1];
+                    let along = (arm[0] * base[0] + arm[1] * base[1]) / square;
+                    let across = cross(base, arm) / square;
+                    ways.push(va.with(vb, |va, vb| {
+                        let d = minus(vb, va);
+                        plus(va, plus(times(d, along), times(left(d), across)))
+                    }));
+                }
+            }
+        }
+        ways
+    }
+
+    /// By the sums of the polygons in which the answer stands: everything else in them is the student's own.
+    fn sums(&self, target: Quantity) -> Vec<Own<Xy>> {
+        let mut ways = Vec::new();
+        for sum in self.relations(target) {
+            let Some(&(_, sign)) = sum.iter().find(|(quantity, _)| *quantity == target) else { continue };
+            let others: Option<Vec<(Own<Xy>, f64)>> = sum
+                .iter()
+                .filter(|(quantity, _)| *quantity != target)
+                .map(|&(quantity, sign)| Some((self.vector(quantity)?, sign)))
+                .collect();
+            let Some(others) = others else { continue };
+            let total = others.into_iter().fold(Own::known([0.0; 2]), |total, (own, sign)| {
+                total.with(own, |total, v| plus(total, times(v, sign)))
+            });
+            ways.push(total.map(|total| times(total, -sign)));
+        }
+        ways
+    }
+
+    /// Sums of vectors that are nothing, by the closed polygons of the textbook.
+    fn relations(&self, target: Quantity) -> Vec<Vec<(Quantity, f64)>> {
+        let answered = self.case.observations.iter().filter_map(|observation| observation.quantity);
+        let mut sums: Vec<Vec<(Quantity, f64)>> = Vec::new();
+        let mut add = |whole: Quantity, parts: &[Quantity]| {
+            let sum: Vec<(Quantity, f64)> =
+                [(whole, 1.0)].into_iter().chain(parts.iter().map(|part| (*part, -1.0))).collect();
+            if sum.iter().any(|(quantity, _)| *quantity == target) && !sums.contains(&sum) {
+                sums.push(sum);
+            }
+        };
+        for quantity in answered.chain([target]) {
+            match quantity {
+                Quantity::RelativeVelocity(b, a) => {
+                    add(Quantity::Velocity(b), &[Quantity::Velocity(a), quantity]);
+                }
+                Quantity::RelativeAcceleration(b, a)
+                | Quantity::RelativeNormal(b, a)
+                | Quantity::RelativeTangential(b, a) => {
+                    let (whole, from) = (Quantity::Acceleration(b), Quantity::Acceleration(a));
+                    let relative = Quantity::RelativeAcceleration(b, a);
+                    let parts = [Quantity::RelativeNormal(b, a), Quantity::RelativeTangential(b, a)];
+                    add(whole, &[from, relative]);
+                    add(relative, &parts);
+                    add(whole, &[from, parts[0], parts[1]]);
+                }
+                Quantity::Normal(b) | Quantity::Tangential(b) => {
+                    add(Quantity::Acceleration(b), &[Quantity::Normal(b), Quantity::Tangential(b)]);
+                }
+                Quantity::Slip(p, l) | Quantity::CoincidentVelocity(p, l) => {
+                    let parts = [Quantity::CoincidentVelocity(p, l), Quantity::Slip(p, l)];
+                    add(Quantity::Velocity(p), &parts);
+                }
+                Quantity::SlipAcceleration(p, l)
+                | Quantity::CoincidentAcceleration(p, l)
+                | Quantity::CoincidentNormal(p, l)
+                | Quantity::CoincidentTangential(p, l)
+                | Quantity::Coriolis(p, l) => {
+                    let under = Quantity::CoincidentAcceleration(p, l);
+                    let parts = [Quantity::CoincidentNormal(p, l), Quantity::CoincidentTangential(p, l)];
+                    let relative = [Quantity::SlipAcceleration(p, l), Quantity::Coriolis(p, l)];
+                    add(under, &parts);
+                    add(Quantity::Acceleration(p), &[under, relative[0], relative[1]]);
+                    add(Quantity::Acceleration(p), &[parts[0], parts[1], relative[0], relative[1]]);
+                }
+                Quantity::SlipNormal(p, l) | Quantity::SlipTangential(p, l) => {
+                    let parts = [Quantity::SlipNormal(p, l), Quantity::SlipTangential(p, l)];
+                    add(Quantity::SlipAcceleration(p, l), &parts);
+                }
+                _ => {}
+            }
+        }
+        sums
+    }
+
+    fn scalars(&self, target: Quantity) -> Vec<Own<f64>> {
+        let two = |a: Quantity, b: Quantity| self.scalar(a).zip(self.scalar(b));
+        match target {
+            Quantity::Omega(link) | Quantity::Alpha(link) => self.rates(target, link),
+            Quantity::RelativeOmega(i, j) => {
+                let both = two(Quantity::Omega(i), Quantity::Omega(j));
+                both.map(|(a, b)| a.with(b, |a, b| a - b)).into_iter().collect()
+            }
+            Quantity::RelativeAlpha(i, j) => {
+                let both = two(Quantity::Alpha(i), Quantity::Alpha(j));
+                both.map(|(a, b)| a.with(b, |a, b| a - b)).into_iter().collect()
+            }
+            Quantity::Ratio(i, j) | Quantity::Advantage(j, i) => {
+                let both = two(Quantity::Omega(i), Quantity::Omega(j)).filter(|(_, b)| b.value != 0.0);
+                both.map(|(a, b)| a.with(b, |a, b| a / b)).into_iter().collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// ω = V / l or ε = Aᵗ / l by any two points of the link.
+    fn rates(&self, target: Quantity, link: LinkId) -> Vec<Own<f64>> {
+        let mut ways = Vec::new();
+        let points = &self.case.mechanism.link(link).points;
+        let rate = |arm: Xy, v: Xy| size(&v) / size(&arm) * if cross(arm, v) < 0.0 { -1.0 } else { 1.0 };
+        for &from in points {
+            for &to in points {
+                let Some(arm) = self.arm(from, to).filter(|_| from != to) else { continue };
+                let read: Vec<Own<Xy>> = match target {
+                    Quantity::Omega(_) => self.relative(to, from),
+                    _ => {
+                        let pivoted = self.case.mechanism.is_fixed(from);
+                        let own = pivoted.then(|| self.vector(Quantity::Tangential(to))).flatten();
+                        let relative = self.vector(Quantity::RelativeTangential(to, from));
+                        relative.into_iter().chain(own).collect()
+                    }
+                };
+                ways.extend(read.into_iter().map(|v| v.map(|v| rate(arm, v))));
+            }
+        }
+        if let Some(pivot) = self.pivot(link) {
+            for slide in &self.case.mechanism.slides {
+                let crate::mechanism::Rider::Pin { point, .. } = slide.rider else { continue };
+                let (Some(arm), true) = (self.arm(pivot, point), slide.guide.link == link) else { continue };
+                let under = match target {
+                    Quantity::Omega(_) => Quantity::CoincidentVelocity(point, link),
+                    _ => Quantity::CoincidentTangential(point, link),
+                };
+                ways.extend(self.vector(under).map(|v| v.map(|v| rate(arm, v))));
+            }
+        }
+        ways
+    }
+}
+
+/// V² / l toward the base of an arm.
+fn toward_base(arm: Xy, speed: f64) -> Xy {
+    let square = arm[0] * arm[0] + arm[1] * arm[1];
+    times(arm, -speed * speed / square)
+}

@@ -1,0 +1,226 @@
+//! A report for the student who handed in: his answers as he wrote them, one sentence for each fault, marks.
+
+use std::fmt::Write as _;
+
+use super::answers::Form;
+use super::judge::Verdict;
+use super::report::{Allowed, Graded, Report};
+
+impl Verdict {
+    /// What a student is told.
+    #[must_use]
+    pub fn told(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Consistent => "follows rightly from an earlier fault",
+            Self::Wrong => "wrong",
+            Self::NotChecked => "not determined here",
+        }
+    }
+}
+
+impl Graded {
+    /// What was handed in, in the form and with the digits in which it was written.
+    #[must_use]
+    pub fn handed_in(&self) -> String {
+        let written = if self.rounding > 0.0 { 2.0 * self.rounding } else { 0.0 };
+        let finest = if written > 0.0 { written } else { self.tolerance / 10.0 };
+        self.told(&self.given, finest)
+    }
+
+    /// What is right, in the same form, to the digits that a tolerance leaves.
+    #[must_use]
+    pub fn expected(&self) -> String {
+        self.told(&self.right, self.tolerance)
+    }
+
+    /// The tolerance, one digit or two.
+    #[must_use]
+    pub fn within(&self) -> String {
+        let (tolerance, unit) = self.on_paper(&[self.tolerance]);
+        let tolerance = tolerance.first().copied().unwrap_or(0.0);
+        format!("{} {unit}", digits(tolerance, tolerance / 2.0)).trim_end().to_owned()
+    }
+
+    /// Why it may be off by that.
+    #[must_use]
+    pub fn because(&self) -> String {
+        let unit = &self.unit.symbol;
+        match self.allowed {
+            Allowed::Stated => "as the answers' file states it".to_owned(),
+            Allowed::Calculated => "calculated from what is given, no reading is behind it".to_owned(),
+            Allowed::Read { mm: Some(mm), of: Some(of) } => {
+                format!("read: {} mm of {} mm on paper at that place", digits(mm, mm / 5.0), digits(of, 1.0))
+            }
+            Allowed::Read { .. } => "calculated from what is read off the drawing".to_owned(),
+            Allowed::Capped { honest } => {
+                let honest = digits(honest, honest / 2.0);
+                format!("a careful hand may be off by {honest} {unit} here, and no more than this is allowed")
+            }
+        }
+    }
+
+    /// Numbers in the unit in which the student wrote them: millimetres of what lies on paper.
+    fn on_paper<'u>(&'u self, numbers: &[f64]) -> (Vec<f64>, &'u str) {
+        match self.per_mm {
+            Some(per_mm) if self.form == Form::Paper && per_mm > 0.0 => {
+                (numbers.iter().map(|n| n / per_mm).collect(), "mm on paper")
+            }
+            _ => (numbers.to_vec(), &self.unit.symbol),
+        }
+    }
+
+    /// Numbers to about a part of `finest`.
+    fn told(&self, numbers: &[f64], finest: f64) -> String {
+        let (numbers, unit) = self.on_paper(numbers);
+        let (step, _) = self.on_paper(&[finest]);
+        let step = step.first().copied().unwrap_or(0.0);
+        let text = match numbers[..] {
+            [] => return "not determined here".to_owned(),
+            [value] => {
+                let turns = unit.starts_with("rad/");
+                match (turns && !self.magnitude_only, value < 0.0) {
+                    (false, _) => format!("{} {unit}", digits(value, step)),
+                    (true, true) => format!("{} {unit} cw", digits(-value, step)),
+                    (true, false) => format!("{} {unit} ccw", digits(value, step)),
+                }
+            }
+            [x, y, ..] if self.form == Form::Polar => {
+                let length = libm::hypot(x, y);
+                let direction = libm::atan2(y, x).to_degrees();
+                let finest = if length > 0.0 { (step / length).to_degrees() } else { 1.0 };
+                let length = digits(length, step);
+                format!("{length} {unit} at {}°", digits(direction, finest.clamp(0.1, 1.0)))
+            }
+            [x, y, ..] => format!("({}, {}) {unit}", digits(x, step), digits(y, step)),
+        };
+        text.trim_end().to_owned()
+    }
+}
+
+impl Report {
+    /// The report as text.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let mut text = String::new();
+        if let Some(student) = &self.student {
+            let _ = writeln!(text, "{student}");
+        }
+        let rows: Vec<[String; 3]> = self.quantities.iter().map(row).collect();
+        let width = |column: usize| {
+            let missing = self.missing.iter().map(|(name, _)| name.chars().count()).filter(|_| column == 0);
+            rows.iter().map(|r| r[column].chars().count()).chain(missing).max().unwrap_or(0)
+        };
+        let widths = [width(0), width(1)];
+        for (graded, [name, given, verdict]) in self.quantities.iter().zip(&rows) {
+            let [a, b] = widths;
+            let _ = writeln!(text, "{name:<a$}  {given:<b$}  {verdict}");
+            if graded.verdict != Verdict::Wrong {
+                continue;
+            }
+            for line in sentences(graded) {
+                let _ = writeln!(text, "    {line}");
+            }
+        }
+        for (name, _) in &self.missing {
+            let (a, b) = (widths[0], widths[1]);
+            let _ = writeln!(text, "{name:<a$}  {:<b$}  not answered", "-");
+        }
+        if let Some(fault) = self.first_fault() {
+            let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));
+            let _ = writeln!(text, "first fault{place}, {}", fault.text());
+        }
+        let (reached, of) = self.sum();
+        let _ = writeln!(text, "marks: {} of {}", marks(reached), marks(of));
+        text
+    }
+}
+
+/// What is said of a wrong answer: what it probably is, and where to look.
+pub(super) fn sentences(graded: &Graded) -> Vec<String> {
+    let Some(mistake) = graded.mistakes.first() else {
+        let step = graded.step.map_or(String::new(), |step| format!(" from step {step} of the solution on"));
+        return vec![format!("No known mistake leads to this value; compare your drawing{step}.")];
+    };
+    let step = mistake.step.or(graded.step);
+    let step = step.map_or(String::new(), |step| format!(" (step {step} of the solution)"));
+    vec![format!("Probably {}{step}. {}", mistake.text(), mistake.look())]
+}
+
+fn row(graded: &Graded) -> [String; 3] {
+    let verdict = match graded.verdict {
+        Verdict::Right => format!("right ({} ± {})", graded.expected(), graded.within()),
+        Verdict::Wrong => format!("wrong: {} ± {} is right", graded.expected(), graded.within()),
+        Verdict::Consistent => {
+            format!("{} ({} is right)", Verdict::Consistent.told(), graded.expected())
+        }
+        Verdict::NotChecked => Verdict::NotChecked.told().to_owned(),
+    };
+    [graded.name.clone(), graded.handed_in(), verdict]
+}
+
+/// Marks as people write them.
+pub(super) fn marks(value: f64) -> String {
+    let text = format!("{value:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// So many digits stand behind no number.
+const MOST_DIGITS: f64 = 6.0;
+
+/// A number to the decimal place of `finest`, never to more than six digits.
+pub(super) fn digits(value: f64, finest: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return "0".to_owned();
+    }
+    let first = libm::floor(libm::log10(value.abs()));
+    let place = if finest > 0.0 { libm::floor(libm::log10(finest) + LITTLE) } else { first - 3.0 };
+    // What is nothing beside its tolerance is zero.
+    if first < place - 1.0 {
+        return "0".to_owned();
+    }
+    let place = place.clamp(first - MOST_DIGITS + 1.0, first);
+    if place >= 0.0 {
+        let step = libm::pow(10.0, place);
+        let rounded = libm::round(value / step) * step;
+        return if rounded.abs() < 1e7 { format!("{rounded:.0}") } else { plain(&format!("{rounded:.3e}")) };
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number")]
+    let decimals = (-place) as usize;
+    if decimals > 7 {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number")]
+        let more = (first - place) as usize;
+        return plain(&format!("{value:.more$e}"));
+    }
+    format!("{value:.decimals$}")
+}
+
+/// So that 0.1 is one tenth and not a little less.
+const LITTLE: f64 = 1e-9;
+
+/// `1.2e-9` as people write it.
+fn plain(text: &str) -> String {
+    text.split_once('e').map_or_else(|| text.to_owned(), |(digits, power)| format!("{digits}·10^{power}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::digits;
+
+    #[test]
+    fn digits_are_those_that_a_tolerance_leaves() {
+        let cases = [
+            (175.309_524_5, 2.34, "175"),
+            (175.309_524_5, 0.34, "175.3"),
+            (5.843_650_8, 0.08, "5.84"),
+            (0.000_000_000_000_019_84, 0.1, "0"),
+            (-12_345.678, 120.0, "-12300"),
+            (0.04, 0.9, "0.04"),
+            (3.0, 0.001, "3.000"),
+            (1.234_567_89e-9, 1e-11, "1.23·10^-9"),
+        ];
+        for (value, finest, expected) in cases {
+            assert_eq!(digits(value, finest), expected, "{value} to {finest}");
+        }
+    }
+}
