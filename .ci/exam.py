@@ -44,7 +44,8 @@ with tempfile.TemporaryDirectory() as folder:
                 figures += 1
             if line["part"] == "direction":
                 spelled = sorted(float(text.text) for text in element.findall("answer/text"))
-                assert abs(spelled[1] - spelled[0] - 360) < 1e-6 and float(line["answer"]) in spelled
+                assert abs(spelled[1] - spelled[0] - 360) < 1e-6 and abs(spelled[2] - spelled[1] - 360) < 1e-6
+                assert float(line["answer"]) == spelled[1]
             elif float(line["answer"]) != 0:
                 read = question.answers()
                 assert float(read.get("target")) == float(line["answer"]), (read.attrib, line)
@@ -56,7 +57,7 @@ assert len(cloze) == len(variants)
 for variant, question in zip(variants, cloze):
     html = etree.fromstring(question.findtext("questiontext/text"))
     assert html.find(".//img").get("src") == f"@@PLUGINFILE@@/{variant}.svg"
-    fields = [item.split("{1:NUMERICAL:=")[1] for item in ["".join(li.itertext()) for li in html.iter("li")]]
+    fields = [item.split(":NUMERICAL:=")[1] for item in ["".join(li.itertext()) for li in html.iter("li")]]
     lines = [line for line in key if line["variant"] == variant]
     for field, line in zip(fields, lines, strict=True):
         assert field.startswith(f"{line['answer']}:{line['tolerance']}"), (field, line)
@@ -82,7 +83,7 @@ with zipfile.ZipFile(exam / "qti.en.zip") as package:
         declared = {element.get("identifier") for element in item.iter("{*}responseDeclaration", "{*}outcomeDeclaration")}
         asked = {element.get("responseIdentifier") for element in item.iter("{*}textEntryInteraction")}
         used = {element.get("identifier") for element in item.iter("{*}variable", "{*}setOutcomeValue")}
-        assert asked | {"SCORE"} == used == declared
+        assert asked | {"SCORE", "FEEDBACK"} == used == declared
         upgraded = etree.fromstring(upgrade_qti2_to_qti3(text).encode("utf-8"))
         entries = list(upgraded.iter("{*}qti-text-entry-interaction"))
         right = [value.text for value in upgraded.iterfind(".//{*}qti-correct-response/{*}qti-value")]

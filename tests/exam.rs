@@ -23,7 +23,7 @@ const SCENES: [&str; 3] = ["exam/six-link-slider", "exam/crank-and-slider", "exa
 
 fn terms(variants: usize) -> Terms {
     let hand = Hand { length: 0.2, angle: 0.3_f64.to_radians() };
-    Terms { variants, seed: 7, flattest: 15.0_f64.to_radians(), hand }
+    Terms { variants, seed: 7, flattest: 15.0_f64.to_radians(), hand, max_tolerance: 0.1 }
 }
 
 fn drawn(scene: &Scene, variants: usize, workers: usize) -> Drawn {
@@ -340,7 +340,24 @@ fn the_banks_say_what_the_key_says_and_their_figures_open() {
         let questions = quiz.root_element().children().filter(|n| n.attribute("type") == Some("cloze"));
         for (index, question) in questions.enumerate() {
             let body = text_of(child(question, "questiontext"));
-            let fields: Vec<&str> = body.split("{1:NUMERICAL:=").skip(1).collect();
+            let parts: Vec<&str> = body.split(":NUMERICAL:=").collect();
+            let fields = &parts[1..];
+            // What each field is worth stands before it, in the ratio of the key's marks.
+            let weights: Vec<f64> = parts[..fields.len()]
+                .iter()
+                .map(|p| p.rsplit('{').next().unwrap().parse().unwrap())
+                .collect();
+            let marks: Vec<f64> =
+                of_variant(&format!("{:03}", index + 1)).iter().map(|l| l[6].parse().unwrap()).collect();
+            for (weight, mark) in weights.iter().zip(&marks) {
+                assert!((weight * marks[0] - mark * weights[0]).abs() < 1e-9, "{weights:?} {marks:?}");
+            }
+            // The solution is told afterwards, as a figure of its own.
+            let feedback = child(question, "generalfeedback");
+            let file = child(feedback, "file");
+            let name = file.attribute("name").unwrap();
+            assert!(text_of(feedback).contains(&format!("src=\"@@PLUGINFILE@@/{name}\"")), "{name}");
+            assert_eq!(name, format!("{:03}.solution.svg", index + 1));
             let lines = of_variant(&format!("{:03}", index + 1));
             assert_eq!(fields.len(), lines.len());
             for (field, line) in fields.iter().zip(lines) {
@@ -414,11 +431,12 @@ fn packaged(folder: &Folder, language: &str, key: &dyn Fn(&str) -> Vec<Vec<Strin
         let qti = |local: &'static str| ("http://www.imsglobal.org/xsd/imsqti_v2p1", local);
         let all = |local: &'static str| item.descendants().filter(move |n| n.has_tag_name(qti(local)));
         // The order of the schema's sequence.
-        let order = ["responseDeclaration", "outcomeDeclaration", "itemBody", "responseProcessing"];
+        let order =
+            ["responseDeclaration", "outcomeDeclaration", "itemBody", "responseProcessing", "modalFeedback"];
         let parts = item.root_element().children().filter(Node::is_element);
         let places: Vec<usize> =
             parts.map(|part| order.iter().position(|o| *o == part.tag_name().name()).unwrap()).collect();
-        assert!(places.is_sorted() && places.ends_with(&[1, 2, 3]), "{places:?}");
+        assert!(places.is_sorted() && places.ends_with(&[1, 2, 3, 4]), "{places:?}");
         let variant = &name[6..9];
         let lines = key(variant);
         assert_eq!(all("textEntryInteraction").count(), lines.len());
@@ -432,7 +450,18 @@ fn packaged(folder: &Folder, language: &str, key: &dyn Fn(&str) -> Vec<Vec<Strin
             let tests: Vec<Node> = all("equal")
                 .filter(|e| e.descendants().any(|n| n.attribute("identifier") == Some(id)))
                 .collect();
-            assert_eq!(tests.len(), if line[2] == "direction" { 2 } else { 1 });
+            // A direction is the same a turn later or earlier; a rotation with the wrong sense has a test of its own.
+            let turns = line[3].starts_with("rad/");
+            assert_eq!(
+                tests.len(),
+                if line[2] == "direction" {
+                    3
+                } else if turns {
+                    2
+                } else {
+                    1
+                }
+            );
             for test in tests {
                 assert_eq!(test.attribute("toleranceMode"), Some("absolute"));
                 assert_eq!(test.attribute("tolerance").unwrap(), format!("{0} {0}", line[5]));
@@ -440,6 +469,81 @@ fn packaged(folder: &Folder, language: &str, key: &dyn Fn(&str) -> Vec<Vec<Strin
         }
         let figure = all("img").next().unwrap().attribute("src").unwrap();
         tells_no_answer(&files[figure.strip_prefix("../").unwrap()], variant, language, folder);
+    }
+}
+
+/// Marks of the scene reach the key, Moodle and QTI; of a slider's vector the sense is worth less than the magnitude; what
+/// a hand may miss by more than is allowed is told when the exam is made; and the typed answers are graded by variant.
+#[test]
+fn marks_tolerances_and_answer_sheets() {
+    let folder = Folder::new("marks");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/exam/crank-and-slider.json");
+    let mut scene: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let find: Vec<String> =
+        scene["find"].as_array().unwrap().iter().map(|n| n.as_str().unwrap().to_owned()).collect();
+    let slider = find.iter().find(|name| name.starts_with("v(") && !name.contains('/')).unwrap().clone();
+    let rate = find.iter().find(|name| name.starts_with("omega")).unwrap().clone();
+    scene["sheet"] = serde_json::json!({ "marks": { slider.as_str(): 4, rate.as_str(): 2 } });
+    let file = std::env::temp_dir().join(format!("linkgram-exam-{}-marks.json", std::process::id()));
+    std::fs::write(&file, scene.to_string()).unwrap();
+    let names = std::env::temp_dir().join(format!("linkgram-exam-{}-names.txt", std::process::id()));
+    std::fs::write(&names, "Ada\n\nBob, B.\nEve\n").unwrap();
+    let more = ["--names", names.to_str().unwrap(), "--max-tolerance", "0.6%"];
+    let (code, out, err) = run_on(&file, &folder, &more);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("flagged: ") && out.contains("--max-tolerance"), "{out}");
+    assert_eq!(folder.read("names.csv"), "name,variant\nAda,001\n\"Bob, B.\",002\nEve,003\n");
+    let key: Vec<Vec<String>> =
+        folder.read("key.csv").lines().skip(1).map(|l| l.split(',').map(str::to_owned).collect()).collect();
+    let of =
+        |name: &str, part: &str| key.iter().find(|l| l[0] == "001" && l[1] == name && l[2] == part).unwrap();
+    let mark = |line: &[String]| line[6].parse::<f64>().unwrap();
+    let (magnitude, direction) = (mark(of(&slider, "magnitude")), mark(of(&slider, "direction")));
+    assert!((magnitude + direction - 4.0).abs() < 1e-9 && magnitude > direction, "{magnitude} {direction}");
+    assert!((mark(of(&rate, "value")) - 2.0).abs() < 1e-9);
+    for line in key.iter().filter(|line| line[2] == "magnitude" || line[2] == "value") {
+        let (value, tolerance): (f64, f64) = (line[4].parse().unwrap(), line[5].parse().unwrap());
+        assert!(tolerance <= 0.0065 * value.abs(), "{line:?}");
+    }
+    // Typed from the answer sheet: two boxes filled, the others empty.
+    let typed: String = folder
+        .read("answers/002.csv")
+        .lines()
+        .map(|line| {
+            let key = |name: &str, part: &str| {
+                key.iter().find(|l| l[0] == "002" && l[1] == name && l[2] == part).unwrap()[4].clone()
+            };
+            let filled = |name: &str| line.starts_with(&format!("{name},,,,"));
+            if line == "student," {
+                "student,Bob\n".to_owned()
+            } else if filled(&rate) {
+                let value = key(&rate, "value");
+                let sense = if value.starts_with('-') { "cw" } else { "ccw" };
+                line.replacen(",,,,", &format!(",{},,,", value.trim_start_matches('-')), 1)
+                    .replace("s,,", &format!("s,{sense},"))
+                    + "\n"
+            } else if filled(&slider) {
+                let value = key(&slider, "magnitude");
+                let direction = key(&slider, "direction");
+                let line = line.replacen(",,,,", &format!(",{value},,,"), 1);
+                line.strip_suffix(',').unwrap().to_owned() + "," + &direction + "\n"
+            } else {
+                line.to_owned() + "\n"
+            }
+        })
+        .collect();
+    let answers = folder.0.join("bob.csv");
+    std::fs::write(&answers, &typed).unwrap();
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_linkgram"))
+        .args(["grade", folder.0.to_str().unwrap(), answers.to_str().unwrap()])
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{typed}\n{said}{}", String::from_utf8_lossy(&output.stderr));
+    let others = find.len() - 2;
+    assert!(said.starts_with("Bob\n") && said.contains(&format!("marks: 6 of {}", 6 + others)), "{said}");
+    for path in [file, names] {
+        std::fs::remove_file(path).unwrap();
     }
 }
 

@@ -17,6 +17,7 @@ mod chains;
 mod cli;
 mod confirmed;
 mod exam;
+mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
 mod formats;

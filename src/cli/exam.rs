@@ -15,7 +15,7 @@ use crate::files;
 use crate::parallel;
 use crate::render::{self, Format, Lettering, Options};
 use crate::scene::{Scene, Subject};
-use crate::sheet::Language;
+use crate::sheet::{self, Figure, Language};
 use crate::solve::Hand;
 
 /// Version of the manifest's form.
@@ -23,12 +23,15 @@ const FORM: u64 = 1;
 /// The manifest: what exam a folder holds.
 const MANIFEST: &str = "exam.json";
 /// Folders of one file per variant.
-const FOLDERS: [&str; 3] = ["scenes", "questions", "solutions"];
+const FOLDERS: [&str; 4] = ["scenes", "questions", "solutions", "answers"];
 
 /// What is to be made, and where.
 pub(super) struct Job {
     pub(super) scene: PathBuf,
-    pub(super) variants: usize,
+    pub(super) variants: Option<usize>,
+    pub(super) names: Option<PathBuf>,
+    pub(super) booklet: bool,
+    pub(super) max_tolerance: f64,
     pub(super) seed: u64,
     pub(super) output: PathBuf,
     pub(super) flattest: f64,
@@ -43,8 +46,16 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let format = format(job)?;
     let options = Options { lettering: lettering(job)?, ..Options::default() };
     let languages = languages(job)?;
-    if job.variants == 0 {
+    let names = job.names.as_deref().map(names).transpose()?;
+    let wanted = job.variants.or(names.as_ref().map(Vec::len)).unwrap_or(0);
+    if wanted == 0 {
         return Err(Failure("--variants: one at least".to_owned()));
+    }
+    if job.max_tolerance <= 0.0 {
+        return Err(Failure("--max-tolerance: a tolerance is greater than zero".to_owned()));
+    }
+    if job.booklet && !cfg!(feature = "pdf") {
+        return Err(Failure("--booklet: this build has no PDF: build with the feature `pdf`".to_owned()));
     }
     let (_, scene) = read_scene(&job.scene)?;
     let languages = match (languages.is_empty(), scene.sheet.language.as_deref()) {
@@ -52,11 +63,17 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         (true, stated) => vec![stated.and_then(Language::from_tag).unwrap_or_default()],
     };
     let workers = job.jobs.unwrap_or_else(parallel::processors);
-    let terms = Terms { variants: job.variants, seed: job.seed, flattest: job.flattest, hand: job.hand };
+    let terms = Terms {
+        variants: wanted,
+        seed: job.seed,
+        flattest: job.flattest,
+        hand: job.hand,
+        max_tolerance: job.max_tolerance,
+    };
     let text = scene.source.text();
     let folder =
         Folder { path: &job.output, exam: identity(text.as_bytes(), &terms, format, &options, &languages) };
-    let known = folder.known_attempts(job.variants)?;
+    let known = folder.known_attempts(wanted)?;
     let work =
         Work { scene: &scene, terms, workers, format, options, languages: &languages, folder: &folder };
     let (variants, told) = work.variants(known.as_deref())?;
@@ -64,8 +81,69 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let _held = folder.begin(&variants)?;
     let written = work.sheets(&variants)?;
     work.banks(&variants)?;
-    print(&format!("{told}{written}{}: {} variants\n", files::shown(&job.output), variants.len()))?;
+    work.forms(&variants, names.as_deref())?;
+    if job.booklet {
+        work.booklets(&variants)?;
+    }
+    let loose = loose(&variants);
+    print(&format!("{told}{written}{loose}{}: {} variants\n", files::shown(&job.output), variants.len()))?;
     Ok(Ending::Fine)
+}
+
+/// The names of a list, one a line.
+fn names(path: &Path) -> Result<Vec<String>, Failure> {
+    let (file, text) = files::read(path)?;
+    let names: Vec<String> = text
+        .trim_start_matches('\u{feff}')
+        .lines()
+        .map(|line| line.trim().to_owned())
+        .filter(|line| !line.is_empty() && !line.starts_with('#'))
+        .collect();
+    if names.is_empty() {
+        return Err(Failure(format!("{file}: no names; write one on each line")));
+    }
+    Ok(names)
+}
+
+/// What a careful hand may miss by more than is allowed: told to whoever makes the exam.
+fn loose(variants: &[Variant]) -> String {
+    let mut told: Vec<(String, Vec<String>, f64)> = Vec::new();
+    for variant in variants {
+        for answer in &variant.answers {
+            let Some(honest) = answer.loose else { continue };
+            let name = format!("{} {}", answer.name, answer.part.name());
+            let part = if answer.value == 0.0 { f64::INFINITY } else { (honest / answer.value).abs() };
+            match told.iter_mut().find(|(known, ..)| *known == name) {
+                Some((_, those, most)) => {
+                    those.push(variant.name());
+                    *most = most.max(part);
+                }
+                None => told.push((name, vec![variant.name()], part)),
+            }
+        }
+    }
+    let line = |(name, those, most): (String, Vec<String>, f64)| {
+        // Of a direction the tolerance is an angle, and no part of it.
+        let by = if name.ends_with("direction") || !most.is_finite() {
+            String::new()
+        } else {
+            format!(", {:.0} % at worst", 100.0 * most)
+        };
+        format!(
+            "flagged: {name}: a careful hand may be off by more than is allowed in {} of {} variants{by}; ask for \
+             something else, draw larger, or allow more (--max-tolerance)\n",
+            those.len(),
+            variants.len()
+        )
+    };
+    told.into_iter().map(line).collect()
+}
+
+/// A field of a table.
+fn field(text: &str) -> String {
+    let text: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let text = if text.starts_with(['=', '+', '-', '@']) { format!("'{text}") } else { text };
+    if text.contains([',', ';', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }
 
 fn format(job: &Job) -> Result<Format, Failure> {
@@ -106,6 +184,7 @@ fn identity(text: &[u8], terms: &Terms, format: Format, options: &Options, langu
         "seed": terms.seed,
         "flattest_deg": terms.flattest.to_degrees(),
         "hand": { "length_mm": terms.hand.length, "angle_deg": terms.hand.angle.to_degrees() },
+        "max_tolerance": terms.max_tolerance,
         "format": format.name(),
         "text": options.lettering.name(),
         "languages": tags,
@@ -318,7 +397,9 @@ impl Work<'_> {
         ];
         for &language in self.languages {
             let figures = parallel::map_with(self.workers, variants, |variant| {
-                exam::card(&variant.scene, language).map_err(|error| not_drawn(&variant.scene, &error))
+                let not_drawn = |error: NotConfirmed| not_drawn(&variant.scene, &error);
+                let card = exam::card(&variant.scene, language).map_err(not_drawn)?;
+                Ok::<_, Failure>([card, exam::solution(&variant.scene, language).map_err(not_drawn)?])
             });
             let figures: Vec<_> = figures.into_iter().collect::<Result<_, _>>()?;
             let bank = Bank::new(self.scene, language, variants.iter().zip(figures).collect(), &self.options)
@@ -331,6 +412,57 @@ impl Work<'_> {
             all.push((root.join(format!("moodle-cloze.{tag}.xml")), exam::cloze(&bank).into_bytes()));
             let package = exam::package(&bank).map_err(|error| Failure(error.to_string()))?;
             all.push((root.join(format!("qti.{tag}.zip")), package));
+        }
+        Ok(files::write_all(&all)?)
+    }
+}
+
+impl Work<'_> {
+    /// Writes the sheet with boxes to write in, for each variant the table into which it is typed and which `grade` reads,
+    /// and whose variant is which.
+    fn forms(&self, variants: &[Variant], names: Option<&[String]>) -> Result<(), Failure> {
+        let root = self.folder.path;
+        let mut all = Vec::new();
+        for variant in variants {
+            let name = format!("{}.csv", variant.name());
+            all.push((root.join("answers").join(name), exam::answers_csv(variant).into_bytes()));
+        }
+        if let Some(first) = variants.first() {
+            for &language in self.languages {
+                let figure = exam::form(self.scene, first, language);
+                let bytes = render::render(&figure, self.format, &self.options)
+                    .map_err(|error| Failure(error.to_string()))?;
+                let name = format!("answer-sheet.{}.{}", language.words().tag, self.format.name());
+                all.push((root.join(name), bytes));
+            }
+        }
+        if let Some(names) = names {
+            let mut text = String::from("name,variant\n");
+            for (name, variant) in names.iter().zip(variants.iter().cycle()) {
+                text.push_str(&format!("{},{}\n", field(name), variant.name()));
+            }
+            all.push((root.join("names.csv"), text.into_bytes()));
+        }
+        Ok(files::write_all(&all)?)
+    }
+
+    /// Writes all questions and then all solutions as one document.
+    fn booklets(&self, variants: &[Variant]) -> Result<(), Failure> {
+        let mut all = Vec::new();
+        for &language in self.languages {
+            let drawn = |draw: fn(&Scene, Language) -> Result<Figure, NotConfirmed>| {
+                let figures = parallel::map_with(self.workers, variants, |variant| {
+                    draw(&variant.scene, language).map_err(|error| not_drawn(&variant.scene, &error))
+                });
+                figures.into_iter().collect::<Result<Vec<Figure>, Failure>>()
+            };
+            let mut figures = drawn(exam::question)?;
+            figures.extend(drawn(exam::solution)?);
+            let Some(figure) = sheet::booklet(&figures) else { continue };
+            let bytes = render::render(&figure, Format::Pdf, &self.options)
+                .map_err(|error| Failure(error.to_string()))?;
+            let name = format!("booklet.{}.pdf", language.words().tag);
+            all.push((self.folder.path.join(name), bytes));
         }
         Ok(files::write_all(&all)?)
     }

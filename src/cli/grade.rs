@@ -48,7 +48,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let class = answers.len() > 1 || job.answers.iter().any(|path| path.is_dir());
     let output = job.output.as_deref().map(|path| output(path, class)).transpose()?;
-    if !matches!(output, Some(Output::Folder(_))) {
+    if !matches!(output, Some(Output::Folder(_))) && !job.scene.is_dir() {
         files::spare(&job.scene, &job.output)?;
         for handed_in in answers.iter().chain(&job.drawing) {
             files::spare_input("what was handed in", handed_in, &job.output)?;
@@ -59,18 +59,28 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if standard_inputs > 1 {
         return Err(Failure("scene and answers cannot both be standard input".to_owned()));
     }
-    let (_, scene) = read_scene(&job.scene)?;
+    let exam = job.scene.is_dir().then(|| Exam { folder: job.scene.clone() });
+    if let (Some(exam), true) = (&exam, answers.is_empty()) {
+        let why = "no answers; name the files that were handed in, or the folder of them";
+        return Err(Failure(format!("{}: {why}", files::shown(&exam.folder))));
+    }
     let mut settings = GradeSettings { max_tolerance: job.max_tolerance, ..GradeSettings::default() };
     if let Some(hand) = job.hand {
         settings.hand = hand;
     }
-    if answers.is_empty() {
-        return tolerances(job, &scene, &settings);
+    let source = match exam {
+        Some(exam) => Source::Exam(exam),
+        None => Source::Scene(Box::new(read_scene(&job.scene)?.1)),
+    };
+    if let (true, Source::Scene(scene)) = (answers.is_empty(), &source) {
+        return tolerances(job, scene, &settings);
     }
     if class {
-        return of_class(job, &scene, &settings, &answers, output.as_ref());
+        return of_class(job, &source, &settings, &answers, output.as_ref());
     }
-    let (report, figure) = graded(&scene, &answers[0], job.drawing.as_deref(), &settings)?;
+    let Some(own) = answers.first() else { return Ok(Ending::Fine) };
+    let scene = source.of(own)?;
+    let (report, figure) = graded(&scene, own, job.drawing.as_deref(), &settings)?;
     match &output {
         None => {}
         Some(Output::Overlay(path, format)) => {
@@ -85,11 +95,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             files::write_all(&[(path.clone(), bytes)])?;
         }
         Some(Output::Page(path)) => {
-            files::write_all(&[(path.clone(), page(&scene, &report, figure.as_ref())?)])?;
+            files::write_all(&[(path.clone(), page(&title(&scene), &report, figure.as_ref())?)])?;
         }
         Some(Output::Folder(folder)) => {
-            let one = HandIn { file: files::shown(&answers[0]), outcome: Ok(report.clone()) };
-            write_folder(&scene, folder, &answers, &[one], &[figure])?;
+            let one = HandIn { file: files::shown(own), outcome: Ok(report.clone()) };
+            write_folder(folder, &answers, &[one], &[figure.map(|figure| (title(&scene), figure))])?;
         }
     }
     if job.json {
@@ -100,6 +110,66 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         print(&report.to_text())?;
     }
     Ok(if report.holds() { Ending::Fine } else { Ending::DoesNotHold })
+}
+
+/// What is graded by: a scene, or the variants of an exam.
+enum Source {
+    Scene(Box<Scene>),
+    Exam(Exam),
+}
+
+/// The folder of an exam.
+struct Exam {
+    folder: PathBuf,
+}
+
+impl Source {
+    /// The scene that somebody has solved.
+    fn of(&self, answers: &Path) -> Result<Scene, Failure> {
+        match self {
+            Self::Scene(scene) => Ok((**scene).clone()),
+            Self::Exam(exam) => exam.variant_of(answers),
+        }
+    }
+}
+
+impl Exam {
+    /// The variant that the answers name, or after which their file is named.
+    fn variant_of(&self, answers: &Path) -> Result<Scene, Failure> {
+        let (file, text) = files::read_file(answers)?;
+        let json =
+            || Some(serde_json::from_str::<serde_json::Value>(&text).ok()?["variant"].as_str()?.to_owned());
+        let row = || {
+            let rows = text.lines().filter_map(|line| line.split_once([',', ';']));
+            let mut own = rows.filter(|(key, _)| key.trim().eq_ignore_ascii_case("variant"));
+            own.next().map(|(_, value)| value.trim_matches([' ', ',', ';', '"', '\r']).to_owned())
+        };
+        let named = || {
+            let stem = answers.file_stem()?.to_str()?;
+            let digits: String = stem.chars().take_while(char::is_ascii_digit).collect();
+            (digits.len() == 3).then_some(digits)
+        };
+        let variant = json()
+            .or_else(row)
+            .or_else(named)
+            .filter(|name| !name.is_empty() && name.len() <= 6 && name.chars().all(|c| c.is_ascii_digit()));
+        let Some(variant) = variant else {
+            return Err(Failure(format!(
+                "{file}: which variant is this? say \"variant\": \"007\", in a table the row `variant,007`, or name \
+                 the file after it"
+            )));
+        };
+        let path = self.folder.join("scenes").join(format!("{variant:0>3}.json"));
+        if !path.is_file() {
+            let exam = files::shown(&self.folder);
+            return Err(Failure(format!("{file}: {exam} has no variant {variant}")));
+        }
+        Ok(read_scene(&path)?.1)
+    }
+}
+
+fn title(scene: &Scene) -> String {
+    scene.title.in_language("en").unwrap_or("Solution").to_owned()
 }
 
 /// The files that were handed in; of a folder those in it.
@@ -238,14 +308,17 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
 /// Grades a class: what cannot be read is told, and the others are graded all the same.
 fn of_class(
     job: &Job,
-    scene: &Scene,
+    source: &Source,
     settings: &GradeSettings,
     answers: &[PathBuf],
     output: Option<&Output>,
 ) -> Result<Ending, Failure> {
     let bar = progress(answers.len(), "hand-ins");
     let all = parallel::map(answers, |path| {
-        let graded = graded(scene, path, None, settings);
+        let graded = source.of(path).and_then(|scene| {
+            let (report, figure) = graded(&scene, path, None, settings)?;
+            Ok::<_, Failure>((report, figure.map(|figure| (title(&scene), figure))))
+        });
         bar.inc(1);
         graded
     });
@@ -267,7 +340,7 @@ fn of_class(
         return Err(Failure(unread.join("\nerror: ")));
     }
     if let Some(Output::Folder(folder)) = output {
-        write_folder(scene, folder, answers, &class, &figures)?;
+        write_folder(folder, answers, &class, &figures)?;
     }
     let faults = grade::class_faults(&class);
     if job.json {
@@ -339,11 +412,10 @@ fn short(value: f64) -> String {
 
 /// Writes a page for each who was graded, and the tables of the class: all of them, or none.
 fn write_folder(
-    scene: &Scene,
     folder: &Path,
     answers: &[PathBuf],
     class: &[HandIn],
-    figures: &[Option<Figure>],
+    figures: &[Option<(String, Figure)>],
 ) -> Result<(), Failure> {
     let mut all: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     let mut names: HashSet<String> = HashSet::new();
@@ -359,7 +431,11 @@ fn write_folder(
             name = format!("{stem}-{number}");
             number += 1;
         }
-        all.push((folder.join(format!("{name}.html")), page(scene, report, figure.as_ref())?));
+        let (title, figure) = match figure {
+            Some((title, figure)) => (title.as_str(), Some(figure)),
+            None => ("Solution", None),
+        };
+        all.push((folder.join(format!("{name}.html")), page(title, report, figure)?));
     }
     all.push((folder.join("marks.csv"), grade::class_csv(class).into_bytes()));
     let faults = grade::class_faults(class);
@@ -374,12 +450,11 @@ fn write_folder(
 }
 
 /// A student's page.
-fn page(scene: &Scene, report: &Report, figure: Option<&Figure>) -> Result<Vec<u8>, Failure> {
+fn page(title: &str, report: &Report, figure: Option<&Figure>) -> Result<Vec<u8>, Failure> {
     let options = render::Options { theme: Theme::Colour, ..render::Options::default() };
     let svg = figure.map(|figure| render::render(figure, Format::Svg, &options)).transpose();
     let svg = svg.map_err(|error| Failure(error.to_string()))?;
     let svg = svg.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    let title = scene.title.in_language("en").unwrap_or("Solution");
     Ok(report.to_html(title, svg.as_deref()).into_bytes())
 }
 

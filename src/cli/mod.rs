@@ -231,9 +231,18 @@ enum Command {
     Exam {
         /// The scene file, whose `vary` says what may change
         scene: PathBuf,
-        /// How many variants
-        #[arg(long, value_name = "N")]
-        variants: usize,
+        /// How many variants; as many as there are names where it is left out
+        #[arg(long, value_name = "N", required_unless_present = "names")]
+        variants: Option<usize>,
+        /// A list of names, one a line: names.csv says which variant is whose
+        #[arg(long, value_name = "FILE")]
+        names: Option<PathBuf>,
+        /// One PDF of all questions, then all solutions, for each language
+        #[arg(long)]
+        booklet: bool,
+        /// No answer may be off by a larger part of its value; results that a careful hand may miss by more are not asked
+        #[arg(long, value_name = "PERCENT", default_value = "10%", allow_hyphen_values = true, value_parser = parse_percent)]
+        max_tolerance: f64,
         /// The seed: the same seed gives the same variants
         #[arg(long, value_name = "S", default_value_t = 1)]
         seed: u64,
@@ -537,9 +546,35 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Tradeoff { paths, passes, json, output } => {
             tradeoff::run(&tradeoff::Job { paths, passes, json, output })
         }
-        Command::Exam { scene, variants, seed, output, flattest, hand, format, text, lang, jobs } => {
-            exam::run(&exam::Job { scene, variants, seed, output, flattest, hand, format, text, lang, jobs })
-        }
+        Command::Exam {
+            scene,
+            variants,
+            names,
+            booklet,
+            max_tolerance,
+            seed,
+            output,
+            flattest,
+            hand,
+            format,
+            text,
+            lang,
+            jobs,
+        } => exam::run(&exam::Job {
+            scene,
+            variants,
+            names,
+            booklet,
+            max_tolerance,
+            seed,
+            output,
+            flattest,
+            hand,
+            format,
+            text,
+            lang,
+            jobs,
+        }),
         Command::New { kind } => new::run(kind.as_deref()),
         Command::Help { topic } => help::run(&topic),
         Command::Schema { of } => schema(of),

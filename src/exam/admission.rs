@@ -1,7 +1,7 @@
 //! Whether a scene with drawn numbers may become a variant, and the places by which it is assembled as the
 //! scene is.
 
-use super::answer::{self, KeyAnswer};
+use super::answer::{self, KeyAnswer, Worth};
 use super::{ExamError, Flaw, Terms, Variant};
 use crate::check::confirm;
 use crate::graphical::construction::{Act, Construction};
@@ -36,6 +36,8 @@ pub(super) struct Base<'a> {
     step: f64,
     /// Which of its own answers are clear of a hand's slip.
     clear: Vec<bool>,
+    /// Which of its own answers a careful hand may miss by more than is allowed.
+    loose: Vec<bool>,
 }
 
 /// A try that may become a variant.
@@ -55,6 +57,13 @@ impl<'a> Base<'a> {
         let clear = construction.answers.iter().zip(&hand).map(|(reading, hand)| {
             hand.tolerance().is_some_and(|slip| answer::size(&reading.answer) >= CLEAR * slip)
         });
+        let loose = construction.answers.iter().zip(&hand).zip(&scene.mechanism.asked).map(
+            |((reading, hand), asked)| {
+                let worth = Worth::of(scene, asked, terms.max_tolerance);
+                answer::numbers(0, asked, &reading.answer, hand, worth).iter().any(|n| n.loose.is_some())
+            },
+        );
+        let loose = loose.collect();
         let several = !solved.structure.trials.is_empty();
         Ok(Self {
             scene,
@@ -62,6 +71,7 @@ impl<'a> Base<'a> {
             places: places(&scene.mechanism, construction),
             step: if several { SMALL_STEP } else { 1.0 },
             clear: clear.collect(),
+            loose,
         })
     }
 
@@ -82,7 +92,8 @@ impl<'a> Base<'a> {
         let mut answers = Vec::new();
         for (index, (asked, reading)) in scene.mechanism.asked.iter().zip(&construction.answers).enumerate() {
             let Some(hand) = hand.get(index) else { continue };
-            let numbers = answer::numbers(index, asked, &reading.answer, hand);
+            let worth = Worth::of(&scene, asked, terms.max_tolerance);
+            let numbers = answer::numbers(index, asked, &reading.answer, hand, worth);
             if numbers.is_empty() {
                 return Err(Flaw::Undetermined { name: asked.name.clone() });
             }
@@ -92,6 +103,9 @@ impl<'a> Base<'a> {
             }
             if self.clear.get(index) == Some(&true) && answer::size(&reading.answer) < CLEAR * slip {
                 return Err(Flaw::Drowned { name: asked.name.clone() });
+            }
+            if self.loose.get(index) == Some(&false) && numbers.iter().any(|n| n.loose.is_some()) {
+                return Err(Flaw::Loose { name: asked.name.clone() });
             }
             answers.extend(numbers);
         }

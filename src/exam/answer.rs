@@ -2,6 +2,8 @@
 
 use crate::graphical::HandError;
 use crate::mechanism::quantity::{Answer, Asked, Quantity};
+use crate::mechanism::{LinkId, Path, Rider};
+use crate::scene::Scene;
 use crate::sheet::Part;
 
 /// Three significant figures are asked for, as on the sheet: a number that is right to them is right.
@@ -24,7 +26,16 @@ pub struct KeyAnswer {
     pub value: f64,
     /// By how much an answer may be off, in the unit.
     pub tolerance: f64,
+    /// What a careful hand may be off, where that is more than is allowed.
+    pub loose: Option<f64>,
+    /// What it is worth.
+    pub weight: f64,
 }
+
+/// Of what a vector is worth so much is its direction where only its sense is left to choose.
+const SENSE: f64 = 0.25;
+/// Who has a rotation with the wrong sense has so much of it right, percent.
+pub(super) const WITHOUT_SENSE: f64 = 75.0;
 
 impl KeyAnswer {
     /// The number as it is printed: two figures finer than its tolerance.
@@ -39,15 +50,23 @@ impl KeyAnswer {
         fixed(self.tolerance, self.tolerance, 2)
     }
 
-    /// Every way to write the right number: a direction may be counted from −180° or from 0°.
+    /// Every way to write the right number: a direction is the same a turn later or earlier, so that within its
+    /// tolerance 359.5° is 0° and −180° is 180°.
     #[must_use]
     pub fn spellings(&self) -> Vec<String> {
         let mut all = vec![self.printed()];
         if self.part == Part::Direction {
-            let other = if self.value < 0.0 { self.value + 360.0 } else { self.value - 360.0 };
-            all.push(fixed(other, self.tolerance, 2));
+            all.extend([360.0, -360.0].map(|turn| fixed(self.value + turn, self.tolerance, 2)));
         }
         all
+    }
+
+    /// The same number with the opposite sense, where it is a rotation that has one.
+    #[must_use]
+    pub fn opposite(&self) -> Option<String> {
+        let turns =
+            self.part == Part::Value && (self.unit.starts_with("rad/") || self.unit.starts_with("rpm"));
+        (turns && self.value.abs() > 2.0 * self.tolerance).then(|| fixed(-self.value, self.tolerance, 2))
     }
 
     /// Whether another variant's number could pass for this one.
@@ -67,39 +86,97 @@ fn fixed(value: f64, tolerance: f64, figures: i32) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
+/// What the numbers of an answer depend on besides their values.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Worth {
+    /// The marks that the scene states for it.
+    pub(super) marks: Option<f64>,
+    /// Its direction is given but for its sense.
+    pub(super) along_guide: bool,
+    /// No tolerance is a larger part of its value.
+    pub(super) max_tolerance: f64,
+}
+
+impl Worth {
+    pub(super) fn of(scene: &Scene, asked: &Asked, max_tolerance: f64) -> Self {
+        let marks = scene.sheet.marks.iter().find(|(name, _)| *name == asked.name).map(|(_, marks)| *marks);
+        let along_guide = match asked.quantity {
+            Quantity::Velocity(point) | Quantity::Acceleration(point) => {
+                scene.mechanism.slides.iter().any(|slide| {
+                    let rides = matches!(slide.rider, Rider::Pin { point: rider, .. } if rider == point);
+                    let straight = matches!(slide.guide.path, Path::Straight { .. });
+                    rides && straight && slide.guide.link == LinkId::FRAME
+                })
+            }
+            _ => false,
+        };
+        Self { marks, along_guide, max_tolerance }
+    }
+}
+
 /// The numbers of an answer; none where it has no number or cannot be drawn by hand.
-pub(super) fn numbers(index: usize, asked: &Asked, answer: &Answer, hand: &HandError) -> Vec<KeyAnswer> {
+pub(super) fn numbers(
+    index: usize,
+    asked: &Asked,
+    answer: &Answer,
+    hand: &HandError,
+    worth: Worth,
+) -> Vec<KeyAnswer> {
     let Some(slip) = hand.tolerance() else { return Vec::new() };
     let si = asked.unit.si;
-    let number = |part, unit: &str, value: f64, tolerance: f64| KeyAnswer {
+    let number = |part, unit: &str, value: f64, (honest, most): (f64, f64), weight: f64| KeyAnswer {
         name: asked.name.clone(),
         asked: index,
         part,
         unit: unit.to_owned(),
         value,
-        tolerance,
+        tolerance: honest.min(most),
+        loose: (honest > most).then_some(honest),
+        weight,
     };
-    let in_unit = |part, value: f64| {
+    let in_unit = |part, value: f64, most: f64, weight: f64| {
         let value = value / si;
-        number(part, &asked.unit.symbol, value, f64::max(slip / si, THREE_FIGURES * value.abs()))
+        let honest = f64::max(slip / si, THREE_FIGURES * value.abs());
+        number(part, &asked.unit.symbol, value, (honest, most * value.abs()), weight)
     };
+    let cap = worth.max_tolerance;
     match answer {
-        Answer::Scalar { value, .. } => vec![in_unit(Part::Value, *value)],
+        Answer::Scalar { value, .. } => vec![in_unit(Part::Value, *value, cap, worth.marks.unwrap_or(1.0))],
         Answer::Vector { value: [x, y], .. } => {
+            let whole = worth.marks.unwrap_or(2.0);
             if let Quantity::Position(_) | Quantity::Centre(..) = asked.quantity {
-                return vec![in_unit(Part::X, *x), in_unit(Part::Y, *y)];
+                // A place has an origin that nobody reads it from.
+                let half = whole / 2.0;
+                return vec![
+                    in_unit(Part::X, *x, f64::INFINITY, half),
+                    in_unit(Part::Y, *y, f64::INFINITY, half),
+                ];
             }
             let size = libm::hypot(*x, *y);
             let turn = libm::asin(if size > slip { slip / size } else { 1.0 }).to_degrees();
+            let most = libm::asin(cap.min(1.0)).to_degrees().max(HALF_DEGREE);
             let direction = libm::atan2(*y, *x).to_degrees();
+            let part = if worth.along_guide { SENSE } else { 0.5 };
             vec![
-                in_unit(Part::Magnitude, size),
-                number(Part::Direction, "deg", direction, turn.max(HALF_DEGREE)),
+                in_unit(Part::Magnitude, size, cap, (1.0 - part) * whole),
+                number(Part::Direction, "deg", direction, (turn.max(HALF_DEGREE), most), part * whole),
             ]
         }
         Answer::AtInfinity { .. } | Answer::Indeterminate(_) => Vec::new(),
     }
 }
+
+/// Whole numbers in the ratio of the weights, as small as they can be; as near as whole numbers come where they are odd.
+pub(super) fn whole_weights(weights: &[f64]) -> Vec<u32> {
+    let times = |k: u32| weights.iter().map(move |w| w * f64::from(k));
+    let whole = |k: &u32| times(*k).all(|w| (w - libm::round(w)).abs() < 1e-6 && w > 0.5);
+    let k = (1..=MOST_PARTS).find(whole).unwrap_or(MOST_PARTS);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "marks are few")]
+    times(k).map(|w| libm::round(w).clamp(1.0, 1e6) as u32).collect()
+}
+
+/// Marks are told in parts no smaller than this.
+const MOST_PARTS: u32 = 24;
 
 /// The size of an answer, SI: what its slip is compared with.
 pub(super) fn size(answer: &Answer) -> f64 {
@@ -115,7 +192,16 @@ mod tests {
     use super::*;
 
     fn answer(part: Part, value: f64, tolerance: f64) -> KeyAnswer {
-        KeyAnswer { name: "v(B)".to_owned(), asked: 0, part, unit: "deg".to_owned(), value, tolerance }
+        KeyAnswer {
+            name: "v(B)".to_owned(),
+            asked: 0,
+            part,
+            unit: "deg".to_owned(),
+            value,
+            tolerance,
+            loose: None,
+            weight: 1.0,
+        }
     }
 
     #[test]
@@ -128,10 +214,35 @@ mod tests {
     }
 
     #[test]
-    fn a_direction_has_two_spellings_and_wraps() {
-        assert_eq!(answer(Part::Direction, -10.0, 1.0).spellings(), ["-10", "350"]);
-        assert_eq!(answer(Part::Direction, 170.0, 1.0).spellings(), ["170", "-190"]);
+    fn a_direction_is_the_same_a_turn_later_and_earlier() {
+        assert_eq!(answer(Part::Direction, -10.0, 1.0).spellings(), ["-10", "350", "-370"]);
+        assert_eq!(answer(Part::Direction, 170.0, 1.0).spellings(), ["170", "530", "-190"]);
+        // 359.5 for 0: within the tolerance of one of them.
+        let accepted = |value: f64, given: f64| {
+            let key = answer(Part::Direction, value, 0.5);
+            key.spellings().iter().any(|s| (s.parse::<f64>().unwrap() - given).abs() <= 0.5)
+        };
+        assert!(
+            accepted(0.0, 359.5) && accepted(0.0, -0.5) && accepted(180.0, -179.6) && !accepted(0.0, 180.0)
+        );
         assert!(answer(Part::Direction, 179.5, 1.1).alike(&answer(Part::Direction, -179.5, 1.0)));
         assert!(!answer(Part::Value, 179.5, 1.1).alike(&answer(Part::Value, -179.5, 1.0)));
+    }
+    #[test]
+    fn weights_are_whole_numbers_in_their_ratio() {
+        assert_eq!(whole_weights(&[1.0, 1.0]), [1, 1]);
+        assert_eq!(whole_weights(&[1.5, 0.5, 1.0]), [3, 1, 2]);
+        assert_eq!(whole_weights(&[2.25, 0.75, 1.0]), [9, 3, 4]);
+        assert_eq!(whole_weights(&[4.0, 2.0]), [4, 2]);
+    }
+
+    #[test]
+    fn a_sense_alone_is_worth_less_than_a_magnitude() {
+        let mut rate = answer(Part::Value, -5.84, 0.1);
+        rate.unit = "rad/s".to_owned();
+        assert_eq!(rate.opposite().as_deref(), Some("5.84"));
+        rate.tolerance = 3.0;
+        assert_eq!(rate.opposite(), None);
+        assert_eq!(answer(Part::Direction, -5.84, 0.1).opposite(), None);
     }
 }

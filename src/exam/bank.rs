@@ -23,36 +23,40 @@ pub struct Item<'a> {
     pub variant: &'a Variant,
     /// Its figure, an SVG that states what is given and what is asked.
     pub figure: String,
+    /// The sheet of its solution, an SVG: told after an attempt.
+    pub solution: String,
     /// What each number of the answer is, as hypertext.
     pub prompts: Vec<String>,
 }
 
 impl<'a> Bank<'a> {
-    /// The questions of `scene` with their figures; `figures` are the [cards](super::card) of the variants.
+    /// The questions of `scene` with their figures; `figures` are the [cards](super::card) and the
+    /// [solutions](super::solution) of the variants.
     ///
     /// # Errors
     /// Where this build cannot write an SVG of these options.
     pub fn new(
         scene: &Scene,
         language: Language,
-        figures: Vec<(&'a Variant, Figure)>,
+        figures: Vec<(&'a Variant, [Figure; 2])>,
         options: &Options,
     ) -> Result<Self, RenderError> {
         let words = language.words();
-        let title = scene.title.in_language(words.tag).unwrap_or(words.untitled).to_owned();
-        let item = |(variant, figure): (&'a Variant, Figure)| {
-            let bytes = render::render(&figure, Format::Svg, options)?;
+        let title = scene.title.in_language(words.tag).unwrap_or(words.untitled);
+        let title = if words.right_to_left { isolated(title) } else { title.to_owned() };
+        let item = |(variant, figures): (&'a Variant, [Figure; 2])| {
+            let svg = |figure: &Figure| {
+                let bytes = render::render(figure, Format::Svg, options)?;
+                Ok::<_, RenderError>(String::from_utf8_lossy(&bytes).into_owned())
+            };
+            let [figure, solution] = [svg(&figures[0])?, svg(&figures[1])?];
             let asked = &variant.scene.mechanism.asked;
             let prompts = variant
                 .answers
                 .iter()
                 .map(|answer| harmless(&prompt(&variant.scene, &asked[answer.asked], answer.part, language)))
                 .collect();
-            Ok::<_, RenderError>(Item {
-                variant,
-                figure: String::from_utf8_lossy(&bytes).into_owned(),
-                prompts,
-            })
+            Ok::<_, RenderError>(Item { variant, figure, solution, prompts })
         };
         let items = figures.into_iter().map(item).collect::<Result<_, _>>()?;
         Ok(Self { title, language, items })
@@ -60,13 +64,44 @@ impl<'a> Bank<'a> {
 
     /// The name of a question.
     pub(super) fn name(&self, item: &Item<'_>) -> String {
-        format!("{} · {}", self.title, item.variant.name())
+        let number = item.variant.name();
+        let number = if self.language.words().right_to_left { isolated(&number) } else { number };
+        format!("{} · {number}", self.title)
     }
 
     /// The attributes of an element that holds text of this language.
     pub(super) fn direction(&self) -> &'static str {
         if self.language.words().right_to_left { "rtl" } else { "ltr" }
     }
+}
+
+/// Plain text of Arabic script: each number in it (3-1, 2.5, 007) stands as one from left to right. Viewers would set its
+/// parts the other way round after a word from right to left.
+fn isolated(text: &str) -> String {
+    let digit = |c: char| c.is_ascii_digit();
+    let joins = |c: char| matches!(c, '-' | '.' | ':' | '/' | ',');
+    let characters: Vec<char> = text.chars().collect();
+    let mut out = String::with_capacity(text.len() + 8);
+    let mut at = 0;
+    while at < characters.len() {
+        if !digit(characters[at]) {
+            out.push(characters[at]);
+            at += 1;
+            continue;
+        }
+        let mut end = at + 1;
+        while end < characters.len()
+            && (digit(characters[end])
+                || (joins(characters[end]) && characters.get(end + 1).is_some_and(|c| digit(*c))))
+        {
+            end += 1;
+        }
+        out.push('\u{2066}');
+        out.extend(&characters[at..end]);
+        out.push('\u{2069}');
+        at = end;
+    }
+    out
 }
 
 /// Text inside an element or an attribute.
@@ -113,4 +148,16 @@ const fn allowed(c: char) -> char {
 /// A unit as people write it.
 pub(super) fn unit(symbol: &str) -> String {
     escaped(&symbol.replace("^2", "²").replace('*', "·").replace("deg", "°"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::isolated;
+
+    #[test]
+    fn numbers_stay_whole_in_arabic_script() {
+        assert_eq!(isolated("مسألة 3-1: ذراع"), "مسألة \u{2066}3-1\u{2069}: ذراع");
+        assert_eq!(isolated("2.5 و 7."), "\u{2066}2.5\u{2069} و \u{2066}7\u{2069}.");
+        assert_eq!(isolated("بلا"), "بلا");
+    }
 }

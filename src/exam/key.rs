@@ -8,7 +8,7 @@ use crate::scene::Scene;
 /// One line per number to be handed in.
 #[must_use]
 pub fn csv(variants: &[Variant]) -> String {
-    let mut out = String::from("variant,quantity,part,unit,answer,tolerance\n");
+    let mut out = String::from("variant,quantity,part,unit,answer,tolerance,marks\n");
     for variant in variants {
         for answer in &variant.answers {
             let fields = [
@@ -18,12 +18,32 @@ pub fn csv(variants: &[Variant]) -> String {
                 field(&answer.unit),
                 answer.printed(),
                 answer.printed_tolerance(),
+                weight(answer.weight),
             ];
             out.push_str(&fields.join(","));
             out.push('\n');
         }
     }
     out
+}
+
+/// The table into which a student's answers to a variant are typed, with empty boxes; `grade` reads it, and takes an
+/// empty box for a question that was not answered.
+#[must_use]
+pub fn answers_csv(variant: &Variant) -> String {
+    let mut out = format!("student,\nvariant,{}\nquantity,value,x,y,unit,sense,direction\n", variant.name());
+    for asked in &variant.scene.mechanism.asked {
+        if variant.answers.iter().any(|answer| answer.name == asked.name) {
+            out.push_str(&format!("{},,,,{},,\n", field(&asked.name), field(&asked.unit.symbol)));
+        }
+    }
+    out
+}
+
+/// Marks as people write them.
+fn weight(value: f64) -> String {
+    let text = format!("{value:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A field, in quotes where it has a comma or a quote.
@@ -42,6 +62,7 @@ pub fn json(scene: &Scene, terms: &Terms, variants: &[Variant]) -> Value {
         json!({
             "quantity": a.name, "part": a.part.name(), "unit": a.unit,
             "answer": a.value, "tolerance": a.tolerance, "printed": a.printed(),
+            "marks": a.weight, "loose": a.loose,
         })
     };
     let numbers = |variant: &Variant| -> Map<String, Value> {
@@ -61,6 +82,7 @@ pub fn json(scene: &Scene, terms: &Terms, variants: &[Variant]) -> Value {
         "scene": scene.title.in_language("en"),
         "seed": terms.seed,
         "hand": { "length_mm": terms.hand.length, "angle_deg": terms.hand.angle.to_degrees() },
+        "max_tolerance": terms.max_tolerance,
         "variants": variants,
     })
 }

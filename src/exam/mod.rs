@@ -21,7 +21,7 @@ use std::fmt;
 
 pub use answer::KeyAnswer;
 pub use bank::Bank;
-pub use key::{csv, json};
+pub use key::{answers_csv, csv, json};
 pub use moodle::{cloze, numerical};
 pub use qti::{QtiError, package};
 
@@ -54,6 +54,9 @@ pub struct Terms {
     pub flattest: f64,
     /// The hand of the students, by which the tolerances are found.
     pub hand: Hand,
+    /// No tolerance is a larger part of its value; what a careful hand may be off by more is not asked, unless the
+    /// scene itself asks it.
+    pub max_tolerance: f64,
 }
 
 /// A variant of the scene.
@@ -117,6 +120,11 @@ pub enum Flaw {
         /// The name of the quantity.
         name: String,
     },
+    /// A careful hand may be off by more than is allowed, though not in the scene itself.
+    Loose {
+        /// The name of the quantity.
+        name: String,
+    },
     /// At the stated scales it is larger than the paper.
     OffPage,
     /// The two solvers do not agree within their bounds.
@@ -139,6 +147,7 @@ impl Flaw {
             Self::Undetermined { .. } => "leave an asked quantity undetermined",
             Self::NotByHand { .. } => "cannot be drawn by every careful hand",
             Self::Drowned { .. } => "have an answer within the slip of a careful hand",
+            Self::Loose { .. } => "have an answer that no tolerance suits",
             Self::OffPage => "do not fit the page at the stated scales",
             Self::Disagrees => "are not confirmed by the analytic solver",
             Self::Alike { .. } => "have the answers of another variant, within tolerance",
@@ -150,9 +159,10 @@ impl Flaw {
         match self {
             Self::NoScene { what } => Some(what.clone()),
             Self::Flat { degrees } => Some(format!("{degrees:.1}°")),
-            Self::Undetermined { name } | Self::NotByHand { name } | Self::Drowned { name } => {
-                Some(name.clone())
-            }
+            Self::Undetermined { name }
+            | Self::NotByHand { name }
+            | Self::Drowned { name }
+            | Self::Loose { name } => Some(name.clone()),
             Self::Alike { variant } => Some(format!("variant {}", name(*variant))),
             Self::CannotAssemble | Self::OtherAssembly | Self::OffPage | Self::Disagrees => None,
         }
@@ -359,4 +369,16 @@ pub fn solution(scene: &Scene, language: Language) -> Result<Figure, NotConfirme
     let solved = confirmed(scene, sheet::scale::for_scene)?;
     let figure = sheet::solution(scene, &solved.solution.construction, language);
     Ok(with_what_is_missing(figure, scene, &solved, language))
+}
+
+/// The sheet on which students write their answers, a box for every number of the key; it is the same for all variants.
+#[must_use]
+pub fn form(scene: &Scene, variant: &Variant, language: Language) -> Figure {
+    let asked = &variant.scene.mechanism.asked;
+    let numbers: Vec<_> = variant
+        .answers
+        .iter()
+        .filter_map(|answer| Some((asked.get(answer.asked)?, answer.part, answer.unit.clone())))
+        .collect();
+    sheet::answer_form(scene, &numbers, language)
 }

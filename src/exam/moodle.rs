@@ -4,6 +4,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use super::answer::{WITHOUT_SENSE, whole_weights};
 use super::bank::{Bank, Item, escaped, unit};
 use super::{KeyAnswer, Variant};
 use crate::sheet::Part;
@@ -27,10 +28,13 @@ fn numerical_of(bank: &Bank<'_>, index: usize) -> String {
             let body =
                 format!("{}<p><strong>{prompt}</strong> = ? {}</p>", figure(bank, item), unit(&answer.unit));
             out.push_str("  <question type=\"numerical\">\n");
-            out.push_str(&common(bank, item, &format!("{} · {}", bank.name(item), label(answer)), &body));
-            for spelling in answer.spellings() {
+            let name = format!("{} · {}", bank.name(item), label(answer));
+            let feedback = Feedback::Number(answer, prompt);
+            out.push_str(&common(bank, item, &name, &body, answer.weight, feedback));
+            let right = answer.spellings().into_iter().map(|spelling| (100.0, spelling));
+            for (fraction, spelling) in right.chain(answer.opposite().map(|other| (WITHOUT_SENSE, other))) {
                 out.push_str(&format!(
-                    "    <answer fraction=\"100\" format=\"moodle_auto_format\">\n      <text>{spelling}</text>\n      \
+                    "    <answer fraction=\"{fraction}\" format=\"moodle_auto_format\">\n      <text>{spelling}</text>\n      \
                      <feedback format=\"html\"><text></text></feedback>\n      <tolerance>{}</tolerance>\n    </answer>\n",
                     answer.printed_tolerance()
                 ));
@@ -53,22 +57,35 @@ pub fn cloze(bank: &Bank<'_>) -> String {
     for item in &bank.items {
         let mut body = figure(bank, item);
         body.push_str("<ul>");
-        for (answer, prompt) in item.variant.answers.iter().zip(&item.prompts) {
-            body.push_str(&format!("<li>{prompt}: {} {}</li>", field(answer), unit(&answer.unit)));
+        let weights: Vec<f64> = item.variant.answers.iter().map(|answer| answer.weight).collect();
+        let weights = whole_weights(&weights);
+        let total: u32 = weights.iter().sum();
+        for ((answer, prompt), weight) in item.variant.answers.iter().zip(&item.prompts).zip(weights) {
+            body.push_str(&format!("<li>{prompt}: {} {}</li>", field(answer, weight), unit(&answer.unit)));
         }
         body.push_str("</ul>");
         out.push_str("  <question type=\"cloze\">\n");
-        out.push_str(&common(bank, item, &bank.name(item), &body));
+        out.push_str(&common(bank, item, &bank.name(item), &body, f64::from(total), Feedback::Sheet));
         out.push_str("  </question>\n");
     }
     out + "</quiz>\n"
 }
 
-/// `{1:NUMERICAL:=175.3:2.3}`; every spelling of a direction earns all.
-fn field(answer: &KeyAnswer) -> String {
+/// `{1:NUMERICAL:=175.3:2.3}`; every spelling of a direction earns all, a rotation with the wrong sense a part.
+fn field(answer: &KeyAnswer, weight: u32) -> String {
     let tolerance = answer.printed_tolerance();
-    let right: Vec<String> = answer.spellings().iter().map(|s| format!("={s}:{tolerance}")).collect();
-    format!("{{1:NUMERICAL:{}}}", right.join("~"))
+    let mut right: Vec<String> = answer.spellings().iter().map(|s| format!("={s}:{tolerance}")).collect();
+    right.extend(answer.opposite().map(|other| format!("%{WITHOUT_SENSE}%{other}:{tolerance}")));
+    format!("{{{weight}:NUMERICAL:{}}}", right.join("~"))
+}
+
+/// What is told after an attempt.
+#[derive(Clone, Copy)]
+enum Feedback<'a> {
+    /// The right number.
+    Number(&'a KeyAnswer, &'a str),
+    /// The whole solution.
+    Sheet,
 }
 
 /// The name of a number: `v(B)`, `v(B) direction`.
@@ -110,19 +127,63 @@ fn figure(bank: &Bank<'_>, item: &Item<'_>) -> String {
     )
 }
 
+fn solution_name(variant: &Variant) -> String {
+    format!("{}.solution.svg", variant.name())
+}
+
+/// What is told after an attempt: the right numbers, and of a whole question the sheet of the solution.
+fn feedback(bank: &Bank<'_>, item: &Item<'_>, which: Feedback<'_>) -> String {
+    let line = |answer: &KeyAnswer, prompt: &str| {
+        format!("<li>{prompt} = <bdi dir=\"ltr\">{} {}</bdi></li>", answer.printed(), unit(&answer.unit))
+    };
+    let (lines, figure): (String, bool) = match which {
+        Feedback::Number(answer, prompt) => (line(answer, prompt), false),
+        Feedback::Sheet => {
+            let pairs = item.variant.answers.iter().zip(&item.prompts);
+            (pairs.map(|(answer, prompt)| line(answer, prompt)).collect(), true)
+        }
+    };
+    let words = bank.language.words();
+    let mut text = format!("<div dir=\"{}\" lang=\"{}\"><ul>{lines}</ul>", bank.direction(), words.tag);
+    let mut file = String::new();
+    if figure {
+        let name = solution_name(item.variant);
+        text.push_str(&format!(
+            "<p><img src=\"@@PLUGINFILE@@/{name}\" alt=\"{}\" class=\"img-fluid\"/></p>",
+            escaped(words.results)
+        ));
+        file = format!(
+            "\n      <file name=\"{name}\" path=\"/\" encoding=\"base64\">{}</file>",
+            STANDARD.encode(&item.solution)
+        );
+    }
+    text.push_str("</div>");
+    format!(
+        "    <generalfeedback format=\"html\">\n      <text><![CDATA[{}]]></text>{file}\n    </generalfeedback>\n",
+        text.replace("]]>", "]]]]><![CDATA[>")
+    )
+}
+
 /// What questions of both types have.
-fn common(bank: &Bank<'_>, item: &Item<'_>, name: &str, body: &str) -> String {
+fn common(
+    bank: &Bank<'_>,
+    item: &Item<'_>,
+    name: &str,
+    body: &str,
+    grade: f64,
+    told: Feedback<'_>,
+) -> String {
     let body =
         format!("<div dir=\"{}\" lang=\"{}\">{body}</div>", bank.direction(), bank.language.words().tag);
     format!(
         "    <name><text>{}</text></name>\n    <questiontext format=\"html\">\n      <text><![CDATA[{}]]></text>\n      \
-         <file name=\"{}\" path=\"/\" encoding=\"base64\">{}</file>\n    </questiontext>\n    \
-         <generalfeedback format=\"html\"><text></text></generalfeedback>\n    \
-         <defaultgrade>1</defaultgrade>\n    <penalty>0.3333333</penalty>\n    <hidden>0</hidden>\n    \
+         <file name=\"{}\" path=\"/\" encoding=\"base64\">{}</file>\n    </questiontext>\n{}    \
+         <defaultgrade>{grade}</defaultgrade>\n    <penalty>0.3333333</penalty>\n    <hidden>0</hidden>\n    \
          <idnumber></idnumber>\n",
         escaped(name),
         body.replace("]]>", "]]]]><![CDATA[>"),
         file_name(item.variant),
         STANDARD.encode(&item.figure),
+        feedback(bank, item, told),
     )
 }

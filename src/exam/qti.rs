@@ -9,6 +9,7 @@ use thiserror::Error;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
+use super::answer::WITHOUT_SENSE;
 use super::bank::{Bank, Item, escaped, unit};
 
 /// Why no package was written.
@@ -41,6 +42,7 @@ pub fn package(bank: &Bank<'_>) -> Result<Vec<u8>, QtiError> {
         let name = item.variant.name();
         put(&format!("items/{name}.xml"), &assessment_item(bank, item))?;
         put(&format!("figures/{name}.svg"), &item.figure)?;
+        put(&format!("solutions/{name}.svg"), &item.solution)?;
     }
     Ok(zip.finish()?.into_inner())
 }
@@ -50,7 +52,7 @@ fn manifest(bank: &Bank<'_>) -> String {
         let name = item.variant.name();
         format!(
             "    <resource identifier=\"item-{name}\" type=\"imsqti_item_xmlv2p1\" href=\"items/{name}.xml\">\n      \
-             <file href=\"items/{name}.xml\"/>\n      <file href=\"figures/{name}.svg\"/>\n    </resource>\n"
+             <file href=\"items/{name}.xml\"/>\n      <file href=\"figures/{name}.svg\"/>\n      <file href=\"solutions/{name}.svg\"/>\n    </resource>\n"
         )
     };
     let resources: String = bank.items.iter().map(resource).collect();
@@ -88,27 +90,49 @@ fn assessment_item(bank: &Bank<'_>, item: &Item<'_>) -> String {
         };
         let tests: Vec<String> = answer.spellings().iter().map(equal).collect();
         let test = if tests.len() == 1 { tests.concat() } else { format!("<or>{}</or>", tests.concat()) };
+        let earns = |marks: f64| {
+            format!(
+                "<setOutcomeValue identifier=\"SCORE\"><sum><variable identifier=\"SCORE\"/><baseValue \
+                 baseType=\"float\">{marks}</baseValue></sum></setOutcomeValue>"
+            )
+        };
+        // A rotation with the wrong sense has its magnitude right.
+        let otherwise = answer.opposite().map_or_else(String::new, |other| {
+            format!(
+                "      <responseElseIf>\n        {}\n        {}\n      </responseElseIf>\n",
+                equal(&other),
+                earns(answer.weight * WITHOUT_SENSE / 100.0)
+            )
+        });
         conditions.push_str(&format!(
-            "    <responseCondition>\n      <responseIf>\n        {test}\n        \
-             <setOutcomeValue identifier=\"SCORE\"><sum><variable identifier=\"SCORE\"/><baseValue \
-             baseType=\"float\">1</baseValue></sum></setOutcomeValue>\n      </responseIf>\n    \
-             </responseCondition>\n"
+            "    <responseCondition>\n      <responseIf>\n        {test}\n        {}\n      </responseIf>\n{otherwise}    \
+             </responseCondition>\n",
+            earns(answer.weight)
         ));
     }
     let name = item.variant.name();
-    let points = item.variant.answers.len();
+    let points: f64 = item.variant.answers.iter().map(|answer| answer.weight).sum();
+    // The solution is shown once the answers are in.
+    conditions.push_str(
+        "    <setOutcomeValue identifier=\"FEEDBACK\"><baseValue \
+         baseType=\"identifier\">solution</baseValue></setOutcomeValue>\n",
+    );
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <assessmentItem xmlns=\"http://www.imsglobal.org/xsd/imsqti_v2p1\" identifier=\"item-{name}\" \
          title=\"{}\" adaptive=\"false\" timeDependent=\"false\" xml:lang=\"{}\">\n{declarations}  \
          <outcomeDeclaration identifier=\"SCORE\" cardinality=\"single\" baseType=\"float\" \
          normalMaximum=\"{points}\">\n    <defaultValue><value>0</value></defaultValue>\n  </outcomeDeclaration>\n  \
+         <outcomeDeclaration identifier=\"FEEDBACK\" cardinality=\"single\" baseType=\"identifier\"/>\n  \
          <itemBody>\n    <div>\n      <p>{}</p>\n      <p><img src=\"../figures/{name}.svg\" alt=\"{}\"/></p>\n\
-         {fields}    </div>\n  </itemBody>\n  <responseProcessing>\n{conditions}  </responseProcessing>\n\
+         {fields}    </div>\n  </itemBody>\n  <responseProcessing>\n{conditions}  </responseProcessing>\n  \
+         <modalFeedback outcomeIdentifier=\"FEEDBACK\" identifier=\"solution\" showHide=\"show\">\n    \
+         <p><img src=\"../solutions/{name}.svg\" alt=\"{}\"/></p>\n  </modalFeedback>\n\
          </assessmentItem>\n",
         escaped(&bank.name(item)),
         words.tag,
         escaped(words.by_drawing),
         escaped(words.question),
+        escaped(words.results),
     )
 }

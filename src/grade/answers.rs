@@ -10,8 +10,19 @@ use crate::scene::json::{self, Entry, Fields, Kind, Value};
 use crate::scene::units::{Measure, Scale, Scales, Words, drawing_scale, number};
 use crate::scene::{Diagnostic, Scene};
 
-const ANSWERS: &[&str] =
-    &["$schema", "student", "units", "values", "scales", "lengths", "points", "scan", "drawing", "tolerance"];
+const ANSWERS: &[&str] = &[
+    "$schema",
+    "student",
+    "variant",
+    "units",
+    "values",
+    "scales",
+    "lengths",
+    "points",
+    "scan",
+    "drawing",
+    "tolerance",
+];
 const SCALES: &[&str] = &["length", "velocity", "acceleration"];
 const FIGURES: &[&str] = &["velocity", "acceleration", "skeleton"];
 const VALUE: &[&str] = &["value", "magnitude", "direction", "sense", "components", "unit"];
@@ -99,6 +110,9 @@ pub struct FigurePoints {
     pub order: Order,
     /// Name, place, and where it stands in the file.
     pub points: Vec<(String, [f64; 2], usize)>,
+    /// Two points each (by their index) whose letters stand beside one mark of a drawing, which nothing but the right
+    /// solution can tell to be both.
+    pub shared: Vec<[usize; 2]>,
 }
 
 /// By how much an answer may be off.
@@ -227,6 +241,7 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
         |key: &str, what: &str| fields.get(key).map(|value| value.text(what).map(str::to_owned)).transpose();
     text("$schema", "the address of the schema")?;
     answers.student = text("student", "a name, as text")?;
+    text("variant", "the number of a variant, as text")?;
     answers.drawing = text("drawing", "the name of an SVG file")?;
     answers.drawing_at = fields.get("drawing").map_or(0, |value| value.at);
     let scales = Scales::read(fields.get("units"), Some(&scene.units))?;
@@ -529,7 +544,7 @@ fn figure(key: &str, value: &Value<'_>, scan: Option<Scan>) -> Res<FigurePoints>
         on_paper(place[1], value.at)?;
         points.push((key.clone(), place, *at));
     }
-    Ok(FigurePoints { order: order_of(key).unwrap_or(Order::Velocity), points })
+    Ok(FigurePoints { order: order_of(key).unwrap_or(Order::Velocity), points, shared: Vec::new() })
 }
 
 /// `tolerance`: the hand, or a tolerance by name.

@@ -241,6 +241,31 @@ impl<'s> Case<'s> {
             };
             found.push((name, at, *target));
         }
+        for pair in &figure.shared {
+            let place = |index: usize| -> Option<[f64; 2]> {
+                match found.get(index)?.2 {
+                    Target::Image(_, Label::Pole) => Some([0.0; 2]),
+                    Target::Image(order, label) => {
+                        let images = &polygon(&self.right.construction, order)?.images;
+                        images.iter().rev().find(|image| image.label == label).map(|image| image.at)
+                    }
+                    Target::Place(point) => self.right.construction.space.places[point.0],
+                    Target::Asked(_) => None,
+                }
+            };
+            let [one, other] = pair.map(place);
+            let one_point =
+                one.zip(other).is_some_and(|(a, b)| libm::hypot(a[0] - b[0], a[1] - b[1]) <= ONE_POINT);
+            if !one_point {
+                let [one, other] = pair.map(|index| figure.points.get(index).map_or("", |(name, ..)| name));
+                let at = figure.points.get(pair[0]).map_or(0, |(.., at)| *at);
+                let what = format!("`{one}` and `{other}` stand beside one mark");
+                let mend = format!(
+                    "give each a dot of its own, or write `{one}, {other}` in one text if they are one point"
+                );
+                return Err(GradeError::Answers(answers.complain(at, what, Some(mend))));
+            }
+        }
         let onto = self.onto_figure(order, &found).ok_or_else(|| {
             let place = figure.points.first().map_or(0, |(.., place)| *place);
             let (what, mend) = match order {
@@ -497,11 +522,12 @@ impl<'s> Case<'s> {
     }
 
     fn misread(&self, observation: &Observation, reading: Misreading, numbers: &mut [f64]) {
-        // A scale that is wrong as a whole shows in the points of the figure too.
-        if let (Target::Image(order, _), Misreading::Twisted { of, twist }) = (observation.target, reading)
-            && (of == Which::Vectors(order) || of == Which::AllVectors)
+        if let (Target::Image(order, _), Misreading::Enlarged { order: of, factor }) =
+            (observation.target, reading)
         {
-            numbers.iter_mut().for_each(|n| *n *= twist.factor);
+            if of == order {
+                numbers.iter_mut().for_each(|n| *n *= factor);
+            }
             return;
         }
         let Some(quantity) = observation.quantity else { return };
@@ -526,7 +552,8 @@ impl<'s> Case<'s> {
                 let factor = if divided { mm * mm * factor } else { mm * factor };
                 (of, crate::graphical::Twist::scaled(factor))
             }
-            Misreading::MeasuredFrom { .. }
+            Misreading::Enlarged { .. }
+            | Misreading::MeasuredFrom { .. }
             | Misreading::MeasuredTo { .. }
             | Misreading::Backwards { .. }
             | Misreading::InRadians { .. } => return,
@@ -720,6 +747,9 @@ impl<'s> Case<'s> {
         }
     }
 }
+
+/// Two points of the right solution that lie nearer to each other (mm) may have one mark.
+const ONE_POINT: f64 = 1.0;
 
 /// A vector that is longer on paper (mm) is not drawn beside the right one.
 const FARTHEST: f64 = 400.0;

@@ -51,6 +51,8 @@ pub(super) enum Misreading {
     Unscaled { of: Which, factor: f64 },
     /// The length on paper was divided by the scale (in units of the answer per millimetre), times this.
     Divided { of: Which, factor: f64 },
+    /// The points of a figure are multiplied.
+    Enlarged { order: Order, factor: f64 },
     /// The vector was measured from the pole or from another image, instead of from its own tail.
     MeasuredFrom { of: Quantity, tail: Label },
     /// The vector was measured to another image than its own head.

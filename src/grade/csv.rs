@@ -28,6 +28,17 @@ pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answe
             columns = Some(header);
             continue;
         }
+        // Whose answers these are, and to which variant of an exam.
+        if let [(key, _), value @ ..] = &row[..]
+            && matches!(key.to_lowercase().as_str(), "student" | "variant")
+            && value.len() <= 1
+        {
+            let value = value.first().map_or("", |(text, _)| text.as_str());
+            if key.eq_ignore_ascii_case("student") && !value.is_empty() {
+                answers.student = Some(value.to_owned());
+            }
+            continue;
+        }
         let Some(columns) = &columns else {
             let fault = Fault::new(first, "neither JSON nor a table with a known header");
             return Err(
@@ -43,6 +54,14 @@ pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answe
         };
         let need =
             |name: &str| field(name).ok_or_else(|| Fault::new(first, format!("this row has no `{name}`")));
+        // A box that was left empty: not answered.
+        if columns.iter().any(|c| c == "quantity") && ["value", "x", "y"].iter().all(|c| field(c).is_none()) {
+            names.quantity(&need("quantity")?.0, first)?;
+            if let Some((_, at)) = field("sense").or_else(|| field("direction")) {
+                return Err(Fault::new(*at, "this row has no `value`"));
+            }
+            continue;
+        }
         if columns.iter().any(|c| c == "quantity") {
             quantity(&need, &field, &names, &scales, &mut answers)?;
         } else {
@@ -154,7 +173,7 @@ fn point<'r>(need: &impl Fn(&str) -> Res<&'r (String, usize)>, answers: &mut Ans
 
 fn figure_of(answers: &mut Answers, order: Order) -> &mut FigurePoints {
     let index = answers.figures.iter().position(|f| f.order == order).unwrap_or_else(|| {
-        answers.figures.push(FigurePoints { order, points: Vec::new() });
+        answers.figures.push(FigurePoints { order, points: Vec::new(), shared: Vec::new() });
         answers.figures.len() - 1
     });
     &mut answers.figures[index]

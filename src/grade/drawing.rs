@@ -30,9 +30,12 @@ const REACH: f64 = 2.5;
 /// What the default style of SVG says.
 const FONT_SIZE_PX: f64 = 16.0;
 
-/// A mark may lie so much farther off (in heights of the letter) if it is a dot and not where lines end, or the end of
-/// several lines and not of one.
-const RANK: f64 = 0.35;
+/// A mark may lie so much farther off (in heights of the letter) if it is a dot and not where lines end: around a joint
+/// are hatchings and guides.
+const DOT_RANK: f64 = 1.0;
+
+/// The same for a place where several lines end against the end of one.
+const END_RANK: f64 = 0.35;
 
 /// Two ways to read the letters that differ by less than this (in heights of a letter) are two ways.
 const DOUBT: f64 = 0.1;
@@ -104,12 +107,14 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
     let marks = marks.gathered();
     let mut figures: Vec<FigurePoints> = Vec::new();
     let mut named: HashMap<(usize, String), [f64; 2]> = HashMap::new();
-    for (letter, mark) in matched(letters, &marks)? {
+    let mut shared: Vec<(usize, String, String)> = Vec::new();
+    for (letter, (mark, rival)) in matched(letters, &marks)? {
         let place = [mark.x, -mark.y];
         let index = figures.iter().position(|f| f.order == letter.order).unwrap_or_else(|| {
-            figures.push(FigurePoints { order: letter.order, points: Vec::new() });
+            figures.push(FigurePoints { order: letter.order, points: Vec::new(), shared: Vec::new() });
             figures.len() - 1
         });
+        shared.extend(rival.map(|rival| (index, letter.text().to_owned(), rival)));
         for name in letter.names {
             match named.entry((index, name)) {
                 Entry::Vacant(free) => {
@@ -124,6 +129,13 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
             }
         }
     }
+    for (index, one, other) in shared {
+        let points = &figures[index].points;
+        let of = |name: &str| points.iter().position(|(known, ..)| known == name);
+        if let (Some(one), Some(other)) = (of(&one), of(&other)) {
+            figures[index].shared.push([one, other]);
+        }
+    }
     if figures.is_empty() {
         let fault = Fault::new(root.range().start, "no letter of this drawing names a point of the scene");
         return Err(fault.mend("write A at a joint, a at its velocity image, a′ at its acceleration image, o and o′ at the poles"));
@@ -131,8 +143,11 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
     Ok(figures)
 }
 
+/// A mark, and the other letter that names it too, where there is one.
+type Named = (Point, Option<String>);
+
 /// The letters with their marks.
-fn matched(mut letters: Vec<Letter>, marks: &[Mark]) -> Res<Vec<(Letter, Point)>> {
+fn matched(mut letters: Vec<Letter>, marks: &[Mark]) -> Res<Vec<(Letter, Named)>> {
     let places: Vec<Point> = marks.iter().map(|mark| mark.at).collect();
     let nearest = Nearest::new(&places);
     // In heights of the letter, the nearest first.
@@ -142,9 +157,9 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark]) -> Res<Vec<(Letter, Point)>
             let rank = if marks[mark].dot {
                 0.0
             } else if marks[mark].lines > 1 {
-                RANK
+                DOT_RANK
             } else {
-                2.0 * RANK
+                DOT_RANK + END_RANK
             };
             (mark, far / letter.height + rank)
         };
@@ -180,14 +195,15 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark]) -> Res<Vec<(Letter, Point)>
     for (index, mark) in given.iter().enumerate() {
         let letter = &letters[index];
         let Some(mark) = *mark else {
-            let rival = costs[index].first().and_then(|(mark, _)| owner.get(mark));
-            let rival = rival.map_or("another letter", |&other| letters[other].text());
-            let what = format!("`{}` and `{rival}` stand beside one mark", letter.text());
-            let mend = format!(
-                "give each a dot of its own, or write `{}, {rival}` in one text if they are one point",
-                letter.text()
-            );
-            return Err(Fault::new(letter.at, what).mend(mend));
+            // Two letters beside one mark: whether they may be one point is seen by the right solution.
+            let nearest = costs[index].first().and_then(|(mark, _)| Some((*mark, *owner.get(mark)?)));
+            let Some((mark, rival)) = nearest.filter(|(_, rival)| letters[*rival].order == letter.order)
+            else {
+                let what = format!("`{}` stands beside a mark of another letter", letter.text());
+                return Err(Fault::new(letter.at, what).mend("give each a dot of its own"));
+            };
+            found.push((marks[mark].at, Some(letters[rival].text().to_owned())));
+            continue;
         };
         let own = cost(index, mark).unwrap_or(0.0);
         for &(other, else_cost) in costs[index].iter().filter(|(other, _)| *other != mark) {
@@ -202,7 +218,7 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark]) -> Res<Vec<(Letter, Point)>
                 return Err(Fault::new(letter.at, what).mend("set it nearer to its own, or draw a dot there"));
             }
         }
-        found.push(marks[mark].at);
+        found.push((marks[mark].at, None));
     }
     Ok(letters.into_iter().zip(found).collect())
 }

@@ -82,6 +82,9 @@ const PAIRED: usize = 6;
 /// What a second mistake costs.
 const SECOND: f64 = 8.0;
 
+/// How much nearer a mistake is that is made at the answer that shows it.
+const AT_HAND: f64 = 0.25;
+
 /// How much a miss, in tolerances, counts.
 fn square(miss: f64) -> f64 {
     (USUAL * miss) * (USUAL * miss)
@@ -158,7 +161,9 @@ impl Judge<'_, '_> {
         let price = unknown.as_ref().map_or(UNKNOWN + MOST, |tried| tried.cost);
         let mut tried = self.weighed(self.tried(&base, &hypotheses, self.drawn));
         tried.retain(|t| t.cost < price);
-        if tried.is_empty() {
+        // Two mistakes fit any one number: there must be more to be explained.
+        let open = self.verdicts.iter().filter(|verdict| verdict.is_none()).count();
+        if tried.is_empty() && open > 1 {
             tried = self.pairs(&base, &hypotheses, price);
         }
         let Some(best) = tried.first() else {
@@ -247,7 +252,9 @@ impl Judge<'_, '_> {
         seen: &[Option<Vec<f64>>],
         tolerances: &[f64],
     ) -> Tried {
-        let mut cost = hypothesis.price;
+        // Of two that explain as much, the one that is made at the answer that shows it.
+        let here = hypothesis.at == self.case.observations[self.first].name;
+        let mut cost = hypothesis.price - if here { AT_HAND } else { 0.0 };
         let mut misses = Vec::with_capacity(seen.len());
         for (index, numbers) in seen.iter().enumerate() {
             let settled = matches!(self.verdicts[index], Some(Verdict::NotChecked));

@@ -247,6 +247,9 @@ impl<'c> List<'c, '_> {
                 let Which::Vectors(order) = of else { continue };
                 let read = Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
                 self.add_so(kind(), at, None, price, read.clone());
+                // Points of the figure that were converted by the same scale.
+                let figure = Change::read(Misreading::Enlarged { order, factor });
+                self.add_so(kind(), at, None, price + 0.5, read.and(&figure));
                 let followed = Change::drawn(vec![Departure::ReadAll { order, factor }]);
                 self.add_so(kind(), at, None, price + 0.5, read.and(&followed));
                 let rates = self.rates_from(of).into_iter().map(|(_, rate)| Misreading::Twisted {
@@ -558,7 +561,7 @@ impl<'c> List<'c, '_> {
                 known.push((reference, along));
             }
         }
-        let price = one_of(2 * known.len()) / 2.0;
+        let price = UNUSUAL + 1.0 + one_of(2 * known.len()) / 2.0;
         for (step, order, claim) in rays {
             let Some(right) = claimed(self.construction, claim) else { continue };
             let at = self.sought(step, order);

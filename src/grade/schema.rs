@@ -54,6 +54,7 @@ pub fn schema() -> Value {
         "properties": {
             "$schema": { "type": "string", "description": "Address of this schema, for editors." },
             "student": { "type": "string" },
+            "variant": { "type": "string", "description": "Of an exam: which variant was solved.", "examples": ["007"] },
             "units": {
                 "type": "object", "additionalProperties": { "type": "string" },
                 "propertyNames": { "enum": ["length", "angle", "time"] },

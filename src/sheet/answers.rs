@@ -1,7 +1,7 @@
 //! What is to be entered for an asked quantity where answers are numbers: in examinations that a machine marks.
 
 use super::notation::Notation;
-use super::words::Language;
+use super::words::{Language, Words};
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::scene::Scene;
 
@@ -41,6 +41,11 @@ pub fn prompt(scene: &Scene, asked: &Asked, part: Part, language: Language) -> S
     let notation = Notation::new(scene, words);
     let symbol = notation.symbol(asked.quantity, false).html();
     let symbol = format!("<bdi dir=\"ltr\">{symbol}</bdi>");
+    prompt_words(words, asked, part).replace("{symbol}", &symbol).replace("{axis}", part.name())
+}
+
+/// The same with its places for symbol and axis open.
+pub(super) fn prompt_words(words: &'static Words, asked: &Asked, part: Part) -> &'static str {
     let turns = matches!(
         asked.quantity,
         Quantity::Omega(_)
@@ -49,14 +54,13 @@ pub fn prompt(scene: &Scene, asked: &Asked, part: Part, language: Language) -> S
             | Quantity::RelativeAlpha(..)
             | Quantity::Angle(_)
     );
-    let template = match part {
+    match part {
         Part::Value if turns => words.answer_rotation,
         Part::Value => "{symbol}",
         Part::Magnitude => words.answer_magnitude,
         Part::Direction => words.answer_direction,
         Part::X | Part::Y => words.answer_coordinate,
-    };
-    template.replace("{symbol}", &symbol).replace("{axis}", part.name())
+    }
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 mod answers;
 mod auxiliary;
 mod bidi;
+mod booklet;
 mod centres;
 mod circle;
 mod compose;
@@ -44,6 +45,7 @@ mod wanted;
 mod words;
 
 pub use answers::{Part, prompt};
+pub use booklet::{answer_form, booklet};
 pub use compose::{
     figure_names, film, paper, question, question_card, single, single_of_question, solution, stack,
     step_by_step,

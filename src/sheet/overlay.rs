@@ -148,13 +148,15 @@ fn draw_arrows(panel: &mut Group, arrows: &[(Mm2, Mm2, Label, bool)], order: Ord
     }
 }
 
-/// Sets a name beside a place, where it touches no other text if there is such a place.
+/// Sets a name beside a place, where it touches no other text if there is such a place, and of these where it lies on the
+/// fewest lines.
 fn name(panel: &mut Group, text: &Rich, at: Point, radius: f64, class: &'static str) {
     let mut taken: Vec<Rect> = Vec::new();
-    panel.walk(&mut |node| {
-        if let Node::Text(text) = node {
-            taken.extend(text.bounds());
-        }
+    let mut lines: Vec<(Point, Point)> = Vec::new();
+    panel.walk(&mut |node| match node {
+        Node::Text(text) => taken.extend(text.bounds()),
+        Node::Mark(Mark { shape: Shape::Line(from, to), .. }) => lines.push((*from, *to)),
+        _ => {}
     });
     let line = text.set(SMALL);
     let ink = line.ink_at(Point::ZERO);
@@ -163,14 +165,16 @@ fn name(panel: &mut Group, text: &Rich, at: Point, radius: f64, class: &'static 
         let middle = at + Vec2::new(libm::cos(angle), libm::sin(angle)) * (radius + off);
         middle - ink.center().to_vec2()
     };
-    let clear = |from: &Point| {
-        let own = ink + from.to_vec2();
-        taken.iter().all(|other| own.inflate(0.3, 0.3).intersect(*other).is_zero_area())
+    let cost = |from: Point| {
+        let own = (ink + from.to_vec2()).inflate(0.3, 0.3);
+        let texts = taken.iter().filter(|other| !own.intersect(**other).is_zero_area()).count();
+        let crosses =
+            |(a, b): &&(Point, Point)| (0..=60).any(|part| own.contains(a.lerp(*b, f64::from(part) / 60.0)));
+        100 * texts + lines.iter().filter(crosses).count()
     };
     let places = OFF.into_iter().flat_map(|off| (0..8).map(move |turn| (off, turn)));
-    let mut places = places.map(|(off, turn)| place(off, turn));
-    let best = places.find(clear).unwrap_or_else(|| place(OFF[0], 0));
-    line.put(panel, best, class);
+    let best = places.map(|(off, turn)| place(off, turn)).min_by_key(|from| cost(*from));
+    line.put(panel, best.unwrap_or_else(|| place(OFF[0], 0)), class);
 }
 
 /// What the lines mean.

@@ -282,6 +282,9 @@ pub struct Words {
     pub unconfirmed: &'static str,
     pub unconfirmed_at_all: &'static str,
     pub left_out: &'static str,
+    // The sheet on which answers are written.
+    pub form_name: &'static str,
+    pub form_variant: &'static str,
 }
 
 const ENGLISH: Words = Words {
@@ -492,6 +495,8 @@ const ENGLISH: Words = Words {
     unconfirmed: "Not confirmed by the independent solver: {what}.",
     unconfirmed_at_all: "Not confirmed by the independent solver.",
     left_out: "Links {links} are not drawn: nothing asked needs them, and they cannot be assembled as stated.",
+    form_name: "Name",
+    form_variant: "Variant",
 };
 
 /// The usage of the Syrian textbooks.
@@ -703,6 +708,8 @@ const ARABIC: Words = Words {
     unconfirmed: "لم يؤكّد الحلّ التحليلي المستقل قيمة {what}.",
     unconfirmed_at_all: "لم يؤكّد الحلّ التحليلي المستقل هذا الرسم.",
     left_out: "لم تُرسم الوصلات {links}: لا يحتاج إليها المطلوب ولا يمكن تجميعها بالمعطيات.",
+    form_name: "الاسم",
+    form_variant: "رقم النموذج",
 };
 
 /// The usage of the Egyptian textbooks.
@@ -914,6 +921,8 @@ const ARABIC_AJALA: Words = Words {
     unconfirmed: "لم يؤكّد الحلّ التحليلي المستقل قيمة {what}.",
     unconfirmed_at_all: "لم يؤكّد الحلّ التحليلي المستقل هذا الرسم.",
     left_out: "لم تُرسم الوصلات {links}: لا يحتاج إليها المطلوب ولا يمكن تجميعها بالمعطيات.",
+    form_name: "الاسم",
+    form_variant: "رقم النموذج",
 };
 
 const PERSIAN: Words = Words {
@@ -1124,4 +1133,6 @@ const PERSIAN: Words = Words {
     unconfirmed: "حل تحلیلی مستقل مقدار {what} را تأیید نکرد.",
     unconfirmed_at_all: "حل تحلیلی مستقل این رسم را تأیید نکرد.",
     left_out: "بندهای {links} رسم نشده‌اند: خواسته‌ها به آن‌ها نیاز ندارند و با این داده‌ها سرهم نمی‌شوند.",
+    form_name: "نام",
+    form_variant: "شمارهٔ برگه",
 };
