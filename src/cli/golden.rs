@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::{Ending, Failure, print, progress};
 use crate::files;
-use crate::golden::{GoldenError, Report, Suite, Verdict, html};
+use crate::golden::{GoldenError, Report, Suite, Verdict, html, junit};
 
 /// What is to be looked at.
 pub(super) struct Job {
@@ -14,7 +14,12 @@ pub(super) struct Job {
     pub(super) names: Vec<String>,
 }
 
-pub(super) fn check(job: &Job, report: Option<&Path>, as_json: bool) -> Result<Ending, Failure> {
+pub(super) fn check(
+    job: &Job,
+    report: Option<&Path>,
+    xml: Option<&Path>,
+    as_json: bool,
+) -> Result<Ending, Failure> {
     let page = |path: &&Path| path.extension().is_some_and(|ending| ending == "html");
     if let Some(path) = report.filter(|path| !page(path)) {
         return Err(Failure(format!("{}: the report is a page; end its name in .html", files::shown(path))));
@@ -23,8 +28,11 @@ pub(super) fn check(job: &Job, report: Option<&Path>, as_json: bool) -> Result<E
     let bar = progress(suite.cases().len(), "figures");
     let checked = suite.check(&|| bar.inc(1));
     bar.finish_and_clear();
-    if let Some(path) = report {
-        files::write_all(&[(path.to_owned(), html(&checked).into_bytes())])?;
+    let mut all: Vec<(PathBuf, Vec<u8>)> = Vec::new();
+    all.extend(report.map(|path| (path.to_owned(), html(&checked).into_bytes())));
+    all.extend(xml.map(|path| (path.to_owned(), junit(&checked).into_bytes())));
+    if !all.is_empty() {
+        files::write_all(&all)?;
     }
     let text = if as_json {
         serde_json::to_string_pretty(&told(&checked)).map_err(|error| Failure(error.to_string()))?
@@ -85,7 +93,7 @@ fn told(report: &Report) -> Value {
             let changes: Vec<Value> = match &one.verdict {
                 Verdict::Differs(changes) => changes
                     .iter()
-                    .map(|c| json!({ "weight": c.weight.name(), "tier": c.tier.name(), "what": c.what }))
+                    .map(|c| json!({ "weight": c.weight.name(), "tier": c.tier.name(), "what": c.what, "size_ppm": c.size }))
                     .collect(),
                 _ => Vec::new(),
             };
@@ -94,6 +102,9 @@ fn told(report: &Report) -> Value {
                 _ => None,
             };
             let mut told = json!({ "name": one.name, "verdict": one.verdict.word(), "changes": changes });
+            if let Some(scene) = &one.scene {
+                told["scene"] = json!(scene);
+            }
             if let Some(why) = why {
                 told["why"] = why.clone().into();
             }

@@ -312,6 +312,9 @@ enum GoldenAction {
         /// Write a page that shows expected, actual and difference: one HTML file
         #[arg(long, value_name = "FILE")]
         report: Option<PathBuf>,
+        /// Write the result as JUnit's XML, for the server that runs tests
+        #[arg(long, value_name = "FILE")]
+        junit: Option<PathBuf>,
         /// Print one JSON object
         #[arg(long)]
         json: bool,
@@ -537,8 +540,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
                 sweep::Job { scene, steps, tolerance, from, to, over, bounds, unchecked, only, lang, output };
             sweep::run(&job)
         }
-        Command::Golden { action: GoldenAction::Check { folder, names, report, json } } => {
-            golden::check(&golden::Job { folder, names }, report.as_deref(), json)
+        Command::Golden { action: GoldenAction::Check { folder, names, report, junit, json } } => {
+            golden::check(&golden::Job { folder, names }, report.as_deref(), junit.as_deref(), json)
         }
         Command::Golden { action: GoldenAction::Bless { folder, names } } => {
             golden::bless(&golden::Job { folder, names })

@@ -129,7 +129,8 @@ fn beside(folder: &Path) -> Result<Vec<Case>, GoldenError> {
 /// A JSON file that is no figure.
 fn is_scene(path: &Path) -> bool {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    name.ends_with(".json") && !name.ends_with(suite::MEANING) && name != MANIFEST
+    let golden = [suite::MEANING, suite::SCENE].iter().any(|ending| name.ends_with(ending));
+    name.ends_with(".json") && !golden && name != MANIFEST
 }
 
 impl Listed {

@@ -152,7 +152,7 @@ impl Meaning {
         comparison.figures(self, actual);
         let mut changes = comparison.changes;
         changes.extend(comparison.moves.into_iter().map(Moves::told));
-        changes.sort_by_key(|change| std::cmp::Reverse(change.weight));
+        changes.sort_by_key(|change| std::cmp::Reverse((change.weight, change.size)));
         changes
     }
 
@@ -340,7 +340,7 @@ impl Comparison {
                 let told = |v: &Vector| v.value.map_or("nothing".to_owned(), short);
                 let (unit, percent) = (new_panel.unit(), percent(a, b));
                 let what = format!("{name}: {} became {}{unit}{percent}", told(old), told(new));
-                self.tell(Weight::Number, what);
+                self.changes.push(Change::new(Weight::Number, what).sized(a, b));
                 number_told = true;
             }
             Some((a, b)) if a != b => {
@@ -367,14 +367,15 @@ impl Comparison {
             let (long_a, long_b) = (length(a), length(b));
             let turned = turn(a, b);
             if (long_a - long_b).abs() > room && !number_told {
-                self.tell(
-                    Weight::Number,
-                    format!("{name}: the ink is longer or shorter{}", percent(long_a, long_b)),
-                );
+                let what = format!("{name}: the ink is longer or shorter{}", percent(long_a, long_b));
+                self.changes.push(Change::new(Weight::Number, what).sized(long_a, long_b));
             }
             if libm::sin(turned).abs() * long_a.min(long_b) > room || libm::cos(turned) < 0.0 {
                 // On the page y runs down; turns are told as the field counts them.
-                self.tell(Weight::Number, format!("{name}: turned by {}°", short(-turned.to_degrees())));
+                let what = format!("{name}: turned by {}°", short(-turned.to_degrees()));
+                // As large as the way of its head.
+                let by = 2.0 * libm::sin(turned.abs() / 2.0);
+                self.changes.push(Change::new(Weight::Number, what).sized(1.0, 1.0 - by));
             }
         }
     }

@@ -12,6 +12,9 @@
 //! or, where the scene is one that must be refused (`expect`), the refusal as `NAME.refusal.txt`. The first
 //! tier tells a changed number from a cosmetic change ([`Weight`]). The third needs the feature `png`.
 //!
+//! `NAME.scene.json` beside them is the scene as it was: where a figure changed, it tells what in the scene did, or that
+//! nothing did and the program draws otherwise.
+//!
 //! A suite of more figures than somebody looks at keeps some of them so, and of the others one line each, in
 //! [`figures.txt`](LINES): checksums of the SVG and of what each panel says. A change is then seen, in which panel, and
 //! whether a number changed; how it looked before is not shown.
@@ -38,12 +41,14 @@
 //! linkgram::golden::assert("tests/sheets", "target/golden.html");
 //! ```
 
+mod junit;
 mod lines;
 mod manifest;
 mod meaning;
 mod page;
 #[cfg(feature = "png")]
 pub mod pixels;
+mod scene;
 mod suite;
 #[cfg(test)]
 mod tests;
@@ -53,6 +58,7 @@ use std::path::Path;
 
 use thiserror::Error;
 
+pub use junit::junit;
 pub use lines::LINES;
 pub use manifest::{Keep, MANIFEST, ManifestError};
 pub use meaning::Meaning;
@@ -91,6 +97,8 @@ pub struct Change {
     pub tier: Tier,
     /// What changed, in one clause.
     pub what: String,
+    /// How large the change is, in millionths of what was; 0 where it has no size.
+    pub size: u64,
 }
 
 /// What became of one golden.
@@ -121,6 +129,29 @@ pub struct Checked {
     pub expected: Option<String>,
     /// What is drawn now, where it is not as before.
     pub actual: Option<String>,
+    /// What changed in the scene since it was blessed, where it is not as before and the scene of then is known.
+    pub scene: Option<Vec<String>>,
+}
+
+impl Checked {
+    /// Why it is not as before, in one line, where that is known.
+    #[must_use]
+    pub fn because(&self) -> Option<String> {
+        let changes = self.scene.as_ref()?;
+        Some(match &changes[..] {
+            [] => "the scene is as it was: the program draws it otherwise".to_owned(),
+            [..] => format!("the scene changed: {}", changes.join("; ")),
+        })
+    }
+
+    /// The size of its largest change.
+    fn size(&self) -> (Option<Weight>, u64) {
+        let sizes = match &self.verdict {
+            Verdict::Differs(changes) => changes.iter().map(|change| change.size).max(),
+            _ => None,
+        };
+        (self.verdict.weight(), sizes.unwrap_or(0))
+    }
 }
 
 /// All goldens of a suite, looked at.
@@ -207,12 +238,21 @@ impl Tier {
 
 impl Change {
     fn new(weight: Weight, what: impl Into<String>) -> Self {
-        Self { weight, tier: Tier::Meaning, what: what.into() }
+        Self { weight, tier: Tier::Meaning, what: what.into(), size: 0 }
+    }
+
+    /// The same with the numbers that changed.
+    fn sized(self, old: f64, new: f64) -> Self {
+        let largest = old.abs().max(new.abs());
+        let part = if largest > 0.0 { ((old - new).abs() / largest).min(2.0) } else { 0.0 };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most two millions")]
+        let size = if part.is_finite() { libm::round(part * 1e6) as u64 } else { 0 };
+        Self { size, ..self }
     }
 
     /// What only looks otherwise, in a later tier.
     fn looks(tier: Tier, what: impl Into<String>) -> Self {
-        Self { weight: Weight::Cosmetic, tier, what: what.into() }
+        Self { weight: Weight::Cosmetic, tier, what: what.into(), size: 0 }
     }
 }
 
@@ -360,17 +400,43 @@ pub fn assert(folder: impl AsRef<Path>, report: impl AsRef<Path>) {
 /// So many changes of one golden are told in a text.
 const TOLD: usize = 12;
 
-impl fmt::Display for Report {
-    /// What is not as blessed, golden by golden.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Report {
+    /// What is not as blessed, by its cause: what has one cause together, in it the largest change first.
+    #[must_use]
+    pub fn by_cause(&self) -> Vec<(Option<String>, Vec<&Checked>)> {
+        let mut groups: Vec<(Option<String>, Vec<&Checked>)> = Vec::new();
         for one in self.checked.iter().filter(|one| one.verdict != Verdict::Same) {
-            writeln!(f, "{}: {}", one.name, one.verdict.word())?;
-            let lines = one.verdict.lines();
-            for line in lines.iter().take(TOLD) {
-                writeln!(f, "    {line}")?;
+            let cause = one.because();
+            match groups.iter_mut().find(|(known, _)| *known == cause) {
+                Some((_, all)) => all.push(one),
+                None => groups.push((cause, vec![one])),
             }
-            if lines.len() > TOLD {
-                writeln!(f, "    and {} more", lines.len() - TOLD)?;
+        }
+        for (_, all) in &mut groups {
+            all.sort_by_key(|one| std::cmp::Reverse(one.size()));
+        }
+        groups.sort_by_key(|(_, all)| std::cmp::Reverse(all.first().map(|one| one.size())));
+        groups
+    }
+}
+
+impl fmt::Display for Report {
+    /// What is not as blessed, golden by golden; what has one cause together.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (cause, all) in self.by_cause() {
+            if let Some(cause) = cause {
+                let goldens = if all.len() == 1 { "golden" } else { "goldens" };
+                writeln!(f, "{cause} ({} {goldens})", all.len())?;
+            }
+            for one in all {
+                writeln!(f, "{}: {}", one.name, one.verdict.word())?;
+                let lines = one.verdict.lines();
+                for line in lines.iter().take(TOLD) {
+                    writeln!(f, "    {line}")?;
+                }
+                if lines.len() > TOLD {
+                    writeln!(f, "    and {} more", lines.len() - TOLD)?;
+                }
             }
         }
         Ok(())

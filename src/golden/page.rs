@@ -41,7 +41,7 @@ table { width: 100%; table-layout: fixed; border-collapse: collapse } td, th { b
 pub fn html(report: &Report) -> String {
     let mut html = HEAD.to_owned();
     let _ = writeln!(html, "<p>{}</p>", escape(&report.summary()));
-    let differing: Vec<&Checked> = report.checked.iter().filter(|one| one.verdict != Verdict::Same).collect();
+    let differing: Vec<&Checked> = report.by_cause().into_iter().flat_map(|(_, all)| all).collect();
     if differing.len() > 1 {
         html.push_str("<ul>\n");
         for (index, one) in differing.iter().enumerate() {
@@ -60,6 +60,9 @@ pub fn html(report: &Report) -> String {
 fn section(html: &mut String, index: usize, one: &Checked) {
     let (name, word) = (escape(&one.name), one.verdict.word());
     let _ = writeln!(html, "<section class=\"{word}\" id=\"g{index}\"><h2>{name} <b>{word}</b></h2>\n<ul>");
+    if let Some(cause) = one.because() {
+        let _ = writeln!(html, "<li><b>{}</b></li>", escape(&cause));
+    }
     let told: Vec<String> =
         one.verdict.lines().iter().map(|line| format!("<li>{}</li>\n", escape(line))).collect();
     let (first, more) = told.split_at(told.len().min(TOLD));

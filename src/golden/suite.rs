@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::lines::{self, LINES, Lines};
 use super::meaning::without_numbers;
-use super::{Change, Checked, GoldenError, Keep, Meaning, Report, Tier, Verdict, Weight, manifest};
+use super::{Change, Checked, GoldenError, Keep, Meaning, Report, Tier, Verdict, Weight, manifest, scene};
 use crate::drawing::{self, NoFigure, Wish};
 use crate::render::theme::Theme;
 use crate::render::{json, svg};
@@ -22,6 +22,9 @@ const SVG: &str = ".svg";
 const PIXELS: &str = ".png";
 /// The ending of the file that has a refusal.
 const REFUSAL: &str = ".refusal.txt";
+
+/// The ending of the file that has the scene as it was.
+pub(super) const SCENE: &str = ".scene.json";
 
 /// A scene and how it is drawn.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -154,6 +157,7 @@ impl Suite {
             verdict: Verdict::Extra,
             expected: None,
             actual: None,
+            scene: None,
         }));
         Report { checked }
     }
@@ -172,7 +176,15 @@ impl Suite {
             }
         };
         let Looked { verdict, expected, actual } = looked;
-        Checked { name, verdict, expected, actual }
+        let scene = if verdict == Verdict::Same { None } else { self.scene_changes(case) };
+        Checked { name, verdict, expected, actual, scene }
+    }
+
+    /// What changed in a scene since its golden was blessed.
+    fn scene_changes(&self, case: &Case) -> Option<Vec<String>> {
+        let old = self.text(&case.name, SCENE).ok().flatten()?;
+        let (_, new) = files::read(&case.scene).ok()?;
+        scene::changes(&old, &new)
     }
 
     fn look(&self, case: &Case, outcome: &Outcome) -> Looked {
@@ -316,7 +328,7 @@ impl Suite {
 
     /// The files that there are of a golden.
     fn files_of(&self, name: &str) -> Vec<PathBuf> {
-        let paths = [MEANING, SVG, PIXELS, REFUSAL].map(|ending| self.path(name, ending));
+        let paths = [MEANING, SVG, PIXELS, REFUSAL, SCENE].map(|ending| self.path(name, ending));
         paths.into_iter().filter(|path| path.is_file()).collect()
     }
 
@@ -398,7 +410,7 @@ impl Suite {
         recorded.retain(|name| !in_files.contains(name) && (self.chosen || self.known.contains(name)));
         for (case, (outcome, verdict)) in self.cases.iter().zip(drawn.into_iter().flatten()) {
             let written = match case.keep {
-                Keep::Files => self.write(&case.name, &outcome, &verdict)?,
+                Keep::Files => self.write(case, &outcome, &verdict)?,
                 Keep::Line => {
                     let sums = lines::sums(&outcome)
                         .map_err(|why| GoldenError::Broken(vec![format!("{}: {why}", case.name)]))?;
@@ -428,7 +440,8 @@ impl Suite {
     }
 
     /// Whether anything was written.
-    fn write(&self, name: &str, outcome: &Outcome, verdict: &Verdict) -> Result<bool, GoldenError> {
+    fn write(&self, case: &Case, outcome: &Outcome, verdict: &Verdict) -> Result<bool, GoldenError> {
+        let name = case.name.as_str();
         let file = |error: &dyn std::fmt::Display| GoldenError::File(error.to_string());
         let (mut wanted, former) = match outcome {
             Outcome::Refusal(text) => {
@@ -445,6 +458,10 @@ impl Suite {
                 (files, &[REFUSAL][..])
             }
         };
+        // The scene as it is now, so that it can be told one day what in it changed.
+        if let Ok((_, scene)) = files::read(&case.scene) {
+            wanted.push((self.path(name, SCENE), scene.into_bytes()));
+        }
         wanted.retain(|(path, new)| !bytes(path).is_ok_and(|old| old.as_ref() == Some(new)));
         if let Some(folder) = wanted.first().and_then(|(path, _)| path.parent()) {
             fs::create_dir_all(folder)

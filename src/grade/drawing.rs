@@ -31,8 +31,8 @@ const REACH: f64 = 2.5;
 const FONT_SIZE_PX: f64 = 16.0;
 
 /// A mark may lie so much farther off (in heights of the letter) if it is a dot and not where lines end: around a joint
-/// are hatchings and guides.
-const DOT_RANK: f64 = 1.0;
+/// are hatchings and guides, and whoever draws a dot means it. A dot of another letter is kept for that one.
+const DOT_RANK: f64 = REACH;
 
 /// The same for a place where several lines end against the end of one.
 const END_RANK: f64 = 0.35;

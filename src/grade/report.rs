@@ -150,10 +150,30 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
     }
 }
 
-/// What the marks of the scene say of an answer; 1 where they say nothing.
-fn weight(case: &Case<'_>, name: &str) -> f64 {
+/// What the marks of the scene say of a name; 1 where they say nothing.
+fn stated(case: &Case<'_>, name: &str) -> f64 {
     let stated = case.scene.sheet.marks.iter().find(|(known, _)| *known == name);
     stated.map_or(1.0, |(_, weight)| *weight)
+}
+
+/// What an answer is worth: by the name under which the scene asks it, however the student spells it; a point of the
+/// drawing for the vector to it, unless that is answered as well.
+fn weight(case: &Case<'_>, observation: &Observation) -> f64 {
+    use crate::graphical::construction::Label;
+    use crate::mechanism::quantity::Quantity;
+    let quantity = match (observation.target, observation.quantity) {
+        (Target::Image(Order::Velocity, Label::Image { point, .. }), _) => Some(Quantity::Velocity(point)),
+        (Target::Image(Order::Acceleration, Label::Image { point, .. }), _) => {
+            Some(Quantity::Acceleration(point))
+        }
+        (Target::Place(_), _) => None,
+        (_, quantity) => quantity,
+    };
+    let own = observation.quantity == quantity;
+    let twice = || !own && case.observations.iter().any(|other| other.quantity == quantity);
+    let Some(quantity) = quantity.filter(|_| !twice()) else { return 1.0 };
+    let asked = case.scene.mechanism.asked.iter().find(|asked| asked.quantity == quantity);
+    stated(case, asked.map_or(&observation.name, |asked| &asked.name))
 }
 
 /// What is asked, and neither answered nor drawn as a point.
@@ -169,7 +189,7 @@ fn missing(case: &Case<'_>) -> Vec<(String, f64)> {
         })
     };
     let asked = case.scene.mechanism.asked.iter().filter(|asked| !answered(&asked.quantity));
-    asked.map(|asked| (asked.name.clone(), weight(case, &asked.name))).collect()
+    asked.map(|asked| (asked.name.clone(), stated(case, &asked.name))).collect()
 }
 
 fn graded(
@@ -214,7 +234,7 @@ fn graded(
         right: in_unit(right),
         tolerance: by / si,
         allowed,
-        weight: weight(case, &observation.name),
+        weight: weight(case, observation),
         off: case.miss(index, &case.truth[index]) / si,
         unit: observation.unit.clone(),
         step: observation.rank.1.checked_add(1),
