@@ -472,6 +472,31 @@ fn packaged(folder: &Folder, language: &str, key: &dyn Fn(&str) -> Vec<Vec<Strin
     }
 }
 
+/// In an Arabic title the dot before a variant's number stands between the last word and the number, and 3-1 is 3-1.
+#[test]
+fn numbers_of_an_arabic_title_stand_in_their_order() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/exam/crank-and-slider.json");
+    let mut scene: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    scene["title"] = serde_json::json!({ "en": "Problem 3-1", "ar": "مسألة 3-1: مرفق" });
+    let scene = common::read(&scene.to_string());
+    let drawn = drawn(&scene, 1, 1);
+    let arabic = linkgram::sheet::Language::from_tag("ar").unwrap();
+    let figure = exam::question(&drawn.variants[0].scene, arabic).unwrap();
+    let mut runs: Vec<(f64, String)> = Vec::new();
+    figure.root.walk(&mut |node| {
+        if let linkgram::sheet::figure::Node::Text(text) = node
+            && text.class == "title"
+        {
+            runs.extend(text.runs.iter().map(|run| (run.at.x, run.text.trim().to_owned())));
+        }
+    });
+    runs.retain(|(_, text)| !text.is_empty());
+    // From right to left.
+    runs.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let order: Vec<&str> = runs.iter().map(|(_, text)| text.as_str()).collect();
+    assert_eq!(order, ["مسألة", "3-1", ":", "مرفق", "·", "001"]);
+}
+
 /// Marks of the scene reach the key, Moodle and QTI; of a slider's vector the sense is worth less than the magnitude; what
 /// a hand may miss by more than is allowed is told when the exam is made; and the typed answers are graded by variant.
 #[test]

@@ -300,6 +300,17 @@ fn a_class_is_graded_in_one_call() {
     for page in ["ada.html", "bob.html", "eve.html"] {
         assert!(read(page).starts_with("<!DOCTYPE html>"), "{page}");
     }
+    // An empty sheet has no marks; a table of a spreadsheet with decimal commas is read.
+    put("nil.csv", "student;Nil\nquantity;value;unit;sense\nomega(3);;rad/s;\n");
+    put("pol.csv", "student;Pol\nquantity;value;unit;sense\nomega(3);3,51;rad/s;cw\n");
+    let output = run(&["grade", "scene.json", "answers/nil.csv", "answers/pol.csv"]);
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    assert!(
+        said.contains("Nil (answers/nil.csv)      0 of 6")
+            && said.contains("Pol (answers/pol.csv)      1 of 6"),
+        "{said}"
+    );
     // One that cannot be read is told, and the others are graded all the same.
     put("mal.json", r#"{ "values": { "v(Q)": 3 } }"#);
     let output = run(&["grade", "scene.json", "answers/ada.json", "answers/mal.json", "-o", "again/"]);

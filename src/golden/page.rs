@@ -5,7 +5,7 @@ use std::fmt::Write;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::{Checked, Report, TOLD, Verdict};
+use super::{Checked, Report, TOLD};
 
 /// At most this many differing lines of an SVG are shown.
 const LINES: usize = 12;

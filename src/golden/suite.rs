@@ -446,22 +446,22 @@ impl Suite {
         let (mut wanted, former) = match outcome {
             Outcome::Refusal(text) => {
                 let drawn = self.path(name, MEANING).exists();
-                let former: &[&str] = if drawn { &[MEANING, SVG, PIXELS] } else { &[] };
+                let former: &[&str] = if drawn { &[MEANING, SVG, PIXELS, SCENE] } else { &[] };
                 (vec![(self.path(name, REFUSAL), text.clone().into_bytes())], former)
             }
             Outcome::Figure { json, svg } => {
-                let mut files = vec![
+                let mut own = vec![
                     (self.path(name, MEANING), json.clone().into_bytes()),
                     (self.path(name, SVG), svg.clone().into_bytes()),
                 ];
-                files.extend(self.picture(name, svg, verdict)?);
-                (files, &[REFUSAL][..])
+                own.extend(self.picture(name, svg, verdict)?);
+                // The scene as it is now, so that it can be told one day what in it changed.
+                if let Ok((_, scene)) = files::read(&case.scene) {
+                    own.push((self.path(name, SCENE), scene.into_bytes()));
+                }
+                (own, &[REFUSAL][..])
             }
         };
-        // The scene as it is now, so that it can be told one day what in it changed.
-        if let Ok((_, scene)) = files::read(&case.scene) {
-            wanted.push((self.path(name, SCENE), scene.into_bytes()));
-        }
         wanted.retain(|(path, new)| !bytes(path).is_ok_and(|old| old.as_ref() == Some(new)));
         if let Some(folder) = wanted.first().and_then(|(path, _)| path.parent()) {
             fs::create_dir_all(folder)

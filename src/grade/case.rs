@@ -410,6 +410,14 @@ impl<'s> Case<'s> {
         drawn(&departures)
     }
 
+    /// Whether anything was answered that is found in the polygon of this order.
+    pub(super) fn answers(&self, order: Order) -> bool {
+        self.observations.iter().any(|observation| match (observation.target, observation.quantity) {
+            (Target::Image(of, _), _) => of == order,
+            (_, quantity) => quantity.is_some_and(|quantity| quantity.order() == order),
+        })
+    }
+
     /// A vector of a polygon as the student handed it in; a magnitude has the direction that the drawing gives it.
     pub(super) fn handed_in(&self, index: usize, sketch: &Sketch) -> Option<HandedIn> {
         let observation = &self.observations[index];

@@ -91,6 +91,8 @@ pub(super) enum Which {
     AllVectors,
     /// All velocities and accelerations, rates not.
     AllLinear,
+    /// The vectors of a polygon that are read off it, and not calculated before they are laid off.
+    Read(Order),
     /// All angular velocities.
     Omegas,
 }
@@ -251,6 +253,17 @@ impl Which {
             Self::Vectors(order) => vector && quantity.order() == order,
             Self::AllVectors => vector,
             Self::AllLinear => vector || matches!(quantity, Quantity::Rub(..)),
+            Self::Read(order) => {
+                let calculated = matches!(
+                    quantity,
+                    Quantity::RelativeNormal(..)
+                        | Quantity::Normal(_)
+                        | Quantity::CoincidentNormal(..)
+                        | Quantity::SlipNormal(..)
+                        | Quantity::Coriolis(..)
+                );
+                vector && quantity.order() == order && !calculated
+            }
             Self::Omegas => matches!(quantity, Quantity::Omega(_) | Quantity::RelativeOmega(..)),
         }
     }

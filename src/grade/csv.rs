@@ -183,6 +183,12 @@ fn figure_of(answers: &mut Answers, order: Order) -> &mut FigurePoints {
 fn rows(text: &str) -> Res<Vec<Row>> {
     let mut rows = Vec::new();
     let mut start = 0;
+    // Where semicolons part the fields, as spreadsheets of many countries write it, a comma is a decimal sign.
+    let is_header = |line: &&str| {
+        let line = line.trim_start_matches('\u{feff}').trim_start().to_lowercase();
+        line.starts_with("quantity") || line.starts_with("figure")
+    };
+    let parted = text.lines().find(is_header).is_some_and(|line| line.contains(';') && !line.contains(','));
     for line in text.split_inclusive('\n') {
         let content = line.trim_end_matches(['\n', '\r']);
         if !content.trim().trim_start_matches('\u{feff}').is_empty() && !content.trim_start().starts_with('#')
@@ -191,14 +197,14 @@ fn rows(text: &str) -> Res<Vec<Row>> {
                 let most = limits::grouped(limits::ROWS);
                 return Err(Fault::new(start, format!("more than {most} rows")));
             }
-            rows.push(fields(content, start)?);
+            rows.push(fields(content, start, parted)?);
         }
         start += line.len();
     }
     Ok(rows)
 }
 
-fn fields(line: &str, start: usize) -> Res<Row> {
+fn fields(line: &str, start: usize, parted: bool) -> Res<Row> {
     let mut row = Row::new();
     let (mut from, mut depth, mut quoted) = (0, 0_i32, false);
     let mut push = |from: usize, to: usize| {
@@ -206,7 +212,9 @@ fn fields(line: &str, start: usize) -> Res<Row> {
         let blanks = raw.len() - raw.trim_start().len();
         let text = raw.trim();
         let bare = text.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
-        row.push((bare.map_or_else(|| text.to_owned(), |b| b.replace("\"\"", "\"")), start + from + blanks));
+        let text = bare.map_or_else(|| text.to_owned(), |b| b.replace("\"\"", "\""));
+        let text = if parted { with_point(&text) } else { text };
+        row.push((text, start + from + blanks));
     };
     let mut parts = 0;
     for (at, sign) in line.char_indices() {
@@ -214,7 +222,7 @@ fn fields(line: &str, start: usize) -> Res<Row> {
             '"' => quoted = !quoted,
             '(' if !quoted => depth += 1,
             ')' if !quoted => depth -= 1,
-            ',' | ';' if !quoted && depth <= 0 => {
+            ',' | ';' if !quoted && depth <= 0 && (sign == ';' || !parted) => {
                 parts += 1;
                 // Nothing is kept of a line that is no row.
                 if parts > MOST_FIELDS {
@@ -231,4 +239,17 @@ fn fields(line: &str, start: usize) -> Res<Row> {
         return Err(Fault::new(start + from, "a quotation mark is not closed"));
     }
     Ok(row)
+}
+
+/// A number with a decimal comma, with a point instead; anything else as it is.
+fn with_point(text: &str) -> String {
+    let number = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+    let bare = text.trim_start_matches(['+', '-']);
+    let (digits, unit) = bare.split_once(' ').map_or((bare, ""), |(digits, unit)| (digits, unit));
+    match digits.split_once(',') {
+        Some((whole, decimals)) if number(whole) && number(decimals) && !unit.contains(',') => {
+            text.replacen(',', ".", 1)
+        }
+        _ => text.to_owned(),
+    }
 }

@@ -69,6 +69,8 @@ const USUAL: f64 = 2.5;
 const MOST: f64 = 25.0;
 /// An answer is explained if it misses by no more than this many tolerances.
 const EXPLAINED: f64 = 1.25;
+/// What explains answers well misses them by no more than this, root of the mean square in tolerances.
+const CLOSE: f64 = 0.65;
 /// A value of which nothing is known may be anything: that explains it, at this price.
 const UNKNOWN: f64 = 12.0;
 /// How many of the best hypotheses are weighed with tolerances of their own.
@@ -236,7 +238,10 @@ impl Judge<'_, '_> {
             let seen = self.case.seen(&sketch, &one.change);
             let tolerances = self.case.tolerances_of(&one.change, &seen, FEW);
             let again = self.counted(one.hypothesis, one.change, &seen, &tolerances);
-            if again.misses[self.first] <= EXPLAINED {
+            // One of many lines or letters leads near any value: it must lead to it.
+            let one_of_many = matches!(again.hypothesis.kind, Kind::WrongLine | Kind::NeighbourRead);
+            let near = !one_of_many || self.mistake(&again).residual <= CLOSE;
+            if again.misses[self.first] <= EXPLAINED && near {
                 weighed.push(again);
             }
         }

@@ -118,7 +118,9 @@ impl<'c> List<'c, '_> {
             } else if rate.symbol.starts_with("rev") {
                 self.add(Kind::RevAsRad, "the input", None, PLAIN, rates(1.0 / turn, 1.0));
             } else if rate.symbol.starts_with("rad") {
+                // Taken for rpm and converted, or converted into rpm and used.
                 self.add(Kind::RadAsRpm, "the input", None, PLAIN, rates(turn / 60.0, 1.0));
+                self.add(Kind::RadAsRpm, "the input", None, PLAIN, rates(60.0 / turn, 1.0));
                 self.add(Kind::RevAsRad, "the input", None, UNUSUAL, rates(turn, 1.0));
             }
         }
@@ -240,11 +242,11 @@ impl<'c> List<'c, '_> {
             };
             let kind = || (Kind::ScaleWrong, how.clone());
             let scopes = [
-                (Which::Vectors(Order::Velocity), "the velocities"),
-                (Which::Vectors(Order::Acceleration), "the accelerations"),
+                (Which::Vectors(Order::Velocity), Order::Velocity, "the velocities"),
+                (Which::Vectors(Order::Acceleration), Order::Acceleration, "the accelerations"),
+                (Which::Read(Order::Acceleration), Order::Acceleration, "the accelerations"),
             ];
-            for (of, at) in scopes {
-                let Which::Vectors(order) = of else { continue };
+            for (of, order, at) in scopes {
                 let read = Change::read(Misreading::Twisted { of, twist: Twist::scaled(factor) });
                 self.add_so(kind(), at, None, price, read.clone());
                 // Points of the figure that were converted by the same scale.
@@ -804,7 +806,9 @@ impl<'c> List<'c, '_> {
             Which::One(quantity) => {
                 vec![Departure::Read { quantity, factor: factor_of(quantity.order()) }]
             }
-            Which::Vectors(order) => vec![Departure::ReadAll { order, factor: factor_of(order) }],
+            Which::Vectors(order) | Which::Read(order) => {
+                vec![Departure::ReadAll { order, factor: factor_of(order) }]
+            }
             Which::AllVectors | Which::AllLinear | Which::Omegas => [Order::Velocity, Order::Acceleration]
                 .map(|order| Departure::ReadAll { order, factor: factor_of(order) })
                 .to_vec(),

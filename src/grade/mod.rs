@@ -53,6 +53,7 @@ pub use schema::schema;
 
 use crate::board::Hand;
 use crate::check::Unconfirmed;
+use crate::mechanism::quantity::Order;
 use crate::scene::{Diagnostic, Scene};
 use crate::sheet::Figure;
 use crate::solve::SolveError;
@@ -146,8 +147,15 @@ pub fn grade_with_overlay(
             Some(crate::sheet::Fault { order, at, text })
         })
         .collect();
-    let right = &case.right.construction;
-    let figure = crate::sheet::overlay(scene, right, &student.construction, &handed_in, &faults);
+    // A polygon of which nothing was answered is not laid under anything.
+    let mut right = case.right.construction.clone();
+    if !case.answers(Order::Velocity) {
+        right.velocity = None;
+    }
+    if !case.answers(Order::Acceleration) {
+        right.acceleration = None;
+    }
+    let figure = crate::sheet::overlay(scene, &right, &student.construction, &handed_in, &faults);
     Ok((report, figure))
 }
 

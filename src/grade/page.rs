@@ -58,12 +58,14 @@ impl Report {
                 marks(graded.weight),
             );
         }
-        for (name, weight) in &self.missing {
+        if !self.missing.is_empty() {
+            let names: Vec<&str> = self.missing.iter().map(|(name, _)| name.as_str()).collect();
+            let weight: f64 = self.missing.iter().map(|(_, weight)| weight).sum();
             let _ = writeln!(
                 page,
-                "<tr class=\"missing\"><td>{}</td><td></td><td></td><td>not answered</td><td class=\"n\">0 of {}</td></tr>",
-                escaped(name),
-                marks(*weight),
+                "<tr class=\"missing\"><td colspan=\"4\">not answered: {}</td><td class=\"n\">0 of {}</td></tr>",
+                escaped(&names.join(", ")),
+                marks(weight),
             );
         }
         let (reached, of) = self.sum();

@@ -107,10 +107,7 @@ impl Report {
             let _ = writeln!(text, "{student}");
         }
         let rows: Vec<[String; 3]> = self.quantities.iter().map(row).collect();
-        let width = |column: usize| {
-            let missing = self.missing.iter().map(|(name, _)| name.chars().count()).filter(|_| column == 0);
-            rows.iter().map(|r| r[column].chars().count()).chain(missing).max().unwrap_or(0)
-        };
+        let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max().unwrap_or(0);
         let widths = [width(0), width(1)];
         for (graded, [name, given, verdict]) in self.quantities.iter().zip(&rows) {
             let [a, b] = widths;
@@ -122,9 +119,9 @@ impl Report {
                 let _ = writeln!(text, "    {line}");
             }
         }
-        for (name, _) in &self.missing {
-            let (a, b) = (widths[0], widths[1]);
-            let _ = writeln!(text, "{name:<a$}  {:<b$}  not answered", "-");
+        if !self.missing.is_empty() {
+            let names: Vec<&str> = self.missing.iter().map(|(name, _)| name.as_str()).collect();
+            let _ = writeln!(text, "not answered: {}", names.join(", "));
         }
         if let Some(fault) = self.first_fault() {
             let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));

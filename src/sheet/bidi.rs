@@ -104,7 +104,7 @@ fn way(c: char) -> Way {
         Way::Left
     } else if is_arabic(c) {
         Way::Right
-    } else if c.is_whitespace() || ".,:;!?()[]{}«»–—\"'…".contains(c) {
+    } else if c.is_whitespace() || ".,:;!?()[]{}«»–—·\"'…".contains(c) {
         Way::Neutral
     } else {
         Way::Left

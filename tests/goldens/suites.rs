@@ -114,7 +114,7 @@ fn lengthen(value: &mut Value, factor: f64) {
 #[test]
 fn what_was_blessed_is_the_same_and_is_not_written_again() {
     let folder = Folder::blessed("same", "s000-ch3a-1");
-    let mut expected = vec!["scene.figure.json", "scene.json", "scene.svg"];
+    let mut expected = vec!["scene.figure.json", "scene.json", "scene.scene.json", "scene.svg"];
     if cfg!(feature = "png") {
         expected.insert(2, "scene.png");
     }
@@ -127,6 +127,38 @@ fn what_was_blessed_is_the_same_and_is_not_written_again() {
     // The same file that `draw` writes.
     let (_, drawn, _) = run(&["draw", "scene.json", "--format", "json"], &folder.0);
     assert_eq!(drawn, folder.read("scene.figure.json"));
+}
+
+/// What changed in the scene is told, what has one cause stands together, the largest change first; and where the scene
+/// is as it was, that is told. The same as JUnit's XML.
+#[test]
+fn a_change_is_told_with_its_cause() {
+    let folder = Folder::blessed("cause", "s000-ch3a-1");
+    folder.write("suite.json", r#"{ "figures": [{ "scenes": ["scene.json"] }, { "scenes": ["scene.json"], "as": "question", "name": "*.question" }] }"#);
+    folder.suite().bless(&|| {}).unwrap();
+    let from = r#""joins": ["O2", "A"], "length": 15"#;
+    folder.edit("scene.json", from, r#""joins": ["O2", "A"], "length": 15.3"#);
+    let (code, out, _) = run(&["golden", "check", ".", "--junit", "golden.xml"], &folder.0);
+    assert_eq!(code, 1, "{out}");
+    assert!(out.starts_with("the scene changed: links.2.length 15 → 15.3 (2 goldens)\nscene"), "{out}");
+    let report = folder.suite().check(&|| {});
+    for one in &report.checked {
+        let Verdict::Differs(changes) = &one.verdict else { panic!("{one:?}") };
+        let numbers: Vec<u64> =
+            changes.iter().filter(|c| c.weight == Weight::Number).map(|c| c.size).collect();
+        assert!(numbers.is_sorted_by(|a, b| a >= b), "{numbers:?}");
+    }
+    let xml = folder.read("golden.xml");
+    let document = roxmltree::Document::parse(&xml).unwrap();
+    let suite = document.descendants().find(|n| n.has_tag_name("testsuite")).unwrap();
+    assert_eq!((suite.attribute("tests"), suite.attribute("failures")), (Some("2"), Some("2")));
+    let failure = document.descendants().find(|n| n.has_tag_name("failure")).unwrap();
+    assert_eq!(failure.attribute("message"), Some("the scene changed: links.2.length 15 → 15.3"));
+    // The scene as it was, and a figure that is not: another program drew it.
+    folder.edit("scene.json", r#""length": 15.3"#, r#""length": 15"#);
+    folder.tamper(|figure| figure["title"] = "another".into());
+    let (_, out, _) = run(&["golden", "check", "."], &folder.0);
+    assert!(out.contains("the scene is as it was: the program draws it otherwise"), "{out}");
 }
 
 #[test]
