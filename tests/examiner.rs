@@ -286,7 +286,15 @@ fn a_class_is_graded_in_one_call() {
     let run = |arguments: &[&str]| {
         Command::new(env!("CARGO_BIN_EXE_linkgram")).args(arguments).current_dir(&folder.0).output().unwrap()
     };
-    let output = run(&["grade", "scene.json", "answers", "-o", "reports/"]);
+    let output = run(&[
+        "grade",
+        "scene.json",
+        "answers/ada.json",
+        "answers/bob.json",
+        "answers/eve.csv",
+        "-o",
+        "reports/",
+    ]);
     let said = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("2 students: omega(3): the opposite sense"), "{said}");

@@ -33,20 +33,17 @@ enum Output {
     Folder(PathBuf),
 }
 
-/// Endings of files that may be handed in; a drawing is one of its own where no other file of its name is there.
-const ENDINGS: [&str; 3] = ["json", "csv", "svg"];
-
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if job.max_tolerance <= 0.0 {
         return Err(Failure("--max-tolerance: a tolerance is greater than zero".to_owned()));
     }
-    let answers = handed_in(&job.answers)?;
+    let answers = &job.answers;
     if answers.len() > 1 && job.drawing.is_some() {
         return Err(Failure(
             "--drawing is that of one student; name it in the answers, as `drawing`".to_owned(),
         ));
     }
-    let class = answers.len() > 1 || job.answers.iter().any(|path| path.is_dir());
+    let class = answers.len() > 1;
     let output = job.output.as_deref().map(|path| output(path, class)).transpose()?;
     if !matches!(output, Some(Output::Folder(_))) && !job.scene.is_dir() {
         files::spare(&job.scene, &job.output)?;
@@ -55,13 +52,13 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
     }
     let standard_inputs =
-        [&job.scene].into_iter().chain(&answers).filter(|path| path.as_os_str() == "-").count();
+        [&job.scene].into_iter().chain(answers).filter(|path| path.as_os_str() == "-").count();
     if standard_inputs > 1 {
         return Err(Failure("scene and answers cannot both be standard input".to_owned()));
     }
     let exam = job.scene.is_dir().then(|| Exam { folder: job.scene.clone() });
     if let (Some(exam), true) = (&exam, answers.is_empty()) {
-        let why = "no answers; name the files that were handed in, or the folder of them";
+        let why = "no answers; name the files that were handed in";
         return Err(Failure(format!("{}: {why}", files::shown(&exam.folder))));
     }
     let mut settings = GradeSettings { max_tolerance: job.max_tolerance, ..GradeSettings::default() };
@@ -76,7 +73,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return tolerances(job, scene, &settings);
     }
     if class {
-        return of_class(job, &source, &settings, &answers, output.as_ref());
+        return of_class(job, &source, &settings, answers, output.as_ref());
     }
     let Some(own) = answers.first() else { return Ok(Ending::Fine) };
     let scene = source.of(own)?;
@@ -99,7 +96,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
         Some(Output::Folder(folder)) => {
             let one = HandIn { file: files::shown(own), outcome: Ok(report.clone()) };
-            write_folder(folder, &answers, &[one], &[figure.map(|figure| (title(&scene), figure))])?;
+            write_folder(folder, answers, &[one], &[figure.map(|figure| (title(&scene), figure))])?;
         }
     }
     if job.json {
@@ -170,37 +167,6 @@ impl Exam {
 
 fn title(scene: &Scene) -> String {
     scene.title.in_language("en").unwrap_or("Solution").to_owned()
-}
-
-/// The files that were handed in; of a folder those in it.
-fn handed_in(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
-    let mut all = Vec::new();
-    for path in paths {
-        if !path.is_dir() {
-            all.push(path.clone());
-            continue;
-        }
-        let read = std::fs::read_dir(path);
-        let read = read.map_err(|error| Failure(format!("{}: {error}", files::shown(path))))?;
-        let mut found: Vec<PathBuf> = read.filter_map(|entry| Some(entry.ok()?.path())).collect();
-        let ending = |path: &Path| path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
-        found.retain(|file| file.is_file() && ending(file).is_some_and(|e| ENDINGS.contains(&e.as_str())));
-        let written: HashSet<PathBuf> = found
-            .iter()
-            .filter(|file| ending(file).as_deref() != Some("svg"))
-            .map(|file| file.with_extension(""))
-            .collect();
-        found.retain(|file| {
-            ending(file).as_deref() != Some("svg") || !written.contains(&file.with_extension(""))
-        });
-        if found.is_empty() {
-            let why = "no .json, .csv or .svg in this folder";
-            return Err(Failure(format!("{}: {why}", files::shown(path))));
-        }
-        found.sort();
-        all.extend(found);
-    }
-    Ok(all)
 }
 
 /// What an output's name means.

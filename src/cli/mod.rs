@@ -138,8 +138,8 @@ enum Command {
     Grade {
         /// The scene file; - for standard input
         scene: PathBuf,
-        /// What was handed in: JSON, CSV or SVG (linkgram schema answers), of one or of a whole class; folders of
-        /// such files; - for standard input. Without any: by how much each answer may be off
+        /// What was handed in: JSON, CSV or SVG (linkgram schema answers), of one or of a whole class; - for
+        /// standard input. Without any: by how much each answer may be off
         answers: Vec<PathBuf>,
         /// The SVG of the drawing, instead of the one that the answers name
         #[arg(long, value_name = "FILE")]
