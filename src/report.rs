@@ -2,7 +2,7 @@
 
 use crate::graphical::{DrawError, Missing, Unplaced};
 use crate::mechanism::quantity::{Answer, Unit};
-use crate::mechanism::statement::Locus;
+use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
 use crate::mechanism::{Input, Mechanism, Path, PointId};
 pub(crate) use crate::scene::units::short;
@@ -160,9 +160,18 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 Unplaced::Beside { by } => (
                     Subject::Place(*point),
                     format!(
-                        "{name} is stated {} {} beside where its links and guides put it",
+                        "{name} is stated {} {} beside {}",
                         short(by / unit.si),
-                        unit.symbol
+                        unit.symbol,
+                        match stated.map(|stated| stated.standing) {
+                            Some(Standing::Onto(locus)) => {
+                                format!(
+                                    "{}, on which its links and guides hold it",
+                                    locus_in_words(scene, &locus)
+                                )
+                            }
+                            _ => "where its links and guides put it".to_owned(),
+                        }
                     ),
                     format!("correct what is stated of {name}, or the dimensions of its links"),
                 ),
@@ -216,8 +225,8 @@ fn locus_in_words(scene: &Scene, locus: &Locus) -> String {
         Locus::Sees { ends: [p, q], angle: at } => {
             format!("the circle from which {}{} is seen at {}", name(p), name(q), angle(at.value))
         }
-        Locus::On(Path::Straight { .. }) => "the line".to_owned(),
-        Locus::On(Path::Arc { radius, .. }) => format!("the arc of {}", length(radius.value)),
+        Locus::On(Path::Straight { .. }) => "the line of its guide".to_owned(),
+        Locus::On(Path::Arc { radius, .. }) => format!("the arc of radius {}", length(radius.value)),
     }
 }
 

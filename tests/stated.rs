@@ -208,7 +208,7 @@ fn dimensions_beside_what_is_stated() {
     let scene = common::read(&apart);
     let error = solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap_err();
     let told = report::diagnose(&scene, &error).to_string();
-    assert!(told.contains("where.B: B is stated 0.001 m beside where its links and guides put it"), "{told}");
+    assert!(told.contains("where.B: B is stated 0.001 m beside the circle of 6.001 m about O4"), "{told}");
     let apart = with(&with(&two, r#""A", "B""#, coupler + 0.01), "", 0.0);
     let scene = common::read(&apart);
     let error = solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap_err();

@@ -10,6 +10,7 @@ use crate::graphical::construction::{
     Calculation, Construction, OtherPosition, Spot, Transfer, TransferAct, TransferInk,
 };
 use crate::mechanism::quantity::{Answer, Quantity};
+use crate::mechanism::statement::Locus;
 use crate::mechanism::{LinkId, Mechanism, PointId};
 use crate::scene::{Scene, unit_of};
 use crate::sweep;
@@ -140,7 +141,14 @@ fn size_of(scene: &Scene) -> f64 {
         let values = || all.iter().map(|at| at[axis]);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
     };
-    if all.is_empty() { 0.0 } else { libm::hypot(extent(0), extent(1)) }
+    // Where places are stated, their distances tell it.
+    let stated = scene.mechanism.statements.iter().flat_map(|statement| statement.loci);
+    let radii = stated.filter_map(|locus| match locus {
+        Locus::Circle { radius, .. } => Some(radius.value),
+        _ => None,
+    });
+    let far = radii.fold(0.0, f64::max);
+    if all.is_empty() { far } else { libm::hypot(extent(0), extent(1)).max(far) }
 }
 
 /// The diameter of the inflection circle by the independent solver: the acceleration of the link's velocity pole over

@@ -92,7 +92,7 @@ fn loci(value: &Value<'_>, point: PointId, draft: &Draft<'_>) -> Res<[Locus; 2]>
 
 /// One locus; a ray with a distance is two.
 fn read_locus(value: &Value<'_>, of: PointId, draft: &Draft<'_>) -> Res<Vec<Locus>> {
-    let fields = Fields::of(value, keys::LOCUS, FORMS)?;
+    let fields = Fields::of(value, keys::LOCUS, "a locus, such as {\"from\": \"O3\", \"distance\": 12.5}")?;
     let only = |own: &[&str]| {
         let others: Vec<&str> = keys::LOCUS.iter().copied().filter(|key| !own.contains(key)).collect();
         fields.refuse(&others, FORMS)
