@@ -15,6 +15,7 @@ mod draughtsman;
 mod dyad;
 mod figure;
 mod link_figure;
+mod loci;
 mod missing;
 mod page;
 mod pinned_rack;

@@ -1254,14 +1254,14 @@ impl Draughtsman<'_> {
         Ok(())
     }
 
-    fn circle(&mut self, (link, base): (LinkId, PointId), pin: PointId) -> Circle {
+    pub(super) fn circle(&mut self, (link, base): (LinkId, PointId), pin: PointId) -> Circle {
         let length = self.length(link, base, pin);
         let scale = self.length_scale();
         Circle { centre: self.at(base), radius: self.board.to_paper(length, scale) }
     }
 
     /// Takes the point of a pair that the scene's hints choose.
-    fn take_hinted(
+    pub(super) fn take_hinted(
         &mut self,
         main: &[(LinkId, PointId)],
         rider: Option<(usize, LinkId)>,

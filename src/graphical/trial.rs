@@ -206,7 +206,14 @@ impl<'m> Draughtsman<'m> {
             if waiting.is_empty() {
                 break;
             }
-            if waiting.len() == count {
+            if waiting.len() < count {
+                continue;
+            }
+            let points = self.points_of(trial);
+            let loud = !std::mem::replace(&mut self.silent, true);
+            let found = self.place_by_loci(&points);
+            self.silent = !loud;
+            if !matches!(found, Ok(true)) {
                 (self.places, self.poses) = before;
                 return false;
             }
