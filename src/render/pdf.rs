@@ -19,7 +19,7 @@ use kurbo::Point;
 use thiserror::Error;
 
 use super::pages::{self, Page};
-use super::theme::{About, Place, Rgb, Theme};
+use super::theme::{Place, Rgb, Theme};
 use crate::sheet::figure::{Figure, Group, Mark, Node, Shape, Text, Tone, on_circle};
 use crate::sheet::font::{Face, is_arabic_digit};
 
@@ -183,12 +183,12 @@ impl Writer<'_> {
         match node {
             Node::Group(group) => self.group(group, place),
             Node::Mark(mark) => self.mark(mark, place),
-            Node::Text(text) => self.text(text),
+            Node::Text(text) => self.text(text, place),
         }
     }
 
-    fn paint(&self, tone: Tone, about: About) -> Paint {
-        let Rgb([r, g, b]) = self.theme.tone(tone, about);
+    fn paint(&self, tone: Tone, place: Place) -> Paint {
+        let Rgb([r, g, b]) = self.theme.colour(tone, place);
         // Grey as grey: a press then prints black text with black alone.
         if r == g && g == b { luma::Color::new(r).into() } else { rgb::Color::new(r, g, b).into() }
     }
@@ -197,9 +197,9 @@ impl Writer<'_> {
         let mut builder = PathBuilder::new();
         outline(&mark.shape, &mut builder);
         let Some(path) = builder.finish() else { return };
-        let fill = mark.fill.map(|tone| Fill { paint: self.paint(tone, place.about), ..Fill::default() });
+        let fill = mark.fill.map(|tone| Fill { paint: self.paint(tone, place), ..Fill::default() });
         let stroke = mark.pen.map(|pen| Stroke {
-            paint: self.paint(Tone::Ink, place.about),
+            paint: self.paint(Tone::Ink, place),
             width: pen.width as f32,
             line_join: LineJoin::Round,
             dash: pen.dash.lengths().map(|lengths| StrokeDash {
@@ -216,8 +216,8 @@ impl Writer<'_> {
         self.surface.draw_path(&path);
     }
 
-    fn text(&mut self, text: &Text) {
-        let paint = self.paint(Tone::Ink, About::All);
+    fn text(&mut self, text: &Text, place: Place) {
+        let paint = self.paint(Tone::Ink, place.of_words());
         self.surface.set_fill(Some(Fill { paint, ..Fill::default() }));
         self.surface.set_stroke(None);
         for run in &text.runs {

@@ -243,8 +243,13 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     fn group(&self, group: &Group, place: Place) -> GroupElement {
+        let around = place;
         let place = place.inside(group);
         let mut element = GroupElement::new();
+        if place.old != around.old {
+            // Words take the colour of what they stand in.
+            element = element.set("fill", colour(self.theme, Tone::Ink, place));
+        }
         if !group.class.is_empty() {
             element = element.set("class", group.class.as_str());
         }
@@ -364,7 +369,7 @@ fn through(points: &[Point], at: impl Fn(Point) -> String) -> String {
 }
 
 fn colour(theme: Theme, tone: Tone, place: Place) -> String {
-    format!("#{}", theme.tone(tone, place.about).hex())
+    format!("#{}", theme.colour(tone, place).hex())
 }
 
 fn dashes(pen: Pen) -> Option<String> {

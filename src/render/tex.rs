@@ -142,6 +142,8 @@ fn preamble(figure: &Figure, theme: Theme, pages: &[Page<'_>], styles: &BTreeSet
         let hex = theme.tone(tone, about).hex().to_uppercase();
         let _ = writeln!(out, "\\providecolor{{linkgram{name}}}{{HTML}}{{{hex}}}");
     }
+    let old = theme.colour(Tone::Ink, Place::of_the_old()).hex().to_uppercase();
+    let _ = writeln!(out, "\\providecolor{{linkgramold}}{{HTML}}{{{old}}}");
     let mut style = |name: &str, value: &str| {
         let _ = writeln!(out, "\\linkgramstyle{{{name}}}{{{value}}}");
     };
@@ -157,6 +159,7 @@ fn preamble(figure: &Figure, theme: Theme, pages: &[Page<'_>], styles: &BTreeSet
         });
         style(name, &format!("dash pattern={}", pattern.collect::<Vec<_>>().join(" ")));
     }
+    style("old ink", "color=linkgramold, linkgram text/.append style={text=linkgramold}");
     style("velocity ink", "color=linkgramvelocity");
     style("acceleration ink", "color=linkgramacceleration");
     for name in styles {
@@ -267,7 +270,9 @@ impl Picture<'_> {
             self.styles.insert(class.to_owned());
             options.push(format!("linkgram {class}"));
         }
-        if place.about != around.about {
+        if place.old != around.old {
+            options.push("linkgram old ink".to_owned());
+        } else if place.about != around.about && !place.old {
             match place.about {
                 About::Velocity => options.push("linkgram velocity ink".to_owned()),
                 About::Acceleration => options.push("linkgram acceleration ink".to_owned()),

@@ -39,18 +39,33 @@ pub struct Place {
     diagram: About,
     /// What the strokes here are about.
     pub about: About,
+    /// Whether it stood there before: beside what is new it stands back.
+    pub old: bool,
 }
 
 impl Place {
+    /// Where ink stands back.
+    #[must_use]
+    pub fn of_the_old() -> Self {
+        Self { old: true, ..Self::default() }
+    }
+
+    /// The same for words, which are about nothing.
+    #[must_use]
+    pub fn of_words(self) -> Self {
+        Self { about: About::All, ..self }
+    }
+
     /// The place inside this group.
     #[must_use]
     pub fn inside(self, group: &Group) -> Self {
         let has = |word: &str| group.class.split(' ').any(|w| w == word);
         let mut inside = self;
+        inside.old |= has("old");
         if has("polygon") {
             inside.diagram = if has("acceleration") { About::Acceleration } else { About::Velocity };
         }
-        if has("vector") {
+        if has("vector") || has("detail-vector") {
             // On the skeleton a vector says itself what it is.
             inside.about = if has("velocity") { About::Velocity } else { inside.diagram };
         } else if has("rotation") {
@@ -95,6 +110,16 @@ impl Theme {
             (_, Tone::Paper, _) => [0xff, 0xff, 0xff],
             (_, Tone::Tint, _) => [0xe4, 0xeb, 0xf2],
         })
+    }
+
+    /// The colour of a tone in its place: ink that stands back is grey.
+    #[must_use]
+    pub const fn colour(self, tone: Tone, place: Place) -> Rgb {
+        match (self, tone, place.old) {
+            (Self::Dark, Tone::Ink, true) => Rgb([0x78, 0x7c, 0x80]),
+            (_, Tone::Ink, true) => Rgb([0x92, 0x92, 0x92]),
+            _ => self.tone(tone, place.about),
+        }
     }
 
     /// Whether the paper itself must be painted.
@@ -142,6 +167,10 @@ mod tests {
                 }
                 assert!(theme.tone(Tone::Ink, About::All).contrast(ground) >= 4.5, "{theme:?}");
             }
+            // What stands back is seen, and told from what is new.
+            let old = theme.colour(Tone::Ink, Place::of_the_old());
+            assert!(old.contrast(theme.tone(Tone::Paper, About::All)) >= 3.0, "{theme:?}");
+            assert!(old.contrast(theme.tone(Tone::Ink, About::All)) >= 3.0, "{theme:?}");
         }
     }
 

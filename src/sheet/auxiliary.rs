@@ -60,7 +60,7 @@ pub fn draw(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &
     let mut bare = construction.clone();
     bare.space.lines.clear();
     bare.others.clear();
-    skeleton::draw_under(&bare, notation, Arrows::Inputs, |ink, places| {
+    skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |ink, places| {
         let plate = Plate { drawing, notation: *notation, places, window: window(drawing, ink) };
         Overlay { ink: plate.strokes(), labels: plate.labels() }
     })

@@ -4,7 +4,9 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::circle::{centre_name, name};
-use super::figure::{Group, Mark, Pen, Shape, Tone};
+use super::compose;
+use super::figure::{Group, Mark, Moment, Pen, Shape, Tone};
+use super::growth::Births;
 use super::human;
 use super::ink::{FINE, HEAD, SMALL, THIN, dot, head, page};
 use super::labels::{Request, Site};
@@ -13,11 +15,14 @@ use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay, PIN};
 use crate::graphical::construction::{Centre, CentreLine, CentrePlace, CircleDiagram, Construction, Found};
+use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{LinkId, Rider};
 use crate::plan::chord;
 
 /// The figure grows to this size at most to take a centre in; what lies further out is off the sheet.
 const LARGEST: (f64, f64) = (150.0, 138.0);
+/// What names and caption need around a figure that fills the paper, width and height.
+const AROUND: (f64, f64) = (2.0, 24.0);
 /// Blank kept between a centre and the border.
 const BORDER: f64 = 9.0;
 /// Centres closer than this on paper have one label.
@@ -26,9 +31,24 @@ const COINCIDENT: f64 = 0.3;
 /// The skeleton with the lines of centres and the centres' names. In a crowd that leaves no room for all names, pins
 /// have none: their centres are seen.
 #[must_use]
-pub fn draw(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>) -> Group {
-    let full = drawn(circle, construction, notation, Pins::Named);
-    if overlaps_in(&full, None).is_empty() { full } else { drawn(circle, construction, notation, Pins::Bare) }
+pub fn draw(
+    circle: &CircleDiagram,
+    construction: &Construction,
+    notation: &Notation<'_>,
+    births: Option<&Births<'_>>,
+) -> Group {
+    let full = drawn(circle, construction, notation, Pins::Named, births);
+    if overlaps_in(&full, None).is_empty() {
+        return full;
+    }
+    drawn(circle, construction, notation, Pins::Bare, births)
+}
+
+/// When a centre is found, told as the acts of a step after the last: the primary ones at once, each other by itself.
+fn moment(circle: &CircleDiagram, links: [LinkId; 2], births: &Births<'_>) -> Moment {
+    let constructed = circle.centres.iter().filter(|centre| !centre.found.is_primary());
+    let own = constructed.enumerate().find(|(_, centre)| centre.links == links);
+    Moment { step: births.last().step + 1, act: own.map_or(0, |(index, _)| index + 1) }
 }
 
 /// Whether the centres of pins are named.
@@ -38,14 +58,21 @@ enum Pins {
     Bare,
 }
 
-fn drawn(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>, pins: Pins) -> Group {
-    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, |ink, places| {
+fn drawn(
+    circle: &CircleDiagram,
+    construction: &Construction,
+    notation: &Notation<'_>,
+    pins: Pins,
+    births: Option<&Births<'_>>,
+) -> Group {
+    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, births, |ink, places| {
         let mut chart = Chart {
+            births,
             circle,
             notation: *notation,
             places,
             pins,
-            window: window(circle, ink),
+            window: window(circle, ink, notation),
             metres_per_mm: construction.space.metres_per_mm,
             overlay: Overlay { ink: Group::new("centres"), ..Overlay::default() },
         };
@@ -57,17 +84,27 @@ fn drawn(circle: &CircleDiagram, construction: &Construction, notation: &Notatio
     group
 }
 
-/// The skeleton's ink with as many centres as find room, the nearest first.
-fn window(circle: &CircleDiagram, skeleton: Rect) -> Rect {
+/// The skeleton's ink with as many centres as find room, the nearest first: those that are asked for as far as the paper
+/// reaches, then the others on the part of it that a figure usually has.
+fn window(circle: &CircleDiagram, skeleton: Rect, notation: &Notation<'_>) -> Rect {
     let mut window = skeleton.inflate(BORDER, BORDER);
-    let mut places: Vec<Point> = circle.centres.iter().filter_map(on_paper).collect();
+    let asked = |centre: &Centre| {
+        let [i, j] = centre.links;
+        let wanted = [Quantity::Centre(i, j), Quantity::Centre(j, i)];
+        notation.mechanism().asked.iter().any(|asked| wanted.contains(&asked.quantity))
+    };
+    let (width, height) = compose::free_paper(notation.scene);
+    let paper = (width - AROUND.0, height - AROUND.1);
     let middle = skeleton.center();
-    places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
-    for at in places {
-        let grown = window.union(Rect::from_center_size(at, (2.0 * BORDER, 2.0 * BORDER)));
-        if grown.width() <= LARGEST.0.max(window.width()) && grown.height() <= LARGEST.1.max(window.height())
-        {
-            window = grown;
+    for (of_asked, most) in [(true, paper), (false, LARGEST)] {
+        let own = circle.centres.iter().filter(|centre| asked(centre) == of_asked);
+        let mut places: Vec<Point> = own.filter_map(on_paper).collect();
+        places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
+        for at in places {
+            let grown = window.union(Rect::from_center_size(at, (2.0 * BORDER, 2.0 * BORDER)));
+            if grown.width() <= most.0.max(window.width()) && grown.height() <= most.1.max(window.height()) {
+                window = grown;
+            }
         }
     }
     window
@@ -94,6 +131,7 @@ struct Chart<'a> {
     window: Rect,
     metres_per_mm: f64,
     overlay: Overlay,
+    births: Option<&'a Births<'a>>,
 }
 
 /// A straight line on the page with the centres that lie on it.
@@ -101,9 +139,15 @@ struct Ruled {
     through: Point,
     along: Vec2,
     members: Vec<[LinkId; 2]>,
+    /// When it was drawn.
+    born: Option<Moment>,
 }
 
 impl Chart<'_> {
+    fn born(&self, links: [LinkId; 2]) -> Option<Moment> {
+        self.births.map(|births| moment(self.circle, links, births))
+    }
+
     fn centre(&self, links: [LinkId; 2]) -> Option<&Centre> {
         self.circle.centre(links)
     }
@@ -132,7 +176,7 @@ impl Chart<'_> {
                 };
                 match all.iter_mut().find(same) {
                     Some(ruled) => ruled.members.extend(members),
-                    None => all.push(Ruled { through, along, members }),
+                    None => all.push(Ruled { through, along, members, born: self.born(centre.links) }),
                 }
             }
         }
@@ -196,7 +240,7 @@ impl Chart<'_> {
             let to = if reaches(true) { to } else { (to + 4.0).min(high) };
             let at = |t: f64| ruled.through + ruled.along * t;
             let names: Vec<String> = members.iter().map(|m| centre_name(*m, &self.notation)).collect();
-            let mut own = Group::new("line-of-centres").data("centres", names.join(" "));
+            let mut own = Group::new("line-of-centres").data("centres", names.join(" ")).lived(ruled.born);
             own.mark(Mark::stroke(Shape::Line(at(from), at(to)), Pen::solid(FINE)).class("ray").precise());
             for forward in [false, true] {
                 if !reaches(forward) {
@@ -212,7 +256,7 @@ impl Chart<'_> {
                     .collect();
                 let text = Rich::join(&there, &Rich::upright(", "));
                 let site = Site::Around { at: tip, radius: 0.6, toward: Some(libm::atan2(-way.y, way.x)) };
-                let mut request = Request::new(text, SMALL, site, "label centre-name");
+                let mut request = Request::new(text, SMALL, site, "label centre-name").lived(ruled.born);
                 request.leader = true;
                 self.overlay.labels.push(request);
             }
@@ -256,7 +300,8 @@ impl Chart<'_> {
             let at_pin = crowd.iter().any(|c| matches!(c.found, Found::Pin(_)));
             let is_pole = crowd.iter().any(|c| c.links[0] == LinkId::FRAME);
             let names: Vec<String> = crowd.iter().map(|c| centre_name(c.links, &self.notation)).collect();
-            let mut own = Group::new("centre").data("centre", names.join(" "));
+            let born = crowd.iter().filter_map(|c| self.born(c.links)).min();
+            let mut own = Group::new("centre").data("centre", names.join(" ")).lived(born);
             if !at_pin {
                 if is_pole {
                     let ring = Shape::Circle { centre: at, radius: 1.2 };
@@ -272,7 +317,7 @@ impl Chart<'_> {
             let text = Rich::join(&texts, &Rich::upright(","));
             let radius = if at_pin { PIN + 0.2 } else { 1.3 };
             let site = Site::Around { at, radius, toward: None };
-            let mut request = Request::new(text, SMALL, site, "label centre-name").naming(names);
+            let mut request = Request::new(text, SMALL, site, "label centre-name").naming(names).lived(born);
             request.leader = true;
             self.overlay.labels.push(request);
         }
@@ -299,11 +344,14 @@ impl Chart<'_> {
                 way = -way;
             }
             let (from, to) = (at + way * 3.4, at + way * 12.0);
-            group.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("ray"));
-            group.mark(head(to, way, HEAD));
+            let born = self.born(centre.links);
+            let mut own = Group::default().lived(born);
+            own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("ray"));
+            own.mark(head(to, way, HEAD));
+            group.adopt(own);
             let text = name(centre.links, &self.notation).up("∞");
             let site = Site::Around { at: to, radius: 0.5, toward: Some(libm::atan2(-way.y, way.x)) };
-            let mut request = Request::new(text, SMALL, site, "label centre-name");
+            let mut request = Request::new(text, SMALL, site, "label centre-name").lived(born);
             request.leader = true;
             self.overlay.labels.push(request);
         }

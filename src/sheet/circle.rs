@@ -193,26 +193,26 @@ pub fn name(links: [LinkId; 2], notation: &Notation<'_>) -> Rich {
     Rich::upright(centre_name(links, notation))
 }
 
-/// The steps of the circle diagram in words.
+/// The steps of the circle diagram in words; with each the act of marking centres that it tells, the primary ones first.
 #[must_use]
-pub fn items(circle: &CircleDiagram, notation: &Notation<'_>) -> Vec<Item> {
+pub fn items(circle: &CircleDiagram, notation: &Notation<'_>) -> Vec<(Item, Option<usize>)> {
     let words = notation.words;
     let n = circle.links.len().to_string();
-    let mut all = vec![Item::Head(Rich::bold(words.step_centres))];
+    let mut all = vec![(Item::Head(Rich::bold(words.step_centres)), None)];
     let count = [("n", Rich::upright(&n)), ("count", Rich::upright(circle.count().to_string()))];
-    all.push(Item::Sentence(Rich::fill(words.centre_count, &count)));
+    all.push((Item::Sentence(Rich::fill(words.centre_count, &count)), None));
     let listed = |centres: &[&Centre]| {
         let names: Vec<Rich> = centres.iter().map(|c| place_name(c, notation)).collect();
         Rich::join(&names, &Rich::upright(", "))
     };
     let primary: Vec<&Centre> = circle.centres.iter().filter(|c| c.found.is_primary()).collect();
-    all.push(Item::Sentence(Rich::fill(words.primary_centres, &[("centres", listed(&primary))])));
-    for centre in circle.centres.iter().filter(|c| !c.found.is_primary()) {
-        all.push(Item::Sentence(sentence(centre, notation)));
+    all.push((Item::Sentence(Rich::fill(words.primary_centres, &[("centres", listed(&primary))])), Some(0)));
+    for (index, centre) in circle.centres.iter().filter(|c| !c.found.is_primary()).enumerate() {
+        all.push((Item::Sentence(sentence(centre, notation)), Some(index + 1)));
     }
     for stalled in &circle.stalled {
         let parts = [("centre", name(*stalled, notation))];
-        all.push(Item::Sentence(Rich::fill(words.centre_stalled, &parts)));
+        all.push((Item::Sentence(Rich::fill(words.centre_stalled, &parts)), None));
     }
     all
 }

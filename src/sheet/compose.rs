@@ -3,18 +3,20 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::feet::told_apart;
-use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
+use super::figure::{Figure, Group, Mark, Moment, Node, Pen, Shape};
 use super::font::Face;
+use super::growth::Births;
 use super::notation::Notation;
 use super::rich::Rich;
-use super::steps::{self, Item};
+use super::steps::{self, Drawn, Item, Told};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
 use super::{
     auxiliary, centres, circle, given, growth, human, polygon, positions, results, skeleton, transfer, wanted,
 };
 use crate::graphical::auxiliary::AuxiliaryDrawing;
-use crate::graphical::construction::Construction;
+use crate::graphical::construction::{Construction, Polygon};
+use crate::mechanism::PointId;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
 
@@ -28,6 +30,10 @@ const TEXT: f64 = 3.5;
 const LEADING: f64 = 4.9;
 /// The same where Arabic script reaches further up and down; lines whose letters come too near keep more.
 const ARABIC_LEADING: f64 = 5.5;
+/// What is on a last page and fills less of it than this is taken back to those before where they can be set tighter.
+const LEAST_LAST: f64 = 0.2;
+/// How much nearer lines may stand to each other for that.
+const TIGHTER: [f64; 3] = [0.97, 0.94, 0.91];
 /// Blank between the letters of two lines, at least.
 const BETWEEN_LINES: f64 = 0.3;
 /// The steps begin on a page that has so much room left: for a head and some lines in both columns.
@@ -83,10 +89,8 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
     let [skeleton, velocity, acceleration, centres, circle] = panels;
-    let mut pager = Pager::new(width, height, title(scene, words), words);
-    pager.heading(&given::paragraph(&notation));
-
-    let beside = pager.width() - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
+    let given = given::paragraph(&notation);
+    let beside = width - 2.0 * MARGIN - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
     // All results beside the skeleton, or those of velocity there and the others below the panels.
     let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
     let fits = |table: &Table| {
@@ -105,13 +109,25 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
     let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
     let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
-    pager.tell(&steps::items(construction, &notation));
-    pager.rows(&blocks.flatten().chain(further).collect::<Vec<_>>());
-    if let Some(table) = rest {
-        pager.results(&table.fitted(pager.column()));
-    }
-    pager.steps();
-    let (pages, count) = pager.finish();
+    let blocks: Vec<Block> = blocks.flatten().chain(further).collect();
+    let steps = steps::items(construction, &notation);
+    let set = |tight: f64| {
+        let mut pager = Pager { tight, ..Pager::new(width, height, title(scene, words), words) };
+        pager.heading(&given);
+        pager.tell(&steps);
+        pager.rows(&blocks);
+        if let Some(table) = &rest {
+            pager.results(&table.clone().fitted(pager.column()));
+        }
+        pager.steps();
+        pager
+    };
+    let loose = set(1.0);
+    // Some lines alone on a last page are taken back, the lines of all pages a little nearer to each other.
+    let lost = loose.pages.len() > 1 && loose.y - MARGIN < LEAST_LAST * height;
+    let closer = TIGHTER.iter().filter(|_| lost).map(|tight| set(*tight));
+    let fewer = closer.into_iter().find(|pager| pager.pages.len() < loose.pages.len());
+    let (pages, count) = fewer.unwrap_or(loose).finish();
     let figure = Figure {
         width,
         height: height * count as f64,
@@ -156,18 +172,15 @@ fn question_on(
 ) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let skeleton = asked_skeleton(construction, &notation);
+    let (skeleton, dimensioned) = asked_skeleton(construction, &notation);
     let width = width.max(skeleton.width + 2.0 * MARGIN);
     let height = height.max(skeleton.height + 4.0 * MARGIN);
     let mut pager = Pager::new(width, height, title(scene, words), words);
-    pager.heading(&given::paragraph(&notation));
+    pager.heading(&given::paragraph_of_question(&notation, &dimensioned));
     pager.rows(&[skeleton]);
     let mut items = vec![Item::Head(Rich::bold(words.required))];
     items.extend(given::asked(&notation).into_iter().map(Item::Sentence));
     items.extend(positions::asked(&notation).into_iter().map(Item::Sentence));
-    if let Some(scales) = results::stated_scales(&notation) {
-        items.push(Item::Sentence(scales));
-    }
     let list = column(&items, pager.width(), words);
     pager.block(list);
     let (pages, count) = pager.finish();
@@ -187,13 +200,13 @@ fn question_on(
 pub fn single_of_question(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let block = asked_skeleton(construction, &notation);
+    let (block, _) = asked_skeleton(construction, &notation);
     let title = format!("{}: {}", title(scene, words), words.skeleton);
     localised(cut(block.group, title, words.question.to_owned(), words), scene)
 }
 
-/// The dimensioned skeleton with its caption.
-fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> Block {
+/// The dimensioned skeleton with its caption, and the points whose places it gives.
+fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> (Block, Vec<PointId>) {
     let words = notation.words;
     let unit = Rich::upright(human::pretty(&notation.scene.units.length.symbol));
     let scale = notation.length_scale(construction.space.metres_per_mm);
@@ -203,26 +216,43 @@ fn asked_skeleton(construction: &Construction, notation: &Notation<'_>) -> Block
         .then(&Rich::fill(words.dimensions_in, &[("unit", unit)]))
         .up(&comma)
         .then(&Rich::fill(words.scale, &[("scale", scale)]));
-    captioned(skeleton::question(construction, notation), &[caption])
+    let (drawing, dimensioned) = skeleton::question(construction, notation);
+    (captioned(drawing, &[caption]), dimensioned)
 }
 
-/// The steps one by one: beside what is said of each, its drawing as it stands after it.
+/// So many acts on paper are shown in one picture at most.
+const ACTS: usize = 4;
+
+/// The steps one by one: beside what is said of some acts, the drawing as it stands after them, what is new in it before
+/// what is old. A diagram stands in all its pictures at one scale, with all names in their places.
 #[must_use]
 pub fn step_by_step(scene: &Scene, construction: &Construction, language: Language) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let construction = &told_apart(construction, &notation);
+    let construction = &growth::alone(&told_apart(construction, &notation));
+    let births = Births::of(construction, notation.mechanism());
     let (width, height) = paper(scene);
     let told = steps::by_step(construction, &notation);
-    let drawn: Vec<Option<Block>> =
-        told.iter().map(|told| after_step(construction, &notation, told.step, told.drawn?)).collect();
-    let largest = |side: fn(&Block) -> f64| drawn.iter().flatten().map(side).fold(0.0, f64::max);
-    let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
-    let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
+    let mut board = Blackboard::new(construction, &notation, &births);
+    let drawn: Vec<(Piece, Option<Block>)> = pieces(&told, &births)
+        .into_iter()
+        .map(|piece| {
+            let picture = piece.drawn.and_then(|drawn| board.picture(drawn, piece.upto));
+            (piece, picture)
+        })
+        .collect();
+    let blocks = || drawn.iter().filter_map(|(_, block)| block.as_ref());
+    let width = width.max(blocks().map(|b| b.width).fold(0.0, f64::max) + 2.0 * MARGIN);
+    let height = height.max(blocks().map(|b| b.height).fold(0.0, f64::max) + 4.0 * MARGIN);
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&given::paragraph(&notation));
-    for (told, drawing) in told.iter().zip(drawn) {
-        pager.step(column(&told.items, pager.column(), words), drawing);
+    let last_of_centres = drawn.iter().rposition(|(piece, _)| piece.drawn == Some(Drawn::Centres));
+    for (i, (piece, picture)) in drawn.into_iter().enumerate() {
+        pager.step(column(&piece.items, pager.column(), words), picture);
+        if last_of_centres == Some(i) {
+            let circle = panel(Name::Circle, construction, &notation);
+            pager.rows(&circle.into_iter().collect::<Vec<_>>());
+        }
     }
     let (pages, count) = pager.finish();
     let figure = Figure {
@@ -236,19 +266,128 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
     localised(figure, scene)
 }
 
-/// The diagram that a step draws in, as it stands after it.
-fn after_step(
-    construction: &Construction,
-    notation: &Notation<'_>,
-    step: usize,
-    order: Order,
-) -> Option<Block> {
-    let name = match order {
-        Order::Position => Name::Skeleton,
-        Order::Velocity => Name::Velocity,
-        Order::Acceleration => Name::Acceleration,
-    };
-    panel(name, &growth::after(construction, notation.mechanism(), step), notation)
+/// What is said beside one picture.
+struct Piece {
+    items: Vec<Item>,
+    drawn: Option<Drawn>,
+    /// How many acts on paper it tells.
+    acts: usize,
+    /// The last of them.
+    upto: Moment,
+    /// All that is told under its heads.
+    whole: bool,
+}
+
+/// What is told in pieces of no more acts than one picture shows; short steps in one drawing stand together.
+fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
+    let mut all: Vec<Piece> = Vec::new();
+    for told in told {
+        let acts = told.acts.iter().flatten().count();
+        let parts = acts.div_ceil(ACTS).max(1);
+        let each = acts.div_ceil(parts);
+        let step = if told.drawn == Some(Drawn::Centres) { births.last().step + 1 } else { told.step };
+        let fresh = || Piece {
+            items: Vec::new(),
+            drawn: told.drawn,
+            acts: 0,
+            upto: Moment { step, act: 0 },
+            whole: parts == 1,
+        };
+        let mut own = vec![fresh()];
+        for (item, act) in told.items.iter().zip(&told.acts) {
+            if act.is_some() && own.last().is_some_and(|piece| piece.acts == each) {
+                own.push(fresh());
+            }
+            let Some(piece) = own.last_mut() else { continue };
+            piece.items.push(item.clone());
+            if let Some(act) = *act {
+                piece.acts += 1;
+                piece.upto.act = piece.upto.act.max(act);
+            }
+        }
+        // With the last act the step is done.
+        if let Some(last) = own.last_mut() {
+            last.upto.act = usize::MAX;
+        }
+        for piece in own {
+            match all.last_mut() {
+                Some(before)
+                    if before.whole
+                        && piece.whole
+                        && before.drawn == piece.drawn
+                        && matches!(piece.drawn, Some(Drawn::Diagram(_)))
+                        && before.acts + piece.acts <= ACTS =>
+                {
+                    before.items.extend(piece.items);
+                    before.acts += piece.acts;
+                    before.upto = piece.upto;
+                }
+                _ => all.push(piece),
+            }
+        }
+    }
+    all
+}
+
+/// The finished diagrams, each drawn once, and how far it has been shown.
+struct Blackboard<'a> {
+    construction: &'a Construction,
+    notation: &'a Notation<'a>,
+    births: &'a Births<'a>,
+    finished: Vec<Finished>,
+}
+
+struct Finished {
+    of: Drawn,
+    ink: Group,
+    bounds: Rect,
+    caption: Vec<Rich>,
+    shown: Option<Moment>,
+}
+
+impl<'a> Blackboard<'a> {
+    fn new(construction: &'a Construction, notation: &'a Notation<'a>, births: &'a Births<'a>) -> Self {
+        Self { construction, notation, births, finished: Vec::new() }
+    }
+
+    /// The place of a diagram among the finished ones, drawn when it is first asked for.
+    fn index(&mut self, of: Drawn) -> Option<usize> {
+        if let Some(index) = self.finished.iter().position(|finished| finished.of == of) {
+            return Some(index);
+        }
+        let name = match of {
+            Drawn::Diagram(Order::Position) => Name::Skeleton,
+            Drawn::Diagram(Order::Velocity) => Name::Velocity,
+            Drawn::Diagram(Order::Acceleration) => Name::Acceleration,
+            Drawn::Centres => Name::Centres,
+            Drawn::Transfer(_) | Drawn::Auxiliary(_) => return None,
+        };
+        let ink = drawing(name, self.construction, self.notation, Some(self.births))?;
+        let bounds = ink.bounds().unwrap_or(Rect::ZERO);
+        let caption = captions(name, self.construction, self.notation)?;
+        // The skeleton under the centres stood there before.
+        let shown = (of == Drawn::Centres).then_some(Moment { act: usize::MAX, ..self.births.last() });
+        self.finished.push(Finished { of, ink, bounds, caption, shown });
+        Some(self.finished.len() - 1)
+    }
+
+    /// The picture of a drawing after this act; none where nothing new is in it.
+    fn picture(&mut self, of: Drawn, upto: Moment) -> Option<Block> {
+        match of {
+            Drawn::Transfer(index) => panel(Name::Transfer(index), self.construction, self.notation),
+            Drawn::Auxiliary(index) => {
+                let drawing = self.construction.auxiliary.get(index)?;
+                Some(auxiliary_panel(drawing, self.construction, self.notation))
+            }
+            of => {
+                let index = self.index(of)?;
+                let own = &mut self.finished[index];
+                let since = own.shown.replace(upto);
+                growth::changes(&own.ink, since, upto)
+                    .then(|| captioned_in(growth::at(&own.ink, since, upto), own.bounds, &own.caption))
+            }
+        }
+    }
 }
 
 /// The figures of a film, all of one size: the three diagrams as they stand after each step, each in its
@@ -257,10 +396,11 @@ fn after_step(
 pub fn film(scene: &Scene, construction: &Construction, language: Language) -> Vec<Figure> {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let construction = &told_apart(construction, &notation);
+    let construction = &growth::alone(&told_apart(construction, &notation));
+    let births = Births::of(construction, notation.mechanism());
     let names = [Name::Skeleton, Name::Velocity, Name::Acceleration];
     // The places of the diagrams are those that the finished ones need.
-    let finished = names.map(|name| drawing(name, construction, &notation));
+    let finished = names.map(|name| drawing(name, construction, &notation, Some(&births)));
     let boxes = finished.each_ref().map(|d| d.as_ref().and_then(Group::bounds));
     let ink = boxes.map(|b| b.unwrap_or(Rect::ZERO).inflate(EDGE, EDGE));
     let width = (ink[1].width() + ink[2].width()).max(ink[0].width());
@@ -274,15 +414,18 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
     ];
     let told = steps::by_step(construction, &notation);
     let last = told.len().saturating_sub(1);
+    let mut since: Option<Moment> = None;
     let frames = told.iter().enumerate().map(|(i, told)| {
-        let now = growth::after(construction, notation.mechanism(), told.step);
+        let upto = Moment { step: told.step, act: usize::MAX };
         let mut root = Group::new("frame").data("step", (told.step + 1).to_string());
-        for (k, name) in names.into_iter().enumerate() {
-            let own = if i == last { finished[k].clone() } else { drawing(name, &now, &notation) };
-            let Some(mut own) = own else { continue };
+        for (k, finished) in finished.iter().enumerate() {
+            let Some(finished) = finished else { continue };
+            // At the end all is of one colour.
+            let mut own = if i == last { finished.clone() } else { growth::at(finished, since, upto) };
             own.translate(corners[k] - ink[k].origin());
             root.group(own);
         }
+        since = Some(upto);
         if let Some(Item::Head(text)) = told.items.first() {
             let line = text.set(TEXT);
             line.put(&mut root, Point::new(((width - line.width) / 2.0).max(0.0), head - TEXT), "heading");
@@ -300,17 +443,26 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
     frames.collect()
 }
 
-/// A diagram without its caption.
-fn drawing(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Group> {
+/// A diagram without its caption; with the lives of its ink where these are told.
+fn drawing(
+    name: Name,
+    construction: &Construction,
+    notation: &Notation<'_>,
+    births: Option<&Births<'_>>,
+) -> Option<Group> {
+    let polygon = |polygon: &Option<Polygon>| {
+        let polygon = polygon.as_ref()?;
+        let births = births.map(|births| births.images(polygon.order));
+        Some(polygon::draw(polygon, &construction.steps, notation, births))
+    };
     match name {
-        Name::Skeleton => Some(skeleton::draw(construction, notation)),
-        Name::Velocity => {
-            construction.velocity.as_ref().map(|p| polygon::draw(p, &construction.steps, notation))
-        }
-        Name::Acceleration => {
-            construction.acceleration.as_ref().map(|p| polygon::draw(p, &construction.steps, notation))
-        }
-        Name::Centres => Some(centres::draw(construction.circle.as_ref()?, construction, notation)),
+        Name::Skeleton => Some(match births {
+            Some(births) => skeleton::growing(construction, notation, births),
+            None => skeleton::draw(construction, notation),
+        }),
+        Name::Velocity => polygon(&construction.velocity),
+        Name::Acceleration => polygon(&construction.acceleration),
+        Name::Centres => Some(centres::draw(construction.circle.as_ref()?, construction, notation, births)),
         Name::Circle => Some(circle::draw(construction.circle.as_ref()?, notation)),
         Name::Transfer(index) => {
             let circle = construction.circle.as_ref()?;
@@ -481,7 +633,15 @@ pub fn paper(scene: &Scene) -> (f64, f64) {
     if words.next() == Some("landscape") { (height, width) } else { (width, height) }
 }
 
-#[derive(Debug, Clone, Copy)]
+/// Width and height of the paper within its margins, mm.
+#[must_use]
+pub(super) fn free_paper(scene: &Scene) -> (f64, f64) {
+    let (width, height) = paper(scene);
+    let free = |side: f64| (side - 2.0 * MARGIN).max(40.0);
+    (free(width), free(height))
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Name {
     Skeleton,
     Velocity,
@@ -494,6 +654,12 @@ enum Name {
 
 /// A drawing of the solution with its caption and scale.
 fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
+    let caption = captions(name, construction, notation)?;
+    Some(captioned(drawing(name, construction, notation, None)?, &caption))
+}
+
+/// What stands below a drawing: its name and scale, and the legend of what is dashed in it.
+fn captions(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Vec<Rich>> {
     let words = notation.words;
     let plain = |caption: &str| Rich::upright(caption);
     let (caption, scale) = match name {
@@ -531,7 +697,7 @@ fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Op
     if matches!(name, Name::Skeleton) {
         caption.extend(positions::legend(construction, notation));
     }
-    Some(captioned(drawing(name, construction, notation)?, &caption))
+    Some(caption)
 }
 
 /// A construction on the skeleton with its caption.
@@ -569,12 +735,17 @@ fn letter(name: Name, construction: &Construction) -> usize {
     }
 }
 
-/// A drawing with its caption below, upper left corner at the origin.
-/// A drawing with its caption below it: lines that are no wider than the drawing or the first of them.
+/// A drawing with its caption below it, upper left corner at the origin: lines that are no wider than the drawing or the
+/// first of them.
 fn captioned(drawing: Group, caption: &[Rich]) -> Block {
+    let ink = drawing.bounds().unwrap_or(Rect::ZERO);
+    captioned_in(drawing, ink, caption)
+}
+
+/// The same where the drawing has the place of this box, whether it fills it or not.
+fn captioned_in(drawing: Group, ink: Rect, caption: &[Rich]) -> Block {
     let mut group = Group::new("panel");
     group.group(drawing);
-    let ink = group.bounds().unwrap_or(Rect::ZERO);
     let first = caption.first().map_or(0.0, |line| line.width(TEXT));
     let width = ink.width().max(first);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
@@ -667,8 +838,9 @@ fn terms_in(table: &Table, width: f64) -> Vec<Table> {
     split.map_or(vec![fitted], |(first, second)| vec![first, second.fitted(width)])
 }
 
-/// The items of the steps as strips of this width.
-fn strips(items: &[Item], width: f64, words: &Words) -> Vec<Strip> {
+/// The items of the steps as strips of this width, their lines so near to each other.
+fn strips(items: &[Item], width: f64, words: &Words, tight: f64) -> Vec<Strip> {
+    let leading = tight * leading(words);
     // Where a piece of this width begins that is so far from the edge at which the reader begins.
     let at = |indent: f64, own: f64| if words.right_to_left { width - indent - own } else { indent };
     let mut all = Vec::new();
@@ -677,10 +849,11 @@ fn strips(items: &[Item], width: f64, words: &Words) -> Vec<Strip> {
             Item::Head(text) => {
                 for (k, line) in text.wrap(TEXT, width).iter().enumerate() {
                     let mut group = Group::new("step-head");
-                    let above = if k == 0 { 3.2 } else { 0.0 };
+                    let above = if k == 0 { 3.2 * tight } else { 0.0 };
                     let line = line.set(TEXT);
                     line.put(&mut group, Point::new(at(0.0, line.width), above + TEXT), "heading");
-                    all.push(Strip { group, height: above + leading(words) + 0.4, blank: above, keep: true });
+                    let height = above + leading + 0.4;
+                    all.push(Strip { group, height, blank: above, keep: true });
                 }
             }
             Item::Terms(table) => {
@@ -704,7 +877,7 @@ fn strips(items: &[Item], width: f64, words: &Words) -> Vec<Strip> {
                     }
                     let line = line.set(TEXT);
                     line.put(&mut group, Point::new(at(4.0, line.width), TEXT), "sentence");
-                    all.push(Strip { group, height: leading(words), blank: 0.0, keep: k + 1 < lines.len() });
+                    all.push(Strip { group, height: leading, blank: 0.0, keep: k + 1 < lines.len() });
                 }
             }
         }
@@ -723,7 +896,7 @@ fn strips(items: &[Item], width: f64, words: &Words) -> Vec<Strip> {
 fn column(items: &[Item], width: f64, words: &Words) -> Block {
     let mut group = Group::new("steps");
     let mut y = 0.0;
-    for mut strip in strips(items, width, words) {
+    for mut strip in strips(items, width, words, 1.0) {
         strip.group.translate(Vec2::new(0.0, y));
         y += strip.height;
         group.group(strip.group);
@@ -740,6 +913,8 @@ struct Pager {
     y: f64,
     /// The steps that are not set yet, in pieces that may not be parted.
     waiting: Vec<Vec<Strip>>,
+    /// How near the lines of the steps stand to each other, 1 as usual.
+    tight: f64,
 }
 
 impl Pager {
@@ -751,6 +926,7 @@ impl Pager {
             pages: vec![Group::new("page")],
             y: MARGIN,
             waiting: Vec::new(),
+            tight: 1.0,
         }
     }
 
@@ -960,7 +1136,7 @@ impl Pager {
     /// What is told of the steps, to be set below the panels and where they leave room.
     fn tell(&mut self, items: &[Item]) {
         let mut chunks: Vec<Vec<Strip>> = vec![Vec::new()];
-        for strip in strips(items, self.column(), self.words) {
+        for strip in strips(items, self.column(), self.words, self.tight) {
             let keep = strip.keep;
             if let Some(chunk) = chunks.last_mut() {
                 chunk.push(strip);
@@ -1028,7 +1204,10 @@ impl Pager {
             page = page.data("page", (i + 1).to_string());
             let number = Rich::fill(
                 self.words.page,
-                &[("page", Rich::upright((i + 1).to_string())), ("pages", Rich::upright(count.to_string()))],
+                &[
+                    ("page", Rich::upright(self.words.count(i + 1))),
+                    ("pages", Rich::upright(self.words.count(count))),
+                ],
             );
             let line = number.set(3.0);
             let far = self.paper.0 - MARGIN - line.width;

@@ -4,6 +4,7 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Group, Mark, Pen, Shape, on_circle};
+use super::growth::Images;
 use super::ink::{FINE, SMALL, THIN, arc_arrow, arrow, dot, page};
 use super::labels::{Obstacles, Request, Site, place};
 use super::notation::Notation;
@@ -24,9 +25,16 @@ const WIDTH_COST: f64 = 3.0;
 
 /// Adds one small figure for each Coriolis vector that is long enough to be seen, where the drawing
 /// leaves room, else where it makes the drawing grow least.
-pub fn add_insets(group: &mut Group, polygon: &Polygon, steps: &[Step], notation: &Notation<'_>) {
+pub fn add_insets(
+    group: &mut Group,
+    polygon: &Polygon,
+    steps: &[Step],
+    notation: &Notation<'_>,
+    births: Option<&Images>,
+) {
     let mut shown: Vec<Quantity> = Vec::new();
-    for vector in polygon.vectors.iter().filter(|v| v.kind == VectorKind::Coriolis && !v.as_point) {
+    let all = polygon.vectors.iter().enumerate();
+    for (index, vector) in all.filter(|(_, v)| v.kind == VectorKind::Coriolis && !v.as_point) {
         let Some((link, slip, omega)) = calculated(steps, vector.quantity) else { continue };
         let d = page(vector.to) - page(vector.from);
         if omega == 0.0 || d.hypot() <= 0.0 || shown.contains(&vector.quantity) {
@@ -38,7 +46,7 @@ pub fn add_insets(group: &mut Group, polygon: &Polygon, steps: &[Step], notation
         let size = inset.bounds().unwrap_or(Rect::ZERO);
         let at = free_place(group, size, middle);
         inset.translate(at - size.origin());
-        group.group(inset);
+        group.group(inset.lived(births.and_then(|b| b.vectors.get(index)).map(|life| life.born)));
     }
 }
 
@@ -93,7 +101,7 @@ fn inset(
 }
 
 /// Where a box of this size disturbs least: inside the drawing's own box if there is room, near `wish`.
-fn free_place(group: &Group, size: Rect, wish: Point) -> Point {
+pub(super) fn free_place(group: &Group, size: Rect, wish: Point) -> Point {
     let ink = group.bounds().unwrap_or(Rect::ZERO);
     let obstacles = Obstacles::of(group);
     let (w, h) = (size.width(), size.height());

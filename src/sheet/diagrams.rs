@@ -242,6 +242,9 @@ fn with_unit(notation: &Notation<'_>, symbol: Rich, unit: &Unit) -> Rich {
     if unit.symbol.is_empty() {
         return symbol;
     }
+    if unit.symbol == "deg" {
+        return Rich::fill(notation.words.in_degrees, &[("symbol", symbol)]);
+    }
     let unit = Rich::upright(human::pretty(&unit.symbol));
     Rich::fill(notation.words.in_unit, &[("symbol", symbol), ("unit", unit)])
 }

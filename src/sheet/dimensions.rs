@@ -34,6 +34,18 @@ pub(super) struct Drawn {
     pub ink: Group,
     /// Its text.
     pub text: Request,
+    /// The point whose place it gives along an axis, 0 level, 1 upright.
+    pub places: Option<(PointId, usize)>,
+}
+
+/// A distance to be dimensioned.
+struct Distance {
+    from: Point,
+    to: Point,
+    /// A unit vector.
+    along: Vec2,
+    text: Rich,
+    places: Option<(PointId, usize)>,
 }
 
 /// A dimension line's place: both ends, and the points that they measure.
@@ -52,8 +64,8 @@ impl Artist<'_> {
         let mut ink = Obstacles::of(group);
         let lengths = self.link_lengths();
         let places = self.frame_lengths();
-        for (a, b, along, text) in lengths.into_iter().chain(places) {
-            self.length(&mut all, &mut ink, (a, b), along, text);
+        for distance in lengths.into_iter().chain(places) {
+            self.length(&mut all, &mut ink, distance);
         }
         self.wheel_radii(&mut all, &mut ink);
         self.bell_cranks(&mut all);
@@ -65,33 +77,44 @@ impl Artist<'_> {
     }
 
     /// The stated lengths of links, each along its own line.
-    fn link_lengths(&self) -> Vec<(Point, Point, Vec2, Rich)> {
+    fn link_lengths(&self) -> Vec<Distance> {
         let mechanism = self.notation.mechanism();
         let dimensions =
             mechanism.moving().flat_map(|l| given::dimensions(mechanism.link(l), &self.notation));
         let drawn = dimensions.filter_map(|d| {
             let (a, b) = (self.pose.place(d.from)?, self.pose.place(d.to)?);
-            (a.distance(b) > SHORTEST).then(|| (a, b, (b - a).normalize(), self.stated(d.length)))
+            (a.distance(b) > SHORTEST).then(|| Distance {
+                from: a,
+                to: b,
+                along: (b - a).normalize(),
+                text: self.stated(d.length),
+                places: None,
+            })
         });
         drawn.collect()
     }
 
-    /// Places of fixed points and fixed guides, level and upright, from the first fixed point.
-    fn frame_lengths(&self) -> Vec<(Point, Point, Vec2, Rich)> {
+    /// Places of given points and fixed guides, level and upright, from the first fixed point.
+    fn frame_lengths(&self) -> Vec<Distance> {
         let mechanism = self.notation.mechanism();
         let exact = |p: PointId| mechanism.points.get(p.0)?.place.exact().map(|at| at.map(|c| c.value));
-        let mut fixed = (0..mechanism.points.len()).map(PointId).filter(|p| mechanism.is_fixed(*p));
-        let Some(first) = fixed.next() else { return Vec::new() };
+        let mut given = (0..mechanism.points.len()).map(PointId);
+        let Some(first) = given.clone().find(|p| mechanism.is_fixed(*p)) else { return Vec::new() };
         let (Some(origin), Some(start)) = (exact(first), self.pose.place(first)) else { return Vec::new() };
         let mut all = Vec::new();
         let level = Vec2::new(1.0, 0.0);
         let upright = Vec2::new(0.0, 1.0);
+        // Those of the frame first: they find room before the others.
+        let (mut fixed, mut moving): (Vec<PointId>, Vec<PointId>) =
+            given.by_ref().filter(|p| *p != first).partition(|p| mechanism.is_fixed(*p));
+        fixed.append(&mut moving);
         for point in fixed {
             let (Some(place), Some(at)) = (exact(point), self.pose.place(point)) else { continue };
             for (axis, along) in [(0, level), (1, upright)] {
                 let length = (place[axis] - origin[axis]).abs();
                 if self.pose.paper(length) > SHORTEST {
-                    all.push((start, at, along, self.stated(length)));
+                    let text = self.stated(length);
+                    all.push(Distance { from: start, to: at, along, text, places: Some((point, axis)) });
                 }
             }
         }
@@ -119,21 +142,15 @@ impl Artist<'_> {
             let length = (base[axis] + left - origin[axis]).abs();
             if self.pose.paper(length) > SHORTEST {
                 let along = if axis == 0 { level } else { upright };
-                all.push((start, rider, along, self.stated(length)));
+                all.push(Distance { from: start, to: rider, along, text: self.stated(length), places: None });
             }
         }
         all
     }
 
     /// One dimension line where it disturbs least.
-    fn length(
-        &self,
-        all: &mut Vec<Drawn>,
-        ink: &mut Obstacles,
-        (a, b): (Point, Point),
-        along: Vec2,
-        text: Rich,
-    ) {
+    fn length(&self, all: &mut Vec<Drawn>, ink: &mut Obstacles, distance: Distance) {
+        let Distance { from: a, to: b, along, text, places } = distance;
         let line = text.set(TYPE);
         let room = (line.ink.width() + 1.2, line.ink.height() + 1.2);
         let across = Vec2::new(-along.y, along.x);
@@ -157,7 +174,24 @@ impl Artist<'_> {
         let [from, to] = span.ends;
         let mut request = Request::new(text, TYPE, Site::Along { from, to }, "label dimension");
         request.leader = true;
-        all.push(Drawn { cost, ink: own, text: request });
+        all.push(Drawn { cost, ink: own, text: request, places });
+    }
+
+    /// The points whose places these dimensions give whole: along both axes, but where they lie level with the first fixed
+    /// point, or upright over it.
+    pub(super) fn dimensioned(&self, drawn: &[Drawn]) -> Vec<PointId> {
+        let mechanism = self.notation.mechanism();
+        let exact = |p: PointId| mechanism.points.get(p.0)?.place.exact().map(|at| at.map(|c| c.value));
+        let all = (0..mechanism.points.len()).map(PointId);
+        let Some(origin) = all.clone().find(|p| mechanism.is_fixed(*p)).and_then(exact) else {
+            return Vec::new();
+        };
+        let has = |point, axis| drawn.iter().any(|d| d.places == Some((point, axis)));
+        let whole = |p: &PointId| {
+            exact(*p).is_some_and(|at| (0..2).all(|axis| at[axis] == origin[axis] || has(*p, axis)))
+        };
+        // Dimensions are from the first fixed point: it is told where it is not the origin.
+        all.filter(|_| origin == [0.0; 2]).filter(whole).collect()
     }
 
     fn disturbance(&self, ink: &Obstacles, span: Span, room: (f64, f64)) -> f64 {
@@ -210,7 +244,7 @@ impl Artist<'_> {
             let text = Rich::italic("R").up("\u{2009}").then(&self.stated(radius));
             let mut request = Request::new(text, TYPE, Site::Along { from, to: tip }, "label dimension");
             request.leader = true;
-            all.push(Drawn { cost, ink: own, text: request });
+            all.push(Drawn { cost, ink: own, text: request, places: None });
         }
     }
 
@@ -230,7 +264,7 @@ impl Artist<'_> {
             let mut request =
                 Request::new(text, TYPE, Site::Around { at, radius: 0.3, toward }, "label dimension");
             request.leader = true;
-            all.push(Drawn { cost: 0.0, ink: own, text: request });
+            all.push(Drawn { cost: 0.0, ink: own, text: request, places: None });
         }
     }
 }

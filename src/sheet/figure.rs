@@ -35,8 +35,34 @@ pub struct Group {
     pub data: Vec<(&'static str, String)>,
     /// Title for screen readers and tool tips.
     pub title: Option<String>,
+    /// When it came onto the paper, where somebody asks for the drawing step by step; no renderer writes it.
+    pub life: Option<Life>,
     /// What stands in it, in the order of drawing.
     pub children: Vec<Node>,
+}
+
+/// A moment of the solution: an act of a step.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Moment {
+    /// Index of the step.
+    pub step: usize,
+    /// Index of the act in the step.
+    pub act: usize,
+}
+
+/// When ink came onto the paper, and when it was used.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Life {
+    /// It was drawn then.
+    pub born: Moment,
+    /// It was read then, if it was.
+    pub read: Option<Moment>,
+}
+
+impl From<Moment> for Life {
+    fn from(born: Moment) -> Self {
+        Self { born, read: None }
+    }
 }
 
 /// A part of a figure.
@@ -246,9 +272,37 @@ impl Group {
         self
     }
 
+    /// The same with its life.
+    #[must_use]
+    pub fn lived(mut self, life: Option<impl Into<Life>>) -> Self {
+        self.life = life.map(Into::into);
+        self
+    }
+
     /// Adds a mark.
     pub fn mark(&mut self, mark: Mark) {
         self.children.push(Node::Mark(mark));
+    }
+
+    /// Adds a mark with its life, in a group of its own where it has one.
+    pub fn mark_lived(&mut self, mark: Mark, life: Option<impl Into<Life>>) {
+        match life {
+            None => self.mark(mark),
+            life => {
+                let mut own = Self::default().lived(life);
+                own.mark(mark);
+                self.group(own);
+            }
+        }
+    }
+
+    /// Adds a group that is one for its life only: without a life, what stands in it.
+    pub fn adopt(&mut self, mut group: Group) {
+        if group.life.is_none() {
+            self.children.append(&mut group.children);
+        } else if !group.children.is_empty() {
+            self.group(group);
+        }
     }
 
     /// Adds a group.

@@ -5,11 +5,11 @@
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
-use crate::mechanism::quantity::{Order, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
-    Direction, Form, GivenPoint, GuidePoint, Input, Link, LinkId, Path, Place, PointId, Rider, Roll, Sense,
-    Slide,
+    Direction, Form, GivenPoint, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place, PointId, Rider,
+    Roll, Sense, Slide,
 };
 
 /// A dimension of a link: the distance of two of its points, as stated.
@@ -62,6 +62,11 @@ pub fn dimensions(link: &Link, notation: &Notation<'_>) -> Vec<Dimension> {
 /// The dimensions and the motion that the scene states, item by item.
 #[must_use]
 pub fn items(notation: &Notation<'_>) -> Vec<Rich> {
+    items_without(notation, &[])
+}
+
+/// The same without the places of these points, which a drawing dimensions.
+fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> {
     let teller = Teller { n: notation };
     let mechanism = notation.mechanism();
     let mut parts: Vec<Rich> = Vec::new();
@@ -72,6 +77,7 @@ pub fn items(notation: &Notation<'_>) -> Vec<Rich> {
         // The origin, where the sheet begins, needs no saying.
         if let Place::Fixed([x, y]) | Place::Placed([x, y]) = point.place
             && (x.value != 0.0 || y.value != 0.0)
+            && !dimensioned.contains(&PointId(i))
         {
             parts.push(notation.point(PointId(i)).up("\u{a0}").then(&teller.place(x.value, y.value)));
         }
@@ -96,12 +102,33 @@ pub fn items(notation: &Notation<'_>) -> Vec<Rich> {
 /// The same as one paragraph.
 #[must_use]
 pub fn paragraph(notation: &Notation<'_>) -> Rich {
-    let parts = items(notation);
+    told(notation, items(notation))
+}
+
+/// The paragraph of a question: without the places of points that its drawing dimensions, with the scales that the scene
+/// states.
+#[must_use]
+pub fn paragraph_of_question(notation: &Notation<'_>, dimensioned: &[PointId]) -> Rich {
+    let mut parts = items_without(notation, dimensioned);
+    parts.extend(super::results::stated_scales(notation));
+    told(notation, parts)
+}
+
+fn told(notation: &Notation<'_>, parts: Vec<Rich>) -> Rich {
     if parts.is_empty() {
         return Rich::default();
     }
     let list = Rich::join(&parts, &Rich::upright(notation.words.comma));
     Rich::italic(notation.words.given).up(" ").then(&list)
+}
+
+/// A place through which a guide goes: a point by its name, else its coordinates.
+#[must_use]
+pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
+    match point {
+        GuidePoint::Point(p) => notation.point(p),
+        GuidePoint::Own(at) => Teller { n: notation }.own_place(at),
+    }
 }
 
 struct Teller<'a> {
@@ -204,10 +231,7 @@ impl Teller<'_> {
     /// A line or an arc that is no guide of a sliding pair.
     fn path(&self, path: &Path) -> Rich {
         let words = self.n.words;
-        let named = |point: GuidePoint| match point {
-            GuidePoint::Point(p) => self.n.point(p),
-            GuidePoint::Own(at) => self.own_place(at),
-        };
+        let named = |point: GuidePoint| place_of(point, self.n);
         let (told, turned, offset) = match *path {
             Path::Arc { centre, radius } => {
                 let radius = ("radius", self.length(radius.value));
@@ -255,11 +279,13 @@ impl Teller<'_> {
             }
             Path::Straight { through, direction, turned, offset } => (through, direction, turned, offset),
         };
-        let place = match through {
-            GuidePoint::Point(p) => self.n.point(p),
-            GuidePoint::Own(at) => self.own_place(at),
-        };
+        let place = place_of(through, self.n);
         let told = match direction {
+            // A rider that drives has a sense along its guide, which the angle tells.
+            Direction::Angle(_) if self.n.lie(index).is_some() && !self.drives(index) => {
+                let guide = ("guide", self.n.named_guide(index));
+                Rich::fill(words.given_guide_through, &[guide, ("place", place)])
+            }
             Direction::Angle(angle) => {
                 let angle = ("angle", human::degrees(angle.value + turned.value));
                 let frame = slide.guide.link == LinkId::FRAME;
@@ -284,6 +310,12 @@ impl Teller<'_> {
             return Some(told);
         }
         Some(told.up(" ").then(&Rich::fill(words.given_offset, &[("offset", self.length(offset.value))])))
+    }
+
+    /// Whether the rider on this guide is driven along it.
+    fn drives(&self, index: usize) -> bool {
+        let along = |input: &Input| matches!(input, Input::Slide { slide, .. } if *slide == index);
+        self.n.mechanism().inputs.iter().any(along)
     }
 
     fn roll(&self, roll: &Roll) -> Rich {
@@ -347,7 +379,7 @@ impl Teller<'_> {
             Input::Angle { link, angle: at, omega, alpha } => {
                 parts.extend(at.map(|at| angle(*link, at.value)));
                 let unit = rate_unit(self.n.angular_unit(Order::Velocity));
-                let value = self.rate(omega.value, &unit, true);
+                let value = self.constant(self.rate(omega.value, &unit, true), alpha.value);
                 parts.push(self.equals(self.n.symbol(Quantity::Omega(*link), false), &value));
                 self.second(
                     Quantity::Alpha(*link),
@@ -360,7 +392,7 @@ impl Teller<'_> {
             Input::Speed { angle: at, point, speed, link, alpha } => {
                 parts.extend(at.map(|at| angle(*link, at.value)));
                 let unit = rate_unit(self.n.unit(Order::Velocity));
-                let value = self.rate(speed.value, &unit, true);
+                let value = self.constant(self.rate(speed.value, &unit, true), alpha.value);
                 parts.push(self.equals(self.n.symbol(Quantity::Velocity(*point), false), &value));
                 self.second(
                     Quantity::Alpha(*link),
@@ -378,11 +410,21 @@ impl Teller<'_> {
                     parts.push(Rich::fill(self.n.words.given_at, &[point, distance]));
                 }
                 let unit = rate_unit(self.n.unit(Order::Velocity));
-                let value = self.rate(velocity.value, &unit, false);
+                let value = self.constant(self.rate(velocity.value, &unit, false), acceleration.value);
                 parts.push(self.equals(self.n.symbol(Quantity::Velocity(point), false), &value));
                 let unit = second_unit(self.n.unit(Order::Acceleration));
                 self.second(Quantity::Acceleration(point), acceleration.value, &unit, false, parts);
             }
+        }
+    }
+
+    /// A rate with the word that it does not change, where somebody asks for what hangs on that.
+    fn constant(&self, rate: Rich, change: f64) -> Rich {
+        let fast = |asked: &Asked| asked.quantity.order() == Order::Acceleration;
+        if change == 0.0 && self.n.mechanism().asked.iter().any(fast) {
+            rate.up("\u{a0}(").up(self.n.words.given_constant).up(")")
+        } else {
+            rate
         }
     }
 
@@ -406,7 +448,48 @@ impl Teller<'_> {
     }
 }
 
-/// What is asked, one item per kind.
+/// Whether the scene itself says what a quantity is: the rates of its inputs, the rotation of what cannot turn.
+fn is_stated(quantity: Quantity, notation: &Notation<'_>) -> bool {
+    let mechanism = notation.mechanism();
+    let driven = |input: &Input| match *input {
+        Input::Angle { link, .. } => {
+            matches!(quantity, Quantity::Omega(l) | Quantity::Alpha(l) if l == link)
+        }
+        Input::Speed { point, link, .. } => {
+            quantity == Quantity::Velocity(point) || quantity == Quantity::Alpha(link)
+        }
+        Input::Slide { slide, .. } => mechanism.slides.get(slide).is_some_and(|slide| {
+            let Rider::Pin { point, .. } = slide.rider else { return false };
+            let rates = [Quantity::Velocity(point), Quantity::Acceleration(point)];
+            slide.guide.link == LinkId::FRAME && rates.contains(&quantity)
+        }),
+    };
+    let turns = match quantity {
+        Quantity::Omega(link) | Quantity::Alpha(link) => !only_translates(link, mechanism, 0),
+        _ => true,
+    };
+    !turns || mechanism.inputs.iter().any(driven)
+}
+
+/// Whether a link cannot turn: it slides along a straight guide of the frame, or of another link that cannot.
+fn only_translates(link: LinkId, mechanism: &Mechanism, depth: usize) -> bool {
+    if link == LinkId::FRAME {
+        return true;
+    }
+    // Two links that slide on each other in a circle hold no other.
+    if depth > mechanism.links.len() {
+        return false;
+    }
+    let rides = |slide: &Slide| match slide.rider {
+        Rider::Pin { block, .. } => block == Some(link),
+        Rider::Link { link: own, .. } => own == link,
+    };
+    let straight = |slide: &Slide| matches!(slide.guide.path, Path::Straight { .. });
+    let mut guides = mechanism.slides.iter().filter(|s| rides(s) && straight(s));
+    guides.any(|slide| only_translates(slide.guide.link, mechanism, depth + 1))
+}
+
+/// What is asked, one item per kind, but what the scene states.
 #[must_use]
 pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
     let words = notation.words;
@@ -438,7 +521,11 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
     };
     // A quantity that is asked by several methods is one quantity.
     let mut lists: [Vec<(Quantity, Vec<&str>)>; 11] = Default::default();
-    for asked in &notation.mechanism().asked {
+    let all = &notation.mechanism().asked;
+    let open: Vec<&Asked> = all.iter().filter(|asked| !is_stated(asked.quantity, notation)).collect();
+    // Where nothing else is asked, that is the question.
+    let open = if open.is_empty() { all.iter().collect() } else { open };
+    for asked in open {
         let list = &mut lists[kind(asked.quantity)];
         let method = notation.method(asked.method);
         match list.iter_mut().find(|(quantity, _)| *quantity == asked.quantity) {

@@ -1,54 +1,191 @@
-//! The drawing as it stands after each step: what the blackboard shows while the lecturer speaks.
+//! When each piece of ink came onto the paper, and the drawing as it stands between: what the blackboard shows while the
+//! lecturer speaks.
+//!
+//! A diagram is drawn once, as it is finished; its groups know their [`Moment`]. A picture of an earlier time is that
+//! drawing without what came later: nothing in it moves from picture to picture.
 
-use std::collections::HashSet;
+use super::figure::{Group, Life, Moment, Node};
+use crate::graphical::construction::{
+    Act, Calculation, Claim, Construction, ConstructionLine, Label, Polygon, Step,
+};
+use crate::mechanism::quantity::Order;
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Slide};
 
-use crate::graphical::construction::{Act, Construction, ConstructionLine, Label, Polygon};
-use crate::mechanism::{Mechanism, PointId};
+/// The class of ink that stood there before.
+const OLD: &str = "old";
 
-/// The construction as it stands after step number `last` (counted from 0).
-#[must_use]
-pub fn after(construction: &Construction, mechanism: &Mechanism, last: usize) -> Construction {
-    let steps = &construction.steps[..construction.steps.len().min(last + 1)];
-    let mut all = construction.clone();
-    all.steps = steps.to_vec();
-    all.answers.clear();
-    all.others.clear();
-    let drawn = |line: &ConstructionLine| match line {
-        ConstructionLine::Ray { step, .. } | ConstructionLine::Arc { step, .. } => *step <= last,
-    };
-    let mut places = all.space.places.iter_mut().enumerate();
-    places
-        .by_ref()
-        .filter(|(i, _)| !is_placed(construction, mechanism, PointId(*i), last))
-        .for_each(|(_, p)| *p = None);
-    all.space.lines.retain(drawn);
-    for polygon in [&mut all.velocity, &mut all.acceleration] {
-        let Some(own) = polygon else { continue };
-        own.vectors.retain(|vector| vector.step <= last);
-        own.lines.retain(drawn);
-        let known = known_images(own, &all.steps);
-        own.images.retain(|image| known.contains(&image.label));
-        let shown: HashSet<PointId> = own.images.iter().filter_map(|image| point_of(image.label)).collect();
-        own.link_images
-            .retain(|image| image.corners.iter().all(|(p, at)| shown.contains(p) || *at == [0.0, 0.0]));
-        // From the choice of its pole on.
-        if !steps.iter().any(|step| step.order == own.order) {
-            *polygon = None;
+/// When the ink of a construction came onto the paper.
+#[derive(Debug, Clone)]
+pub struct Births<'a> {
+    mechanism: &'a Mechanism,
+    /// By [`PointId`].
+    points: Vec<Moment>,
+    /// The lines of the skeleton, in their order.
+    lines: Vec<Moment>,
+    /// The guides that were drawn, by index of the sliding pair.
+    guides: Vec<(usize, Moment)>,
+    /// ω and, where the second is set, angular acceleration of links, as they were calculated.
+    rotations: Vec<(LinkId, bool, Moment)>,
+    /// The last moment of all.
+    last: Moment,
+    velocity: Images,
+    acceleration: Images,
+}
+
+/// When the ink of a polygon came onto the paper.
+#[derive(Debug, Clone, Default)]
+pub struct Images {
+    /// The pole.
+    pub pole: Moment,
+    /// The vectors, in their order.
+    pub vectors: Vec<Life>,
+    /// The construction lines, in their order.
+    pub lines: Vec<Moment>,
+    labels: Vec<(Label, Moment)>,
+}
+
+impl Images {
+    /// When the image of this name was found.
+    #[must_use]
+    pub fn label(&self, label: Label) -> Moment {
+        if label == Label::Pole {
+            return self.pole;
+        }
+        self.labels.iter().find(|(own, _)| *own == label).map_or(self.pole, |(_, moment)| *moment)
+    }
+
+    /// When an image of this point was found.
+    #[must_use]
+    pub fn point(&self, point: PointId) -> Moment {
+        let own = |label: &Label| matches!(label, Label::Image { point: p, .. } if *p == point);
+        self.labels.iter().find(|(label, _)| own(label)).map_or(self.pole, |(_, moment)| *moment)
+    }
+}
+
+impl<'a> Births<'a> {
+    /// Reads them off the acts of the steps.
+    #[must_use]
+    pub fn of(construction: &Construction, mechanism: &'a Mechanism) -> Self {
+        let steps = &construction.steps;
+        let points = (0..mechanism.points.len()).map(|i| place(steps, mechanism, PointId(i))).collect();
+        let guide = |(moment, act): (Moment, &Act)| match act {
+            Act::DrawGuide { slide } => Some((*slide, moment)),
+            _ => None,
+        };
+        let guides = acts(steps).filter_map(guide).collect();
+        let space = &construction.space.lines;
+        let lines = in_turn(space, steps, |act| match act {
+            Act::StrikeArc { .. } | Act::DrawSeeing { .. } => Some(Kind::Arc),
+            Act::DrawGuide { .. }
+            | Act::DrawStatedRay { .. }
+            | Act::DrawSquare { .. }
+            | Act::DrawPath { .. } => Some(Kind::Ray(None)),
+            _ => None,
+        });
+        let images = |polygon: &Option<Polygon>| {
+            polygon.as_ref().map_or_else(Images::default, |polygon| images(polygon, steps))
+        };
+        let (velocity, acceleration) = (images(&construction.velocity), images(&construction.acceleration));
+        let rotation = |(moment, act): (Moment, &Act)| match act {
+            Act::Calculate(Calculation::Omega { link, .. } | Calculation::Speed { link, .. }) => {
+                Some((*link, false, moment))
+            }
+            Act::Calculate(Calculation::Alpha { link, .. }) => Some((*link, true, moment)),
+            _ => None,
+        };
+        let rotations = acts(steps).filter_map(rotation).collect();
+        let last = end(steps, steps.len().saturating_sub(1));
+        Self { mechanism, points, lines, guides, rotations, last, velocity, acceleration }
+    }
+
+    /// The last moment of the steps.
+    #[must_use]
+    pub fn last(&self) -> Moment {
+        self.last
+    }
+
+    /// When the rotation of a link was known: that of a driven one with the link itself.
+    #[must_use]
+    pub fn rotation(&self, link: LinkId, second: bool) -> Moment {
+        let drives = |input: &Input| match input {
+            Input::Angle { link: driven, .. } | Input::Speed { link: driven, .. } => *driven == link,
+            Input::Slide { .. } => false,
+        };
+        if self.mechanism.inputs.iter().any(drives) {
+            return self.link(link);
+        }
+        let own = self.rotations.iter().find(|(of, order, _)| *of == link && *order == second);
+        // What no step calculates is known after them.
+        own.map_or(Moment { step: self.last.step + 1, act: 0 }, |(.., moment)| *moment)
+    }
+
+    /// When a point was found.
+    #[must_use]
+    pub fn point(&self, point: PointId) -> Moment {
+        self.points.get(point.0).copied().unwrap_or_default()
+    }
+
+    /// When the last joint of a link was found.
+    #[must_use]
+    pub fn link(&self, link: LinkId) -> Moment {
+        let points = self.mechanism.links.get(link.0).map_or(&[][..], |link| &link.points);
+        points.iter().map(|p| self.point(*p)).max().unwrap_or_default()
+    }
+
+    /// When a line of the skeleton was drawn.
+    #[must_use]
+    pub fn line(&self, index: usize) -> Moment {
+        self.lines.get(index).copied().unwrap_or_default()
+    }
+
+    /// When the rider of a sliding pair was found.
+    #[must_use]
+    pub fn rider(&self, slide: &Slide) -> Moment {
+        match slide.rider {
+            Rider::Pin { point, .. } => self.point(point),
+            Rider::Link { link, .. } => self.link(link),
         }
     }
-    all
-}
 
-fn point_of(label: Label) -> Option<PointId> {
-    match label {
-        Label::Image { point, .. } => Some(point),
-        Label::Pole | Label::Foot { .. } | Label::Trial { .. } => None,
+    /// When the guide of a sliding pair was drawn.
+    #[must_use]
+    pub fn guide(&self, index: usize) -> Moment {
+        if let Some((_, moment)) = self.guides.iter().find(|(slide, _)| *slide == index) {
+            return *moment;
+        }
+        let Some(slide) = self.mechanism.slides.get(index) else { return Moment::default() };
+        self.rider(slide).max(self.link(slide.guide.link))
+    }
+
+    /// Those of the polygon of this order.
+    #[must_use]
+    pub fn images(&self, order: Order) -> &Images {
+        match order {
+            Order::Acceleration => &self.acceleration,
+            _ => &self.velocity,
+        }
     }
 }
 
-/// Whether a point has its place after this step: it is given, a step found it, or its link is solved.
-fn is_placed(construction: &Construction, mechanism: &Mechanism, point: PointId, last: usize) -> bool {
-    let Some(given) = mechanism.points.get(point.0) else { return false };
+fn acts(steps: &[Step]) -> impl Iterator<Item = (Moment, &Act)> {
+    steps.iter().enumerate().flat_map(|(step, all)| {
+        all.acts.iter().enumerate().map(move |(act, what)| (Moment { step, act }, what))
+    })
+}
+
+/// The end of a step.
+fn end(steps: &[Step], step: usize) -> Moment {
+    let last = steps.get(step).map_or(0, |step| step.acts.len().saturating_sub(1));
+    Moment { step, act: last }
+}
+
+/// When a point has its place: it is given, an act found it, or its link is solved. What no step mentions is there from
+/// the beginning.
+fn place(steps: &[Step], mechanism: &Mechanism, point: PointId) -> Moment {
+    let Some(given) = mechanism.points.get(point.0) else { return Moment::default() };
+    if given.place.exact().is_some() {
+        return Moment::default();
+    }
     let found = |act: &Act| match act {
         Act::LayOffLink { to: found, .. }
         | Act::LayOffPlace { to: found, .. }
@@ -57,31 +194,139 @@ fn is_placed(construction: &Construction, mechanism: &Mechanism, point: PointId,
         | Act::MarkContact { contact: found } => *found == point,
         _ => false,
     };
-    let by = |upto: usize| {
-        construction
-            .steps
-            .iter()
-            .take(upto)
-            .any(|s| s.acts.iter().any(found) || s.links.iter().any(|link| given.links.contains(link)))
+    let by_act = acts(steps).find(|(_, act)| found(act)).map(|(moment, _)| moment);
+    let solved = |step: &Step| {
+        step.order == Order::Position && step.links.iter().any(|link| given.links.contains(link))
     };
-    // What no step mentions is there from the beginning.
-    mechanism.is_given(point) || by(last + 1) || !by(construction.steps.len())
+    if by_act.is_none() && mechanism.is_given(point) {
+        return Moment::default();
+    }
+    let by_link = || steps.iter().position(solved).map(|step| end(steps, step));
+    by_act.or_else(by_link).unwrap_or_default()
 }
 
-/// The image points that the steps so far have named, or that a vector drawn so far has at its ends.
-fn known_images(polygon: &Polygon, steps: &[crate::graphical::construction::Step]) -> HashSet<Label> {
-    let mut known: HashSet<Label> = polygon.vectors.iter().flat_map(|v| [v.tail, v.head]).collect();
-    for step in steps.iter().filter(|step| step.order == polygon.order) {
-        if step.acts.iter().any(|act| matches!(act, Act::TryPolygon { .. })) {
-            known.extend(polygon.images.iter().map(|i| i.label).filter(|l| matches!(l, Label::Trial { .. })));
+/// What an act leaves on the paper.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Arc,
+    /// With the direction that it claims, where that tells it from others.
+    Ray(Option<Claim>),
+}
+
+/// The moments of construction lines: each that of the first act of its step that draws such a line and has none yet; where
+/// there is none, the end of its step.
+fn in_turn(lines: &[ConstructionLine], steps: &[Step], drawn: impl Fn(&Act) -> Option<Kind>) -> Vec<Moment> {
+    let mut left: Vec<(Moment, Kind)> =
+        acts(steps).filter_map(|(moment, act)| drawn(act).map(|kind| (moment, kind))).collect();
+    let one = |line: &ConstructionLine| {
+        let (own, kind) = match *line {
+            ConstructionLine::Ray { claim, step, .. } => (step, Kind::Ray(claim)),
+            ConstructionLine::Arc { step, .. } => (step, Kind::Arc),
+        };
+        let fits = |(moment, other): &(Moment, Kind)| {
+            let same = match (kind, other) {
+                (Kind::Ray(a), Kind::Ray(Some(b))) => a == Some(*b),
+                (Kind::Ray(_), Kind::Ray(None)) | (Kind::Arc, Kind::Arc) => true,
+                _ => false,
+            };
+            moment.step == own && same
+        };
+        match left.iter().position(fits) {
+            Some(at) => left.remove(at).0,
+            None => end(steps, own),
         }
-        known.extend(step.acts.iter().filter_map(|act| match act {
+    };
+    lines.iter().map(one).collect()
+}
+
+fn images(polygon: &Polygon, steps: &[Step]) -> Images {
+    let mut all = Images::default();
+    let own = || acts(steps).filter(|(moment, _)| steps[moment.step].order == polygon.order);
+    all.pole = own().next().map(|(moment, _)| moment).unwrap_or_default();
+    let mut know = |label: Label, moment: Moment| {
+        if label != Label::Pole && !all.labels.iter().any(|(known, _)| *known == label) {
+            all.labels.push((label, moment));
+        }
+    };
+    let mut laid: Vec<(usize, Moment)> = Vec::new();
+    for (moment, act) in own() {
+        match act {
+            Act::LayOffVector { vector, .. } | Act::LayOffFromCentre { vector, .. } => {
+                laid.push((*vector, moment));
+                for label in polygon.vectors.get(*vector).into_iter().flat_map(|v| [v.tail, v.head]) {
+                    know(label, moment);
+                }
+            }
             Act::MarkMeet { label, .. }
             | Act::DivideImage { label, .. }
             | Act::CompleteImage { label, .. }
-            | Act::SameImage { label, .. } => Some(*label),
-            _ => None,
-        }));
+            | Act::SameImage { label, .. } => know(*label, moment),
+            Act::TryPolygon { .. } => {
+                let trials = polygon.images.iter().map(|image| image.label);
+                trials.filter(|l| matches!(l, Label::Trial { .. })).for_each(|label| know(label, moment));
+            }
+            _ => {}
+        }
     }
-    known
+    // What no act names has its place when its vector is drawn.
+    for vector in &polygon.vectors {
+        for label in [vector.tail, vector.head] {
+            know(label, end(steps, vector.step));
+        }
+    }
+    let vectors = polygon.vectors.iter().enumerate().map(|(index, vector)| {
+        let own = laid.iter().find(|(laid, _)| *laid == index);
+        let born = own.map_or_else(|| all.label(vector.tail).max(all.label(vector.head)), |(_, at)| *at);
+        let reads = |act: &Act| matches!(act, Act::ReadVector { vector, .. } if *vector == index);
+        let read = acts(steps).find(|(at, act)| steps[at.step].order == polygon.order && reads(act));
+        Life { born, read: read.map(|(moment, _)| moment) }
+    });
+    all.vectors = vectors.collect();
+    all.lines = in_turn(&polygon.lines, steps, |act| match act {
+        Act::DrawRay { claim, .. } => Some(Kind::Ray(Some(*claim))),
+        _ => None,
+    });
+    all
+}
+
+/// The construction without the other positions, which no step draws.
+#[must_use]
+pub fn alone(construction: &Construction) -> Construction {
+    Construction { others: Vec::new(), ..construction.clone() }
+}
+
+/// The drawing as it stands at a moment: without what comes later; what stood there before `since` and was not used after
+/// it is the old.
+#[must_use]
+pub fn at(finished: &Group, since: Option<Moment>, upto: Moment) -> Group {
+    let mut own = Group { children: Vec::new(), ..finished.clone() };
+    let within = |moment: Moment| since.is_none_or(|since| moment > since) && moment <= upto;
+    if let Some(life) = own.life
+        && !within(life.born)
+        && !life.read.is_some_and(within)
+    {
+        if !own.class.is_empty() {
+            own.class.push(' ');
+        }
+        own.class.push_str(OLD);
+    }
+    let stands = |node: &&Node| match node {
+        Node::Group(group) => group.life.is_none_or(|life| life.born <= upto),
+        Node::Mark(_) | Node::Text(_) => true,
+    };
+    own.children.extend(finished.children.iter().filter(stands).map(|node| match node {
+        Node::Group(group) => Node::Group(at(group, since, upto)),
+        leaf => leaf.clone(),
+    }));
+    // A group that is there for its parts alone goes with them.
+    own.children.retain(|node| !matches!(node, Node::Group(group) if group.children.is_empty()));
+    own
+}
+
+/// Whether anything in a drawing is new between two moments, or used.
+#[must_use]
+pub fn changes(finished: &Group, since: Option<Moment>, upto: Moment) -> bool {
+    let within = |moment: Moment| since.is_none_or(|since| moment > since) && moment <= upto;
+    finished.life.is_some_and(|life| within(life.born) || life.read.is_some_and(within))
+        || finished.children.iter().any(|node| matches!(node, Node::Group(g) if changes(g, since, upto)))
 }

@@ -63,15 +63,19 @@ pub fn closing<const N: usize>(
 }
 
 /// A reading on paper, and what it is by the scale: tenths of a millimetre, and a guard figure in either where the product
-/// would not be the printed one without it.
+/// would not be the printed one without it. No reading is finer than a hundredth of a millimetre.
 pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {
     let closes = |(decimals, more): &(usize, usize)| {
         let written: f64 = format!("{mm:.*}", *decimals).parse().unwrap_or(mm);
         rounds_to(written * factor, result, *more)
     };
-    let tries = [(1, 0), (1, 1), (2, 0), (2, 1), (3, 0), (3, 1), (4, 0)];
-    let (decimals, more) = tries.into_iter().find(closes).unwrap_or((1, 0));
-    [with_unit(&Rich::upright(fixed(mm, decimals)), "mm"), finer(result, more).0]
+    let tries = [(1, 0), (1, 1), (2, 0), (2, 1)];
+    if let Some((decimals, more)) = tries.into_iter().find(closes) {
+        return [with_unit(&Rich::upright(fixed(mm, decimals)), "mm"), finer(result, more).0];
+    }
+    // No ruler reads finer: the result is that of what was read.
+    let read: f64 = format!("{mm:.2}").parse().unwrap_or(mm);
+    [with_unit(&Rich::upright(fixed(mm, 2)), "mm"), finer(read * factor, 1).0]
 }
 
 /// A stated number: as many of its figures as it needs, at most six.
@@ -238,6 +242,10 @@ mod tests {
         assert_eq!(line(35.062), ["35.06\u{a0}mm", "175"]);
         assert_eq!(line(63.496), ["63.5\u{a0}mm", "317.5"]);
         assert_eq!(line(30.0), ["30.0\u{a0}mm", "150"]);
+        // 13.37 × 50 is neither 668 nor 668.4: what was read tells.
+        let line = |mm: f64| reading(mm, 50.0, 50.0 * mm).map(|part| plain(&part));
+        assert_eq!(line(13.369), ["13.37\u{a0}mm", "668.5"]);
+        assert_eq!(line(33.147), ["33.15\u{a0}mm", "1657.5"]);
     }
 
     #[test]

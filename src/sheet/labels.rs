@@ -8,7 +8,7 @@ use std::ops::{ControlFlow, Range};
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::figure::{Group, Mark, Node, Pen, Shape, Tone};
+use super::figure::{Group, Life, Mark, Node, Pen, Shape, Tone};
 use super::grid::{Grid, Met};
 use super::overlap::clip;
 use super::rich::{Line, Rich};
@@ -73,9 +73,18 @@ pub struct Request {
     /// What it names, as the `data-` attributes of that ink call it: told with the label, so that whoever reads the
     /// figure need not guess whose name it is.
     pub names: Vec<String>,
+    /// When it came onto the paper.
+    pub life: Option<Life>,
 }
 
 impl Request {
+    /// The same with its life.
+    #[must_use]
+    pub fn lived(mut self, life: Option<impl Into<Life>>) -> Self {
+        self.life = life.map(Into::into);
+        self
+    }
+
     /// The same as the name of that.
     #[must_use]
     pub fn naming(mut self, what: impl IntoIterator<Item = String>) -> Self {
@@ -102,6 +111,7 @@ impl Request {
             optional: false,
             leader: false,
             names: Vec::new(),
+            life: None,
         }
     }
 }
@@ -428,8 +438,13 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
     for (i, request) in requests.iter().enumerate() {
         let Some(candidate) = chosen[i].map(|c| &all[i].sorted[c]) else { continue };
         let at = bodies[i].start(candidate.centre);
-        let mut own = Group::new("name").data("of", request.names.join(" "));
-        let into = if request.names.is_empty() { &mut out } else { &mut own };
+        let mut own = match request.names.as_slice() {
+            [] => Group::default(),
+            names => Group::new("name").data("of", names.join(" ")),
+        };
+        own.life = request.life;
+        let apart = !request.names.is_empty() || request.life.is_some();
+        let into = if apart { &mut own } else { &mut out };
         if let Some((from, to)) = candidate.leader {
             into.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(0.13)).class("leader"));
         }
@@ -438,7 +453,7 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
             into.mark(Mark::stroke(Shape::Circle { centre, radius }, Pen::solid(0.18)).class("ring"));
         }
         bodies[i].line.put(into, at, request.class);
-        if !request.names.is_empty() {
+        if apart {
             out.group(own);
         }
     }

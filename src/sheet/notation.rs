@@ -375,6 +375,54 @@ impl<'a> Notation<'a> {
         }
     }
 
+    /// How a straight guide of the frame lies, where it is level or upright.
+    #[must_use]
+    pub fn lie(&self, slide: usize) -> Option<Lie> {
+        let own = self.mechanism().slides.get(slide).filter(|own| own.guide.link == LinkId::FRAME)?;
+        let Path::Straight { direction: Direction::Angle(angle), turned, .. } = own.guide.path else {
+            return None;
+        };
+        let angle = angle.value + turned.value;
+        let is = |wanted: f64| libm::remainder(angle - wanted, std::f64::consts::PI).abs() < 1e-9;
+        match (is(0.0), is(std::f64::consts::FRAC_PI_2)) {
+            (true, _) => Some(Lie::Level),
+            (_, true) => Some(Lie::Upright),
+            _ => None,
+        }
+    }
+
+    /// The guide of a sliding pair in full: the horizontal guide of D. Where one rider has several, this tells a level
+    /// from an upright one as well.
+    #[must_use]
+    pub fn named_guide(&self, slide: usize) -> Rich {
+        let (Some(own), Some(lie)) = (self.mechanism().slides.get(slide), self.lie(slide)) else {
+            return self.guide(slide);
+        };
+        let words = self.words;
+        match (own.rider, lie) {
+            (Rider::Pin { point, .. }, lie) => {
+                let template = match lie {
+                    Lie::Level => words.level_guide_of,
+                    Lie::Upright => words.upright_guide_of,
+                };
+                Rich::fill(template, &[("point", self.point(point))])
+            }
+            (Rider::Link { link, .. }, lie) => {
+                let template = match lie {
+                    Lie::Level => words.level_guide_of_link,
+                    Lie::Upright => words.upright_guide_of_link,
+                };
+                Rich::fill(template, &[("link", Rich::upright(self.number(link)))])
+            }
+        }
+    }
+
+    /// A count in the digits of the language: the number of a page, of a step.
+    #[must_use]
+    pub fn count(&self, count: usize) -> String {
+        self.words.count(count)
+    }
+
     /// What tells the guide from another of the same rider: its link, or its angle on the frame.
     fn which_guide(&self, slide: usize) -> Option<Rich> {
         let slides = &self.mechanism().slides;
@@ -396,7 +444,7 @@ impl<'a> Notation<'a> {
     }
 
     /// The line of a moving straight guide by two points on it, where it goes through one of its link.
-    fn guide_line(&self, slide: usize) -> Option<Rich> {
+    pub(super) fn guide_line(&self, slide: usize) -> Option<Rich> {
         let slide = self.mechanism().slides.get(slide)?;
         let Path::Straight { through: GuidePoint::Point(base), offset, .. } = slide.guide.path else {
             return None;
@@ -467,6 +515,15 @@ impl<'a> Notation<'a> {
             human::stated(1.0 / ratio).up(colon).up("1")
         }
     }
+}
+
+/// How a guide lies that is neither oblique nor moving.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lie {
+    /// Horizontal.
+    Level,
+    /// Vertical.
+    Upright,
 }
 
 /// The letters of a name and the digits after them.

@@ -70,7 +70,7 @@ pub fn overlay(
     let pairs = [(&right.velocity, &student.velocity), (&right.acceleration, &student.acceleration)];
     for (polygon, own) in pairs {
         let Some(polygon) = polygon else { continue };
-        let mut panel = polygon::draw(polygon, &right.steps, &notation);
+        let mut panel = polygon::draw(polygon, &right.steps, &notation, None);
         let mut arrows: Vec<(Mm2, Mm2, Label, bool)> =
             own.as_ref().map_or_else(Vec::new, |own| differing(polygon, own));
         for vector in handed_in.iter().filter(|vector| vector.order == polygon.order) {

@@ -3,7 +3,9 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::coriolis;
-use super::figure::{Group, Mark, Pen, Shape, Tone};
+use super::detail::{self, Spot};
+use super::figure::{Group, Life, Mark, Pen, Shape, Tone};
+use super::growth::Images;
 use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, head, hull, page, right_angle};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
@@ -25,9 +27,10 @@ const LIES_ON: f64 = 0.25;
 /// How far a line of unknown length runs past the intersection that ends its use.
 const PAST: f64 = 4.0;
 
-/// The polygon with its pole at the origin of the group; `steps` tell the senses of rotation.
+/// The polygon with its pole at the origin of the group; `steps` tell the senses of rotation. Its ink has lives where these
+/// are told.
 #[must_use]
-pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>) -> Group {
+pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>, births: Option<&Images>) -> Group {
     let (class, figure_name) = match polygon.order {
         Order::Acceleration => ("acceleration polygon", notation.words.acceleration_diagram),
         _ => ("velocity polygon", notation.words.velocity_diagram),
@@ -39,19 +42,21 @@ pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>) -> Group
         .data("si-per-mm", number(polygon.si_per_mm));
     group.title = Some(figure_name.to_owned());
 
-    group.group(link_images(polygon, notation));
+    group.group(link_images(polygon, notation, births));
     let window = window(polygon);
-    group.group(construction(polygon, notation, window));
+    group.group(construction(polygon, notation, window, births));
     // Whole vectors over their parts, so that a thick line is never cut by a thin one's head.
     let whole = |v: &Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
-    let parts = polygon.vectors.iter().filter(|v| !whole(v));
-    for vector in parts.chain(polygon.vectors.iter().filter(|v| whole(v))) {
-        group.group(draw_vector(vector, polygon, notation, window));
+    let all = || polygon.vectors.iter().enumerate();
+    for (index, vector) in all().filter(|(_, v)| !whole(v)).chain(all().filter(|(_, v)| whole(v))) {
+        let drawn = draw_vector(vector, polygon, notation, window);
+        group.group(drawn.lived(births.and_then(|births| births.vectors.get(index).copied())));
     }
-    group.group(right_angles(polygon, window));
-    group.group(images(polygon, notation, window));
+    group.group(right_angles(polygon, window, births));
+    group.group(images(polygon, notation, window, births));
 
-    let mut requests = labels(polygon, notation, window);
+    let spots = detail::spots(polygon, window);
+    let mut requests = labels(polygon, notation, window, &spots, births);
     let mut named = group.clone();
     named.group(place(&group, &requests, None));
     // In the small drawing of a step there may be no room for the names of all vectors; its words tell them.
@@ -62,8 +67,9 @@ pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>) -> Group
         named.group(place(&group, &requests, None));
     }
     let mut group = named;
+    detail::add(&mut group, &spots, polygon, notation, births);
     if polygon.order == Order::Acceleration {
-        coriolis::add_insets(&mut group, polygon, steps, notation);
+        coriolis::add_insets(&mut group, polygon, steps, notation, births);
     }
     group
 }
@@ -72,15 +78,23 @@ fn number(value: f64) -> String {
     format!("{value}")
 }
 
-fn link_images(polygon: &Polygon, notation: &Notation<'_>) -> Group {
+fn link_images(polygon: &Polygon, notation: &Notation<'_>, births: Option<&Images>) -> Group {
     let mut all = Group::new("images");
     for image in &polygon.link_images {
         let corners: Vec<Point> = image.corners.iter().map(|(_, at)| page(*at)).collect();
+        let found = |births: &Images| image.corners.iter().map(|(p, _)| births.point(*p)).max();
+        let born = births.and_then(found);
         let corners = hull(&corners);
         if is_flat(&corners) {
+            // The image of a straight link is a line, as far as its points reach.
+            if let Some((a, b)) = widest(&corners) {
+                let mut own = Group::new("link-line").data("link", notation.number(image.link)).lived(born);
+                own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(FINE)).precise());
+                all.group(own);
+            }
             continue;
         }
-        let mut own = Group::new("image link-image").data("link", notation.number(image.link));
+        let mut own = Group::new("image link-image").data("link", notation.number(image.link)).lived(born);
         own.mark(Mark::area(Shape::Polygon(corners), Tone::Tint).precise());
         all.group(own);
     }
@@ -97,9 +111,17 @@ fn is_flat(corners: &[Point]) -> bool {
     twice_area.abs() <= THINNEST * longest
 }
 
-fn construction(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Group {
+/// The two of some points that are furthest apart; none of points that are one.
+fn widest(points: &[Point]) -> Option<(Point, Point)> {
+    let pairs = points.iter().enumerate().flat_map(|(i, a)| points[i + 1..].iter().map(move |b| (*a, *b)));
+    let (a, b) = pairs.max_by(|x, y| x.0.distance(x.1).total_cmp(&y.0.distance(y.1)))?;
+    (a.distance(b) > COINCIDENT).then_some((a, b))
+}
+
+fn construction(polygon: &Polygon, notation: &Notation<'_>, window: Rect, births: Option<&Images>) -> Group {
     let mut all = Group::new("construction");
-    for line in &polygon.lines {
+    for (index, line) in polygon.lines.iter().enumerate() {
+        let born = births.and_then(|births| births.lines.get(index).copied());
         if let ConstructionLine::Ray { from, to, claim, step } = line {
             let (from, to) = (page(*from), page(*to));
             let d = to - from;
@@ -109,7 +131,7 @@ fn construction(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Gro
             let past = to + d.normalize() * PAST;
             let Some((t0, t1)) = clip(from, past, window) else { continue };
             let (from, past) = (from.lerp(past, t0), from.lerp(past, t1));
-            let mut own = Group::new("ray").data("step", (step + 1).to_string());
+            let mut own = Group::new("ray").data("step", (step + 1).to_string()).lived(born);
             if let Some(claim) = claim {
                 let (name, value) = notation.claim_data(*claim);
                 own = own.data(name, value);
@@ -119,7 +141,7 @@ fn construction(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Gro
         } else if let (Some(arc), ConstructionLine::Arc { at, .. }) = (short_arc(line), line)
             && window.contains(page(*at))
         {
-            all.mark(arc);
+            all.mark_lived(arc, born);
         }
     }
     all
@@ -211,15 +233,16 @@ fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>, wind
 }
 
 /// A mark in the corner where a normal part ends and the tangential part begins.
-fn right_angles(polygon: &Polygon, window: Rect) -> Group {
+fn right_angles(polygon: &Polygon, window: Rect, births: Option<&Images>) -> Group {
     let mut all = Group::new("right-angles");
     let shown = |v: &&Vector| !v.as_point && window.contains(page(v.to));
     for normal in polygon.vectors.iter().filter(|v| v.kind == VectorKind::Normal).filter(shown) {
         let tangential = polygon
             .vectors
             .iter()
-            .find(|t| t.kind == VectorKind::Tangential && !t.as_point && t.tail == normal.head);
-        let Some(tangential) = tangential else { continue };
+            .enumerate()
+            .find(|(_, t)| t.kind == VectorKind::Tangential && !t.as_point && t.tail == normal.head);
+        let Some((index, tangential)) = tangential else { continue };
         let corner = page(normal.to);
         let back = page(normal.from) - corner;
         let on = page(tangential.to) - corner;
@@ -227,21 +250,26 @@ fn right_angles(polygon: &Polygon, window: Rect) -> Group {
         // Clear of the normal part's own head where there is room for both.
         let size = if back.hypot() > 2.5 * HEAD { HEAD * 0.85 } else { room * 0.3 };
         if room > 2.5 {
-            right_angle(&mut all, corner, back, on, size.min(room * 0.4));
+            let mut own = Group::default().lived(births.and_then(|b| b.vectors.get(index)).map(|l| l.born));
+            right_angle(&mut own, corner, back, on, size.min(room * 0.4));
+            all.adopt(own);
         }
     }
     all
 }
 
-fn images(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Group {
+fn images(polygon: &Polygon, notation: &Notation<'_>, window: Rect, births: Option<&Images>) -> Group {
     let mut all = Group::new("points");
-    let mut pole = Group::new("image pole").data("point", notation.image_name(Label::Pole, polygon.order));
+    let mut pole = Group::new("image pole")
+        .data("point", notation.image_name(Label::Pole, polygon.order))
+        .lived(births.map(|births| births.pole));
     let circle = Shape::Circle { centre: Point::ORIGIN, radius: 0.75 };
     pole.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Paper).precise());
     all.group(pole);
     for image in polygon.images.iter().filter(|image| window.contains(page(image.at))) {
         let name = notation.image_name(image.label, polygon.order);
-        let mut own = Group::new("image").data("point", name);
+        let born = births.map(|births| births.label(image.label));
+        let mut own = Group::new("image").data("point", name).lived(born);
         own.mark(dot(page(image.at), THICK / 2.0).precise());
         all.group(own);
     }
@@ -264,7 +292,14 @@ fn shown(at: Point, polygon: &Polygon, window: Rect) -> Point {
     out.or_else(|| clip(window.center(), at, window).map(|(_, t)| window.center().lerp(at, t))).unwrap_or(at)
 }
 
-fn labels(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Vec<Request> {
+fn labels(
+    polygon: &Polygon,
+    notation: &Notation<'_>,
+    window: Rect,
+    spots: &[Spot],
+    births: Option<&Images>,
+) -> Vec<Request> {
+    let in_detail = |label: Label| spots.iter().any(|spot| spot.has(label));
     let pole = Image { label: Label::Pole, at: [0.0, 0.0] };
     let mut groups: Vec<(Point, Vec<Label>)> = Vec::new();
     for image in std::iter::once(&pole).chain(&polygon.images) {
@@ -276,6 +311,8 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Vec<Reque
         }
     }
     let mut requests = Vec::new();
+    // What is drawn in a detail has its name there.
+    groups.retain(|(_, labels)| !labels.iter().all(|label| in_detail(*label)));
     for (at, labels) in groups {
         // A pin that bears the name of the link's own point, and the contact there, are one name.
         let mut names: Vec<Rich> = Vec::new();
@@ -288,7 +325,9 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Vec<Reque
         let radius = if labels.contains(&Label::Pole) { 0.9 } else { 0.4 };
         let site = Site::Around { at, radius, toward: outward(at, polygon) };
         let of = labels.iter().map(|l| notation.image_name(*l, polygon.order));
-        let mut request = Request::new(text, LABEL, site, "label image-name").naming(of);
+        // What falls on a point that has a name already stands beside it from the first.
+        let born = births.and_then(|births| labels.iter().map(|l| births.label(*l)).min());
+        let mut request = Request::new(text, LABEL, site, "label image-name").naming(of).lived(born);
         request.leader = true;
         requests.push(request);
     }
@@ -296,10 +335,15 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Vec<Reque
     let mut named: Vec<Named> = Vec::new();
     let whole = |v: &&Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
     let vectors = &polygon.vectors;
+    let index_of = |vector: &Vector| vectors.iter().position(|v| std::ptr::eq(v, vector));
     for vector in vectors.iter().filter(whole).chain(vectors.iter().filter(|v| !whole(v))) {
+        let life = births.zip(index_of(vector)).and_then(|(births, i)| births.vectors.get(i).copied());
         let (from, to) = (page(vector.from), page(vector.to));
         let name = vector_name(vector, polygon, notation);
         if from.distance(to) < SHORTEST_NAMED || !window.contains(from) || !window.contains(to) {
+            continue;
+        }
+        if spots.iter().any(|spot| spot.has(vector.tail) && spot.has(vector.head)) {
             continue;
         }
         let same = |n: &Named| n.from.distance(from) < COINCIDENT && n.to.distance(to) < COINCIDENT;
@@ -312,8 +356,9 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Vec<Reque
                 if !own.of.contains(&of) {
                     own.of.push(of);
                 }
+                own.life = earlier(own.life, life);
             }
-            None => named.push(Named { from, to, names: vec![name], of: vec![of] }),
+            None => named.push(Named { from, to, names: vec![name], of: vec![of], life }),
         }
     }
     for own in &named {
@@ -321,7 +366,8 @@ fn labels(polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Vec<Reque
         let site = |(from, to)| Site::Along { from, to };
         let mut sites = own.free_pieces(&named).into_iter().map(site);
         let first = sites.next().unwrap_or(site((own.from, own.to)));
-        let mut request = Request::new(text, SMALL, first, VECTOR_NAME).naming(own.of.clone());
+        let mut request =
+            Request::new(text, SMALL, first, VECTOR_NAME).naming(own.of.clone()).lived(own.life);
         request.sites.extend(sites);
         request.leader = own.from.distance(own.to) < SHORT;
         requests.push(request);
@@ -336,6 +382,14 @@ struct Named {
     names: Vec<Rich>,
     /// The quantities, as the vectors' data call them.
     of: Vec<String>,
+    life: Option<Life>,
+}
+
+/// The life of what is named by one name: from the first on, and used when any of it is.
+fn earlier(one: Option<Life>, other: Option<Life>) -> Option<Life> {
+    let (one, other) = one.zip(other)?;
+    let read = [one.read, other.read].into_iter().flatten().min();
+    Some(Life { born: one.born.min(other.born), read })
 }
 
 impl Named {

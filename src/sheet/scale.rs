@@ -1,5 +1,6 @@
 //! Round scales: 1, 2, 2.5, 5 × 10ⁿ.
 
+use super::compose::free_paper;
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::graphical::{Extents, Scales};
@@ -86,13 +87,6 @@ fn stretch(scene: &Scene) -> (f64, f64) {
     let (width, height) = free_paper(scene);
     let (wide, high) = (width / 176.0, height / 263.0);
     (wide, high.max((wide * high).sqrt()).min(height / 120.0))
-}
-
-/// Width and height of the paper within its margins, mm.
-fn free_paper(scene: &Scene) -> (f64, f64) {
-    let (width, height) = super::compose::paper(scene);
-    let free = |side: f64| (side - 34.0).max(40.0);
-    (free(width), free(height))
 }
 
 /// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels. A diagram whose

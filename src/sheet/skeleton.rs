@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::figure::{Group, Mark, Pen, Shape, Tone, on_circle};
+use super::figure::{Group, Mark, Moment, Pen, Shape, Tone, on_circle};
+use super::growth::Births;
 use super::human;
 use super::ink::{
     FINE, HEAD, LABEL, SMALL, THICK, THIN, arc_arrow, dot, hatch_below, hatch_inside, head, hull, page,
@@ -19,7 +20,7 @@ use super::rich::Rich;
 use super::slots::Slot;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, ConstructionLine, Reference};
 use crate::mechanism::quantity::{Answer, Order, Quantity};
-use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll};
+use crate::mechanism::{Form, Input, LinkId, PointId, Rider, Roll, Slide};
 
 /// Radius of a pin's circle.
 pub(super) const PIN: f64 = 1.1;
@@ -29,6 +30,8 @@ pub(super) const BLOCK: (f64, f64) = (4.4, 2.5);
 pub(super) const SLOT_BLOCK: (f64, f64) = (3.2, 1.6);
 /// Where more labels than this touch something, giving way one by one takes too long.
 const HOPELESS: usize = 40;
+/// Half width of a slot in which a pin runs without a block.
+pub(super) const BARE: f64 = PIN + 0.35;
 /// How far a guide reaches beyond its rider.
 pub(super) const GUIDE: f64 = 13.0;
 
@@ -59,9 +62,10 @@ pub struct Overlay {
 }
 
 /// The skeleton of a question with the first fixed point at the origin of the group: what the scene states,
-/// dimensioned, and nothing that the solution finds but the position in which it is drawn.
+/// dimensioned, and nothing that the solution finds but the position in which it is drawn. And the points whose places
+/// its dimensions give.
 #[must_use]
-pub fn question(construction: &Construction, notation: &Notation<'_>) -> Group {
+pub fn question(construction: &Construction, notation: &Notation<'_>) -> (Group, Vec<PointId>) {
     let mut group = Group::new("skeleton");
     group.title = Some(notation.words.skeleton.to_owned());
     let mut artist = Artist::new(construction, notation);
@@ -83,7 +87,7 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> Group {
         whole.group(texts);
         let touching = overlaps_in(&whole, None).len();
         if dimensions.is_empty() || touching == 0 {
-            return whole;
+            return (whole, artist.dimensioned(&dimensions));
         }
         // In a crowd the dimensions that disturb most are left to the given data, and so on.
         let left_out = if touching > HOPELESS { dimensions.len() } else { dimensions.len().div_ceil(8) };
@@ -95,7 +99,13 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> Group {
 /// The skeleton with the first fixed point at the origin of the group.
 #[must_use]
 pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
-    draw_under(construction, notation, Arrows::All, |_, _| Overlay::default())
+    draw_under(construction, notation, Arrows::All, None, |_, _| Overlay::default())
+}
+
+/// The same with the lives of its ink.
+#[must_use]
+pub fn growing(construction: &Construction, notation: &Notation<'_>, births: &Births<'_>) -> Group {
+    draw_under(construction, notation, Arrows::All, Some(births), |_, _| Overlay::default())
 }
 
 /// The skeleton with what is laid over it: asked for when the skeleton's own ink stands, with the places of the
@@ -105,6 +115,7 @@ pub fn draw_under(
     construction: &Construction,
     notation: &Notation<'_>,
     arrows: Arrows,
+    births: Option<&Births<'_>>,
     overlay: impl FnOnce(Rect, &[Option<Point>]) -> Overlay,
 ) -> Group {
     let space = &construction.space;
@@ -114,7 +125,7 @@ pub fn draw_under(
         .data("unit", format!("{} per mm", unit.symbol))
         .data("si-per-mm", format!("{}", space.metres_per_mm));
     group.title = Some(notation.words.skeleton.to_owned());
-    let mut artist = Artist::new(construction, notation);
+    let mut artist = Artist { births, ..Artist::new(construction, notation) };
     if !construction.others.is_empty() {
         let (ink, names) = positions::draw(construction, notation);
         group.group(ink);
@@ -170,6 +181,8 @@ pub(super) struct Artist<'a> {
     pub(super) labels: Vec<Request>,
     /// Fuller texts for some of the labels, by index: taken where all of them find room.
     fuller: Vec<(usize, Rich)>,
+    /// When its ink came onto the paper, where that is asked for.
+    births: Option<&'a Births<'a>>,
 }
 
 /// How the points of a link lie.
@@ -192,6 +205,7 @@ impl<'a> Artist<'a> {
             slots: Vec::new(),
             labels: Vec::new(),
             fuller: Vec::new(),
+            births: None,
         };
         artist.bars = artist.all_bars();
         artist.add_slots();
@@ -200,6 +214,22 @@ impl<'a> Artist<'a> {
 }
 
 impl Artist<'_> {
+    pub(super) fn born_point(&self, point: PointId) -> Option<Moment> {
+        self.births.map(|births| births.point(point))
+    }
+
+    pub(super) fn born_link(&self, link: LinkId) -> Option<Moment> {
+        self.births.map(|births| births.link(link))
+    }
+
+    pub(super) fn born_guide(&self, slide: usize) -> Option<Moment> {
+        self.births.map(|births| births.guide(slide))
+    }
+
+    pub(super) fn born_rider(&self, slide: &Slide) -> Option<Moment> {
+        self.births.map(|births| births.rider(slide))
+    }
+
     /// Frame, guides, links, wheels, joints, crank angles; the lines by which places were found if wanted.
     fn links_and_joints(&mut self, group: &mut Group, construction_lines: bool) {
         group.group(self.ground());
@@ -296,9 +326,10 @@ impl Artist<'_> {
 
     fn construction_lines(&self) -> Group {
         let mut all = Group::new("construction");
-        for line in &self.construction.space.lines {
+        for (index, line) in self.construction.space.lines.iter().enumerate() {
+            let born = self.births.map(|births| births.line(index));
             if let Some(arc) = short_arc(line) {
-                all.mark(arc);
+                all.mark_lived(arc, born);
             } else if let ConstructionLine::Ray { from, to, claim, .. } = line {
                 let (from, to) = (page(*from), page(*to));
                 let d = to - from;
@@ -307,7 +338,8 @@ impl Artist<'_> {
                     let axis = matches!(claim, Some(Claim::Parallel(Reference::Guide(_))));
                     let pen = if axis { Pen::chain(FINE) } else { Pen::solid(FINE) };
                     let shape = Shape::Line(from, to + d.normalize() * 4.0);
-                    all.mark(Mark::stroke(shape, pen).class(if axis { "axis" } else { "ray" }).precise());
+                    let class = if axis { "axis" } else { "ray" };
+                    all.mark_lived(Mark::stroke(shape, pen).class(class).precise(), born);
                 }
             }
         }
@@ -359,29 +391,34 @@ impl Artist<'_> {
             own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)));
             // Hatching lies on the far side of the base line, whichever way that is.
             hatch_below(&mut own, a, b);
-            all.group(own);
-            self.frame_number(at + way * 5.4, 2.2, way);
+            let born = self.born_point(point);
+            all.group(own.lived(born));
+            self.frame_number(at + way * 5.4, 2.2, way, born);
         }
         let slides = self.notation.mechanism().slides.iter().enumerate();
         for (index, slide) in slides.filter(|(_, s)| s.guide.link == LinkId::FRAME) {
+            let born = self.born_guide(index);
+            // A pin without a block runs in a slot of its own width.
+            let bare = matches!(slide.rider, Rider::Pin { block: None, .. });
             if let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) {
-                let own = self.fixed_guide(at, along);
-                all.group(own.data("guide", self.notation.guide_data(index)));
+                let own = self.fixed_guide(at, along, bare, born);
+                all.group(own.data("guide", self.notation.guide_data(index)).lived(born));
             } else if let Some(GuideLine::Arc { at, centre }) = self.pose.guide(slide)
                 && at.distance(centre) > BLOCK.1
             {
-                all.group(fixed_arc(at, centre).data("guide", self.notation.guide_data(index)));
+                let own = fixed_arc(at, centre, bare);
+                all.group(own.data("guide", self.notation.guide_data(index)).lived(born));
                 let out = (at - centre).normalize();
-                self.frame_number(at + out * 3.5 + Vec2::new(-out.y, out.x) * GUIDE, 0.5, out);
+                self.frame_number(at + out * 3.5 + Vec2::new(-out.y, out.x) * GUIDE, 0.5, out, born);
             }
         }
         all
     }
 
-    fn frame_number(&mut self, at: Point, radius: f64, way: Vec2) {
+    fn frame_number(&mut self, at: Point, radius: f64, way: Vec2, born: Option<Moment>) {
         let toward = Some(libm::atan2(-way.x, -way.y));
         let site = Site::Around { at, radius, toward };
-        self.labels.push(Request::new(Rich::upright("1"), SMALL, site, "label link-number"));
+        self.labels.push(Request::new(Rich::upright("1"), SMALL, site, "label link-number").lived(born));
     }
 
     /// Across a straight guide of the frame to the side where fewer links are: there is the frame.
@@ -397,16 +434,23 @@ impl Artist<'_> {
         if inclination > 0.0 || (inclination == 0.0 && across.y < 0.0) { -across } else { across }
     }
 
-    /// A straight guide of the frame: its surface under the slider, hatched away from the links.
-    fn fixed_guide(&mut self, at: Point, along: Vec2) -> Group {
+    /// A straight guide of the frame: its surface under the slider, hatched away from the links; for a bare pin a slot,
+    /// hatched on both sides.
+    fn fixed_guide(&mut self, at: Point, along: Vec2, bare: bool, born: Option<Moment>) -> Group {
         let mut own = Group::new("guide");
         let across = self.frame_side(at, along);
-        let foot = at + across * (BLOCK.1 + THICK / 2.0);
-        let (a, b) = (foot - along * GUIDE, foot + along * GUIDE);
-        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).precise());
-        let (a, b) = if Vec2::new(-along.y, along.x).dot(across) > 0.0 { (a, b) } else { (b, a) };
-        hatch_below(&mut own, a, b);
-        self.frame_number(b, 0.6, -(b - a).normalize());
+        let half = if bare { BARE } else { BLOCK.1 } + THICK / 2.0;
+        let sides: &[Vec2] = if bare { &[across, -across] } else { &[across] };
+        for (i, side) in sides.iter().enumerate() {
+            let foot = at + *side * half;
+            let (a, b) = (foot - along * GUIDE, foot + along * GUIDE);
+            own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).precise());
+            let (a, b) = if Vec2::new(-along.y, along.x).dot(*side) > 0.0 { (a, b) } else { (b, a) };
+            hatch_below(&mut own, a, b);
+            if i == 0 {
+                self.frame_number(b, 0.6, -(b - a).normalize(), born);
+            }
+        }
         own
     }
 
@@ -431,7 +475,7 @@ impl Artist<'_> {
                 Body::Polygon(corners) => self.plate(link, &corners, &mut own),
             }
             if !own.children.is_empty() {
-                all.group(own);
+                all.group(own.lived(self.born_link(link)));
             }
         }
         all
@@ -510,9 +554,11 @@ impl Artist<'_> {
                     let rings = [ring, *internal && !ring];
                     for i in 0..2 {
                         let Some(centre) = places[i] else { continue };
-                        all.mark(pitch_circle(centre, sizes[i]));
+                        let born = self.born_point(centres[i]);
+                        all.mark_lived(pitch_circle(centre, sizes[i]), born);
                         if links[i] == LinkId::FRAME {
-                            all.group(self.fixed_rim(centre, sizes[i], rings[i]));
+                            let rim = self.fixed_rim(centre, sizes[i], rings[i], born);
+                            all.group(rim.lived(born));
                         }
                     }
                     if let [Some(a), Some(b)] = places
@@ -520,25 +566,32 @@ impl Artist<'_> {
                     {
                         // Inside a ring the contact is beyond the smaller wheel's centre.
                         let outward = if rings[1] { -1.0 } else { 1.0 };
-                        let centres = (b - a).normalize();
-                        tangency(&mut all, a + centres * (sizes[0] * outward), centres);
+                        let born = self.born_point(centres[0]).max(self.born_point(centres[1]));
+                        let along = (b - a).normalize();
+                        let mut own = Group::default().lived(born);
+                        tangency(&mut own, a + along * (sizes[0] * outward), along);
+                        all.adopt(own);
                     }
                 }
                 Roll::Line { guide, centre, radius, .. } => {
+                    let born = self.born_point(*centre);
                     let Some(centre) = self.pose.place(*centre) else { continue };
                     let r = self.pose.paper(radius.value);
-                    all.mark(pitch_circle(centre, r));
-                    let Some((on, along)) = self.pose.track(*guide) else { continue };
-                    let foot = on + along * (centre - on).dot(along);
-                    let (a, b) = (foot - along * (r + 5.0), foot + along * (r + 5.0));
-                    all.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).class("rack"));
-                    all.mark(dot(foot, 0.6).class("tangency"));
-                    if guide.link == LinkId::FRAME {
-                        let below = Vec2::new(-along.y, along.x).dot(foot - centre) > 0.0;
-                        let (a, b) = if below { (a, b) } else { (b, a) };
-                        hatch_below(&mut all, a, b);
-                        self.frame_number(b, 0.6, -(b - a).normalize());
+                    let mut own = Group::default().lived(born);
+                    own.mark(pitch_circle(centre, r));
+                    if let Some((on, along)) = self.pose.track(*guide) {
+                        let foot = on + along * (centre - on).dot(along);
+                        let (a, b) = (foot - along * (r + 5.0), foot + along * (r + 5.0));
+                        own.mark(Mark::stroke(Shape::Line(a, b), Pen::solid(THICK)).class("rack"));
+                        own.mark(dot(foot, 0.6).class("tangency"));
+                        if guide.link == LinkId::FRAME {
+                            let below = Vec2::new(-along.y, along.x).dot(foot - centre) > 0.0;
+                            let (a, b) = if below { (a, b) } else { (b, a) };
+                            hatch_below(&mut own, a, b);
+                            self.frame_number(b, 0.6, -(b - a).normalize(), born);
+                        }
                     }
+                    all.adopt(own);
                 }
             }
         }
@@ -546,7 +599,7 @@ impl Artist<'_> {
     }
 
     /// A piece of a fixed wheel's rim, hatched on the wheel's side, where least stands in the way.
-    fn fixed_rim(&mut self, centre: Point, radius: f64, ring: bool) -> Group {
+    fn fixed_rim(&mut self, centre: Point, radius: f64, ring: bool, born: Option<Moment>) -> Group {
         let mut own = Group::new("rim");
         let half = (0.8 * GUIDE / radius.max(1.0)).min(0.8);
         let free = |middle: &f64| {
@@ -569,7 +622,7 @@ impl Artist<'_> {
             own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("hatch"));
         }
         let way = (on_circle(centre, 1.0, middle) - centre) * depth.signum();
-        self.frame_number(on_circle(centre, radius + depth, middle), 0.4, way);
+        self.frame_number(on_circle(centre, radius + depth, middle), 0.4, way, born);
         own
     }
 
@@ -595,10 +648,12 @@ impl Artist<'_> {
             if !in_use && !rides {
                 own.class = "joint reference".to_owned();
             }
-            all.group(own);
+            let born = self.born_point(id);
+            all.group(own.lived(born));
             let site = Site::Around { at, radius: radius + 0.2, toward: self.outward(at) };
             let mut request = Request::new(self.notation.point(id), LABEL, site, "label point-name")
-                .naming([point.name.clone()]);
+                .naming([point.name.clone()])
+                .lived(born);
             request.leader = true;
             if let Some(all) = self.notation.coincident_names(id) {
                 self.fuller.push((self.labels.len(), all));
@@ -635,10 +690,13 @@ impl Artist<'_> {
             let turn = if whole { libm::remainder(angle, std::f64::consts::TAU) } else { angle };
             let radius = (from.distance(to) * 0.75).clamp(6.0, 11.0);
             let end = from + Vec2::new(radius + 3.0, 0.0);
-            all.mark(Mark::stroke(Shape::Line(from + Vec2::new(PIN, 0.0), end), Pen::solid(FINE)));
+            let born = self.born_link(*link);
+            let mut own = Group::default().lived(born);
+            own.mark(Mark::stroke(Shape::Line(from + Vec2::new(PIN, 0.0), end), Pen::solid(FINE)));
             if turn.abs() * radius > 1.5 {
-                arc_arrow(&mut all, from, radius, 0.0, turn, FINE);
+                arc_arrow(&mut own, from, radius, 0.0, turn, FINE);
             }
+            all.adopt(own);
             let middle = on_circle(from, radius, turn / 2.0);
             let site = Site::Around { at: middle, radius: 0.3, toward: Some(turn / 2.0) };
             let text = self.notation.symbol(Quantity::Angle(*link), false).up("\u{a0}=\u{a0}");
@@ -646,7 +704,8 @@ impl Artist<'_> {
             let beyond = Site::Around { at: end, radius: 0.3, toward: Some(0.0) };
             let quarter = on_circle(from, radius, turn / 4.0);
             let quarter = Site::Around { at: quarter, radius: 0.3, toward: Some(turn / 4.0) };
-            let mut request = Request::new(text, SMALL, site, "label angle").or(quarter).or(beyond);
+            let mut request =
+                Request::new(text, SMALL, site, "label angle").or(quarter).or(beyond).lived(born);
             request.leader = true;
             self.labels.push(request);
         }
@@ -731,11 +790,12 @@ impl Artist<'_> {
                 own.mark(head(tip, Vec2::new(-sin, -cos) * sign, HEAD * 0.9));
             }
             arcs.extend(&own);
-            all.group(own);
+            let born = self.births.map(|births| births.rotation(link, second));
+            all.group(own.lived(born));
             let at = on_circle(centre, radius, middle);
             let site = Site::Around { at, radius: 0.2, toward: Some(middle) };
             let text = self.notation.symbol(quantity, false);
-            self.labels.push(Request::new(text, SMALL, site, "label rotation-name"));
+            self.labels.push(Request::new(text, SMALL, site, "label rotation-name").lived(born));
         }
         group.group(all);
     }
@@ -851,7 +911,7 @@ impl Artist<'_> {
                     for (_, a, b) in self.bars.iter().filter(|(l, ..)| *l == link).skip(1) {
                         request = request.or(Site::Along { from: *a, to: *b });
                     }
-                    requests.push(request);
+                    requests.push(request.lived(self.born_link(link)));
                 }
                 // A sleeve has its number already.
                 None if self
@@ -869,7 +929,8 @@ impl Artist<'_> {
                             .iter()
                             .any(|s| matches!(s.rider, Rider::Link { link: l, .. } if l == link));
                         let radius = if rides { 5.0 } else { 2.0 };
-                        requests.push(ringed(&number, Site::Around { at: *at, radius, toward: None }));
+                        let site = Site::Around { at: *at, radius, toward: None };
+                        requests.push(ringed(&number, site).lived(self.born_link(link)));
                     }
                 }
                 None => {}
@@ -924,21 +985,28 @@ fn tangency(group: &mut Group, at: Point, centres: Vec2) {
     group.mark(dot(at, 0.6).class("tangency"));
 }
 
-fn fixed_arc(at: Point, centre: Point) -> Group {
+/// A curved guide of the frame: its surface outside of the block; for a bare pin both sides of its slot.
+fn fixed_arc(at: Point, centre: Point, bare: bool) -> Group {
     let mut own = Group::new("guide");
     let radius = at.distance(centre);
     let d = at - centre;
     let middle = libm::atan2(-d.y, d.x);
     let half = (GUIDE / radius.max(1.0)).min(1.2);
-    let outer = radius + BLOCK.1;
-    let surface = Shape::Arc { centre, radius: outer, start: middle - half, sweep: 2.0 * half };
-    own.mark(Mark::stroke(surface, Pen::solid(THICK)).precise());
-    let strokes = (2.0 * half * outer / 1.5).floor();
-    for i in 0..strokes as usize {
-        let angle = middle - half + (i as f64 + 0.5) * (2.0 * half / strokes);
-        let from = on_circle(centre, outer, angle);
-        let to = on_circle(centre, outer + 1.5, angle - 1.5 / outer);
-        own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("hatch"));
+    let sides: &[f64] = if bare { &[BARE, -BARE] } else { &[BLOCK.1] };
+    for side in sides {
+        let surface = radius + side;
+        if surface < 1.0 {
+            continue;
+        }
+        let arc = Shape::Arc { centre, radius: surface, start: middle - half, sweep: 2.0 * half };
+        own.mark(Mark::stroke(arc, Pen::solid(THICK)).precise());
+        let strokes = (2.0 * half * surface / 1.5).floor();
+        for i in 0..strokes as usize {
+            let angle = middle - half + (i as f64 + 0.5) * (2.0 * half / strokes);
+            let from = on_circle(centre, surface, angle);
+            let to = on_circle(centre, (surface + 1.5 * side.signum()).max(0.1), angle - 1.5 / surface);
+            own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("hatch"));
+        }
     }
     own
 }

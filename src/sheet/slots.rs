@@ -6,11 +6,15 @@ use super::figure::{Group, Mark, Pen, Shape, Tone, on_circle};
 use super::ink::{FINE, THICK, THIN, dot, turned_rect};
 use super::labels::Site;
 use super::pose::GuideLine;
-use super::skeleton::{Artist, BLOCK, Body, GUIDE, PIN, SLOT_BLOCK, nearest, ringed};
+use super::skeleton::{Artist, BARE, BLOCK, Body, GUIDE, PIN, SLOT_BLOCK, nearest, ringed};
 use crate::mechanism::{GuidePoint, LinkId, Path, PointId, Rider, Slide};
 
 /// Half length and half width of a sleeve in which a rod slides.
 const SLEEVE: (f64, f64) = (5.2, 2.2);
+/// Where a cylinder begins and ends along its rod, from its pivot.
+const CYLINDER: (f64, f64) = (-6.5, 11.0);
+/// Where the piston stands in it.
+const PISTON: f64 = 4.5;
 /// Half length of the tangent under a pin in a curved slot.
 const TANGENT: f64 = 5.0;
 /// Half the angle of a step along a curved outline.
@@ -39,6 +43,56 @@ impl Slot {
                 Shape::Arc { centre, radius, start: from, sweep: to - from }
             }
         }
+    }
+}
+
+/// A Geneva wheel as it lies on the paper, lengths in millimetres.
+#[derive(Debug, Clone, Copy)]
+struct Geneva {
+    centre: Point,
+    slots: usize,
+    /// From its pivot to that of the crank.
+    base: f64,
+    /// Of the crank.
+    crank: f64,
+    /// Of the wheel.
+    radius: f64,
+}
+
+impl Geneva {
+    /// Its outline, beginning with the side of the slot in this direction.
+    fn outline(&self, way: Vec2) -> Vec<Point> {
+        let step = std::f64::consts::TAU / self.slots as f64;
+        let first = libm::atan2(-way.y, way.x);
+        let bottom = (self.base - self.crank - BARE).max(PIN + 1.0);
+        let lock = 0.8 * self.crank;
+        // Where the hollow for the crank's disc cuts the rim, from the middle between two slots.
+        let cut = (self.base * self.base + self.radius * self.radius - lock * lock)
+            / (2.0 * self.base * self.radius);
+        let cut = libm::acos(cut.clamp(-1.0, 1.0));
+        let mut all = Vec::new();
+        for k in 0..self.slots {
+            let along = first + step * k as f64;
+            let (sin, cos) = libm::sincos(along);
+            let (out, left) = (Vec2::new(cos, -sin), Vec2::new(-sin, -cos));
+            let mouth = (self.radius * self.radius - BARE * BARE).max(0.0).sqrt();
+            let at = |r: f64, side: f64| self.centre + out * r + left * (side * BARE);
+            all.extend([at(mouth, -1.0), at(bottom, -1.0)]);
+            for i in 1..8 {
+                let (sin, cos) = libm::sincos(std::f64::consts::PI * f64::from(i) / 8.0);
+                all.push(at(bottom, -cos) - out * (BARE * sin));
+            }
+            all.extend([at(bottom, 1.0), at(mouth, 1.0)]);
+            // The rim to the hollow, the hollow, and the rim to the next slot.
+            let middle = along + step / 2.0;
+            let disc = on_circle(self.centre, self.base, middle);
+            let edge = [middle - cut, middle + cut].map(|angle| on_circle(self.centre, self.radius, angle));
+            let seen = |p: Point| libm::atan2(disc.y - p.y, p.x - disc.x);
+            let (from, to) = (seen(edge[0]), seen(edge[1]));
+            let sweep = libm::remainder(to - from, std::f64::consts::TAU);
+            all.extend((0..=16).map(|i| on_circle(disc, lock, from + sweep * f64::from(i) / 16.0)));
+        }
+        all
     }
 }
 
@@ -153,14 +207,28 @@ impl Artist<'_> {
         for slot in &self.slots {
             let number = self.notation.number(slot.link);
             if let Some((from, to)) = slot.arm {
-                let mut own = Group::new("link arm").data("link", number.clone());
+                let mut own =
+                    Group::new("link arm").data("link", number.clone()).lived(self.born_guide(slot.index));
                 own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THICK)).class("bar"));
                 all.group(own);
             }
-            let mut own = Group::new("link slot").data("link", number);
+            let mut own = Group::new("link slot").data("link", number).lived(self.born_guide(slot.index));
             match slot.form {
                 SlotForm::Straight(along) => {
                     own = own.data("guide", self.notation.guide_data(slot.index));
+                    if let Some(wheel) = self.geneva(slot.index) {
+                        let way = if (slot.ends.1 - wheel.centre).dot(along)
+                            > (wheel.centre - slot.ends.0).dot(along)
+                        {
+                            along
+                        } else {
+                            -along
+                        };
+                        let outline = Shape::Polygon(wheel.outline(way));
+                        own.mark(Mark::stroke(outline, Pen::solid(THICK)).class("wheel").precise());
+                        all.group(own);
+                        continue;
+                    }
                     let across = Vec2::new(-along.y, along.x) * (SLOT_BLOCK.1 + THIN / 2.0);
                     let (a, b) = slot.ends;
                     let outline = Shape::Polygon(vec![a + across, b + across, b - across, a - across]);
@@ -193,7 +261,8 @@ impl Artist<'_> {
         for slide in &self.notation.mechanism().slides {
             let Path::Arc { centre: GuidePoint::Point(centre), .. } = slide.guide.path else { continue };
             if let (Some(centre), Some(rider)) = (self.pose.place(centre), self.pose.rider(slide)) {
-                all.mark(Mark::stroke(Shape::Line(centre, rider), Pen::chain(FINE)).class("axis"));
+                let axis = Mark::stroke(Shape::Line(centre, rider), Pen::chain(FINE)).class("axis");
+                all.mark_lived(axis, self.born_rider(slide));
             }
         }
         all
@@ -206,21 +275,65 @@ impl Artist<'_> {
         own = own.data("guide", self.notation.guide_data(index));
         let Some(GuideLine::Straight { at, along }) = self.pose.guide(slide) else { return own };
         let Some((_, joint)) = self.pose.places(slide.guide.link).first().copied() else { return own };
+        let born = self.born_guide(index);
+        own = own.lived(born);
         let middle = at + along * (joint - at).dot(along);
         let way = if (middle - at).dot(along) < 0.0 { -along } else { along };
-        let rod = Shape::Line(at, middle + way * (SLEEVE.0 + 5.0));
-        own.mark(
-            Mark::outlined(
-                Shape::Polygon(turned_rect(middle, along, SLEEVE.0, SLEEVE.1)),
-                Pen::solid(THICK * 0.8),
-                Tone::Paper,
-            )
-            .precise(),
-        );
+        // A rod that ends on this side of the joint is a piston's, and the sleeve its cylinder, closed beyond.
+        let beyond = |p: Point| (p - middle).dot(way);
+        let runs_through = match slide.rider {
+            Rider::Link { link, .. } => self.pose.places(link).iter().any(|(_, p)| beyond(*p) > SLEEVE.0),
+            Rider::Pin { .. } => true,
+        };
+        let (near, far, end) = if runs_through {
+            (-SLEEVE.0, SLEEVE.0, SLEEVE.0 + 5.0)
+        } else {
+            (CYLINDER.0, CYLINDER.1, PISTON)
+        };
+        let size = (far - near) / 2.0;
+        let tube = Shape::Polygon(turned_rect(middle + way * (near + size), along, size, SLEEVE.1));
+        own.mark(Mark::outlined(tube, Pen::solid(THICK * 0.8), Tone::Paper).precise());
+        let rod = Shape::Line(at, middle + way * end);
         own.mark(Mark::stroke(rod, Pen::solid(THICK)).class("bar"));
+        if !runs_through {
+            let piston = turned_rect(middle + way * (PISTON + 0.8), along, 0.8, SLEEVE.1 - 0.4);
+            own.mark(Mark::area(Shape::Polygon(piston), Tone::Ink).class("piston"));
+        }
         let radius = libm::hypot(SLEEVE.0, SLEEVE.1) * 0.8;
-        self.labels.push(ringed(&number, Site::Around { at: middle, radius, toward: None }));
+        self.labels.push(ringed(&number, Site::Around { at: middle, radius, toward: None }).lived(born));
         own
+    }
+
+    /// The wheel of a Geneva drive: a link with nothing but its pivot and a slot through it, in which a crank's bare pin runs,
+    /// the crank as long as `n` slots at even angles ask for.
+    fn geneva(&self, index: usize) -> Option<Geneva> {
+        let mechanism = self.notation.mechanism();
+        let slide = mechanism.slides.get(index)?;
+        let Rider::Pin { point: pin, block: None } = slide.rider else { return None };
+        let Path::Straight { through: GuidePoint::Point(pivot), offset, .. } = slide.guide.path else {
+            return None;
+        };
+        let only_pivot = mechanism.link(slide.guide.link).points[..] == [pivot];
+        if !only_pivot || !mechanism.is_fixed(pivot) || offset.value != 0.0 {
+            return None;
+        }
+        let carries = |link: &LinkId| mechanism.link(*link).points.contains(&pin);
+        let crank = mechanism.moving().find(carries)?;
+        let shaft = mechanism.link(crank).points.iter().copied().find(|p| mechanism.is_fixed(*p))?;
+        let [centre, shaft, pin] = [pivot, shaft, pin].map(|p| self.pose.place(p));
+        let (centre, shaft, pin) = (centre?, shaft?, pin?);
+        let (base, crank) = (centre.distance(shaft), shaft.distance(pin));
+        let ratio = crank / base;
+        if !(ratio > 0.0 && ratio < 1.0) {
+            return None;
+        }
+        let slots = (std::f64::consts::PI / libm::asin(ratio)).round();
+        let half = std::f64::consts::PI / slots;
+        // As a scene rounds it.
+        let fits = (libm::sin(half) - ratio).abs() < 1e-4 && (3.0..=12.0).contains(&slots);
+        let radius = base * libm::cos(half);
+        let engaged = centre.distance(pin) <= radius + BARE;
+        (fits && engaged).then_some(Geneva { centre, slots: slots as usize, base, crank, radius })
     }
 
     /// The blocks and sliders: those on the frame, or those in moving guides.
@@ -248,7 +361,7 @@ impl Artist<'_> {
             let guide = curved.then(|| self.notation.guide_data(index));
             let Some(block) = block else {
                 if let Some(guide) = guide {
-                    let mut own = Group::new("tangent").data("guide", guide);
+                    let mut own = Group::new("tangent").data("guide", guide).lived(self.born_rider(slide));
                     let shape = Shape::Line(at - along * TANGENT, at + along * TANGENT);
                     own.mark(Mark::stroke(shape, Pen::solid(FINE)).precise());
                     all.group(own);
@@ -257,7 +370,8 @@ impl Artist<'_> {
             };
             let size = if on_frame { BLOCK } else { SLOT_BLOCK };
             let number = self.notation.number(block);
-            let mut own = Group::new("link slider").data("link", number.clone());
+            let born = self.born_rider(slide);
+            let mut own = Group::new("link slider").data("link", number.clone()).lived(born);
             if let Some(guide) = guide {
                 own = own.data("guide", guide);
             }
@@ -272,7 +386,7 @@ impl Artist<'_> {
                 let radius = libm::hypot(size.0, size.1) * 0.8;
                 let toward = on_frame.then(|| -self.frame_side(at, along));
                 let toward = toward.map(|way| libm::atan2(-way.y, way.x));
-                self.labels.push(ringed(&number, Site::Around { at, radius, toward }));
+                self.labels.push(ringed(&number, Site::Around { at, radius, toward }).lived(born));
             }
         }
         all

@@ -1,17 +1,19 @@
 //! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
 
+use super::given::{Dimension, dimensions};
 use super::human;
 use super::notation::Notation;
 use super::polygon::vector_name;
 use super::rich::Rich;
 use super::table::{Align, Flow, Table};
+use super::words::counted;
 use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, Equation, Label, Polygon, Reference, Step, Term, TermDirection,
     Vector, VectorKind,
 };
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
-use crate::mechanism::{Input, LinkId, PointId, Rider};
+use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider};
 
 /// Flatter crossings than this are badly readable by hand.
 const FLAT: f64 = 3.0;
@@ -38,10 +40,25 @@ pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> 
 pub struct Told {
     /// Index of the step; of several steps under one head the last.
     pub step: usize,
-    /// Velocity, acceleration, position; none where nothing is drawn.
-    pub drawn: Option<Order>,
+    /// What is drawn in.
+    pub drawn: Option<Drawn>,
     /// Head, equations, sentences.
     pub items: Vec<Item>,
+    /// Of each item the index of the act on paper that it tells; none of what is said or calculated.
+    pub acts: Vec<Option<usize>>,
+}
+
+/// The drawing that something is told of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drawn {
+    /// The skeleton, the velocity or the acceleration diagram.
+    Diagram(Order),
+    /// The instant centres with the circle diagram.
+    Centres,
+    /// Velocities from centres, by index of the method.
+    Transfer(usize),
+    /// A construction on the skeleton, by its index.
+    Auxiliary(usize),
 }
 
 /// The same step by step.
@@ -60,20 +77,32 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
         let same = rubs && rubbing;
         rubbing = rubs;
         if let Some(told) = all.last_mut().filter(|_| same) {
-            told.items.extend(step.acts.iter().filter_map(|act| teller.act(act)).map(Item::Sentence));
+            let lines = step.acts.iter().filter_map(|act| teller.act(act));
+            lines.for_each(|line| told.say(Item::Sentence(line), None));
             told.step = i;
             continue;
         }
-        let head = Rich::bold(format!("{}.", all.len() + 1)).up("\u{a0}\u{a0}").then(&teller.head());
-        let mut items = vec![Item::Head(head)];
-        for equation in &step.equations {
-            items.push(Item::Terms(teller.terms(equation)));
-        }
+        let head = Rich::bold(format!("{}.", notation.count(all.len() + 1)));
+        let head = head.up("\u{a0}\u{a0}").then(&teller.head());
+        let mut own = Told {
+            step: i,
+            drawn: (!rubs).then_some(Drawn::Diagram(step.order)),
+            items: vec![Item::Head(head)],
+            acts: vec![None],
+        };
         let moves = step.order != Order::Position;
         if let Some(lines) = conversions.take_if(|_| moves) {
-            items.extend(lines.into_iter().map(Item::Sentence));
+            lines.into_iter().for_each(|line| own.say(Item::Sentence(line), None));
         }
-        for act in &step.acts {
+        for told in in_order(step) {
+            let index = match told {
+                Part::Equation(index) => {
+                    own.say(Item::Terms(teller.terms(&step.equations[index])), None);
+                    continue;
+                }
+                Part::Act(index) => index,
+            };
+            let act = &step.acts[index];
             // What was measured once is known.
             if matches!(act, Act::MarkPlaces) && std::mem::replace(&mut marked, true) {
                 continue;
@@ -84,27 +113,99 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
                 }
                 measured.push([*from, *to]);
             }
-            items.extend(known.missing(act).map(Item::Sentence));
-            items.extend(teller.act(act).map(Item::Sentence));
+            if let Some(line) = known.missing(act) {
+                own.say(Item::Sentence(line), None);
+            }
+            if let Some(line) = teller.act(act) {
+                own.say(Item::Sentence(line), (!matches!(act, Act::Calculate(_))).then_some(index));
+            }
             known.learn(act, step.order);
         }
         // What was marked at the beginning needs no step of its own.
-        if items.len() > 1 {
-            all.push(Told { step: i, drawn: (!rubs).then_some(step.order), items });
+        if own.items.len() > 1 {
+            all.push(own);
         }
     }
     // Constructions of their own follow the steps.
     let step = construction.steps.len().saturating_sub(1);
-    let mut more = |items: Vec<Item>| all.push(Told { step, drawn: None, items });
+    let unnumbered = |items: Vec<Item>| items.into_iter().map(|item| (item, None)).collect();
+    let mut more = |drawn: Drawn, told: Vec<(Item, Option<usize>)>| {
+        let (items, acts) = told.into_iter().unzip();
+        all.push(Told { step, drawn: Some(drawn), items, acts });
+    };
     if let Some(circle) = &construction.circle {
-        more(super::circle::items(circle, notation));
-        more(super::transfer::items(circle, construction, notation));
+        more(Drawn::Centres, super::circle::items(circle, notation));
+        for (index, items) in super::transfer::items(circle, construction, notation).into_iter().enumerate() {
+            more(Drawn::Transfer(index), unnumbered(items));
+        }
     }
-    for drawing in construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none()) {
-        more(super::auxiliary::items(drawing, construction, notation));
+    for (index, drawing) in construction.auxiliary.iter().enumerate() {
+        if drawing.refused.is_none() {
+            let items = super::auxiliary::items(drawing, construction, notation);
+            more(Drawn::Auxiliary(index), unnumbered(items));
+        }
     }
     all.retain(|told| !told.items.is_empty());
     all
+}
+
+impl Told {
+    fn say(&mut self, item: Item, act: Option<usize>) {
+        self.items.push(item);
+        self.acts.push(act);
+    }
+}
+
+/// An equation or an act of a step, by its index.
+#[derive(Debug, Clone, Copy)]
+enum Part {
+    Equation(usize),
+    Act(usize),
+}
+
+/// The order in which a step is told: what an equation takes as known is calculated before its table stands there.
+fn in_order(step: &Step) -> Vec<Part> {
+    let reckons = |act: &Act| matches!(act, Act::Calculate(_) | Act::MeasureLength { .. });
+    let meets = |act: &Act| matches!(act, Act::MarkMeet { .. } | Act::TryPolygon { .. });
+    // Before the first meeting nothing is calculated from what the step itself finds.
+    let found = step.acts.iter().position(meets).unwrap_or(step.acts.len());
+    let first = |index: &usize| !step.equations.is_empty() && *index < found && reckons(&step.acts[*index]);
+    let (early, late): (Vec<usize>, Vec<usize>) = (0..step.acts.len()).partition(first);
+    let takes = |equation: &Equation, index: usize| {
+        let Act::Calculate(calculation) = &step.acts[index] else { return false };
+        let terms = || equation.left.iter().chain(&equation.right);
+        calculated(calculation).is_some_and(|known| terms().any(|term| term.quantity == known))
+    };
+    let mut all: Vec<Part> = early.into_iter().map(Part::Act).collect();
+    let mut waiting: Vec<(usize, Option<usize>)> = Vec::new();
+    for (i, equation) in step.equations.iter().enumerate() {
+        let last = late.iter().copied().filter(|index| takes(equation, *index)).max();
+        match last {
+            None => all.push(Part::Equation(i)),
+            Some(_) => waiting.push((i, last)),
+        }
+    }
+    for index in late {
+        all.push(Part::Act(index));
+        let now = waiting.iter().filter(|(_, last)| *last == Some(index));
+        all.extend(now.map(|(equation, _)| Part::Equation(*equation)));
+    }
+    all
+}
+
+/// The vector whose magnitude a calculation gives.
+fn calculated(calculation: &Calculation) -> Option<Quantity> {
+    match *calculation {
+        Calculation::Speed { quantity, .. }
+        | Calculation::Normal { quantity, .. }
+        | Calculation::Tangential { quantity, .. }
+        | Calculation::Coriolis { quantity, .. }
+        | Calculation::SlipNormal { quantity, .. } => Some(quantity),
+        Calculation::Omega { .. }
+        | Calculation::Alpha { .. }
+        | Calculation::Translation { .. }
+        | Calculation::Rub { .. } => None,
+    }
 }
 
 /// The sentence of a calculation.
@@ -244,16 +345,9 @@ impl<'a> Known<'a> {
             Act::ReadVector { vector: index, .. }
             | Act::LayOffVector { vector: index, .. }
             | Act::LayOffFromCentre { vector: index, .. } => vector(*index),
-            Act::Calculate(calculation) => match *calculation {
-                Calculation::Speed { quantity, .. }
-                | Calculation::Normal { quantity, .. }
-                | Calculation::Tangential { quantity, .. }
-                | Calculation::Coriolis { quantity, .. }
-                | Calculation::SlipNormal { quantity, .. } => Some(quantity),
-                Calculation::Omega { link, .. } => Some(Quantity::Omega(link)),
-                Calculation::Alpha { link, .. } => Some(Quantity::Alpha(link)),
-                Calculation::Translation { .. } | Calculation::Rub { .. } => None,
-            },
+            Act::Calculate(Calculation::Omega { link, .. }) => Some(Quantity::Omega(*link)),
+            Act::Calculate(Calculation::Alpha { link, .. }) => Some(Quantity::Alpha(*link)),
+            Act::Calculate(calculation) => calculated(calculation),
             _ => None,
         };
         if let Some(quantity) = known {
@@ -460,11 +554,8 @@ impl Teller<'_> {
                     return None;
                 }
                 Rich::fill(
-                    words.mark_places,
-                    &[
-                        ("points", Rich::join(&points, &Rich::upright(words.comma))),
-                        ("scale", n.length_scale(per_mm)),
-                    ],
+                    counted(words.mark_places, points.len()),
+                    &[("points", n.list(&points)), ("scale", n.length_scale(per_mm))],
                 )
             }
             Act::TryPosition { driver, closing } => {
@@ -563,23 +654,18 @@ impl Teller<'_> {
                     ("mm", human::millimetres(radius / per_mm)),
                 ],
             ),
-            Act::DrawGuide { slide } => Rich::fill(words.draw_guide, &[("guide", n.guide(*slide))]),
+            Act::DrawGuide { slide } => self.draw_guide(*slide),
             Act::MarkIntersection { point, crossing } => {
                 let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
                 warned(met, *crossing, n)
             }
-            Act::TransferPoint { link, point } => Rich::fill(
-                words.transfer_point,
-                &[("point", n.point(*point)), ("link", Rich::upright(n.number(*link)))],
-            ),
-            Act::MeasureLength { from, to, mm, value } => Rich::fill(
-                words.measure_length,
-                &[
-                    ("length", n.length(*from, *to)),
-                    ("mm", human::millimetres(*mm)),
-                    ("value", metres(*value)),
-                ],
-            ),
+            Act::TransferPoint { link, point } => self.transfer_point(*link, *point),
+            Act::MeasureLength { from, to, mm, value } => {
+                let [mm, value] = human::reading(*mm, per_mm / length_unit.si, value / length_unit.si);
+                let value = human::with_unit(&value, &length_unit.symbol);
+                let parts = [("length", n.length(*from, *to)), ("mm", mm), ("value", value)];
+                Rich::fill(words.measure_length, &parts)
+            }
             Act::MarkPole => Rich::fill(words.mark_pole, &[("pole", n.image(Label::Pole, order))]),
             Act::Calculate(calculation) => return self.calculation(calculation),
             Act::LayOffVector { vector, mm, .. } => {
@@ -610,9 +696,12 @@ impl Teller<'_> {
                     _ => None,
                 };
                 let template = if beyond.is_some() { words.produce_image } else { words.divide_image };
+                // One goes along it toward the end beyond which the point lies.
+                let (first, last) = if beyond == Some(*from) { (*to, *from) } else { (*from, *to) };
                 Rich::fill(
                     template,
                     &[
+                        ("line", n.image_line(first, last, order)),
                         ("image", n.image_line(*from, *to, order)),
                         ("beyond", beyond.map(image).unwrap_or_default()),
                         ("part", n.image_line(*from, *label, order)),
@@ -652,6 +741,58 @@ impl Teller<'_> {
             }
         };
         Some(sentence)
+    }
+
+    /// Which guide is drawn, and where.
+    fn draw_guide(&self, index: usize) -> Rich {
+        let (n, words) = (self.notation, self.notation.words);
+        let guide = || ("guide", n.named_guide(index));
+        if let Some(line) = n.guide_line(index) {
+            return Rich::fill(words.draw_guide_along, &[guide(), ("line", line)]);
+        }
+        let slide = n.mechanism().slides.get(index).filter(|slide| slide.guide.link == LinkId::FRAME);
+        match slide.map(|slide| slide.guide.path) {
+            Some(Path::Straight { through, direction, turned, offset }) if offset.value == 0.0 => {
+                let place = ("place", super::given::place_of(through, n));
+                match (direction, through) {
+                    _ if n.lie(index).is_some() => Rich::fill(words.draw_guide_through, &[guide(), place]),
+                    (Direction::Angle(angle), _) => {
+                        let angle = ("angle", human::degrees(angle.value + turned.value));
+                        Rich::fill(words.draw_guide_at, &[guide(), place, angle])
+                    }
+                    (Direction::Toward(target), GuidePoint::Point(from)) if turned.value == 0.0 => {
+                        Rich::fill(words.draw_guide_along, &[guide(), ("line", n.length(from, target))])
+                    }
+                    (Direction::Toward(_), _) => Rich::fill(words.draw_guide, &[guide()]),
+                }
+            }
+            _ => Rich::fill(words.draw_guide, &[guide()]),
+        }
+    }
+
+    /// Which point of a link is marked, and by which of the link's dimensions.
+    fn transfer_point(&self, link: LinkId, point: PointId) -> Rich {
+        let n = self.notation;
+        let per_mm = self.construction.space.metres_per_mm;
+        let own = ("point", n.point(point));
+        let number = ("link", Rich::upright(n.number(link)));
+        let body = n.mechanism().link(link);
+        let length = |d: Dimension| {
+            let value = human::quantity(d.length, &n.scene.units.length);
+            let paper = human::millimetres(d.length / per_mm);
+            n.length(d.from, d.to).up("\u{a0}=\u{a0}").then(&value).up("\u{a0}(").then(&paper).up(")")
+        };
+        let touching = dimensions(body, n).into_iter().filter(|d| d.from == point || d.to == point);
+        let mut told: Vec<Rich> = touching.map(length).collect();
+        if told.is_empty() {
+            return Rich::fill(n.words.transfer_point, &[own, number]);
+        }
+        if let (Form::Arms { angle, .. }, [vertex, one, other]) = (&body.form, &body.points[..]) {
+            let name = n.point(*one).then(&n.point(*vertex)).then(&n.point(*other));
+            let value = human::degrees(angle.value.abs()).word(n.sense(angle.value));
+            told.push(Rich::upright("∠\u{a0}").then(&name).up("\u{a0}=\u{a0}").then(&value));
+        }
+        Rich::fill(n.words.transfer_point_lengths, &[own, number, ("lengths", n.list(&told))])
     }
 
     /// Whether a vector ends in a known point and begins in a new one.

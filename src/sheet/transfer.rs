@@ -13,10 +13,10 @@ use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay};
 use super::steps::Item;
 use crate::graphical::construction::{
-    CentrePlace, CircleDiagram, Construction, Spot, Transfer, TransferAct, TransferInk,
+    Centre, CentrePlace, CircleDiagram, Construction, Mm2, Spot, Transfer, TransferAct, TransferInk,
 };
-use crate::mechanism::LinkId;
 use crate::mechanism::quantity::{Method, Order, Quantity};
+use crate::mechanism::{LinkId, PointId};
 use crate::plan::chord;
 
 /// Blank around the skeleton in which strokes may end.
@@ -25,6 +25,8 @@ const BORDER: f64 = 14.0;
 const LARGEST: (f64, f64) = (160.0, 140.0);
 /// Shorter arrows than this are drawn as points.
 const SHORTEST: f64 = 1.0;
+/// Places nearer to each other than this are one.
+const TOGETHER: f64 = 0.3;
 
 /// The transfers of each method, in the order in which the methods are first asked.
 #[must_use]
@@ -47,12 +49,13 @@ pub fn draw(
     construction: &Construction,
     notation: &Notation<'_>,
 ) -> Group {
-    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, |ink, _| {
+    let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, None, |ink, _| {
         let strokes = strokes(transfers);
         let window = window(&strokes, ink);
         let mut overlay = Overlay { ink: Group::new("strokes"), ..Overlay::default() };
         for stroke in &strokes {
             draw_stroke(stroke, window, notation, &mut overlay);
+            name_turning(stroke, window, (circle, construction), notation, &mut overlay);
         }
         centres(transfers, circle, window, notation, &mut overlay);
         overlay
@@ -158,6 +161,64 @@ fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, over
     overlay.ink.group(own);
 }
 
+/// The pole that stands here.
+fn pole_at(circle: &CircleDiagram, at: Mm2) -> Option<[LinkId; 2]> {
+    let here = |centre: &&Centre| match centre.place {
+        CentrePlace::At(place) => page(place).distance(page(at)) < TOGETHER,
+        CentrePlace::Toward(_) => false,
+    };
+    let poles = circle.centres.iter().filter(|centre| centre.links[0] == LinkId::FRAME);
+    poles.clone().find(here).map(|centre| centre.links)
+}
+
+/// Names what a gauge line needs: its pole where that lies beyond the border, the radius of an arc, and the point in the
+/// place to which it was turned.
+fn name_turning(
+    stroke: &TransferInk,
+    window: Rect,
+    (circle, construction): (&CircleDiagram, &Construction),
+    notation: &Notation<'_>,
+    overlay: &mut Overlay,
+) {
+    match *stroke {
+        TransferInk::Gauge { from, to } => {
+            let Some(pole) = pole_at(circle, from) else { return };
+            let (at, end) = (page(from), page(to));
+            // A pole within is named with the other centres.
+            let Some((t0, _)) = clip(at, end, window).filter(|(t0, _)| *t0 > 0.0) else { return };
+            let border = at.lerp(end, t0);
+            let metres = at.distance(border) * construction.space.metres_per_mm;
+            let far = human::quantity(metres, &notation.scene.units.length);
+            let request =
+                leader(name(pole, notation).up("\u{a0}").then(&far), border, 0.6, "label centre-name");
+            if !overlay.labels.contains(&request) {
+                overlay.labels.push(request);
+            }
+        }
+        TransferInk::Arc { centre, from, to } => {
+            let places = &construction.space.places;
+            let here = |place: &Option<Mm2>| place.is_some_and(|p| page(p).distance(page(from)) < TOGETHER);
+            let Some(point) = places.iter().position(here).map(PointId) else { return };
+            if !window.contains(page(to)) || page(from).distance(page(to)) < TOGETHER {
+                return;
+            }
+            let turned = Rich::upright("(").then(&notation.point(point)).up(")");
+            overlay.labels.push(leader(turned, page(to), 0.6, "label"));
+            if let Some(pole) = pole_at(circle, centre) {
+                let [c, a, b] = [centre, from, to].map(page);
+                let angle = |p: Point| libm::atan2(c.y - p.y, p.x - c.x);
+                let sweep = libm::remainder(angle(b) - angle(a), std::f64::consts::TAU);
+                let middle = on_circle(c, a.distance(c), angle(a) + sweep / 2.0);
+                if window.contains(middle) {
+                    let radius = distance(pole, notation.point_name(point), notation);
+                    overlay.labels.push(leader(radius, middle, 0.4, "label"));
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
 fn velocity(from: Point, to: Point, of: Spot, notation: &Notation<'_>, overlay: &mut Overlay) {
     let symbol = spot_velocity(of, notation);
     let mut own = Group::new("velocity vector").data("of", spot_name(of, notation));
@@ -225,6 +286,12 @@ fn centres(
             TransferAct::Gauge { .. } => {}
         }
     }
+    for stroke in transfers.iter().flat_map(|t| &t.ink) {
+        let (TransferInk::Gauge { from: pole, .. } | TransferInk::Arc { centre: pole, .. }) = *stroke else {
+            continue;
+        };
+        used.extend(pole_at(circle, pole));
+    }
     used.sort();
     used.dedup();
     let mut group = Group::new("centre-points");
@@ -235,7 +302,7 @@ fn centres(
         if !window.contains(at) {
             continue;
         }
-        match crowds.iter_mut().find(|(p, _)| p.distance(at) < 0.3) {
+        match crowds.iter_mut().find(|(p, _)| p.distance(at) < TOGETHER) {
             Some((_, crowd)) => crowd.push(links),
             None => crowds.push((at, vec![links])),
         }
@@ -294,13 +361,15 @@ fn method(method: Method, notation: &Notation<'_>) -> &'static str {
     }
 }
 
-/// The steps of all transfers in words; what an earlier transfer of the same method has told is not told again.
+/// The steps of all transfers in words, method by method; what an earlier transfer of the same method has told is not
+/// told again.
 #[must_use]
-pub fn items(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
-    let mut all = Vec::new();
+pub fn items(circle: &CircleDiagram, construction: &Construction, notation: &Notation<'_>) -> Vec<Vec<Item>> {
+    let mut every = Vec::new();
     for same in by_method(circle) {
-        all.push(Item::Head(title(&same, notation).bolder()));
-        let teller = Teller { notation, metres_per_mm: construction.space.metres_per_mm };
+        let mut all = vec![Item::Head(title(&same, notation).bolder())];
+        let Some(si_per_mm) = same.first().map(|first| first.si_per_mm) else { continue };
+        let teller = Teller { notation, metres_per_mm: construction.space.metres_per_mm, si_per_mm };
         let mut told: Vec<&TransferAct> = Vec::new();
         for act in same.iter().flat_map(|t| &t.acts) {
             if !told.contains(&act) {
@@ -308,13 +377,16 @@ pub fn items(circle: &CircleDiagram, construction: &Construction, notation: &Not
                 all.push(Item::Sentence(teller.sentence(act)));
             }
         }
+        every.push(all);
     }
-    all
+    every
 }
 
 struct Teller<'a> {
     notation: &'a Notation<'a>,
     metres_per_mm: f64,
+    /// Of the velocities on the skeleton.
+    si_per_mm: f64,
 }
 
 impl Teller<'_> {
@@ -330,9 +402,11 @@ impl Teller<'_> {
         human::quantity(si, &self.notation.unit(Order::Velocity))
     }
 
-    /// 34.1 mm on paper as the length that it stands for.
-    fn length(&self, mm: f64) -> Rich {
-        human::quantity(mm.abs() * self.metres_per_mm, &self.notation.scene.units.length)
+    /// A length read on paper, and the speed that it is by the scale.
+    fn read(&self, mm: f64, speed: f64) -> [Rich; 2] {
+        let unit = self.notation.unit(Order::Velocity);
+        let [mm, value] = human::reading(mm.abs(), self.si_per_mm / unit.si, speed.abs() / unit.si);
+        [mm, human::with_unit(&value, &unit.symbol)]
     }
 
     /// The rotation and the length of a line `ω · length = speed`, so that it closes as it is printed.
@@ -355,14 +429,23 @@ impl Teller<'_> {
                 let common = named(chord(input, link));
                 let segments = [input, link].map(|l| distance(pole(l), &common, self.notation));
                 let [first, second] = segments;
+                let w = self.notation.angular_unit(Order::Velocity);
+                let unit = &self.notation.scene.units.length;
+                let size = |mm: f64| mm.abs() * self.metres_per_mm / unit.si;
+                let factors = [omegas[0].abs() / w.si, size(mm[0]), size(mm[1])];
+                let [rate, a, b] =
+                    human::closing(factors, omegas[1].abs() / w.si, |[rate, a, b]| rate * a / b);
+                let rate = human::with_unit(&rate, &w.symbol);
+                let sense = self.notation.sense(omegas[0]);
+                let rate = if sense.is_empty() { rate } else { rate.word(sense) };
                 let parts = [
                     ("omega", self.omega(link)),
                     ("known", self.omega(input)),
                     ("first", first),
                     ("second", second),
-                    ("known_value", self.turning(omegas[0])),
-                    ("a", self.length(mm[0])),
-                    ("b", self.length(mm[1])),
+                    ("known_value", rate),
+                    ("a", human::with_unit(&a, &unit.symbol)),
+                    ("b", human::with_unit(&b, &unit.symbol)),
                     ("value", self.turning(omegas[1])),
                     ("common", name(chord(input, link), self.notation)),
                 ];
@@ -402,17 +485,19 @@ impl Teller<'_> {
                 Rich::fill(words.transfer_translation, &parts)
             }
             TransferAct::Gauge { from, point, mm, speed } => {
+                let [mm, value] = self.read(mm, speed);
                 let parts = [
                     ("known", spot_velocity(from, self.notation)),
                     ("point", own(point)),
                     ("velocity", velocity(point)),
-                    ("mm", human::millimetres(mm)),
-                    ("value", self.speed(speed)),
+                    ("mm", mm),
+                    ("value", value),
                 ];
                 Rich::fill(words.transfer_gauge, &parts)
             }
             TransferAct::Parallel { link, from, to, flat, mm, speed } => {
                 let template = if flat { words.transfer_parallel_flat } else { words.transfer_parallel };
+                let [mm, value] = self.read(mm, speed);
                 let parts = [
                     ("from", own(from)),
                     ("to", own(to)),
@@ -420,18 +505,23 @@ impl Teller<'_> {
                     ("line", self.notation.length(from, to)),
                     ("velocity", velocity(to)),
                     ("known", velocity(from)),
-                    ("mm", human::millimetres(mm)),
-                    ("value", self.speed(speed)),
+                    ("mm", mm),
+                    ("value", value),
                 ];
                 Rich::fill(template, &parts)
             }
             TransferAct::Omega { link, spot, mm, speed, omega } => {
+                let (w, v) =
+                    (self.notation.angular_unit(Order::Velocity), self.notation.unit(Order::Velocity));
+                let unit = &self.notation.scene.units.length;
+                let factors = [speed.abs() / v.si, mm.abs() * self.metres_per_mm / unit.si];
+                let [speed, length] = human::closing(factors, omega.abs() / w.si, |[v, l]| v / l);
                 let parts = [
                     ("omega", self.omega(link)),
                     ("velocity", spot_velocity(spot, self.notation)),
                     ("distance", distance(pole(link), &spot_name(spot, self.notation), self.notation)),
-                    ("speed", self.speed(speed)),
-                    ("length", self.length(mm)),
+                    ("speed", human::with_unit(&speed, &v.symbol)),
+                    ("length", human::with_unit(&length, &unit.symbol)),
                     ("value", self.turning(omega)),
                 ];
                 Rich::fill(words.transfer_omega, &parts)

@@ -2,7 +2,7 @@
 //! of [`Words`], and a table that lacks it does not compile.
 //!
 //! `{names}` in braces are filled with formulas; their order is the language's own. Terms: Arabic after the
-//! Syrian textbooks (تسارع، ناظمي، قطب), in a second table after the Egyptian ones (عجلة، نقطة الأصل);
+//! Syrian textbooks (تسارع، ناظمي، قطب، with صورة for image), in a second table after the Egyptian ones (عجلة، نقطة الأصل);
 //! Persian after the Iranian ones (شتاب، بند، دیاگرام).
 
 /// A language of the sheet.
@@ -52,6 +52,21 @@ impl Language {
 /// A noun with its article as it stands before one name, before two, and before more: Arabic has a dual.
 pub type Counted = [&'static str; 3];
 
+impl Words {
+    /// A count in the digits of the language.
+    #[must_use]
+    pub fn count(&self, count: usize) -> String {
+        let own = |c: char| c.to_digit(10).map_or(c, |digit| self.digits[digit as usize]);
+        count.to_string().chars().map(own).collect()
+    }
+}
+
+/// The form of a noun for so many.
+#[must_use]
+pub fn counted(forms: Counted, count: usize) -> &'static str {
+    forms[count.clamp(1, forms.len()) - 1]
+}
+
 /// The words of one language.
 #[derive(Debug)]
 #[allow(missing_docs, reason = "each field is named after the sentence it holds")]
@@ -64,6 +79,8 @@ pub struct Words {
     pub comma: &'static str,
     /// Between two sentences of one item.
     pub semicolon: &'static str,
+    /// The ten digits in which pages and steps are counted; formulas and link numbers have those of the figures.
+    pub digits: [char; 10],
     /// The letters of the panels.
     pub panels: [&'static str; 12],
 
@@ -79,6 +96,8 @@ pub struct Words {
     pub results: &'static str,
     pub given: &'static str,
     pub given_guide: &'static str,
+    /// Of a level or an upright guide, which its name tells already.
+    pub given_guide_through: &'static str,
     pub given_guide_line: &'static str,
     pub given_guide_moving: &'static str,
     pub given_guide_arc: &'static str,
@@ -96,9 +115,14 @@ pub struct Words {
     pub given_at: &'static str,
     pub given_journal: &'static str,
     pub given_scales: &'static str,
+    /// After a rate that does not change.
+    pub given_constant: &'static str,
     pub dimensions_in: &'static str,
     pub other_positions: &'static str,
     pub other_assembly: &'static str,
+    /// A crowded spot drawn larger: `{ratio}`, and where there are several `{name}`.
+    pub detail: &'static str,
+    pub detail_named: &'static str,
     pub scale: &'static str,
     pub page: &'static str,
 
@@ -139,6 +163,10 @@ pub struct Words {
     pub at_infinity: &'static str,
     pub guide_of: &'static str,
     pub guide_of_link: &'static str,
+    pub level_guide_of: &'static str,
+    pub level_guide_of_link: &'static str,
+    pub upright_guide_of: &'static str,
+    pub upright_guide_of_link: &'static str,
     pub rubbing_mark: &'static str,
 
     // Why something is not determined.
@@ -160,7 +188,7 @@ pub struct Words {
     pub step_rubbing: &'static str,
 
     // Acts.
-    pub mark_places: &'static str,
+    pub mark_places: Counted,
     pub lay_off_link: &'static str,
     pub draw_stated_ray: &'static str,
     pub draw_square: &'static str,
@@ -168,9 +196,13 @@ pub struct Words {
     pub draw_path: &'static str,
     pub strike_arc: &'static str,
     pub draw_guide: &'static str,
+    pub draw_guide_through: &'static str,
+    pub draw_guide_at: &'static str,
+    pub draw_guide_along: &'static str,
     pub mark_intersection: &'static str,
     pub flat_crossing: &'static str,
     pub transfer_point: &'static str,
+    pub transfer_point_lengths: &'static str,
     pub mark_contact: &'static str,
     pub try_position_rod: &'static str,
     pub try_position_guide: &'static str,
@@ -192,7 +224,8 @@ pub struct Words {
     pub draw_ray: &'static str,
     pub mark_meet: &'static str,
     pub divide_image: &'static str,
-    /// The same for a point on the extension of the line: `{image}`, `{beyond}`, `{part}`, `{ratio}`, `{label}`.
+    /// The same for a point on the extension: `{line}` as one goes along it, `{beyond}`, `{part}`, `{image}`, `{ratio}`,
+    /// `{label}`.
     pub produce_image: &'static str,
     pub complete_image: &'static str,
     pub same_image: &'static str,
@@ -274,6 +307,7 @@ pub struct Words {
     pub sweep_duration: &'static str,
     pub sweep_numbers: &'static str,
     pub in_unit: &'static str,
+    pub in_degrees: &'static str,
     pub coordinate_of: &'static str,
     pub path_of: &'static str,
     pub hodograph_of: &'static str,
@@ -292,6 +326,7 @@ const ENGLISH: Words = Words {
     right_to_left: false,
     comma: ", ",
     semicolon: "; ",
+    digits: ['0', '1', '2', '3', '4', '5', '6', '7', '8', '9'],
     panels: ["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"],
 
     untitled: "Planar mechanism",
@@ -305,6 +340,7 @@ const ENGLISH: Words = Words {
     results: "Results",
     given: "Given:",
     given_guide: "{guide} through {place} at {angle}",
+    given_guide_through: "{guide} through {place}",
     given_guide_line: "{guide} along {line} of link {link}",
     given_guide_moving: "{guide} on link {link} through its {place} at {angle}",
     given_guide_arc: "{guide} on link {link}: arc about {centre}, radius {radius}",
@@ -321,10 +357,13 @@ const ENGLISH: Words = Words {
     given_rack: "link {wheel} of the radius {radius} rolls on a line of link {link}",
     given_at: "{point} stands {distance} along its guide",
     given_journal: "journal radius at {points}: {radius}",
-    given_scales: "in the scales {list}",
+    given_scales: "scales {list}",
+    given_constant: "constant",
     dimensions_in: "dimensions in {unit}",
     other_positions: "dashed: {list}",
     other_assembly: "dashed, letters in parentheses: the other assembly",
+    detail: "Detail, {ratio}",
+    detail_named: "Detail {name}, {ratio}",
     scale: "scale {scale}",
     page: "page {page} of {pages}",
 
@@ -362,6 +401,10 @@ const ENGLISH: Words = Words {
     at_infinity: "at infinity",
     guide_of: "guide of {point}",
     guide_of_link: "guide of link {link}",
+    level_guide_of: "horizontal guide of {point}",
+    level_guide_of_link: "horizontal guide of link {link}",
+    upright_guide_of: "vertical guide of {point}",
+    upright_guide_of_link: "vertical guide of link {link}",
     rubbing_mark: "rub",
 
     dead_centre: "dead centre",
@@ -380,7 +423,11 @@ const ENGLISH: Words = Words {
     step_acceleration: "Acceleration of {links}",
     step_rubbing: "Rubbing speeds",
 
-    mark_places: "Mark {points} to the scale {scale}.",
+    mark_places: [
+        "Mark {points} to the scale {scale}.",
+        "Mark {points} to the scale {scale}.",
+        "Mark {points} to the scale {scale}.",
+    ],
     lay_off_link: "At {from} lay off {length} = {value} ({mm}) at {angle} to the horizontal: {to}.",
     draw_stated_ray: "From {from} draw a ray at {angle} to the horizontal.",
     draw_square: "Through {point} draw the line square to {line}.",
@@ -388,9 +435,13 @@ const ENGLISH: Words = Words {
     draw_path: "Draw the line on which {point} lies.",
     strike_arc: "About {centre} strike an arc with the radius {length} = {value} ({mm}).",
     draw_guide: "Draw the {guide}.",
+    draw_guide_through: "Draw the {guide} through {place}.",
+    draw_guide_at: "Draw the {guide} through {place} at {angle} to the horizontal.",
+    draw_guide_along: "Draw the {guide} along {line}.",
     mark_intersection: "The lines meet in {point}.",
     flat_crossing: "They cross at only {angle}: badly readable by hand.",
     transfer_point: "Mark {point} on link {link} by the link’s own dimensions.",
+    transfer_point_lengths: "Mark {point} on link {link}: {lengths}.",
     mark_contact: "Mark the contact point {point}.",
     try_position_rod: "No dyad of this group is solvable alone. Turn link {link} by trial; {near} runs along its trial curve. Take the position in which {length} has its given length.",
     try_position_guide: "No dyad of this group is solvable alone. Turn link {link} by trial; {near} runs along its trial curve. Take the position in which it lies on its guide.",
@@ -412,7 +463,7 @@ const ENGLISH: Words = Words {
     draw_ray: "Through {from} draw a line {direction}.",
     mark_meet: "The lines meet in {label}.",
     divide_image: "Divide {image} as the link is divided: {part} : {image} = {ratio} gives {label}.",
-    produce_image: "Produce {image} beyond {beyond}: {part} : {image} = {ratio} gives {label}.",
+    produce_image: "Produce {line} beyond {beyond}: {part} : {image} = {ratio} gives {label}.",
     complete_image: "On {base} complete the image of link {link}, similar and of the same reading sense: {label}.",
     same_image: "{label} falls on {with}.",
     read_vector: "Read {vector} = {image}: {reading}.",
@@ -488,6 +539,7 @@ const ENGLISH: Words = Words {
     sweep_duration: "in {time} at the given rate",
     sweep_numbers: "the numbers {first} to {last} mark equal steps",
     in_unit: "{symbol} in {unit}",
+    in_degrees: "{symbol} in degrees",
     coordinate_of: "{axis} of {symbol}",
     path_of: "Path of {symbol}",
     hodograph_of: "Hodograph of {symbol}",
@@ -505,7 +557,8 @@ const ARABIC: Words = Words {
     right_to_left: true,
     comma: "، ",
     semicolon: "؛ ",
-    panels: ["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"],
+    digits: ['0', '1', '2', '3', '4', '5', '6', '7', '8', '9'],
+    panels: ["أ", "ب", "ج", "د", "هـ", "و", "ز", "ح", "ط", "ي", "ك", "ل"],
 
     untitled: "تركيبة آلية مستوية",
     description: "الحل التخطيطي لتركيبة آلية مستوية: {what}.",
@@ -516,6 +569,7 @@ const ARABIC: Words = Words {
     results: "النتائج",
     given: "المعطيات:",
     given_guide: "{guide} يمر من {place} بزاوية {angle}",
+    given_guide_through: "{guide} يمر من {place}",
     given_guide_line: "{guide} على امتداد {line} من الوصلة {link}",
     given_guide_moving: "{guide} على الوصلة {link} يمر من نقطتها {place} بزاوية {angle}",
     given_guide_arc: "{guide} على الوصلة {link}: قوس مركزه {centre} ونصف قطره {radius}",
@@ -532,10 +586,13 @@ const ARABIC: Words = Words {
     given_rack: "الوصلة {wheel} بنصف قطر {radius} تتدحرج على خط من الوصلة {link}",
     given_at: "بعد {point} على امتداد دليلها {distance}",
     given_journal: "نصف قطر مسمار الربط {radius} عند {points}",
-    given_scales: "بمقاييس الرسم {list}",
+    given_scales: "مقاييس الرسم {list}",
+    given_constant: "ثابتة",
     dimensions_in: "الأبعاد بوحدة {unit}",
     other_positions: "بالخط المتقطع: {list}",
     other_assembly: "بالخط المتقطع والأحرف بين قوسين: التجميع الآخر",
+    detail: "تفصيل بمقياس {ratio}",
+    detail_named: "التفصيل {name} بمقياس {ratio}",
     scale: "مقياس الرسم {scale}",
     page: "الصفحة {page} من {pages}",
 
@@ -573,6 +630,10 @@ const ARABIC: Words = Words {
     at_infinity: "في اللانهاية",
     guide_of: "دليل {point}",
     guide_of_link: "دليل الوصلة {link}",
+    level_guide_of: "دليل {point} الأفقي",
+    level_guide_of_link: "دليل الوصلة {link} الأفقي",
+    upright_guide_of: "دليل {point} الشاقولي",
+    upright_guide_of_link: "دليل الوصلة {link} الشاقولي",
     rubbing_mark: "r",
 
     dead_centre: "نقطة ميتة",
@@ -591,7 +652,11 @@ const ARABIC: Words = Words {
     step_acceleration: "تسارع {links}",
     step_rubbing: "سرعات التحاك",
 
-    mark_places: "نعيّن {points} بمقياس الرسم {scale}.",
+    mark_places: [
+        "نعيّن النقطة {points} بمقياس الرسم {scale}.",
+        "نعيّن النقطتين {points} بمقياس الرسم {scale}.",
+        "نعيّن النقاط {points} بمقياس الرسم {scale}.",
+    ],
     lay_off_link: "من {from} نرسم {length} = {value} ({mm}) بزاوية {angle} مع الأفق فنحصل على {to}.",
     draw_stated_ray: "من {from} نرسم شعاعًا بزاوية {angle} مع الأفق.",
     draw_square: "من {point} نرسم مستقيمًا عموديًا على {line}.",
@@ -599,22 +664,26 @@ const ARABIC: Words = Words {
     draw_path: "نرسم الخط الذي تقع عليه {point}.",
     strike_arc: "من المركز {centre} نرسم قوس دائرة نصف قطرها {length} = {value} ({mm}).",
     draw_guide: "نرسم {guide}.",
+    draw_guide_through: "نرسم {guide} مارا من {place}.",
+    draw_guide_at: "نرسم {guide} مارا من {place} بزاوية {angle} مع الأفق.",
+    draw_guide_along: "نرسم {guide} على امتداد {line}.",
     mark_intersection: "يتقاطع الخطان في {point}.",
     flat_crossing: "يتقاطعان بزاوية {angle} فقط: تصعب قراءة التقاطع باليد.",
     transfer_point: "نعيّن النقطة {point} على الوصلة {link} بأبعادها المعطاة.",
+    transfer_point_lengths: "نعيّن النقطة {point} على الوصلة {link} حيث {lengths}.",
     mark_contact: "نعيّن نقطة التماس {point}.",
     try_position_rod: "لا تحل أي ثنائية من هذه المجموعة وحدها. ندير الوصلة {link} بالتجريب فتتحرك {near} على منحني التجريب. نأخذ الوضع الذي يأخذ فيه الطول {length} قيمته المعطاة.",
     try_position_guide: "لا تحل أي ثنائية من هذه المجموعة وحدها. ندير الوصلة {link} بالتجريب فتتحرك {near} على منحني التجريب. نأخذ الوضع الذي تقع فيه على دليلها.",
     try_position_angle: "لا تحل أي ثنائية من هذه المجموعة وحدها. ندير الوصلة {link} بالتجريب. نأخذ الوضع الذي تكون فيه للوصلة {driven} زاويتها المعطاة.",
     try_position_turn: "لا تحل أي ثنائية من هذه المجموعة وحدها. ندير الوصلة {link} بالتجريب. نأخذ الوضع الذي تنغلق فيه المجموعة.",
     try_position_slide: "لا تحل أي ثنائية من هذه المجموعة وحدها. نحرك {pin} على دليلها بالتجريب. نأخذ الوضع الذي تنغلق فيه المجموعة.",
-    try_polygon: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}. يقع الخيال المطلوب على المستقيم المار من خيالي التجريب {images}.",
-    try_polygon_miss: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}، ونقرأ من كل منهما بعد خيال {point} عن مستقيمه.",
+    try_polygon: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}. تقع الصورة المطلوبة على المستقيم المار من صورتي التجربة {images}.",
+    try_polygon_miss: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}، ونقرأ من كل منهما بعد صورة {point} عن مستقيمها.",
     try_polygon_rate: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}، ونقرأ {given} من كل منهما.",
     try_polygon_roll: "نرسم مضلعين تجريبيين: الأول من أجل {rate} = {first} والثاني من أجل {rate} = {second}، ونقرأ من كل منهما سرعة انزلاق الجسمين أحدهما على الآخر عند {contact}؛ وهي صفر عند التدحرج بلا انزلاق.",
     trial_rate: "بالتناسب {rate} = {value}، ونرسم بها المضلع.",
     measure_length: "بالقياس {length} = {mm}، أي {value}.",
-    mark_pole: "نختار القطب {pole}، وهو خيال الهيكل كله.",
+    mark_pole: "نختار القطب {pole}، وهو صورة الهيكل كله.",
     lay_off_vector: "نرسم {vector} = {image} = {mm}، {direction}.",
     vector_as_point: "طول {vector} على الرسم {mm}: يرسم كنقطة وتنطبق {tail} على {head}.",
     head_first: "رأسه عند {head}",
@@ -623,8 +692,8 @@ const ARABIC: Words = Words {
     draw_ray: "من {from} نرسم المستقيم {direction}.",
     mark_meet: "يتقاطع المستقيمان في {label}.",
     divide_image: "نقسم {image} كما تنقسم الوصلة: {part} : {image} = {ratio} فنحصل على {label}.",
-    produce_image: "نمدد {image} بعد {beyond}: {part} : {image} = {ratio} فنحصل على {label}.",
-    complete_image: "على {base} نكمل خيال الوصلة {link} الذي يشابهها وله اتجاه القراءة نفسه: {label}.",
+    produce_image: "نمدد {line} بعد {beyond} بحيث {part} : {image} = {ratio} فنحصل على {label}.",
+    complete_image: "على {base} نكمل صورة الوصلة {link} التي تشابهها ولها اتجاه القراءة نفسه: {label}.",
     same_image: "تنطبق {label} على {with}.",
     read_vector: "نقرأ {vector} = {image}: {reading}.",
     too_short: "{vector} أقصر من أن يقرأ؛ وبالحساب: {value}.",
@@ -663,8 +732,8 @@ const ARABIC: Words = Words {
 
     auxiliary_figure: "إنشاء على المخطط الحركي",
     klein_figure: "إنشاء كلاين على الوصلة {link}",
-    klein_crank: "المرفق {crank} هو خيال {velocity} بعد إعادة تدويره بزاوية 90°: ينطبق {pole} على {pivot} و {image} على {pin}. من أجل {omega} = {rate} يكون مقياس السرعات {scale}.",
-    klein_crank_accelerations: "المرفق هو أيضا خيال التسارع الناظمي لمسماره: {pole} و {image}. بضرب المقياس في {omega}² يكون مقياس التسارعات {scale}.",
+    klein_crank: "المرفق {crank} هو صورة {velocity} بعد إعادة تدويرها بزاوية 90°: ينطبق {pole} على {pivot} و {image} على {pin}. من أجل {omega} = {rate} يكون مقياس السرعات {scale}.",
+    klein_crank_accelerations: "المرفق هو أيضا صورة التسارع الناظمي لمسماره: {pole} و {image}. بضرب المقياس في {omega}² يكون مقياس التسارعات {scale}.",
     klein_across: "من {pole} نرسم عموديا على {guide}، فيقطع {rod} أو امتداده في {image}.",
     klein_chord: "نرسم دائرة قطرها {rod}، ومن المركز {pin} دائرة نصف قطرها {opening}. وترهما المشترك عمودي على {rod} ويقطعه في {foot}.",
     klein_tangent: "الطول {opening} أكبر من {rod}. من {end} نرسم عموديا على {rod} حتى الدائرة التي مركزها {pin} ونصف قطرها {opening}. يقطع المماس هناك امتداد {rod} في {foot}.",
@@ -701,6 +770,7 @@ const ARABIC: Words = Words {
     sweep_duration: "خلال {time} بالمعدل المعطى",
     sweep_numbers: "الأرقام من {first} إلى {last} تعلّم خطوات متساوية",
     in_unit: "{symbol} بوحدة {unit}",
+    in_degrees: "{symbol} بالدرجات",
     coordinate_of: "{axis} لـ {symbol}",
     path_of: "مسار {symbol}",
     hodograph_of: "هودوغراف {symbol}",
@@ -718,6 +788,7 @@ const ARABIC_AJALA: Words = Words {
     right_to_left: true,
     comma: "، ",
     semicolon: "؛ ",
+    digits: ['٠', '١', '٢', '٣', '٤', '٥', '٦', '٧', '٨', '٩'],
     panels: ["أ", "ب", "ج", "د", "هـ", "و", "ز", "ح", "ط", "ي", "ك", "ل"],
 
     untitled: "آلية مستوية",
@@ -729,6 +800,7 @@ const ARABIC_AJALA: Words = Words {
     results: "النتائج",
     given: "المعطيات:",
     given_guide: "{guide} يمر من {place} بزاوية {angle}",
+    given_guide_through: "{guide} يمر من {place}",
     given_guide_line: "{guide} على امتداد {line} من الوصلة {link}",
     given_guide_moving: "{guide} على الوصلة {link} يمر من نقطتها {place} بزاوية {angle}",
     given_guide_arc: "{guide} على الوصلة {link}: قوس مركزه {centre} ونصف قطره {radius}",
@@ -745,10 +817,13 @@ const ARABIC_AJALA: Words = Words {
     given_rack: "الوصلة {wheel} بنصف قطر {radius} تتدحرج على خط من الوصلة {link}",
     given_at: "بعد {point} على امتداد دليلها {distance}",
     given_journal: "نصف قطر مسمار الربط {radius} عند {points}",
-    given_scales: "بمقاييس الرسم {list}",
+    given_scales: "مقاييس الرسم {list}",
+    given_constant: "ثابتة",
     dimensions_in: "الأبعاد بوحدة {unit}",
     other_positions: "بالخط المتقطع: {list}",
     other_assembly: "بالخط المتقطع والأحرف بين قوسين: التجميع الآخر",
+    detail: "تفصيل بمقياس {ratio}",
+    detail_named: "التفصيل {name} بمقياس {ratio}",
     scale: "مقياس الرسم {scale}",
     page: "الصفحة {page} من {pages}",
 
@@ -786,6 +861,10 @@ const ARABIC_AJALA: Words = Words {
     at_infinity: "في اللانهاية",
     guide_of: "دليل {point}",
     guide_of_link: "دليل الوصلة {link}",
+    level_guide_of: "دليل {point} الأفقي",
+    level_guide_of_link: "دليل الوصلة {link} الأفقي",
+    upright_guide_of: "دليل {point} الرأسي",
+    upright_guide_of_link: "دليل الوصلة {link} الرأسي",
     rubbing_mark: "r",
 
     dead_centre: "نقطة ميتة",
@@ -804,7 +883,11 @@ const ARABIC_AJALA: Words = Words {
     step_acceleration: "عجلة {links}",
     step_rubbing: "سرعات الاحتكاك",
 
-    mark_places: "نعيّن {points} بمقياس الرسم {scale}.",
+    mark_places: [
+        "نعيّن النقطة {points} بمقياس الرسم {scale}.",
+        "نعيّن النقطتين {points} بمقياس الرسم {scale}.",
+        "نعيّن النقاط {points} بمقياس الرسم {scale}.",
+    ],
     lay_off_link: "من {from} نرسم {length} = {value} ({mm}) بزاوية {angle} مع الأفق فنحصل على {to}.",
     draw_stated_ray: "من {from} نرسم شعاعًا بزاوية {angle} مع الأفق.",
     draw_square: "من {point} نرسم مستقيمًا عموديًا على {line}.",
@@ -812,9 +895,13 @@ const ARABIC_AJALA: Words = Words {
     draw_path: "نرسم الخط الذي تقع عليه {point}.",
     strike_arc: "من المركز {centre} نرسم قوس دائرة نصف قطرها {length} = {value} ({mm}).",
     draw_guide: "نرسم {guide}.",
+    draw_guide_through: "نرسم {guide} مارا من {place}.",
+    draw_guide_at: "نرسم {guide} مارا من {place} بزاوية {angle} مع الأفق.",
+    draw_guide_along: "نرسم {guide} على امتداد {line}.",
     mark_intersection: "يتقاطع الخطان في {point}.",
     flat_crossing: "يتقاطعان بزاوية {angle} فقط: تصعب قراءة التقاطع باليد.",
     transfer_point: "نعيّن النقطة {point} على الوصلة {link} بأبعادها المعطاة.",
+    transfer_point_lengths: "نعيّن النقطة {point} على الوصلة {link} حيث {lengths}.",
     mark_contact: "نعيّن نقطة التماس {point}.",
     try_position_rod: "لا تحل أي ثنائية من هذه المجموعة وحدها. ندير الوصلة {link} بالتجربة فتتحرك {near} على منحنى التجربة. نأخذ الوضع الذي يأخذ فيه الطول {length} قيمته المعطاة.",
     try_position_guide: "لا تحل أي ثنائية من هذه المجموعة وحدها. ندير الوصلة {link} بالتجربة فتتحرك {near} على منحنى التجربة. نأخذ الوضع الذي تقع فيه على دليلها.",
@@ -836,7 +923,7 @@ const ARABIC_AJALA: Words = Words {
     draw_ray: "من {from} نرسم المستقيم {direction}.",
     mark_meet: "يتقاطع المستقيمان في {label}.",
     divide_image: "نقسم {image} كما تنقسم الوصلة: {part} : {image} = {ratio} فنحصل على {label}.",
-    produce_image: "نمد {image} بعد {beyond}: {part} : {image} = {ratio} فنحصل على {label}.",
+    produce_image: "نمد {line} بعد {beyond} بحيث {part} : {image} = {ratio} فنحصل على {label}.",
     complete_image: "على {base} نكمل صورة الوصلة {link} التي تشابهها ولها اتجاه القراءة نفسه: {label}.",
     same_image: "تنطبق {label} على {with}.",
     read_vector: "نقرأ {vector} = {image}: {reading}.",
@@ -914,6 +1001,7 @@ const ARABIC_AJALA: Words = Words {
     sweep_duration: "خلال {time} بالمعدل المعطى",
     sweep_numbers: "الأرقام من {first} إلى {last} تعلّم خطوات متساوية",
     in_unit: "{symbol} بوحدة {unit}",
+    in_degrees: "{symbol} بالدرجات",
     coordinate_of: "{axis} لـ {symbol}",
     path_of: "مسار {symbol}",
     hodograph_of: "هودوغراف {symbol}",
@@ -930,6 +1018,7 @@ const PERSIAN: Words = Words {
     right_to_left: true,
     comma: "، ",
     semicolon: "؛ ",
+    digits: ['۰', '۱', '۲', '۳', '۴', '۵', '۶', '۷', '۸', '۹'],
     panels: ["الف", "ب", "پ", "ت", "ث", "ج", "چ", "ح", "خ", "د", "ذ", "ر"],
 
     untitled: "مکانیزم صفحه‌ای",
@@ -941,6 +1030,7 @@ const PERSIAN: Words = Words {
     results: "نتایج",
     given: "داده‌ها:",
     given_guide: "{guide} از {place} با زاویهٔ {angle}",
+    given_guide_through: "{guide} از {place}",
     given_guide_line: "{guide} در امتداد {line} از بند {link}",
     given_guide_moving: "{guide} روی بند {link} از نقطهٔ {place} آن با زاویهٔ {angle}",
     given_guide_arc: "{guide} روی بند {link}: کمانی به مرکز {centre} و شعاع {radius}",
@@ -957,10 +1047,13 @@ const PERSIAN: Words = Words {
     given_rack: "بند {wheel} با شعاع {radius} روی خطی از بند {link} می‌غلتد",
     given_at: "فاصلهٔ {point} در امتداد راهنمایش {distance}",
     given_journal: "شعاع پین {radius} در {points}",
-    given_scales: "با مقیاس‌های {list}",
+    given_scales: "مقیاس‌های {list}",
+    given_constant: "ثابت",
     dimensions_in: "ابعاد بر حسب {unit}",
     other_positions: "خط‌چین: {list}",
     other_assembly: "خط‌چین با حروف درون پرانتز: حالت مونتاژ دیگر",
+    detail: "جزئیات، {ratio}",
+    detail_named: "جزئیات {name}، {ratio}",
     scale: "مقیاس {scale}",
     page: "صفحهٔ {page} از {pages}",
 
@@ -976,7 +1069,7 @@ const PERSIAN: Words = Words {
     asked_ratios: ["نسبت", "نسبت‌های", "نسبت‌های"],
     asked_rubbing: ["سرعت مالش", "سرعت‌های مالش", "سرعت‌های مالش"],
     asked_accelerations: ["شتاب", "شتاب‌های", "شتاب‌های"],
-    asked_radii: ["شعاع خمیدگی", "شعاع‌های خمیدگی", "شعاع‌های خمیدگی"],
+    asked_radii: ["شعاع انحنا", "شعاع‌های انحنا", "شعاع‌های انحنا"],
     asked_alphas: ["شتاب زاویه‌ای", "شتاب‌های زاویه‌ای", "شتاب‌های زاویه‌ای"],
     asked_positions: "دیاگرام سینماتیکی در {list} نیز",
     asked_assembly: "حالت مونتاژ دیگر مکانیزم",
@@ -998,6 +1091,10 @@ const PERSIAN: Words = Words {
     at_infinity: "در بی‌نهایت",
     guide_of: "راهنمای {point}",
     guide_of_link: "راهنمای بند {link}",
+    level_guide_of: "راهنمای افقی {point}",
+    level_guide_of_link: "راهنمای افقی بند {link}",
+    upright_guide_of: "راهنمای قائم {point}",
+    upright_guide_of_link: "راهنمای قائم بند {link}",
     rubbing_mark: "r",
 
     dead_centre: "نقطهٔ مرگ",
@@ -1016,7 +1113,11 @@ const PERSIAN: Words = Words {
     step_acceleration: "شتاب {links}",
     step_rubbing: "سرعت‌های مالش",
 
-    mark_places: "{points} را با مقیاس {scale} مشخص می‌کنیم.",
+    mark_places: [
+        "نقطهٔ {points} را با مقیاس {scale} مشخص می‌کنیم.",
+        "نقاط {points} را با مقیاس {scale} مشخص می‌کنیم.",
+        "نقاط {points} را با مقیاس {scale} مشخص می‌کنیم.",
+    ],
     lay_off_link: "از {from} پاره‌خط {length} = {value} ({mm}) را با زاویهٔ {angle} نسبت به افق رسم می‌کنیم: {to}.",
     draw_stated_ray: "از {from} نیم‌خطی با زاویهٔ {angle} نسبت به افق رسم می‌کنیم.",
     draw_square: "از {point} خطی عمود بر {line} رسم می‌کنیم.",
@@ -1024,15 +1125,19 @@ const PERSIAN: Words = Words {
     draw_path: "خطی را رسم می‌کنیم که {point} روی آن است.",
     strike_arc: "به مرکز {centre} کمانی به شعاع {length} = {value} ({mm}) می‌زنیم.",
     draw_guide: "{guide} را رسم می‌کنیم.",
+    draw_guide_through: "{guide} را از {place} رسم می‌کنیم.",
+    draw_guide_at: "{guide} را از {place} با زاویهٔ {angle} نسبت به افق رسم می‌کنیم.",
+    draw_guide_along: "{guide} را در امتداد {line} رسم می‌کنیم.",
     mark_intersection: "خط‌ها در {point} یکدیگر را قطع می‌کنند.",
     flat_crossing: "زاویهٔ تقاطع تنها {angle} است: خواندن آن با دست دشوار است.",
     transfer_point: "نقطهٔ {point} را روی بند {link} با اندازه‌های همان بند مشخص می‌کنیم.",
+    transfer_point_lengths: "نقطهٔ {point} را روی بند {link} مشخص می‌کنیم: {lengths}.",
     mark_contact: "نقطهٔ تماس {point} را مشخص می‌کنیم.",
-    try_position_rod: "هیچ دوبندی از این گروه به تنهایی حل‌شدنی نیست. بند {link} را به‌طور آزمایشی می‌چرخانیم؛ {near} روی منحنی آزمایشی حرکت می‌کند. وضعیتی را می‌گیریم که در آن {length} طول داده‌شدهٔ خود را دارد.",
-    try_position_guide: "هیچ دوبندی از این گروه به تنهایی حل‌شدنی نیست. بند {link} را به‌طور آزمایشی می‌چرخانیم؛ {near} روی منحنی آزمایشی حرکت می‌کند. وضعیتی را می‌گیریم که در آن روی راهنمایش قرار دارد.",
-    try_position_angle: "هیچ دوبندی از این گروه به تنهایی حل‌شدنی نیست. بند {link} را به‌طور آزمایشی می‌چرخانیم. وضعیتی را می‌گیریم که در آن بند {driven} زاویهٔ داده‌شدهٔ خود را دارد.",
-    try_position_turn: "هیچ دوبندی از این گروه به تنهایی حل‌شدنی نیست. بند {link} را به‌طور آزمایشی می‌چرخانیم. وضعیتی را می‌گیریم که در آن گروه بسته می‌شود.",
-    try_position_slide: "هیچ دوبندی از این گروه به تنهایی حل‌شدنی نیست. {pin} را به‌طور آزمایشی روی راهنمایش جابه‌جا می‌کنیم. وضعیتی را می‌گیریم که در آن گروه بسته می‌شود.",
+    try_position_rod: "هیچ دیادی از این گروه به‌تنهایی حل‌شدنی نیست. بند {link} را به‌طور آزمایشی می‌چرخانیم؛ {near} روی منحنی آزمایشی حرکت می‌کند. وضعیتی را می‌گیریم که در آن {length} طول داده‌شدهٔ خود را دارد.",
+    try_position_guide: "هیچ دیادی از این گروه به‌تنهایی حل‌شدنی نیست. بند {link} را به‌طور آزمایشی می‌چرخانیم؛ {near} روی منحنی آزمایشی حرکت می‌کند. وضعیتی را می‌گیریم که در آن روی راهنمایش قرار دارد.",
+    try_position_angle: "هیچ دیادی از این گروه به‌تنهایی حل‌شدنی نیست. بند {link} را به‌طور آزمایشی می‌چرخانیم. وضعیتی را می‌گیریم که در آن بند {driven} زاویهٔ داده‌شدهٔ خود را دارد.",
+    try_position_turn: "هیچ دیادی از این گروه به‌تنهایی حل‌شدنی نیست. بند {link} را به‌طور آزمایشی می‌چرخانیم. وضعیتی را می‌گیریم که در آن گروه بسته می‌شود.",
+    try_position_slide: "هیچ دیادی از این گروه به‌تنهایی حل‌شدنی نیست. {pin} را به‌طور آزمایشی روی راهنمایش جابه‌جا می‌کنیم. وضعیتی را می‌گیریم که در آن گروه بسته می‌شود.",
     try_polygon: "دو چندضلعی آزمایشی رسم می‌کنیم: یکی با {rate} = {first} و دیگری با {rate} = {second}. تصویر مطلوب روی خط گذرنده از دو تصویر آزمایشی {images} است.",
     try_polygon_miss: "دو چندضلعی آزمایشی رسم می‌کنیم: یکی با {rate} = {first} و دیگری با {rate} = {second}. از هر یک فاصلهٔ تصویر {point} از خط آن را می‌خوانیم.",
     try_polygon_rate: "دو چندضلعی آزمایشی رسم می‌کنیم: یکی با {rate} = {first} و دیگری با {rate} = {second}. {given} را از هر یک می‌خوانیم.",
@@ -1048,7 +1153,7 @@ const PERSIAN: Words = Words {
     draw_ray: "از {from} خطی {direction} رسم می‌کنیم.",
     mark_meet: "خط‌ها در {label} یکدیگر را قطع می‌کنند.",
     divide_image: "پاره‌خط {image} را مانند بند تقسیم می‌کنیم: {part} : {image} = {ratio} که {label} را می‌دهد.",
-    produce_image: "پاره‌خط {image} را پس از {beyond} امتداد می‌دهیم: {part} : {image} = {ratio} که {label} را می‌دهد.",
+    produce_image: "پاره‌خط {line} را پس از {beyond} امتداد می‌دهیم: {part} : {image} = {ratio} که {label} را می‌دهد.",
     complete_image: "روی {base} تصویر بند {link} را متشابه و با همان جهت خواندن کامل می‌کنیم: {label}.",
     same_image: "تصویر {label} بر {with} می‌افتد.",
     read_vector: "می‌خوانیم {vector} = {image}: {reading}.",
@@ -1099,8 +1204,8 @@ const PERSIAN: Words = Words {
     klein_reversed: "شتاب‌ها وارونه خوانده می‌شوند: {acceleration} از {image} به {pole}.",
     inflection_figure: "دایرهٔ عطف بند {link}",
     inflection_normals: "عمودهای مسیر {first} و {second} در {pole} یکدیگر را قطع می‌کنند که قطب بند {link} است.",
-    inflection_chord: "مرکز {centre} مرکز خمیدگی مسیر {point} است. دایره‌ای به قطر {radius} و دایره‌ای به مرکز {point} که از {pole} بگذرد می‌زنیم. وتر مشترک آن‌ها {radius} را در {found} قطع می‌کند.",
-    inflection_tangent: "مرکز {centre} مرکز خمیدگی مسیر {point} است و از {pole} نزدیک‌تر. در {centre} عمودی بر {radius} تا دایرهٔ به مرکز {point} گذرنده از {pole} رسم می‌کنیم. مماس در آنجا امتداد {radius} را در {found} قطع می‌کند. آنجا عمودی بر آن رسم می‌کنیم.",
+    inflection_chord: "مرکز {centre} مرکز انحنا مسیر {point} است. دایره‌ای به قطر {radius} و دایره‌ای به مرکز {point} که از {pole} بگذرد می‌زنیم. وتر مشترک آن‌ها {radius} را در {found} قطع می‌کند.",
+    inflection_tangent: "مرکز {centre} مرکز انحنا مسیر {point} است و از {pole} نزدیک‌تر. در {centre} عمودی بر {radius} تا دایرهٔ به مرکز {point} گذرنده از {pole} رسم می‌کنیم. مماس در آنجا امتداد {radius} را در {found} قطع می‌کند. آنجا عمودی بر آن رسم می‌کنیم.",
     inflection_straight: "نقطهٔ {point} روی خط راست حرکت می‌کند و خود {found} است. خط راهنمای آن را رسم می‌کنیم.",
     inflection_toward: "از {point} طول {normal}/{omega}² = {mm} را به سوی {pole} جدا می‌کنیم: {found}. آنجا عمودی بر آن رسم می‌کنیم.",
     inflection_away: "از {point} طول {normal}/{omega}² = {mm} را دور از {pole} جدا می‌کنیم: {found}. آنجا عمودی بر آن رسم می‌کنیم.",
@@ -1126,6 +1231,7 @@ const PERSIAN: Words = Words {
     sweep_duration: "در {time} با آهنگ داده‌شده",
     sweep_numbers: "شماره‌های {first} تا {last} گام‌های برابر را نشان می‌دهند",
     in_unit: "{symbol} بر حسب {unit}",
+    in_degrees: "{symbol} بر حسب درجه",
     coordinate_of: "{axis} از {symbol}",
     path_of: "مسیر {symbol}",
     hodograph_of: "هودوگراف {symbol}",
