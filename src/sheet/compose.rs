@@ -329,6 +329,13 @@ fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
     all
 }
 
+/// How many acts on paper each picture of the steps shows.
+#[cfg(test)]
+pub(super) fn acts_of_pictures(construction: &Construction, notation: &Notation<'_>) -> Vec<usize> {
+    let births = Births::of(construction, notation.mechanism());
+    pieces(&steps::by_step(construction, notation), &births).iter().map(|piece| piece.acts).collect()
+}
+
 /// The finished diagrams, each drawn once, and how far it has been shown.
 struct Blackboard<'a> {
     construction: &'a Construction,
@@ -340,7 +347,6 @@ struct Blackboard<'a> {
 struct Finished {
     of: Drawn,
     ink: Group,
-    bounds: Rect,
     caption: Vec<Rich>,
     shown: Option<Moment>,
 }
@@ -363,11 +369,10 @@ impl<'a> Blackboard<'a> {
             Drawn::Transfer(_) | Drawn::Auxiliary(_) => return None,
         };
         let ink = drawing(name, self.construction, self.notation, Some(self.births))?;
-        let bounds = ink.bounds().unwrap_or(Rect::ZERO);
         let caption = captions(name, self.construction, self.notation)?;
         // The skeleton under the centres stood there before.
         let shown = (of == Drawn::Centres).then_some(Moment { act: usize::MAX, ..self.births.last() });
-        self.finished.push(Finished { of, ink, bounds, caption, shown });
+        self.finished.push(Finished { of, ink, caption, shown });
         Some(self.finished.len() - 1)
     }
 
@@ -383,8 +388,10 @@ impl<'a> Blackboard<'a> {
                 let index = self.index(of)?;
                 let own = &mut self.finished[index];
                 let since = own.shown.replace(upto);
-                growth::changes(&own.ink, since, upto)
-                    .then(|| captioned_in(growth::at(&own.ink, since, upto), own.bounds, &own.caption))
+                growth::changes(&own.ink, since, upto).then(|| {
+                    let picture = growth::without_asides(&growth::at(&own.ink, since, upto));
+                    captioned(picture, &own.caption)
+                })
             }
         }
     }
@@ -738,14 +745,9 @@ fn letter(name: Name, construction: &Construction) -> usize {
 /// A drawing with its caption below it, upper left corner at the origin: lines that are no wider than the drawing or the
 /// first of them.
 fn captioned(drawing: Group, caption: &[Rich]) -> Block {
-    let ink = drawing.bounds().unwrap_or(Rect::ZERO);
-    captioned_in(drawing, ink, caption)
-}
-
-/// The same where the drawing has the place of this box, whether it fills it or not.
-fn captioned_in(drawing: Group, ink: Rect, caption: &[Rich]) -> Block {
     let mut group = Group::new("panel");
     group.group(drawing);
+    let ink = group.bounds().unwrap_or(Rect::ZERO);
     let first = caption.first().map_or(0.0, |line| line.width(TEXT));
     let width = ink.width().max(first);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));

@@ -3,7 +3,7 @@
 use kurbo::{Point, Rect};
 
 use super::coriolis::free_place;
-use super::figure::{Group, Mark, Pen, Shape, Tone};
+use super::figure::{Group, Mark, Moment, Pen, Shape, Tone};
 use super::growth::Images;
 use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THICK_HEAD, THIN, dot, head, page};
 use super::labels::{Request, Site, place};
@@ -42,6 +42,16 @@ impl Spot {
         self.points.iter().any(|(own, _)| *own == label)
     }
 
+    /// The point that stood there first.
+    pub(super) fn first(&self) -> Option<Label> {
+        self.points.first().map(|(label, _)| *label)
+    }
+
+    /// Where a name of the spot may stand: outside of its circle.
+    pub(super) fn site(&self) -> Site {
+        Site::Around { at: self.centre, radius: self.radius + 0.3, toward: None }
+    }
+
     fn to_detail(&self, at: Point) -> Point {
         ((at - self.centre) * self.multiple).to_point()
     }
@@ -66,22 +76,27 @@ pub(super) fn spots(polygon: &Polygon, window: Rect) -> Vec<Spot> {
     let own = polygon.images.iter().map(|image| (image.label, page(image.at)));
     let all = std::iter::once((Label::Pole, Point::ZERO)).chain(own);
     let all: Vec<(Label, Point)> = all.filter(|(label, at)| !tried(*label) && window.contains(*at)).collect();
-    // A vector too short to draw is a point, and both its ends are.
-    let drawn_as_one = |a: Label, b: Label| {
-        let ends = |v: &&Vector| [(v.tail, v.head), (v.head, v.tail)].contains(&(a, b));
-        polygon.vectors.iter().filter(ends).any(|v| v.as_point)
+    // A vector too short to draw is a point, and so is all that stands at its ends.
+    let drawn_as_one = |a: Point, b: Point| {
+        polygon.vectors.iter().filter(|v| v.as_point).any(|v| {
+            let ends = [page(v.from), page(v.to)];
+            let at = |p: Point| ends.iter().any(|end| end.distance(p) < COINCIDENT);
+            at(a) && at(b)
+        })
     };
     let mut clusters: Vec<Vec<(Label, Point)>> = Vec::new();
     for own in all {
         let near = |other: &(Label, Point)| {
             let apart = own.1.distance(other.1);
-            apart < APART && apart > COINCIDENT && !drawn_as_one(own.0, other.0)
+            apart < APART && apart > COINCIDENT && !drawn_as_one(own.1, other.1)
         };
         let (mut touching, rest): (Vec<_>, Vec<_>) =
             clusters.into_iter().partition(|cluster| cluster.iter().any(near));
         clusters = rest;
-        let mut merged = vec![own];
+        // In the order in which they were found.
+        let mut merged = Vec::new();
         touching.iter_mut().for_each(|cluster| merged.append(cluster));
+        merged.push(own);
         clusters.push(merged);
     }
     clusters.retain(|cluster| cluster.len() > 1);
@@ -97,7 +112,35 @@ fn spot(points: Vec<(Label, Point)>) -> Option<Spot> {
     Some(Spot { centre, radius, multiple, points })
 }
 
-/// Adds the details of a polygon beside it, and the circles about their spots.
+/// What a detail is called among several; one alone needs no name.
+fn letter(index: usize, count: usize) -> Option<Rich> {
+    const LETTERS: [&str; 8] = ["I", "II", "III", "IV", "V", "VI", "VII", "VIII"];
+    let own = LETTERS.get(index).map_or_else(|| (index + 1).to_string(), |own| (*own).to_owned());
+    (count > 1).then(|| Rich::upright(own))
+}
+
+fn born(spot: &Spot, births: Option<&Images>) -> Option<Moment> {
+    births.and_then(|births| spot.points.iter().map(|(label, _)| births.label(*label)).max())
+}
+
+/// The circles about the spots, and the names of their details.
+pub(super) fn circles(spots: &[Spot], births: Option<&Images>) -> (Group, Vec<Request>) {
+    let mut all = Group::new("spots");
+    let mut names = Vec::new();
+    for (index, spot) in spots.iter().enumerate() {
+        let born = born(spot, births);
+        let circle = Shape::Circle { centre: spot.centre, radius: spot.radius };
+        all.mark_lived(Mark::stroke(circle, Pen::solid(FINE)).class("spot"), born);
+        if let Some(letter) = letter(index, spots.len()) {
+            let mut request = Request::new(letter, SMALL, spot.site(), "label detail-name").lived(born);
+            request.leader = true;
+            names.push(request);
+        }
+    }
+    (all, names)
+}
+
+/// Adds the details of a polygon beside it.
 pub(super) fn add(
     group: &mut Group,
     spots: &[Spot],
@@ -106,22 +149,8 @@ pub(super) fn add(
     births: Option<&Images>,
 ) {
     for (index, spot) in spots.iter().enumerate() {
-        let born = births.and_then(|births| spot.points.iter().map(|(label, _)| births.label(*label)).max());
-        // One detail needs no name of its own.
-        let letter =
-            (spots.len() > 1).then(|| Rich::upright(["I", "II", "III", "IV", "V", "VI"][index.min(5)]));
-        let mut about = Group::new("spot").lived(born);
-        let circle = Shape::Circle { centre: spot.centre, radius: spot.radius };
-        about.mark(Mark::stroke(circle, Pen::solid(FINE)).class("spot"));
-        group.group(about);
-        if let Some(letter) = &letter {
-            let site = Site::Around { at: spot.centre, radius: spot.radius, toward: None };
-            let mut request = Request::new(letter.clone(), SMALL, site, "label detail-name").lived(born);
-            request.leader = true;
-            let names = place(group, &[request], None);
-            group.group(names);
-        }
-        let mut own = draw(spot, letter.as_ref(), polygon, notation).lived(born);
+        let letter = letter(index, spots.len());
+        let mut own = draw(spot, letter.as_ref(), polygon, notation).lived(born(spot, births));
         let size = own.bounds().unwrap_or(Rect::ZERO);
         let at = free_place(group, size, spot.centre);
         own.translate(at - size.origin());

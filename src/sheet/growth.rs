@@ -323,6 +323,22 @@ pub fn at(finished: &Group, since: Option<Moment>, upto: Moment) -> Group {
     own
 }
 
+/// The same picture without the details and rules that were shown when they were new: what they explain is seen by now.
+#[must_use]
+pub fn without_asides(picture: &Group) -> Group {
+    let aside = |group: &Group| {
+        let has = |word: &str| group.class.split(' ').any(|own| own == word);
+        has(OLD) && (has("detail") || has("coriolis-rule"))
+    };
+    let mut own = Group { children: Vec::new(), ..picture.clone() };
+    own.children.extend(picture.children.iter().filter_map(|node| match node {
+        Node::Group(group) if aside(group) => None,
+        Node::Group(group) => Some(Node::Group(without_asides(group))),
+        leaf => Some(leaf.clone()),
+    }));
+    own
+}
+
 /// Whether anything in a drawing is new between two moments, or used.
 #[must_use]
 pub fn changes(finished: &Group, since: Option<Moment>, upto: Moment) -> bool {

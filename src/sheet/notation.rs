@@ -370,6 +370,7 @@ impl<'a> Notation<'a> {
             }
         };
         match self.which_guide(slide) {
+            Some(_) if self.lie(slide).is_some() => self.named_guide(slide),
             Some(which) => name.up("\u{a0}(").then(&which).up(")"),
             None => name,
         }

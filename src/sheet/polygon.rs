@@ -57,6 +57,11 @@ pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>, births: 
 
     let spots = detail::spots(polygon, window);
     let mut requests = labels(polygon, notation, window, &spots, births);
+    if !spots.is_empty() {
+        let (circles, names) = detail::circles(&spots, births);
+        group.group(circles);
+        requests.extend(names);
+    }
     let mut named = group.clone();
     named.group(place(&group, &requests, None));
     // In the small drawing of a step there may be no room for the names of all vectors; its words tell them.
@@ -299,7 +304,7 @@ fn labels(
     spots: &[Spot],
     births: Option<&Images>,
 ) -> Vec<Request> {
-    let in_detail = |label: Label| spots.iter().any(|spot| spot.has(label));
+    let in_detail = |label: Label| spots.iter().any(|spot| spot.has(label) && spot.first() != Some(label));
     let pole = Image { label: Label::Pole, at: [0.0, 0.0] };
     let mut groups: Vec<(Point, Vec<Label>)> = Vec::new();
     for image in std::iter::once(&pole).chain(&polygon.images) {
@@ -311,7 +316,7 @@ fn labels(
         }
     }
     let mut requests = Vec::new();
-    // What is drawn in a detail has its name there.
+    // What is drawn in a detail has its name there; beside the spot stands that of its first point.
     groups.retain(|(_, labels)| !labels.iter().all(|label| in_detail(*label)));
     for (at, labels) in groups {
         // A pin that bears the name of the link's own point, and the contact there, are one name.
@@ -323,7 +328,11 @@ fn labels(
         }
         let text = Rich::join(&names, &Rich::upright(","));
         let radius = if labels.contains(&Label::Pole) { 0.9 } else { 0.4 };
-        let site = Site::Around { at, radius, toward: outward(at, polygon) };
+        let about = spots.iter().find(|spot| labels.iter().any(|label| spot.has(*label)));
+        let site = match about {
+            Some(spot) => spot.site(),
+            None => Site::Around { at, radius, toward: outward(at, polygon) },
+        };
         let of = labels.iter().map(|l| notation.image_name(*l, polygon.order));
         // What falls on a point that has a name already stands beside it from the first.
         let born = births.and_then(|births| labels.iter().map(|l| births.label(*l)).min());

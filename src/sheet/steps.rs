@@ -782,7 +782,19 @@ impl Teller<'_> {
             let paper = human::millimetres(d.length / per_mm);
             n.length(d.from, d.to).up("\u{a0}=\u{a0}").then(&value).up("\u{a0}(").then(&paper).up(")")
         };
-        let touching = dimensions(body, n).into_iter().filter(|d| d.from == point || d.to == point);
+        // Laid off from what stands already.
+        let acts = self.step.acts.iter();
+        let later: Vec<PointId> = acts
+            .filter_map(|act| match act {
+                Act::TransferPoint { point, .. } => Some(*point),
+                _ => None,
+            })
+            .skip_while(|other| *other != point)
+            .collect();
+        let known = |p: PointId| !later.contains(&p);
+        let touching = dimensions(body, n)
+            .into_iter()
+            .filter(|d| (d.from == point && known(d.to)) || (d.to == point && known(d.from)));
         let mut told: Vec<Rich> = touching.map(length).collect();
         if told.is_empty() {
             return Rich::fill(n.words.transfer_point, &[own, number]);

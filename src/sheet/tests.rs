@@ -16,8 +16,11 @@ use crate::scene::{self, Scene};
 use crate::sweep::other_positions;
 
 fn solved(path: &Path) -> Option<(Scene, Construction)> {
-    let text = std::fs::read_to_string(path).unwrap();
-    let scene = scene::read(&text, "test").unwrap();
+    solved_text(&std::fs::read_to_string(path).unwrap())
+}
+
+fn solved_text(text: &str) -> Option<(Scene, Construction)> {
+    let scene = scene::read(text, "test").unwrap();
     let structure = Structure::of(&scene.mechanism).ok()?;
     let plan = Plan::new(&scene.mechanism, &structure, Extent::WholeSkeleton);
     let (positions, assembly) = (&scene.sheet.positions, scene.sheet.other_assembly);
@@ -671,6 +674,247 @@ fn a_polygon_found_by_trial_fills_its_panel() {
                 polygon.vectors.iter().map(|v| libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]));
             let longest = longest.fold(0.0, f64::max);
             assert!(longest > 0.5 * scale::HALF_POLYGON.0, "{path}: {longest} mm");
+        }
+    }
+}
+
+/// The lines of text of a figure, in their order.
+fn lines(figure: &Figure) -> Vec<String> {
+    let mut all = Vec::new();
+    figure.root.walk(&mut |node| {
+        if let Node::Text(text) = node {
+            all.push(text.content().replace('\u{a0}', " "));
+        }
+    });
+    all
+}
+
+fn in_repository(path: &str) -> (Scene, Construction) {
+    solved(&Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap()
+}
+
+fn says(lines: &[String], what: &str) -> bool {
+    lines.join(" ").contains(what)
+}
+
+#[test]
+fn steps_name_guides_and_dimensions_and_list_what_was_calculated_before() {
+    let (scene, construction) = problem_3_1();
+    let sheet = lines(&solution(&scene, &construction, Language::English));
+    for line in [
+        "Mark O2 and O4 to the scale 1 : 10.",
+        "Draw the horizontal guide of D through (0; 37) cm.",
+        "Mark C on link 4: O4C = 30 cm (30.0 mm).",
+        "Produce bo beyond o: oc : ob = 1 gives c.",
+        "ω2 = 10 rad/s cw (constant)",
+    ] {
+        assert!(says(&sheet, line), "{line}: {sheet:#?}");
+    }
+    // The normal parts stand in the table with their magnitudes: they were calculated before it.
+    let notation = super::notation::Notation::new(&scene, Language::English.words());
+    for told in super::steps::by_step(&construction, &notation) {
+        let table = told.items.iter().position(|item| matches!(item, super::steps::Item::Terms(_)));
+        let normal = |item: &super::steps::Item| match item {
+            super::steps::Item::Sentence(text) => text.set(3.5).text.content().starts_with("An"),
+            _ => false,
+        };
+        let (Some(table), Some(last)) = (table, told.items.iter().rposition(normal)) else { continue };
+        assert!(last < table, "step {}", told.step);
+    }
+}
+
+#[test]
+fn a_question_asks_for_what_the_scene_does_not_say() {
+    let (scene, construction) = in_repository("src/catalogue/toggle-press.json");
+    let all = lines(&question(&scene, &construction, Language::English));
+    let find = all.iter().position(|line| line == "Find:").unwrap();
+    let asked = all[find..].join(" ");
+    // The crank is given, and the slider cannot turn.
+    for given in ["ω2", "ω6", "α2", "α6"] {
+        assert!(!asked.contains(given), "{given}: {asked}");
+    }
+    assert!(asked.contains("ω3") && asked.contains("α5"), "{asked}");
+    let told = all[..find].join(" ");
+    assert!(told.contains("60 rpm cw (constant)"), "{told}");
+    // Its places are dimensioned.
+    assert!(!told.contains("(150; 100)"), "{told}");
+    assert!(all.iter().any(|line| line == "150") && all.iter().any(|line| line == "100"), "{all:#?}");
+    // Stated scales are given, not asked for.
+    let (scene, construction) = problem_3_1();
+    let all = lines(&question(&scene, &construction, Language::English));
+    let find = all.iter().position(|line| line == "Find:").unwrap();
+    assert!(says(&all[..find], "scales 1 : 10"), "{all:#?}");
+}
+
+/// The places of the names of a diagram, from the image of its pole or its first joint.
+fn names_of(diagram: &Group) -> std::collections::BTreeMap<String, (f64, f64)> {
+    // The same in every picture: the first point of all, new or old.
+    let mut joints = Vec::new();
+    for class in ["image pole", "image pole old", "joint", "joint old"] {
+        groups(diagram, class, &mut joints);
+    }
+    joints.sort_by_key(|joint| data(joint, "point"));
+    let centre = |group: &&Group| {
+        group.children.iter().find_map(|node| match node {
+            Node::Mark(Mark { shape: Shape::Circle { centre, .. }, .. }) => Some(*centre),
+            _ => None,
+        })
+    };
+    let Some(origin) = joints.first().and_then(centre) else { return Default::default() };
+    let mut named = Vec::new();
+    groups(diagram, "name", &mut named);
+    groups(diagram, "name old", &mut named);
+    let place = |group: &&Group| {
+        group.children.iter().find_map(|node| match node {
+            Node::Text(text) => text.runs.first().map(|run| (run.at.x - origin.x, run.at.y - origin.y)),
+            _ => None,
+        })
+    };
+    named.iter().filter_map(|group| Some((data(group, "of").to_owned(), place(group)?))).collect()
+}
+
+#[test]
+fn pictures_of_the_steps_show_few_acts_and_nothing_jumps() {
+    let bad = on_all_scenes(|scene, construction, _| {
+        let figure = step_by_step(scene, construction, Language::English);
+        let mut bad = Vec::new();
+        for class in ["velocity polygon", "acceleration polygon", "skeleton"] {
+            let mut before: std::collections::BTreeMap<String, (f64, f64)> = Default::default();
+            for diagram in all_of(&figure, class) {
+                for (name, at) in names_of(diagram) {
+                    let first = *before.entry(name.clone()).or_insert(at);
+                    if (first.0 - at.0).abs() + (first.1 - at.1).abs() > 1e-9 {
+                        bad.push(format!("{class}: {name} jumps from {first:?} to {at:?}"));
+                    }
+                }
+            }
+        }
+        let notation = super::notation::Notation::new(scene, Language::English.words());
+        let most = super::compose::acts_of_pictures(construction, &notation);
+        bad.extend(most.into_iter().filter(|acts| *acts > 4).map(|acts| format!("{acts} acts in a picture")));
+        bad
+    });
+    assert!(bad.is_empty(), "{bad:#?}");
+    // What is new stands before what is old.
+    let (scene, construction) = problem_3_1();
+    let text = svg::write(&step_by_step(&scene, &construction, Language::English));
+    assert!(text.contains("class=\"vector relative\"") && text.contains("class=\"vector relative old\""));
+}
+
+#[test]
+fn the_steps_of_a_scene_of_centres_show_its_figures() {
+    let (scene, construction) = in_repository("examples/centres/four-bar.json");
+    let figure = step_by_step(&scene, &construction, Language::English);
+    assert!(!all_of(&figure, "instant-centres").is_empty());
+    assert_eq!(all_of(&figure, "circle-diagram").len(), 1);
+    assert_eq!(all_of(&figure, "transfer").len(), 4);
+}
+
+#[test]
+fn a_centre_that_is_asked_for_is_on_the_paper() {
+    let (scene, construction) = in_repository("examples/centres/four-bar.json");
+    let figure = solution(&scene, &construction, Language::English);
+    let centres: Vec<&str> = all_of(&figure, "centre").iter().map(|c| data(c, "centre")).collect();
+    assert!(centres.contains(&"(13)"), "{centres:?}");
+    let gauge = lines(&single(&scene, &construction, "transfer", Language::English).unwrap());
+    // The gauge line has its pole, the arc its radius, the turned point its name.
+    for name in ["(13–B)", "(B)"] {
+        assert!(gauge.iter().any(|line| line == name), "{name}: {gauge:#?}");
+    }
+    assert!(gauge.iter().any(|line| line.starts_with("(13)")), "{gauge:#?}");
+}
+
+#[test]
+fn pins_wheels_and_cylinders_are_drawn_as_what_they_are() {
+    let strokes = |group: &Group| {
+        let line = |node: &Node| match node {
+            Node::Mark(Mark { shape: Shape::Line(a, b), class: "", .. }) => Some((*a, *b)),
+            _ => None,
+        };
+        group.children.iter().filter_map(line).collect::<Vec<_>>()
+    };
+    let bare = r#"{
+        "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": "4 cm" }, "3": { "joins": ["A", "B"], "length": "9 cm" } },
+        "slides": [{ "pin": "B", "on": { "link": 1, "through": [0, 0], "angle": 0 } }],
+        "near": { "B": ["12 cm", 0] },
+        "input": { "link": 2, "angle": 60, "omega": "5 rad/s" },
+        "find": ["v(B)"]
+    }"#;
+    let (scene, construction) = solved_text(bare).unwrap();
+    let figure = solution(&scene, &construction, Language::English);
+    let guides = all_of(&figure, "guide");
+    let sides = strokes(guides[0]);
+    assert_eq!(sides.len(), 2, "a bare pin runs between two sides: {sides:?}");
+    let pin = all_of(&figure, "joint").into_iter().find(|joint| data(joint, "point") == "B").unwrap();
+    let Some(Node::Mark(Mark { shape: Shape::Circle { centre, radius }, .. })) = pin.children.first() else {
+        panic!("a pin is a circle");
+    };
+    let off = sides.iter().map(|(a, _)| a.y - centre.y).collect::<Vec<_>>();
+    assert!(
+        off[0] * off[1] < 0.0 && off.iter().all(|y| (radius..&(2.0 * radius)).contains(&&y.abs())),
+        "{off:?}"
+    );
+
+    let (scene, construction) = in_repository("src/catalogue/geneva.json");
+    let figure = solution(&scene, &construction, Language::English);
+    let wheel = all_of(&figure, "link slot");
+    let Some(Node::Mark(Mark { shape: Shape::Polygon(outline), class: "wheel", .. })) =
+        wheel[0].children.first()
+    else {
+        panic!("the wheel of a Geneva drive is an outline");
+    };
+    // Four slots at right angles: turned by a quarter the outline is itself.
+    let centre = outline.iter().fold(kurbo::Vec2::ZERO, |sum, p| sum + p.to_vec2()) / outline.len() as f64;
+    for (i, p) in outline.iter().enumerate() {
+        let d = p.to_vec2() - centre;
+        let turned = kurbo::Vec2::new(d.y, -d.x);
+        let other = outline[(i + outline.len() / 4) % outline.len()].to_vec2() - centre;
+        assert!((turned - other).hypot() < 1e-6, "{i}: {turned:?} {other:?}");
+    }
+
+    let (scene, construction) = in_repository("src/catalogue/oscillating-cylinder.json");
+    let text = svg::write(&solution(&scene, &construction, Language::English));
+    assert!(text.contains("class=\"piston\""));
+}
+
+#[test]
+fn a_crowded_spot_has_its_detail_at_a_true_multiple() {
+    let (scene, construction) = problem_3_1();
+    let figure = single(&scene, &construction, "acceleration", Language::English).unwrap();
+    let details = all_of(&figure, "detail");
+    assert_eq!(details.len(), 1, "c′ and d′1 stand 1.1 mm apart");
+    let multiple: f64 = data(details[0], "multiple").parse().unwrap();
+    let points: Vec<kurbo::Point> = details[0]
+        .children
+        .iter()
+        .filter_map(|node| match node {
+            Node::Mark(Mark { shape: Shape::Circle { centre, .. }, class: "detail-point", .. }) => {
+                Some(*centre)
+            }
+            _ => None,
+        })
+        .collect();
+    let polygon = construction.acceleration.as_ref().unwrap();
+    let foot = polygon
+        .vectors
+        .iter()
+        .find(|v| {
+            v.kind == crate::graphical::construction::VectorKind::Normal
+                && libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]) < 2.0
+        })
+        .unwrap();
+    let apart = libm::hypot(foot.to[0] - foot.from[0], foot.to[1] - foot.from[1]);
+    assert!((points[0].distance(points[1]) - multiple * apart).abs() < 1e-9, "{points:?} {apart}");
+}
+
+#[test]
+fn the_catalogue_has_its_titles_in_every_language() {
+    for kind in crate::catalogue::KINDS {
+        let scene = scene::read(kind.scene, kind.name).unwrap();
+        for tag in ["en", "ar", "fa"] {
+            let own = scene.title.by_language.iter().find(|(own, _)| own == tag);
+            assert!(own.is_some_and(|(_, title)| !title.is_empty()), "{} in {tag}", kind.name);
         }
     }
 }

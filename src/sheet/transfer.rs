@@ -181,7 +181,7 @@ fn name_turning(
     overlay: &mut Overlay,
 ) {
     match *stroke {
-        TransferInk::Gauge { from, to } => {
+        TransferInk::Gauge { from, to, .. } => {
             let Some(pole) = pole_at(circle, from) else { return };
             let (at, end) = (page(from), page(to));
             // A pole within is named with the other centres.
