@@ -183,6 +183,16 @@ impl Judge<'_, '_> {
         (mistakes, change)
     }
 
+    /// Whether a mistake leads closely to what it explains, and leaves hardly anything of what is open.
+    fn leads_to_all(&self, tried: &Tried) -> bool {
+        let open: Vec<f64> = (0..tried.misses.len())
+            .filter(|&i| self.verdicts[i].is_none())
+            .map(|i| tried.misses[i])
+            .collect();
+        let explained = open.iter().filter(|miss| **miss <= EXPLAINED).count();
+        10 * explained >= 9 * open.len() && self.mistake(tried).residual <= CLOSE
+    }
+
     fn mistake(&self, tried: &Tried) -> Mistake {
         let Hypothesis { kind, at, step, how, .. } = &tried.hypothesis;
         let explained: Vec<f64> = (0..tried.misses.len())
@@ -238,9 +248,7 @@ impl Judge<'_, '_> {
             let seen = self.case.seen(&sketch, &one.change);
             let tolerances = self.case.tolerances_of(&one.change, &seen, FEW);
             let again = self.counted(one.hypothesis, one.change, &seen, &tolerances);
-            // One of many lines or letters leads near any value: it must lead to it.
-            let one_of_many = matches!(again.hypothesis.kind, Kind::WrongLine | Kind::NeighbourRead);
-            let near = !one_of_many || self.mistake(&again).residual <= CLOSE;
+            let near = !one_of_many(again.hypothesis.kind) || self.leads_to_all(&again);
             if again.misses[self.first] <= EXPLAINED && near {
                 weighed.push(again);
             }
@@ -304,6 +312,10 @@ impl Judge<'_, '_> {
         for single in singles.into_iter().take(PAIRED) {
             let Some(sketch) = self.case.drawn(&single.change, None) else { continue };
             for mut pair in self.tried(&sketch, hypotheses, &single.change) {
+                let chosen = [single.hypothesis.kind, pair.hypothesis.kind].into_iter().any(one_of_many);
+                if chosen && !self.leads_to_all(&pair) {
+                    continue;
+                }
                 pair.cost += SECOND + single.hypothesis.price;
                 if pair.cost < price && !idle(&pair) {
                     all.push((single.hypothesis.clone(), pair));
@@ -351,6 +363,11 @@ impl Judge<'_, '_> {
         }
         best
     }
+}
+
+/// Whether a mistake takes one of many lines or letters, one of which leads near any value: it must lead to it.
+fn one_of_many(kind: Kind) -> bool {
+    matches!(kind, Kind::WrongLine | Kind::NeighbourRead)
 }
 
 /// How a construction can go on from a student's own value.
