@@ -311,3 +311,44 @@ fn what_stands_beside_the_polygons_is_confirmed() {
     }
     assert!(numbers > 20, "{numbers}");
 }
+
+/// Where the origin of a link's own coordinates lies is nobody's business: a million lengths away the mechanism is the same,
+/// and both solvers say so.
+#[test]
+fn own_coordinates_far_from_their_origin() {
+    use linkgram::mechanism::quantity::Answer;
+    let scene = |link: &str| {
+        common::read(&format!(
+            r#"{{ "units": {{ "length": "cm" }}, "fixed": {{ "O2": [0, 0], "O4": [20, 0] }},
+                 "links": {{ "2": {{ "joins": ["O2", "A"], "length": 7 }}, "3": {{ "joins": ["A", "B"], {link} }},
+                            "4": {{ "joins": ["O4", "B"], "length": 13 }} }},
+                 "near": {{ "B": [19, 13] }}, "input": {{ "link": 2, "angle": 60, "omega": 10 }},
+                 "find": ["v(B)", "a(B)", "omega(3)", "alpha(4)"] }}"#
+        ))
+    };
+    let answers = |scene: &Scene| {
+        let solved = whole(scene);
+        confirm(scene, &solved).unwrap();
+        let readings = solved.solution.construction.answers.into_iter();
+        readings.map(|reading| reading.answer).collect::<Vec<_>>()
+    };
+    let near = answers(&scene(r#""length": 17"#));
+    for far in [
+        r#""line": [1e6, 1000017]"#,
+        r#""line": [-1e9, -999999983]"#,
+        r#""shape": { "A": [4e7, 3e7], "B": [40000008, 30000015] }"#,
+    ] {
+        for (one, other) in near.iter().zip(answers(&scene(far))) {
+            let (apart, within) = match (one, &other) {
+                (Answer::Scalar { value: a, bound: e }, Answer::Scalar { value: b, bound: f }) => {
+                    ((a - b).abs(), e + f)
+                }
+                (Answer::Vector { value: a, bound: e }, Answer::Vector { value: b, bound: f }) => {
+                    (libm::hypot(a[0] - b[0], a[1] - b[1]), e + f)
+                }
+                _ => panic!("{far}: {other:?}"),
+            };
+            assert!(apart <= within, "{far}: {apart:e} apart, bounds {within:e}");
+        }
+    }
+}

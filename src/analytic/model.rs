@@ -370,18 +370,22 @@ impl Model {
     }
 
     fn given_place(&mut self, place: GivenPoint) -> [Num; 2] {
-        [0, 1].map(|i| {
-            let shifted = place[i].value - self.reference[i];
-            let rounding = if self.reference[i] == 0.0 || shifted == 0.0 { 0.0 } else { U * shifted.abs() };
-            self.param(shifted / self.length, (place[i].error + rounding) / self.length)
-        })
+        [0, 1].map(|i| self.given_from(self.reference[i], place[i]))
     }
 
     fn given_own(&mut self, link: LinkId, own: GivenPoint) -> [Num; 2] {
         if link == LinkId::FRAME || matches!(self.mechanism.links[link.0].form, Form::Placed) {
             return self.given_place(own);
         }
-        own.map(|coordinate| self.given_length(coordinate))
+        let origin = first_joint(&self.mechanism.links[link.0].form);
+        [0, 1].map(|i| self.given_from(origin[i], own[i]))
+    }
+
+    /// A coordinate counted from an origin near by, so that a figure far from its own axes' origin keeps its digits.
+    fn given_from(&mut self, origin: f64, coordinate: Given) -> Num {
+        let shifted = coordinate.value - origin;
+        let rounding = if origin == 0.0 || shifted == 0.0 { 0.0 } else { U * shifted.abs() };
+        self.param(shifted / self.length, (coordinate.error + rounding) / self.length)
     }
 
     fn value(&self, num: Num) -> f64 {
@@ -511,7 +515,10 @@ impl Model {
         }
         Ok(match &link.form {
             Form::Length(length) => vec![origin, [self.given_length(*length), zero]],
-            Form::Line(positions) => positions.iter().map(|p| [self.given_length(*p), zero]).collect(),
+            Form::Line(positions) => {
+                let [first, _] = first_joint(&link.form);
+                positions.iter().map(|p| [self.given_from(first, *p), zero]).collect()
+            }
             Form::Sides { first_second, second_third, third_first, turn } => {
                 let third = self.triangle(link.number, *first_second, *second_third, *third_first, *turn)?;
                 vec![origin, [self.given_length(*first_second), zero], third]
@@ -528,7 +535,10 @@ impl Model {
                 let place = [self.param(arm * cos, errors[0]), self.param(arm * sin, errors[1])];
                 vec![origin, [second, zero], place]
             }
-            Form::Shape(points) => points.iter().map(|p| p.map(|c| self.given_length(c))).collect(),
+            Form::Shape(points) => {
+                let first = first_joint(&link.form);
+                points.iter().map(|p| [0, 1].map(|i| self.given_from(first[i], p[i]))).collect()
+            }
             Form::Placed | Form::Single => vec![origin; link.points.len()],
         })
     }
@@ -1147,4 +1157,13 @@ fn pace(mechanism: &Mechanism, length: f64) -> f64 {
         }
     });
     rates.fold(0.0, f64::max)
+}
+
+/// Where the first joint of a link lies in its own coordinates, metres: from there its body is counted.
+fn first_joint(form: &Form) -> [f64; 2] {
+    match form {
+        Form::Line(positions) => [positions.first().map_or(0.0, |p| p.value), 0.0],
+        Form::Shape(points) => points.first().map_or([0.0; 2], |p| p.map(|c| c.value)),
+        Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } | Form::Placed | Form::Single => [0.0; 2],
+    }
 }
