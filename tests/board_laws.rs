@@ -254,7 +254,7 @@ fn parallel_lines_are_weak_with_their_reason_and_finite() {
         let [x, _] = b.between(first.through, meet.at);
         assert_eq!(b.tape().weakness(x.mark()), Some(42));
     }
-    // What does not hang on the weak meet stays sound.
+    // What does not depend on the weak meet stays sound.
     let meet = b.meet_lines(first, healthy, 43);
     assert_eq!(b.tape().weakness(meet.along[0].mark()), None);
 }

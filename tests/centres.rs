@@ -84,7 +84,7 @@ fn collinear([p, q, r]: [Place; 3]) -> (f64, f64) {
     let error = p.bound * norm(cross(q.at, r.at))
         + q.bound * norm(cross(r.at, p.at))
         + r.bound * norm(cross(p.at, q.at));
-    // The determinant itself is reckoned here with rounding.
+    // The determinant itself is computed here with rounding.
     let rounding = 8.0 * f64::EPSILON * norm(p.at) * norm(q.at) * norm(r.at);
     (dot(p.at, cross(q.at, r.at)).abs(), 1.001 * error + rounding)
 }

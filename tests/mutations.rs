@@ -117,7 +117,7 @@ fn plant_everywhere(plant: impl Fn(&Answer) -> Option<Answer>) -> usize {
     planted
 }
 
-/// A value that stands clear of its bound and of rounding.
+/// A value that exceeds its bound and of rounding.
 fn clear(size: f64, bound: f64) -> bool {
     size > 1e3 * bound
 }

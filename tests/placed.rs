@@ -508,7 +508,7 @@ fn an_arc_about_a_placed_point_of_a_link_that_slides() {
     );
 }
 
-/// A link that is driven for itself and hangs on another driven one: its third point, in line with the others, has the
+/// A link that is driven for itself and depends on another driven one: its third point, in line with the others, has the
 /// velocity of its own turning.
 #[test]
 fn a_driven_link_on_a_driven_link() {

@@ -1,6 +1,6 @@
 //! Places by what a figure states, and places with room: both solvers find them by themselves.
 //!
-//! The truth of each is a closed form reckoned here, stated once more as `placed` with all its digits.
+//! The truth of each is a closed form computed here, stated once more as `placed` with all its digits.
 
 #![allow(clippy::unwrap_used, clippy::disallowed_methods, reason = "a test")]
 
@@ -316,7 +316,7 @@ fn room_enters_every_bound() {
         {
             for ((name, one), (_, other)) in answers(&common::read(&text)).iter().zip(&truth) {
                 assert!(apart(&one.0, &other.0) <= one.1, "{name}: {one:?}, not {other:?} ({held})");
-                // ω₂ and what hangs on the crank alone know nothing of B.
+                // ω₂ and what depends on the crank alone know nothing of B.
                 let of_crank = ["v(A)", "a(A)", "omega(2)", "alpha(2)"].contains(&name.as_str());
                 assert_eq!(one.1 < 1e-9, of_crank, "{name}: {one:?}");
             }

@@ -149,7 +149,7 @@ fn the_eight_link_chain_is_driver_rrr_and_two_rrp() {
     assert_eq!(groups(&scene), expected);
     let structure = structure(&scene);
     assert_eq!((structure.mobility.links, structure.mobility.freedoms), (8, 1));
-    // Both rods hang on the group of the coupler, and neither on the other.
+    // Both rods depend on the group of the coupler, and neither on the other.
     assert_eq!(structure.groups[2].after, vec![1]);
     assert_eq!(structure.groups[3].after, vec![1]);
 }
@@ -181,7 +181,7 @@ fn a_pin_of_four_links_counts_three_pairs() {
 
 #[test]
 fn order_is_that_of_transmission_not_of_numbers() {
-    // Links 3 and 4 hang on the rocker 6, so they come after 5 and 6.
+    // Links 3 and 4 depend on the rocker 6, so they come after 5 and 6.
     let scene = common::read(
         r#"{
           "fixed": { "O2": [0, 0], "O6": [60, 0], "O4": [120, 0] },

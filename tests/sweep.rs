@@ -184,7 +184,7 @@ fn a_parallelogram_goes_through_its_change_points() {
 }
 
 /// Every position of a sweep is the drawing of the scene at that place: within its bounds, and a few times
-/// the roundings of reckoning in metres instead of millimetres of paper.
+/// the roundings of computation in metres instead of millimetres of paper.
 #[test]
 fn positions_are_those_of_the_drawing() {
     for stem in ["s000-ch3a-1", "eight-link", "s000-ch4-7", "pairs/oblique-yoke"] {
@@ -928,7 +928,7 @@ fn slider_crank(height: f64, start: f64, find: &str) -> Mechanism {
 }
 
 /// The rod's pole lies on the crank's line and square above the slider: at x_B tan θ, and at infinity where the crank
-/// stands upright. A centre's two columns are one thing, whichever of them hangs on the divisor and whatever stands next.
+/// stands upright. A centre's two columns are one thing, whichever of them depends on the divisor and whatever stands next.
 #[test]
 fn the_pole_of_a_connecting_rod_is_where_its_two_lines_meet() {
     for height in [0.0, 5.0] {

@@ -53,7 +53,10 @@ fn tape(scene: &str) -> String {
     let solved = linkgram::solve::solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
     let mut out = solved.plan.explain(&scene.mechanism, &solved.structure).to_string();
     let mut purpose = "";
-    for stroke in solved.solution.tape.strokes() {
+    // At the scales of the page, where they can be read beside a textbook.
+    let (mechanism, scales) = (&scene.mechanism, solved.scales);
+    let drawn = linkgram::graphical::construct(mechanism, &solved.structure, &solved.plan, scales).unwrap();
+    for stroke in drawn.tape.strokes() {
         if stroke.purpose != purpose {
             purpose = stroke.purpose;
             writeln!(out, "{purpose}").unwrap();

@@ -88,7 +88,7 @@ fn the_mechanism_knows_neither_files_nor_solvers() {
 fn solve_reaches_its_numbers_without_the_analytic_solver() {
     let code = code_of(&common::root().join("src/solve.rs"));
     let body = code.split("pub fn solve(").nth(1).unwrap().split("\npub fn determined(").next().unwrap();
-    assert!(body.contains("graphical::construct_in("));
+    assert!(body.contains("graphical::solution("));
     for stranger in ["analytic", "State", "render"] {
         assert!(!body.contains(stranger), "solve() names {stranger}");
     }

@@ -115,7 +115,7 @@ struct Choice {
 struct Assembler<'a> {
     model: &'a Model,
     groups: &'a [Group],
-    /// By group: equations beyond its own that hang on nothing later.
+    /// By group: equations beyond its own that depend on nothing later.
     beyond: Vec<Vec<usize>>,
     /// The group with which each body is complete.
     ready: Vec<usize>,
@@ -617,7 +617,7 @@ impl<'a> Assembler<'a> {
             let Some(linear) = self.linear(&self.model.position[row], pose) else { return own() };
             let mut slopes = DVector::zeros(n);
             // Beside what it says of bodies that are known: of a guide along x, an angle of half a turn leaves some
-            // 1e-16 that hang on y.
+            // 1e-16 that depend on y.
             let mut square = 0.0;
             for (leaf, value) in &linear.terms {
                 if let Leaf::Pose(column) = leaf {

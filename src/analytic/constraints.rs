@@ -410,7 +410,7 @@ impl Row {
         }
     }
 
-    /// Whether the equation may hang on the coordinates of a body.
+    /// Whether the equation may depend on the coordinates of a body.
     pub(super) fn hangs_on(&self, body: usize) -> bool {
         let third = match self {
             Self::Around(_, rider, ..) => [rider.body; 2],

@@ -136,7 +136,7 @@ impl Curve {
     fn error_at(&self, p: Xy) -> f64 {
         let x = minus(p, self.about);
         let coordinates = p.iter().chain(&self.about).map(|c| c.abs()).sum::<f64>();
-        // The terms of the equation against its gradient: each is reckoned with a few roundings.
+        // The terms of the equation against its gradient: each is computed with a few roundings.
         let steep = libm::hypot(2.0 * self.a * x[0] + self.b[0], 2.0 * self.a * x[1] + self.b[1]);
         let terms =
             self.a.abs() * dot(x, x) + (self.b[0] * x[0]).abs() + (self.b[1] * x[1]).abs() + self.c.abs();

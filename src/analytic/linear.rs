@@ -119,7 +119,7 @@ impl System {
     /// The multipliers of a number whose gradient towards the unknowns is `gradient`: one sweep back.
     pub(super) fn adjoint(&self, mut gradient: Vec<f64>) -> Multipliers {
         let mut multipliers = Multipliers { rows: Vec::new(), slack: 0.0 };
-        // Blocks hang on earlier ones: behind the last that the number hangs on there is nothing to do.
+        // Blocks depend on earlier ones: behind the last that the number depends on there is nothing to do.
         let touched =
             gradient.iter().zip(&self.block_of).filter(|(g, _)| **g != 0.0).map(|(_, block)| *block);
         let last = touched.filter(|block| *block != usize::MAX).max();

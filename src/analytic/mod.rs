@@ -101,7 +101,7 @@ pub fn solve(mechanism: &Mechanism, order: Order) -> Result<State, AnalyticError
     State::new(mechanism, order, 0.0, None)
 }
 
-/// Solves only what these quantities hang on. A group of links that none of them needs may be impossible, possible in
+/// Solves only what these quantities depend on. A group of links that none of them needs may be impossible, possible in
 /// two ways or at a dead centre: it changes nothing. Other quantities are undefined in the answer.
 ///
 /// # Errors

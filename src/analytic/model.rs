@@ -331,7 +331,7 @@ impl Model {
             .map(|row| {
                 let mut columns = Vec::new();
                 for pose in &poses {
-                    // The rate of an equation hangs on the rate of a coordinate as itself on the coordinate.
+                    // The rate of an equation depends on the rate of a coordinate as itself on the coordinate.
                     if let Some(slope) = Here::evaluate(row, pose, &self.params) {
                         columns.extend(slope.columns(row));
                         continue;
@@ -1161,9 +1161,19 @@ fn pace(mechanism: &Mechanism, length: f64) -> f64 {
 
 /// Where the first joint of a link lies in its own coordinates, metres: from there its body is counted.
 fn first_joint(form: &Form) -> [f64; 2] {
+    match (form, form_points(form)) {
+        (Form::Line(positions), 1..) => [positions[0].value, 0.0],
+        (Form::Shape(points), 1..) => points[0].map(|c| c.value),
+        // These figures begin at their first joint; and a figure without joints has no other place.
+        _ => [0.0; 2],
+    }
+}
+
+/// How many points a figure places itself.
+fn form_points(form: &Form) -> usize {
     match form {
-        Form::Line(positions) => [positions.first().map_or(0.0, |p| p.value), 0.0],
-        Form::Shape(points) => points.first().map_or([0.0; 2], |p| p.map(|c| c.value)),
-        Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } | Form::Placed | Form::Single => [0.0; 2],
+        Form::Line(positions) => positions.len(),
+        Form::Shape(points) => points.len(),
+        Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } | Form::Placed | Form::Single => 0,
     }
 }

@@ -78,7 +78,7 @@ pub(super) fn order(pattern: &[Vec<usize>], unknowns: usize) -> Ordering {
     }
 }
 
-/// What the wanted unknowns hang on: they themselves, what is solved with them, and the unknowns of the equations that
+/// What the wanted unknowns depend on: they themselves, what is solved with them, and the unknowns of the equations that
 /// solve them, and so on. `wanted` and the answer are by unknown.
 pub(super) fn needed(ordering: &Ordering, pattern: &[Vec<usize>], wanted: &[bool]) -> Vec<bool> {
     let mut group_of = vec![NONE; wanted.len()];

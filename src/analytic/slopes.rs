@@ -1,6 +1,6 @@
 //! The equations with their slopes, without a record: what the search for assemblies iterates on.
 //!
-//! A pair binds two bodies, so an equation of the position hangs on at most six coordinates: a number carries
+//! A pair binds two bodies, so an equation of the position depends on at most six coordinates: a number carries
 //! its derivatives by these six beside it (Wengert 1964). No rounding is tracked; what the search has found
 //! is finished and judged on the record.
 

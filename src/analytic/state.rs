@@ -46,7 +46,7 @@ pub(super) struct Measured {
 
 impl State {
     /// Solves a mechanism up to the given order, its position to `tolerance` where that is coarser than
-    /// rounding; only what these quantities hang on, where they are named.
+    /// rounding; only what these quantities depend on, where they are named.
     pub(super) fn new(
         mechanism: &Mechanism,
         order: Order,

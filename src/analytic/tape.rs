@@ -14,7 +14,7 @@ pub(super) const U: f64 = f64::EPSILON / 2.0;
 /// Error of a function of `libm`, in units of the roundoff of its result (its own tests allow 1 ulp).
 const LIBM: f64 = 2.0;
 
-/// What most equations hang on: coordinates of two bodies, and a few parameters.
+/// What most equations depend on: coordinates of two bodies, and a few parameters.
 const USUAL_TERMS: usize = 10;
 
 /// No node: an exact constant.
@@ -137,7 +137,7 @@ impl Tape {
         let mut adjoint = self.adjoint.borrow_mut();
         adjoint.clear();
         adjoint.resize(last + 1, 0.0);
-        // Behind a product of two zeros there is no slope, but the product hangs on both.
+        // Behind a product of two zeros there is no slope, but the product depends on both.
         let mut behind_zeros: Vec<bool> = Vec::new();
         adjoint[last] = 1.0;
         for at in (0..=last).rev() {

@@ -16,7 +16,7 @@ pub const MOST_POSITIONS: usize = 16;
 /// At the end of a stretch two arcs touch, and speeds grow without end: it is compared this part of its length inside.
 const INSIDE: f64 = 1e-3;
 
-/// A number of a sweep is known within so many of its errors: by as much as it must stand clear of zero.
+/// A number of a sweep is known within so many of its errors: by as much as it must exceed zero.
 const ERRORS: f64 = 8.0;
 
 /// A number that the independent solver does not confirm.

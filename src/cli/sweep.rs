@@ -21,7 +21,7 @@ use crate::sweep::{
 
 /// More positions than this show a progress bar.
 const MANY: usize = 100_000;
-/// So many are reckoned between two movements of the bar.
+/// So many are computed between two movements of the bar.
 const PORTION: usize = 50_000;
 
 /// What to sweep and where to write it.

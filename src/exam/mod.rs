@@ -1,11 +1,11 @@
 //! Variants of a scene for an examination: the same question with other numbers, its answers with their
 //! tolerances, and question banks.
 //!
-//! Tries are numbered. What a try draws hangs on the seed and its number, whether it may become a variant on
+//! Tries are numbered. What a try draws depends on the seed and its number, whether it may become a variant on
 //! nothing but itself, and the variants are the first tries that may and that differ from every variant before
 //! them: neither the number of workers nor how many variants are wanted changes any of them.
 //!
-//! **Architecture Invariant:** no number is reckoned here. Variants are scenes, solved as every scene is; what an
+//! **Architecture Invariant:** no number is computed here. Variants are scenes, solved as every scene is; what an
 //! answer may be off is the error of the draughtsman's hand.
 
 mod admission;

@@ -15,7 +15,7 @@ use crate::{files, limits};
 
 /// The name of the file in a suite's folder that lists its figures.
 pub const MANIFEST: &str = "suite.json";
-/// Resolution of golden pictures where nothing is said, dots per inch: enough to see a moved stroke, small
+/// Resolution of golden pictures where nothing is said, pixels per inch: enough to see a moved stroke, small
 /// enough for a repository.
 pub(super) const DPI: f32 = 48.0;
 

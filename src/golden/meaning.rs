@@ -482,7 +482,7 @@ impl Comparison {
         }
     }
 
-    /// Everything else: symbols, and what hangs on them as data.
+    /// Everything else: symbols, and what depends on them as data.
     fn parts(&mut self, panel: &str, old: &Panel, new: &Panel) {
         let key = |part: &Part| {
             let mut data = part.data.clone();

@@ -59,7 +59,7 @@ pub(super) enum Misreading {
     MeasuredTo { of: Quantity, head: Label },
     /// Its relative vector was laid off backwards from another image.
     Backwards { of: Quantity, from: Label },
-    /// Directions went through a calculator that reckons in radians.
+    /// Directions went through a calculator that computes in radians.
     InRadians { of: Which, how: InRadians },
 }
 

@@ -115,7 +115,7 @@ pub fn faults_csv(faults: &[ClassFault]) -> String {
     text
 }
 
-/// A field of a table: nothing that a spreadsheet would reckon, in quotes where it needs them.
+/// A field of a table: nothing that a spreadsheet would compute, in quotes where it needs them.
 fn field(text: &str) -> String {
     let text: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     let text = if text.starts_with(['=', '+', '-', '@']) { format!("'{text}") } else { text };

@@ -375,7 +375,11 @@ fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> 
             let what = format!("more than {most} dots, corners and ends of lines");
             return Err(Fault::new(node.range().start, what).mend("hand in the drawing alone"));
         }
-        let children = node.children().rev().filter(Node::is_element);
+        // What is shown once more, enlarged, marks nothing.
+        let enlarged = |child: &Node<'_, '_>| {
+            child.attribute("class").is_some_and(|class| class.split_whitespace().any(|c| c == "detail"))
+        };
+        let children = node.children().rev().filter(|child| child.is_element() && !enlarged(child));
         open.extend(children.map(|child| (child, around)));
     }
     Ok((marks, letters))

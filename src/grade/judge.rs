@@ -289,7 +289,7 @@ impl Judge<'_, '_> {
 
     /// Two mistakes at once.
     fn pairs(&self, base: &Sketch, hypotheses: &[Hypothesis], price: f64) -> Vec<Tried> {
-        // The first of the two is one that explains something by itself, or changes what the answer hangs on.
+        // The first of the two is one that explains something by itself, or changes what the answer depends on.
         let mut singles: Vec<Tried> = hypotheses
             .iter()
             .filter_map(|hypothesis| {

@@ -51,7 +51,7 @@ pub enum Kind {
     MetreMixed,
     /// A diagram was read with another scale factor than it was drawn with.
     ScaleWrong,
-    /// The calculator reckoned in radians, and degrees were typed or written.
+    /// The calculator computed in radians, and degrees were typed or written.
     CalculatorInRadians,
     /// A line was drawn parallel or perpendicular to the wrong line of the skeleton.
     WrongLine,

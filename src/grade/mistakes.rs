@@ -137,7 +137,7 @@ impl<'c> List<'c, '_> {
         }
     }
 
-    /// A calculator that reckons in radians: of the given angle, or of every direction that is written down.
+    /// A calculator that computes in radians: of the given angle, or of every direction that is written down.
     fn calculator(&mut self) {
         let kind = Kind::CalculatorInRadians;
         let given = Change::of_inputs(InputChange::AnglesInRadians);

@@ -86,7 +86,7 @@ pub struct GroupReport {
     pub links: Vec<u32>,
     /// Assur's class: 1 for a driver, 2 for a dyad, above that the largest closed contour.
     pub class: usize,
-    /// Its order: the number of pairs by which it hangs on what is solved.
+    /// Its order: the number of pairs by which it depends on what is solved.
     pub order: usize,
     /// Indices of the groups that are solved before it.
     pub after: Vec<usize>,
@@ -297,7 +297,7 @@ fn pairs(mechanism: &Mechanism) -> Vec<PairReport> {
     pairs
 }
 
-/// A link that only hangs on one pin turns there without moving anything.
+/// A link that only depends on one pin turns there without moving anything.
 fn idle(mechanism: &Mechanism, links: &[LinkReport]) -> Vec<u32> {
     links
         .iter()

@@ -1232,7 +1232,7 @@ impl Trial {
                 }
             }
         }
-        // What is pinned to a solved link and what hangs on one come first in both lists.
+        // What is pinned to a solved link and what depends on one come first in both lists.
         drivers.truncate(TRIED_TOGETHER);
         closings.truncate(TRIED_TOGETHER);
         for (index, &(first, _)) in closings.iter().enumerate() {
@@ -1314,7 +1314,7 @@ fn closings(mechanism: &Mechanism, group: &Group) -> Vec<(Closing, u8)> {
             .iter()
             .filter_map(|joint| if let Joint::Pin(l, p) = *joint { (l == link).then_some(p) } else { None })
             .collect();
-        // A rod on which the group itself slides or rolls cannot be left open; what is solved later may hang on it.
+        // A rod on which the group itself slides or rolls cannot be left open; what is solved later may depend on it.
         let more = group.joints.iter().any(|joint| match *joint {
             Joint::Slide(slide) => {
                 let Slide { rider, guide } = mechanism.slides[slide];

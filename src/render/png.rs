@@ -35,7 +35,7 @@ pub enum PngError {
     Encoding(String),
 }
 
-/// Draws a figure as PNG on white at `dpi` dots per inch.
+/// Draws a figure as PNG on white at `dpi` pixels per inch.
 ///
 /// # Errors
 /// When the size is out of range.
@@ -43,7 +43,7 @@ pub fn render(figure: &Figure, dpi: f32) -> Result<Vec<u8>, PngError> {
     render_svg(&super::svg::write(figure), dpi)
 }
 
-/// Draws an SVG as PNG on white at `dpi` dots per inch.
+/// Draws an SVG as PNG on white at `dpi` pixels per inch.
 ///
 /// # Errors
 /// When the size is out of range, or the text is not an SVG.
@@ -51,11 +51,11 @@ pub fn render_svg(svg: &str, dpi: f32) -> Result<Vec<u8>, PngError> {
     pixels(svg, dpi)?.encode_png().map_err(|e| PngError::Encoding(e.to_string()))
 }
 
-/// The pixels of an SVG on white at `dpi` dots per inch.
+/// The pixels of an SVG on white at `dpi` pixels per inch.
 pub(crate) fn pixels(svg: &str, dpi: f32) -> Result<Pixmap, PngError> {
     let dpi = f64::from(dpi);
     let tree = parse(svg)?;
-    // usvg resolves millimetres at its own 96 dots per inch.
+    // usvg resolves millimetres at its own 96 pixels per inch.
     let scale = dpi / 96.0;
     let width = (f64::from(tree.size().width()) * scale).ceil();
     let height = (f64::from(tree.size().height()) * scale).ceil();

@@ -493,7 +493,7 @@ const fn tone_name(tone: Tone) -> &'static str {
 #[derive(Debug, Default)]
 struct Atoms(Vec<Atom>);
 
-/// Words, or a formula with what hangs on its end.
+/// Words, or a formula with what depends on its end.
 #[derive(Debug)]
 enum Atom {
     Words(String),

@@ -238,7 +238,7 @@ fn unordered(open: &[Stated], wanted: &[PointId], draft: &Draft<'_>) -> Fault {
         return Fault::new(at, what)
             .mend(format!("fix {missing}, or give its place in `placed` or by two loci in `where`"));
     }
-    // Every point hangs on another one: follow them until one comes again.
+    // Every point depends on another one: follow them until one comes again.
     let mut way: Vec<&Stated> = Vec::new();
     let mut here = open.first();
     while let Some(stated) = here {

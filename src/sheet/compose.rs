@@ -1219,7 +1219,9 @@ impl Pager {
                 let title = Rich::written(&self.title, Face::Italic);
                 if let Some(line) = title.wrap(3.2, self.width()).first() {
                     let line = line.set(3.2);
-                    let at = Point::new(self.indented(MARGIN, line.width), MARGIN - 3.0);
+                    // Arabic letters reach further down.
+                    let above = if self.words.right_to_left { 3.6 } else { 3.0 };
+                    let at = Point::new(self.indented(MARGIN, line.width), MARGIN - above);
                     line.put(&mut page, at, "running-title");
                 }
                 let rule = Shape::Line(

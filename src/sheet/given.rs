@@ -418,7 +418,7 @@ impl Teller<'_> {
         }
     }
 
-    /// A rate with the word that it does not change, where somebody asks for what hangs on that.
+    /// A rate with the word that it does not change, where somebody asks for what depends on that.
     fn constant(&self, rate: Rich, change: f64) -> Rich {
         let fast = |asked: &Asked| asked.quantity.order() == Order::Acceleration;
         if change == 0.0 && self.n.mechanism().asked.iter().any(fast) {

@@ -49,7 +49,7 @@ fn rounds_to(reckoned: f64, result: f64, more: usize) -> bool {
 /// More figures than this no line needs to close.
 const GUARDS: usize = 4;
 
-/// The factors of a line with as many figures as it takes for what is reckoned from them, as they are printed, to be the
+/// The factors of a line with as many figures as it takes for what is computed from them, as they are printed, to be the
 /// printed result.
 pub fn closing<const N: usize>(
     factors: [f64; N],

@@ -358,7 +358,7 @@ impl Obstacles {
         if found.is_break() {
             return (before + TOUCH, true);
         }
-        // Sums hang on the order of their parts.
+        // Sums depend on the order of their parts.
         along.sort_unstable_by_key(|(i, ..)| *i);
         for &(_, inside, touches) in along.iter() {
             touch |= touches;
@@ -460,7 +460,7 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
     out
 }
 
-/// What the price of a place hangs on.
+/// What the price of a place depends on.
 struct Market<'a> {
     requests: &'a [Request],
     bodies: &'a [Body],

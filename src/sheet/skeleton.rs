@@ -247,7 +247,7 @@ impl Artist<'_> {
         group.group(self.crank_angles());
     }
 
-    /// The labels with the fuller texts where they stand clear of everything, else with the shorter ones.
+    /// The labels with the fuller texts where they exceed everything, else with the shorter ones.
     fn placed_labels(&self, group: &Group) -> Group {
         if !self.fuller.is_empty() {
             let mut requests = self.labels.clone();
@@ -305,7 +305,7 @@ impl Artist<'_> {
         bars
     }
 
-    /// The slots, and with the links' own strokes those by which slots hang on them.
+    /// The slots, and with the links' own strokes those by which slots depend on them.
     fn add_slots(&mut self) {
         self.slots = self.all_slots(&self.bars);
         let mut more = Vec::new();
@@ -316,7 +316,7 @@ impl Artist<'_> {
             {
                 let (a, b) = slot.ends;
                 let far = if a.distance(*joint) > b.distance(*joint) { a } else { b };
-                // From its joint, or from end to end where it hangs on an arm.
+                // From its joint, or from end to end where it depends on an arm.
                 let near = if slot.arm.is_some() { if far == a { b } else { a } } else { *joint };
                 more.push((slot.link, near, far));
             }
@@ -506,7 +506,7 @@ impl Artist<'_> {
         hatch_inside(own, corners, 2.6);
         let outline = Shape::Polygon(corners.to_vec());
         own.mark(Mark::stroke(outline, Pen::solid(THICK)).class("bar").precise());
-        // Points inside the outline hang on it by an arm.
+        // Points inside the outline depend on it by an arm.
         for (_, p) in places {
             let on_corner = corners.iter().any(|c| c.distance(p) < 0.3);
             if !on_corner

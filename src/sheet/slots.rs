@@ -29,7 +29,7 @@ pub(super) struct Slot {
     pub index: usize,
     /// The two ends of its middle line.
     pub ends: (Point, Point),
-    /// The stroke by which it hangs on its link, where they do not touch: from the link to the slot.
+    /// The stroke by which it depends on its link, where they do not touch: from the link to the slot.
     pub arm: Option<(Point, Point)>,
     form: SlotForm,
 }

@@ -108,6 +108,11 @@ impl Table {
         (part(self.columns.iter().take(column).copied().collect(), &head), part(after, &tail))
     }
 
+    /// Between the last row and the rule under it.
+    fn below(&self) -> f64 {
+        self.size * if self.flow == Flow::Rightward { 0.12 } else { 0.3 }
+    }
+
     /// Height of a row.
     fn pitch(&self) -> f64 {
         self.size * 1.62
@@ -123,17 +128,18 @@ impl Table {
         let rule = |y: f64, pen: f64| {
             Mark::stroke(Shape::Line(Point::new(0.0, y), Point::new(width, y)), Pen::solid(pen)).class("rule")
         };
-        // Arrows over the letters of the head need more room than capitals.
-        let head = pitch + 0.12 * self.size;
+        // Arrows over the letters of the head need more room than capitals, and Arabic letters reach further down.
+        let below = self.below();
+        let head = pitch + below;
         group.mark(rule(0.0, 0.35));
-        self.row(&mut group, &self.head, &widths, head - 0.5 * self.size);
+        self.row(&mut group, &self.head, &widths, pitch - 0.38 * self.size);
         group.mark(rule(head, 0.18));
         let mut y = head;
         for row in self.rows.iter().take(to).skip(from) {
             self.row(&mut group, row, &widths, y + pitch - 0.5 * self.size);
             y += pitch;
         }
-        let bottom = y + 0.12 * self.size;
+        let bottom = y + below;
         group.mark(rule(bottom, 0.35));
         Block { group, width, height: bottom }
     }
@@ -143,7 +149,7 @@ impl Table {
     pub fn rows_in(&self, height: f64) -> usize {
         /// More rows than any paper has: type of no size would fit without end.
         const MOST: f64 = 10_000.0;
-        let left = height - self.pitch() - 0.3 * self.size;
+        let left = height - self.pitch() - 0.06 * self.size - 2.0 * self.below();
         (left / self.pitch()).floor().clamp(0.0, MOST) as usize
     }
 

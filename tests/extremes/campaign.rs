@@ -6,12 +6,12 @@
 //! `tests/pairs`, whose laws hold the drawing to the truth: here the same drawing in a finer arithmetic shows what
 //! the doubles have lost.
 //!
-//! The truth is reckoned in double-double first, of about 31 digits. That decides wherever the error is less than
+//! The truth is computed in double-double first, of about 31 digits. That decides wherever the error is less than
 //! half of its bound and the truth's own error a millionth of it; 75 digits decide the rest, and are laid beside
 //! the 31 in one scene of sixteen.
 //!
 //! *Conditioning* is what half a unit in the last place of each number of the scene does to an answer, all of them
-//! together, and half a unit of the answer itself: no way to reckon in doubles can promise less. What is zero by the
+//! together, and half a unit of the answer itself: no way to compute in doubles can promise less. What is zero by the
 //! nature of the mechanism counts as large as the largest answer of the same unit in its scene, and an ε as large as
 //! the greatest ω², since it is drawn from normal accelerations. The tape tells its share; in one chain of sixty-four
 //! the numbers are moved one after the other, and the bound is held against what comes of that as well.

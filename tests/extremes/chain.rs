@@ -1,6 +1,6 @@
 //! Random chains of a crank and dyads with the truth about their ends, by geometry of their own: each pin by the
 //! foot of the chord, its motion from the two equations that say that its distances do not change. Written once
-//! and reckoned in double-double or in 75 digits.
+//! and computed in double-double or in 75 digits.
 
 use std::fmt::Write;
 

@@ -16,7 +16,7 @@ mod reading;
 #[cfg(unix)]
 mod writing;
 
-/// A clock of what this thread reckons, where the system tells it: a busy machine makes nothing slow.
+/// A clock of what this thread computes, where the system tells it: a busy machine makes nothing slow.
 pub(crate) struct Clock(Instant, Option<Duration>);
 
 impl Clock {

@@ -47,8 +47,13 @@ fn drawings_beyond_every_measure_are_refused_in_a_moment() {
 fn a_letter_is_not_held_against_every_mark() {
     let scene = scene::read(SLIDER, "slider.json").unwrap();
     let marks: String = (0..150_000).map(|n| format!("M{} {}", n % 400, n / 400)).collect();
-    let letters: String =
-        (0..900).map(|n| format!("<text x='{}' y='{}'>a{n}</text>", n % 300, n / 300)).collect();
+    // Each beside a dot of its own, clear of the others.
+    let letters = (0..900).map(|n| (40 * (n % 30), 1000 + 40 * (n / 30), n));
+    let letters: String = letters
+        .map(|(x, y, n)| {
+            format!("<circle cx='{}' cy='{}' r='1'/><text x='{x}' y='{y}'>a{n}</text>", x + 8, y - 6)
+        })
+        .collect();
     let begun = Clock::start();
     let read = read_answers(&page(&format!("<path d='{marks}'/>{letters}")), &scene).unwrap();
     assert!(begun.elapsed() < A_MOMENT, "{:?}", begun.elapsed());

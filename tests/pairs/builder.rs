@@ -1,4 +1,4 @@
-//! Random mechanisms, built from their pose: every group is hung on what already stands, at a place where it
+//! Random mechanisms, built from their pose: every group is depended on what already stands, at a place where it
 //! is well conditioned; its dimensions are then measured and written into a scene with the pose as `near`, so
 //! that both solvers must assemble it again from lengths, angles and offsets.
 
@@ -255,7 +255,7 @@ impl Built {
         self.joints.iter().filter(|j| !j.links.contains(&1)).cloned().collect()
     }
 
-    /// Links that could carry a guide for something that hangs on this joint.
+    /// Links that could carry a guide for something that depends on this joint.
     fn others(&self, joint: &Joint) -> Vec<u32> {
         self.bodies.iter().map(|b| b.number).filter(|n| !joint.links.contains(n)).collect()
     }

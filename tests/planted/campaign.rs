@@ -109,7 +109,7 @@ fn try_to_plant(kind: Kind, chance: &mut Chance) -> Option<Case> {
         return None;
     }
     let planted = *chance.pick(&mine);
-    // Which way the guide turns cannot be told from accelerations drawn along it: what is reckoned from that is a guess.
+    // Which way the guide turns cannot be told from accelerations drawn along it: what is computed from that is a guess.
     if kind == Kind::PerpendicularForParallel && planted.at.ends_with("@4)") && !mechanism.by_image {
         return None;
     }

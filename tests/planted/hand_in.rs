@@ -18,7 +18,7 @@ pub(crate) enum Style {
     Exam,
     /// Lengths in mm of all vectors, ω and α as values.
     Lengths,
-    /// Image points in mm, the skeleton's points, ω and α, magnitudes of what was reckoned.
+    /// Image points in mm, the skeleton's points, ω and α, magnitudes of what was computed.
     Points,
     /// The same as pixels of a scan that lies a little askew.
     Scan,

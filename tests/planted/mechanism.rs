@@ -100,7 +100,7 @@ pub(crate) struct Mechanism {
     /// α of the crank in rad/s².
     pub(crate) alpha: f64,
     pub(crate) groups: Vec<Group>,
-    /// Levers' ends are found by the image and not reckoned from ω and α.
+    /// Levers' ends are found by the image and not computed from ω and α.
     pub(crate) by_image: bool,
 }
 

@@ -248,7 +248,7 @@ impl Student<'_> {
         value
     }
 
-    /// Notes a vector that was reckoned and then drawn.
+    /// Notes a vector that was computed and then drawn.
     fn laid_off(&mut self, name: &str, diagram: Diagram, drawn: Xy, value: Xy) {
         self.readings.push(Reading { name: name.to_owned(), diagram, drawn, value });
     }
@@ -795,7 +795,7 @@ impl Student<'_> {
 
 impl Student<'_> {
     /// Whether a pencil makes something of it: lines cross at 27° or more, no guide's pin near its pivot, no vector
-    /// of the velocity diagram, by which others are reckoned, below some millimetres.
+    /// of the velocity diagram, by which others are computed, below some millimetres.
     pub(crate) fn clear_of_dead_centres(&self) -> bool {
         let steep = |a: Xy, b: Xy| a.unit().cross(b.unit()).abs() > 0.45;
         let crossings = self.mechanism.groups.iter().all(|group| match *group {

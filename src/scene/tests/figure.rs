@@ -38,7 +38,7 @@ fn a_stated_point_gives_its_links_their_dimensions() {
     }
 }
 
-/// What is stated of one point hangs on another: the file may have them in any order.
+/// What is stated of one point depends on another: the file may have them in any order.
 #[test]
 fn statements_are_put_in_order() {
     let text = four_bar(
