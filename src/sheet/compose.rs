@@ -1219,15 +1219,12 @@ impl Pager {
                 let title = Rich::written(&self.title, Face::Italic);
                 if let Some(line) = title.wrap(3.2, self.width()).first() {
                     let line = line.set(3.2);
-                    // Arabic letters reach further down.
-                    let above = if self.words.right_to_left { 3.6 } else { 3.0 };
-                    let at = Point::new(self.indented(MARGIN, line.width), MARGIN - above);
+                    let at = Point::new(self.indented(MARGIN, line.width), MARGIN - 3.0);
                     line.put(&mut page, at, "running-title");
                 }
-                let rule = Shape::Line(
-                    Point::new(MARGIN, MARGIN - 0.8),
-                    Point::new(self.paper.0 - MARGIN, MARGIN - 0.8),
-                );
+                // Arabic letters reach further down.
+                let y = MARGIN - if self.words.right_to_left { 0.2 } else { 0.8 };
+                let rule = Shape::Line(Point::new(MARGIN, y), Point::new(self.paper.0 - MARGIN, y));
                 page.mark(Mark::stroke(rule, Pen::solid(0.18)).class("rule"));
             }
             page.translate(Vec2::new(0.0, i as f64 * self.paper.1));
