@@ -4,7 +4,9 @@ use std::collections::HashSet;
 use std::fs;
 use std::hash::{BuildHasher, Hasher};
 use std::io::{BufWriter, ErrorKind, Read, Write};
-use std::path::{Component, Path, PathBuf};
+#[cfg(feature = "cli")]
+use std::path::Component;
+use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
@@ -81,6 +83,7 @@ fn text(file: String, bytes: Vec<u8>) -> Result<(String, String), FileError> {
 
 /// The place of a file that another file names: beside it or below, never elsewhere. Whoever hands something in
 /// must not have a neighbour's work read.
+#[cfg(feature = "cli")]
 pub(crate) fn beside_of(file: &Path, name: &str) -> Result<PathBuf, FileError> {
     let refused = |why: &str| Err(FileError(format!("{}: {why}", crate::terminal::line(name))));
     let inside = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
@@ -125,6 +128,7 @@ fn or_here(folder: &Path) -> &Path {
 }
 
 /// Refuses to write over the scene that was read, in whatever way it is named.
+#[cfg(feature = "cli")]
 pub(crate) fn spare<'a>(
     input: &Path,
     outputs: impl IntoIterator<Item = &'a PathBuf>,
@@ -133,6 +137,7 @@ pub(crate) fn spare<'a>(
 }
 
 /// The same for any file that was read; `what` says which.
+#[cfg(feature = "cli")]
 pub(crate) fn spare_input<'a>(
     what: &str,
     input: &Path,
@@ -326,6 +331,7 @@ fn is_ours(name: &str) -> bool {
 }
 
 /// Whether a folder holds nothing but what waits beside its place.
+#[cfg(feature = "cli")]
 pub(crate) fn holds_nothing(folder: &Path) -> Result<bool, FileError> {
     let entries = fs::read_dir(folder).map_err(|error| failed(folder, &error))?;
     Ok(entries.flatten().all(|entry| is_ours(&entry.file_name().to_string_lossy())))
@@ -361,6 +367,7 @@ pub(crate) fn hold(folder: &Path) -> Held {
 }
 
 /// Every scene under the paths: a file as it is, a folder's `.json` files in the order of their names.
+#[cfg(feature = "cli")]
 pub(crate) fn scenes_under(paths: &[PathBuf]) -> Result<Vec<PathBuf>, FileError> {
     let mut found = Vec::new();
     for path in paths {

@@ -231,6 +231,7 @@ fn locus_in_words(scene: &Scene, locus: &Locus) -> String {
 }
 
 /// A number with two significant digits: an error.
+#[cfg(feature = "cli")]
 pub(crate) fn two_digits(x: f64) -> String {
     let text = format!("{x:.1e}");
     text.parse::<f64>().map_or(text, |rounded| format!("{rounded}"))

@@ -29,6 +29,7 @@ pub(crate) fn short_line(text: &str) -> String {
 
 /// Lines of text, or a JSON text: within its strings what commands is told as JSON tells it.
 #[must_use]
+#[cfg(feature = "cli")]
 pub(crate) fn lines(text: &str) -> String {
     written(text, |c| matches!(c, '\n' | '\t'))
 }

@@ -49,7 +49,7 @@ pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
         .into_iter()
         .map(|((kind, at), (text, students))| ClassFault { kind, at, text, students })
         .collect();
-    faults.sort_by(|a, b| b.students.cmp(&a.students));
+    faults.sort_by_key(|fault| std::cmp::Reverse(fault.students));
     faults
 }
 

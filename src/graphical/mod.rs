@@ -386,7 +386,7 @@ pub fn solution(
     if let Some(quiet) = solution.without_noise(&extents) {
         page = choose(quiet);
     }
-    solution.construction.to_page(&mechanism.asked, board, page);
+    solution.construction.bring_to_page(&mechanism.asked, board, page);
     Ok((page, solution))
 }
 

@@ -33,7 +33,7 @@ impl Similarity {
 
 impl Construction {
     /// Brings a construction from the scales of the board to those of the page.
-    pub(super) fn to_page(&mut self, asked: &[Asked], board: Scales, page: Scales) {
+    pub(super) fn bring_to_page(&mut self, asked: &[Asked], board: Scales, page: Scales) {
         let by = Similarity {
             length: board.length / page.length,
             velocity: board.velocity / page.velocity,

@@ -31,16 +31,11 @@ use search::{Atlas, Chord, Derivation};
 pub(super) use velocities::{FromCentres, NO_INPUT, Why};
 
 /// The centres that stand on the skeleton.
+#[derive(Default)]
 pub(super) struct Centres {
     /// By their links.
     pub(super) known: BTreeMap<Chord, HomogeneousPoint>,
     normals: BTreeMap<Chord, (usize, HomogeneousLine)>,
-}
-
-impl Default for Centres {
-    fn default() -> Self {
-        Self { known: BTreeMap::new(), normals: BTreeMap::new() }
-    }
 }
 
 /// Draws the circle diagram as far as the wanted centres need it.
