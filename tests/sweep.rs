@@ -652,6 +652,29 @@ fn every_position_is_within_its_bounds() {
     assert!((0.25..4.0).contains(&tape), "the median bound is {tape} times that of the tape");
 }
 
+/// A Scotch yoke that is a link of one joint: it rides on the guide of the frame, and its slot stands square to that. With
+/// a crank of 40 mm its place is 40 cos θ and its velocity −40 ω sin θ.
+#[test]
+fn a_yoke_of_one_joint_follows_the_cosine() {
+    let scene = common::read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+             "links": { "2": { "joins": ["O2", "A"], "length": 40 }, "4": { "joins": ["S"] } },
+             "slides": [ { "link": 4, "on": { "link": 1, "through": [0, 0], "angle": 0 } },
+                         { "pin": "A", "block": 3, "on": { "link": 4, "through": [0, 5], "angle": 90 } } ],
+             "near": { "S": [20, 0] }, "input": { "link": 2, "angle": 60, "omega": 3 }, "find": ["x(S)", "v(S)"] }"#,
+    );
+    let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+    let mut looked = 0;
+    sweep.run(&sweep.equal_steps(24), |at, values| {
+        let expected = [0.04 * at.cos(), 0.0, -0.12 * at.sin(), 0.0];
+        for (value, expected) in values.iter().zip(expected) {
+            assert!((value - expected).abs() < 1e-15, "at {at}: {value} for {expected}");
+        }
+        looked += 1;
+    });
+    assert_eq!(looked, 25);
+}
+
 /// At the scene's own place a sweep computes the doubles of `solve`, and bounds them by the same rules. What is computed
 /// twice stands once in a sweep and errs once, and what is constant errs as if it were independent: the bounds are not
 /// the same, but of one size. (Centres are left out: which of them a drawing goes over is chosen by the eye.)

@@ -53,7 +53,8 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
             }
             _ => false,
         };
-        if mechanism.link(guide).form == Form::Single && !through_own_joint && !driven(mechanism, guide) {
+        let stands = through_own_joint || driven(mechanism, guide) || rides(mechanism, guide);
+        if mechanism.link(guide).form == Form::Single && !stands {
             return Err(instant(mechanism, guide));
         }
     }
@@ -160,6 +161,12 @@ fn driven(mechanism: &Mechanism, link: LinkId) -> bool {
         .inputs
         .iter()
         .any(|i| matches!(i, Input::Angle { link: l, .. } | Input::Speed { link: l, .. } if *l == link))
+}
+
+/// Whether a link rides on a guide without turning against it, in a way that is stated.
+fn rides(mechanism: &Mechanism, link: LinkId) -> bool {
+    let rider = |rider: &Rider| matches!(rider, Rider::Link { link: l, turned: Some(_) } if *l == link);
+    mechanism.slides.iter().any(|slide| rider(&slide.rider))
 }
 
 fn instant(mechanism: &Mechanism, link: LinkId) -> SweepError {
