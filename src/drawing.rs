@@ -286,10 +286,14 @@ impl Shown<'_> {
         // A construction that outgrows the sheet is drawn once more to a scale of its own.
         let smaller = drawing.filter(|_| scene.sheet.length_scale.is_none());
         let smaller = smaller.and_then(|drawing| sheet::scale::for_auxiliary(construction, drawing));
-        let again = smaller.zip(kind).map(|(length, kind)| {
+        let again = smaller.zip(kind).map(|(length, kind)| -> Result<Solved, NoFigure> {
             let choose =
                 |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
-            solve_with(scene, self.extent, &[kind], self.settings, choose)
+            let solved = solve_with(scene, self.extent, &[kind], self.settings, choose)?;
+            if !self.settings.unchecked {
+                confirm(scene, &solved)?;
+            }
+            Ok(solved)
         });
         let again = again.transpose()?;
         let construction = again.as_ref().map_or(construction, |solved| &solved.solution.construction);

@@ -1159,21 +1159,12 @@ fn pace(mechanism: &Mechanism, length: f64) -> f64 {
     rates.fold(0.0, f64::max)
 }
 
-/// Where the first joint of a link lies in its own coordinates, metres: from there its body is counted.
+/// Where the first joint of a link lies in its own coordinates, metres: from there its body is counted. Other figures
+/// begin there.
 fn first_joint(form: &Form) -> [f64; 2] {
-    match (form, form_points(form)) {
-        (Form::Line(positions), 1..) => [positions[0].value, 0.0],
-        (Form::Shape(points), 1..) => points[0].map(|c| c.value),
-        // These figures begin at their first joint; and a figure without joints has no other place.
-        _ => [0.0; 2],
-    }
-}
-
-/// How many points a figure places itself.
-fn form_points(form: &Form) -> usize {
     match form {
-        Form::Line(positions) => positions.len(),
-        Form::Shape(points) => points.len(),
-        Form::Length(_) | Form::Sides { .. } | Form::Arms { .. } | Form::Placed | Form::Single => 0,
+        Form::Line(positions) if !positions.is_empty() => [positions[0].value, 0.0],
+        Form::Shape(points) if !points.is_empty() => points[0].map(|c| c.value),
+        _ => [0.0; 2],
     }
 }

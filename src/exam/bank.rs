@@ -1,6 +1,7 @@
 //! What the question banks have in common: the questions in one language with their figures, and XML.
 
 use super::Variant;
+use crate::markup;
 use crate::render::{self, Format, Options, RenderError};
 use crate::scene::Scene;
 use crate::sheet::{Figure, Language, prompt};
@@ -104,22 +105,10 @@ fn isolated(text: &str) -> String {
     out
 }
 
-/// Text inside an element or an attribute.
+/// Text inside an element or an attribute. Moodle looks for fields in the text before it is read as hypertext: a name must
+/// not be one.
 pub(super) fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            // Moodle looks for fields in the text before it is read as hypertext: a name must not be one.
-            '{' => out.push_str("&#123;"),
-            '}' => out.push_str("&#125;"),
-            c => out.push(allowed(c)),
-        }
-    }
-    out
+    harmless(&markup::escaped(text))
 }
 
 /// Hypertext that is written already, so that no name within it is taken for a field, and nothing that XML has not.
@@ -129,20 +118,10 @@ pub(super) fn harmless(hypertext: &str) -> String {
         match c {
             '{' => out.push_str("&#123;"),
             '}' => out.push_str("&#125;"),
-            c => out.push(allowed(c)),
+            c => out.push(markup::allowed(c)),
         }
     }
     out
-}
-
-/// A character as XML has it: of the controls, blanks; what is no character at all, replaced.
-const fn allowed(c: char) -> char {
-    match c {
-        '\n' | '\t' => c,
-        '\u{0}'..='\u{1f}' | '\u{7f}'..='\u{9f}' => ' ',
-        '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
-        c => c,
-    }
 }
 
 /// A unit as people write it.

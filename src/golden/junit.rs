@@ -1,6 +1,7 @@
 //! A report as JUnit's XML, which the servers that run tests read.
 
 use super::{Report, Verdict};
+use crate::markup::escaped;
 
 /// The report in the XML of JUnit: a test case for each golden.
 #[must_use]
@@ -35,22 +36,4 @@ pub fn junit(report: &Report) -> String {
         ));
     }
     xml + "</testsuite>\n</testsuites>\n"
-}
-
-/// Text in XML, with nothing that XML has not.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\n' => out.push('\n'),
-            '\u{0}'..='\u{1f}' | '\u{7f}'..='\u{9f}' => out.push(' '),
-            '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
-            c => out.push(c),
-        }
-    }
-    out
 }

@@ -1,5 +1,6 @@
 //! A report as a page of hypertext for one student: to be printed on one sheet, or sent.
 
+use crate::markup::escaped;
 use std::fmt::Write as _;
 
 use super::judge::Verdict;
@@ -91,20 +92,4 @@ impl Report {
         page.push_str(".</small></p>\n</body>\n</html>\n");
         page
     }
-}
-
-/// Text in hypertext.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
 }

@@ -302,20 +302,6 @@ pub fn construct(
     construct_on(Tape::default(), mechanism, structure, plan, scales)
 }
 
-/// As [`construct`], in an arithmetic of choice.
-///
-/// # Errors
-/// See [`DrawError`].
-pub fn construct_in(
-    arithmetic: Arithmetic,
-    mechanism: &Mechanism,
-    structure: &Structure,
-    plan: &Plan,
-    scales: Scales,
-) -> Result<Solution, DrawError> {
-    construct_on(Tape::of(arithmetic), mechanism, structure, plan, scales)
-}
-
 /// As [`construct`], on a tape of one's own: a nudged one, to see how a moved stroke moves the answers.
 ///
 /// # Errors

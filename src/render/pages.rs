@@ -1,6 +1,6 @@
 //! The pages of a figure: a sheet has its pages below each other, everything else is one page.
 
-use crate::sheet::figure::{Figure, Group, Node};
+use crate::sheet::figure::{Figure, Group};
 
 /// A page of a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,16 +18,8 @@ pub struct Page<'a> {
 /// The pages in their order; at least one.
 #[must_use]
 pub fn of(figure: &Figure) -> Vec<Page<'_>> {
-    let pages: Vec<&Group> = figure
-        .root
-        .children
-        .iter()
-        .filter_map(|child| match child {
-            Node::Group(group) if group.class == "page" => Some(group),
-            _ => None,
-        })
-        .collect();
-    if pages.is_empty() || pages.len() < figure.root.children.len() {
+    let pages = figure.pages();
+    if pages.is_empty() {
         return vec![Page { top: 0.0, width: figure.width, height: figure.height, group: &figure.root }];
     }
     let height = figure.height / pages.len() as f64;

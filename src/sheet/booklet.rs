@@ -3,7 +3,7 @@
 use kurbo::{Point, Vec2};
 
 use super::compose::localised;
-use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
+use super::figure::{Figure, Group, Mark, Pen, Shape};
 use super::ink::{FINE, LABEL, SMALL, THIN};
 use super::notation::Notation;
 use super::rich::Rich;
@@ -18,16 +18,8 @@ use crate::scene::Scene;
 pub fn booklet(figures: &[Figure]) -> Option<Figure> {
     let mut pages: Vec<(f64, f64, Group)> = Vec::new();
     for figure in figures {
-        let own: Vec<&Group> = figure
-            .root
-            .children
-            .iter()
-            .filter_map(|child| match child {
-                Node::Group(group) if group.class == "page" => Some(group),
-                _ => None,
-            })
-            .collect();
-        if own.is_empty() || own.len() < figure.root.children.len() {
+        let own = figure.pages();
+        if own.is_empty() {
             let mut page = Group::new("page");
             page.group(figure.root.clone());
             pages.push((figure.width, figure.height, page));

@@ -24,6 +24,20 @@ pub struct Figure {
     pub root: Group,
 }
 
+impl Figure {
+    /// The pages of a sheet, each below the one before; none where the figure is one page by itself.
+    #[must_use]
+    pub fn pages(&self) -> Vec<&Group> {
+        fn page(child: &Node) -> Option<&Group> {
+            match child {
+                Node::Group(group) if group.class == "page" => Some(group),
+                _ => None,
+            }
+        }
+        self.root.children.iter().map(page).collect::<Option<Vec<_>>>().unwrap_or_default()
+    }
+}
+
 /// Things that belong together.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Group {
