@@ -3,8 +3,8 @@
 use thiserror::Error;
 
 use crate::check::{Unconfirmed, confirm};
-use crate::graphical::Scales;
 use crate::graphical::construction::Construction;
+use crate::mechanism::quantity::Dimension;
 use crate::parallel;
 use crate::plan::{Auxiliary, Extent};
 use crate::render::theme::Theme;
@@ -287,8 +287,9 @@ impl Shown<'_> {
         let smaller = drawing.filter(|_| scene.sheet.length_scale.is_none());
         let smaller = smaller.and_then(|drawing| sheet::scale::for_auxiliary(construction, drawing));
         let again = smaller.zip(kind).map(|(length, kind)| -> Result<Solved, NoFigure> {
-            let choose =
-                |scene: &Scene, extents| Scales { length, ..sheet::scale::for_scene(scene, extents) };
+            let choose = |scene: &Scene, extents| {
+                sheet::scale::for_scene(scene, extents).with(Dimension::Length, length)
+            };
             let solved = solve_with(scene, self.extent, &[kind], self.settings, choose)?;
             if !self.settings.unchecked {
                 confirm(scene, &solved)?;

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use crate::mechanism::engine::Engine;
-use crate::mechanism::quantity::{Asked, Method, Order, Quantity};
+use crate::mechanism::quantity::{Asked, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial, TrialDriver};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
@@ -138,16 +138,21 @@ pub struct GroupStep {
 /// The steps that the asked quantities need, in order of transmission.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Plan {
-    /// Steps of the skeleton.
-    pub position: Vec<GroupStep>,
-    /// Steps of the velocity polygon.
-    pub velocity: Vec<GroupStep>,
-    /// Steps of the acceleration polygon.
-    pub acceleration: Vec<GroupStep>,
+    /// The diagrams that are drawn group by group, in order; those without a step are left out.
+    pub diagrams: Vec<DiagramPlan>,
     /// The circle diagram.
     pub centres: CentrePlan,
     /// The constructions on the skeleton.
     pub auxiliary: Vec<Auxiliary>,
+}
+
+/// The steps of one diagram.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DiagramPlan {
+    /// Which.
+    pub kind: DiagramKind,
+    /// Its steps, in order of transmission.
+    pub steps: Vec<GroupStep>,
 }
 
 /// What the circle diagram must lead to, and with which links.
@@ -252,23 +257,34 @@ impl Plan {
                 })
                 .collect()
         };
+        let diagram = |order: Order| DiagramPlan { kind: order.diagram(), steps: steps_of(order) };
+        let all = [Order::Position, Order::Velocity, Order::Acceleration].map(diagram);
         Self {
-            position: steps_of(Order::Position),
-            velocity: steps_of(Order::Velocity),
-            acceleration: steps_of(Order::Acceleration),
+            diagrams: all.into_iter().filter(|diagram| !diagram.steps.is_empty()).collect(),
             centres,
             auxiliary: wanted.auxiliary,
         }
     }
 
-    /// The steps of one order.
+    /// The steps of one order; none where nothing asked needs its diagram.
     #[must_use]
     pub fn steps(&self, order: Order) -> &[GroupStep] {
-        match order {
-            Order::Position => &self.position,
-            Order::Velocity => &self.velocity,
-            Order::Acceleration => &self.acceleration,
-        }
+        let planned = self.diagrams.iter().find(|diagram| diagram.kind == order.diagram());
+        planned.map_or(&[], |diagram| &diagram.steps)
+    }
+
+    /// The plan of the skeleton alone.
+    #[must_use]
+    pub fn skeleton(&self) -> Self {
+        self.skeleton_of(|_| true)
+    }
+
+    /// The plan of the skeleton of some groups alone.
+    #[must_use]
+    pub fn skeleton_of(&self, kept: impl Fn(usize) -> bool) -> Self {
+        let kind = DiagramKind::Skeleton;
+        let steps = self.steps(Order::Position).iter().filter(|step| kept(step.group)).cloned().collect();
+        Self { diagrams: vec![DiagramPlan { kind, steps }], ..Self::default() }
     }
 
     /// Which steps were kept and which left out, as text.

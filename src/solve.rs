@@ -6,7 +6,7 @@ use crate::analytic::{self, AnalyticError, State};
 pub use crate::board::{Arithmetic, Hand};
 use crate::graphical::construction::Reading;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
@@ -167,16 +167,15 @@ fn without_the_impossible(
     let asked = Plan::new(mechanism, structure, Extent::Asked);
     // What is asked is told of as if nobody wanted the rest.
     graphical::extents(mechanism, structure, &asked)?;
-    let needed: BTreeSet<usize> = asked.position.iter().map(|step| step.group).collect();
+    let needed: BTreeSet<usize> = asked.steps(Order::Position).iter().map(|step| step.group).collect();
     let mut groups = BTreeSet::new();
     loop {
-        let idle: Vec<usize> =
-            plan.position.iter().map(|step| step.group).filter(|group| !needed.contains(group)).collect();
+        let planned = plan.steps(Order::Position).iter().map(|step| step.group);
+        let idle: Vec<usize> = planned.filter(|group| !needed.contains(group)).collect();
         // Groups stand in the order in which they depend on each other.
         let closes = |count: usize| {
-            let kept = |group: &usize| needed.contains(group) || idle[..count].contains(group);
-            let position = plan.position.iter().filter(|step| kept(&step.group)).cloned().collect();
-            graphical::seen(mechanism, structure, &Plan { position, ..Plan::default() }).is_ok()
+            let kept = |group: usize| needed.contains(&group) || idle[..count].contains(&group);
+            graphical::seen(mechanism, structure, &plan.skeleton_of(kept)).is_ok()
         };
         if closes(idle.len()) {
             break;
@@ -192,7 +191,7 @@ fn without_the_impossible(
     if groups.is_empty() {
         return Err(first.into());
     }
-    let drawn: BTreeSet<usize> = plan.position.iter().map(|step| step.group).collect();
+    let drawn: BTreeSet<usize> = plan.steps(Order::Position).iter().map(|step| step.group).collect();
     let missing = (0..structure.groups.len()).filter(|group| !drawn.contains(group));
     let links = missing.flat_map(|group| structure.groups[group].links.clone());
     let mut links: Vec<u32> = links.map(|link| mechanism.link(link).number).collect();

@@ -13,7 +13,7 @@ fn errors(text: &str, length: f64, degrees: f64, number: u64) -> (f64, Vec<HandE
     let scene = common::read(text);
     let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
     let hand = Hand { length, angle: degrees.to_radians() };
-    (solved.scales.length, by_hand(&scene, &solved, Draughtsmen { hand, number }).unwrap())
+    (solved.scales.length(), by_hand(&scene, &solved, Draughtsmen { hand, number }).unwrap())
 }
 
 /// A crank of 50 mm at 30°, and its point's place.

@@ -11,7 +11,7 @@ use linkgram::check::agreement;
 use linkgram::graphical;
 use linkgram::graphical::construction::CentrePlace;
 use linkgram::mechanism::LinkId;
-use linkgram::mechanism::quantity::{Answer, Quantity};
+use linkgram::mechanism::quantity::{Answer, Order, Quantity};
 use linkgram::plan::{Extent, Plan};
 use linkgram::scene::Scene;
 use linkgram::sheet::overlap::overlaps;
@@ -172,7 +172,7 @@ fn only_the_chords_on_the_way_are_built() {
     let circle = solved.solution.construction.circle.unwrap();
     let built = circle.centres.iter().filter(|c| !c.found.is_primary()).count();
     assert_eq!(built, 3, "{:?}", circle.centres);
-    assert!(solved.plan.velocity.is_empty());
+    assert!(solved.plan.steps(Order::Velocity).is_empty());
 }
 
 /// Crank 2, coupler 13, rocker 7 on a frame of 12: at 90° crank and rocker are parallel (5-12-13) and (13) lies at

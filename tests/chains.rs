@@ -12,8 +12,8 @@ use crate::common::chains::{Chain, chains, flat_chains};
 use crate::common::{Drawn, cross, dot, minus, norm, plus};
 use linkgram::analytic;
 use linkgram::check::agreement;
-use linkgram::graphical::construction::{Claim, ConstructionLine, Label, Polygon, Reference, VectorKind};
-use linkgram::mechanism::quantity::{Answer, Order, Quantity};
+use linkgram::graphical::construction::{Claim, ConstructionLine, Diagram, Label, Reference, VectorKind};
+use linkgram::mechanism::quantity::{Answer, DiagramKind, Order, Quantity};
 use linkgram::plan::Extent;
 use linkgram::solve::Solved;
 use proptest::prelude::*;
@@ -53,9 +53,8 @@ fn pairs(chain: &Chain) -> impl Iterator<Item = (u32, &str, &str)> {
     })
 }
 
-fn polygons(d: &Drawn) -> impl Iterator<Item = &Polygon> {
-    let construction = &d.solution.construction;
-    construction.velocity.iter().chain(&construction.acceleration)
+fn polygons(d: &Drawn) -> impl Iterator<Item = &Diagram> {
+    d.solution.construction.diagrams.iter()
 }
 
 proptest! {
@@ -118,8 +117,8 @@ proptest! {
                 let number = d.scene.mechanism.link(image.link).number;
                 let (omega, _) = d.scalar(&format!("omega({number})"));
                 let (alpha, _) = d.scalar(&format!("alpha({number})"));
-                let factor = if polygon.order == Order::Velocity { omega.abs() } else { libm::hypot(omega * omega, alpha) };
-                let letter = if polygon.order == Order::Velocity { "v" } else { "a" };
+                let factor = if polygon.kind == DiagramKind::Velocity { omega.abs() } else { libm::hypot(omega * omega, alpha) };
+                let letter = if polygon.kind == DiagramKind::Velocity { "v" } else { "a" };
                 let names: Vec<&str> =
                     image.corners.iter().map(|(p, _)| d.scene.mechanism.point(*p).name.as_str()).collect();
                 let [k0, k1, k2] = [0, 1, 2].map(|k| place(&d, &chain, names[k]));

@@ -58,24 +58,18 @@ fn ink_that_is_off_by_a_millionth_of_a_millimetre_is_found_whatever_it_is() {
     let solved = whole(&scene);
     confirm(&scene, &solved).unwrap();
     let m = &scene.mechanism;
-    let polygons = |solved: &Solved| {
-        let construction = &solved.solution.construction;
-        [construction.velocity.clone().unwrap(), construction.acceleration.clone().unwrap()]
-    };
-    for (order, polygon) in polygons(&solved).into_iter().enumerate() {
+    for (order, polygon) in solved.solution.construction.diagrams.iter().enumerate() {
         for (index, vector) in polygon.vectors.iter().enumerate() {
             let mut off = solved.clone();
             let construction = &mut off.solution.construction;
-            let own = if order == 0 { &mut construction.velocity } else { &mut construction.acceleration };
-            own.as_mut().unwrap().vectors[index].to[0] += 1e-6;
+            construction.diagrams[order].vectors[index].to[0] += 1e-6;
             assert_eq!(named(&scene, &off), vector.quantity.name(m), "a vector");
         }
         for (index, image) in polygon.images.iter().enumerate() {
             let Label::Image { point, .. } = image.label else { continue };
             let mut off = solved.clone();
             let construction = &mut off.solution.construction;
-            let own = if order == 0 { &mut construction.velocity } else { &mut construction.acceleration };
-            own.as_mut().unwrap().images[index].at[1] -= 1e-6;
+            construction.diagrams[order].images[index].at[1] -= 1e-6;
             let letter = if order == 0 { "v" } else { "a" };
             assert_eq!(named(&scene, &off), format!("{letter}({})", m.point(point).name), "an image");
         }
@@ -227,7 +221,7 @@ fn what_the_bound_cannot_tell_from_zero_is_zero_everywhere() {
             _ => {}
         }
     }
-    for polygon in [&construction.velocity, &construction.acceleration].into_iter().flatten() {
+    for polygon in &construction.diagrams {
         for vector in &polygon.vectors {
             let name = vector.quantity.name(&scene.mechanism);
             if name.contains("(B/A)") {

@@ -4,7 +4,7 @@
 
 use crate::common::{norm, read};
 use linkgram::check::{Agreement, agreement};
-use linkgram::mechanism::quantity::{Answer, Indeterminate};
+use linkgram::mechanism::quantity::{Answer, DiagramKind, Indeterminate};
 use linkgram::plan::Extent;
 use linkgram::sheet::scale;
 use linkgram::solve::{SolveError, Solved, solve, solve_analytically};
@@ -193,7 +193,10 @@ fn only_what_is_asked_is_drawn() {
     let acts = |asked: &[&str]| {
         let (solved, _) = drawn(&ENGINE.scene(asked));
         let construction = &solved.solution.construction;
-        assert!(construction.velocity.is_none() && construction.acceleration.is_none());
+        assert!(
+            construction.diagram(DiagramKind::Velocity).is_none()
+                && construction.diagram(DiagramKind::Acceleration).is_none()
+        );
         construction.auxiliary[0].strokes.len()
     };
     assert!(acts(&["v(B)"]) < acts(&["v(B)", "a(B)"]));

@@ -4,7 +4,7 @@
 
 use crate::common;
 
-use linkgram::mechanism::quantity::Order;
+use linkgram::mechanism::quantity::{DiagramKind, Order};
 use linkgram::mechanism::structure::Structure;
 use linkgram::plan::{Extent, Plan};
 use linkgram::scene::Scene;
@@ -18,7 +18,11 @@ fn asking(stem: &str, find: &[&str]) -> Scene {
 /// Number of steps of the skeleton, the velocity and the acceleration polygon.
 fn steps(stem: &str, find: &[&str]) -> [usize; 3] {
     let (_, _, plan) = planned(stem, find);
-    [plan.position.len(), plan.velocity.len(), plan.acceleration.len()]
+    [
+        plan.steps(Order::Position).len(),
+        plan.steps(Order::Velocity).len(),
+        plan.steps(Order::Acceleration).len(),
+    ]
 }
 
 fn planned(stem: &str, find: &[&str]) -> (Scene, Structure, Plan) {
@@ -35,7 +39,7 @@ fn the_velocity_of_b_needs_neither_accelerations_nor_what_hangs_behind_b() {
     assert_eq!(steps(SIX, &["v(B)"]), [2, 2, 0]);
     let drawn = common::try_draw(&asking(SIX, &["v(B)"]), Extent::Asked).unwrap();
     let construction = &drawn.solution.construction;
-    assert!(construction.acceleration.is_none());
+    assert!(construction.diagram(DiagramKind::Acceleration).is_none());
     // C and D are not drawn, not even on the skeleton.
     for name in ["C", "D"] {
         assert_eq!(construction.space.places[drawn.point(name).0], None, "{name}");
@@ -47,7 +51,7 @@ fn the_velocity_of_b_needs_neither_accelerations_nor_what_hangs_behind_b() {
         .map(|&l| drawn.scene.mechanism.link(l).number)
         .collect();
     assert!(!solved.is_empty() && solved.iter().all(|n| [2, 3, 4].contains(n)), "{solved:?}");
-    assert!(construction.steps.iter().all(|s| s.order != Order::Acceleration));
+    assert!(construction.steps.iter().all(|s| s.diagram != DiagramKind::Acceleration));
     // The number is that of the whole solution.
     let (whole, bound) = common::draw(&common::example(SIX)).vector("v(B)");
     let (alone, other) = drawn.vector("v(B)");
@@ -78,13 +82,13 @@ fn only_the_branch_that_is_asked_for_is_solved() {
     assert_eq!(steps("eight-link", &["a(G)"]), [3, 3, 3]);
     assert_eq!(steps("eight-link", &["v(F)", "a(G)"]), [4, 4, 3]);
     let (scene, structure, plan) = planned("eight-link", &["v(G)"]);
-    let groups: Vec<usize> = plan.velocity.iter().map(|s| s.group).collect();
+    let groups: Vec<usize> = plan.steps(Order::Velocity).iter().map(|s| s.group).collect();
     let group = |number| structure.group_of(scene.mechanism.link_numbered(number).unwrap()).unwrap();
     assert_eq!(groups, vec![group(2), group(3), group(7)]);
     // E, the third corner of the coupler, carries only the other rod: it is not transferred.
     let e = scene.mechanism.point_named("E").unwrap();
-    assert!(plan.velocity.iter().all(|s| s.points.iter().all(|(_, p)| *p != e)));
-    assert!(plan.position.iter().all(|s| s.points.iter().all(|(_, p)| *p != e)));
+    assert!(plan.steps(Order::Velocity).iter().all(|s| s.points.iter().all(|(_, p)| *p != e)));
+    assert!(plan.steps(Order::Position).iter().all(|s| s.points.iter().all(|(_, p)| *p != e)));
 }
 
 #[test]
@@ -92,7 +96,14 @@ fn the_whole_skeleton_adds_positions_and_nothing_else() {
     let scene = asking(SIX, &["v(B)"]);
     let structure = Structure::of(&scene.mechanism).unwrap();
     let plan = Plan::new(&scene.mechanism, &structure, Extent::WholeSkeleton);
-    assert_eq!([plan.position.len(), plan.velocity.len(), plan.acceleration.len()], [3, 2, 0]);
+    assert_eq!(
+        [
+            plan.steps(Order::Position).len(),
+            plan.steps(Order::Velocity).len(),
+            plan.steps(Order::Acceleration).len()
+        ],
+        [3, 2, 0]
+    );
     assert_eq!(plan.steps(Order::Position).len(), 3);
 }
 

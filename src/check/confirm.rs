@@ -10,7 +10,7 @@ use crate::analytic::{self, State};
 use crate::board::Tape;
 use crate::graphical::construction::{Act, Calculation, Claim, Label, Reference, Vector};
 use crate::graphical::{Scales, is_trial};
-use crate::mechanism::quantity::{Answer, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Answer, DiagramKind, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::{Auxiliary, Extent};
 use crate::report::{describe_in, significant};
@@ -302,16 +302,16 @@ impl<'a> Comparison<'a> {
             bound: 0.0,
         };
         let mut drawn = Vec::new();
-        for polygon in [&construction.velocity, &construction.acceleration].into_iter().flatten() {
+        for polygon in &construction.diagrams {
             let scale = polygon.si_per_mm;
             drawn.extend(polygon.images.iter().filter_map(|image| {
-                let quantity = self.image(polygon.order, image.label)?;
+                let quantity = self.image(polygon.kind, image.label)?;
                 Some((quantity, Meaning::Is(quantity), vector([0.0; 2], image.at, scale)))
             }));
             let vectors = polygon.vectors.iter().filter(|v| !is_trial(v));
             drawn.extend(vectors.map(|v| {
                 let to = if v.is_zero { v.from } else { v.to };
-                (v.quantity, self.meaning(polygon.order, v), vector(v.from, to, scale))
+                (v.quantity, self.meaning(polygon.kind, v), vector(v.from, to, scale))
             }));
         }
         for act in construction.steps.iter().flat_map(|step| &step.acts) {
@@ -329,18 +329,18 @@ impl<'a> Comparison<'a> {
     }
 
     /// Of which point, or of the point of which link under it, an image is.
-    fn image(&self, order: Order, label: Label) -> Option<Quantity> {
+    fn image(&self, kind: DiagramKind, label: Label) -> Option<Quantity> {
         let Label::Image { point, link } = label else { return None };
         let under = link.filter(|link| !self.scene.mechanism.link(*link).points.contains(&point));
-        Some(match (order, under) {
-            (Order::Acceleration, None) => Quantity::Acceleration(point),
-            (Order::Acceleration, Some(link)) => Quantity::CoincidentAcceleration(point, link),
+        Some(match (kind, under) {
+            (DiagramKind::Acceleration, None) => Quantity::Acceleration(point),
+            (DiagramKind::Acceleration, Some(link)) => Quantity::CoincidentAcceleration(point, link),
             (_, None) => Quantity::Velocity(point),
             (_, Some(link)) => Quantity::CoincidentVelocity(point, link),
         })
     }
 
-    fn meaning(&self, order: Order, vector: &Vector) -> Meaning {
+    fn meaning(&self, kind: DiagramKind, vector: &Vector) -> Meaning {
         let about = |pin: PointId, link: LinkId, normal: bool| match vector.claim {
             Some(
                 Claim::Parallel(Reference::Points(from, _))
@@ -368,7 +368,7 @@ impl<'a> Comparison<'a> {
             | Quantity::ContactNormal(..)
                 if ends.iter().all(|label| matches!(label, Label::Image { .. } | Label::Pole)) =>
             {
-                Some(Meaning::Between(ends.map(|label| self.image(order, label))))
+                Some(Meaning::Between(ends.map(|label| self.image(kind, label))))
             }
             _ => None,
         };

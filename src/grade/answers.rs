@@ -3,7 +3,7 @@
 
 use super::scan::Scan;
 use crate::limits;
-use crate::mechanism::quantity::{Asked, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::scene::asked::{Names, default_scale, measure};
 use crate::scene::diagnostic::{Fault, Res};
 use crate::scene::json::{self, Entry, Fields, Kind, Value};
@@ -94,13 +94,14 @@ pub enum Given {
 
 /// The scale factors of a drawing, where they are stated: SI units per millimetre of paper.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct StatedScales {
-    /// Of the skeleton.
-    pub length: Option<f64>,
-    /// Of the velocity polygon.
-    pub velocity: Option<f64>,
-    /// Of the acceleration polygon.
-    pub acceleration: Option<f64>,
+pub struct StatedScales([Option<f64>; Dimension::ALL.len()]);
+
+impl StatedScales {
+    /// The scale of a dimension, where it is stated.
+    #[must_use]
+    pub const fn of(&self, dimension: Dimension) -> Option<f64> {
+        self.0[dimension as usize]
+    }
 }
 
 /// Points that were read off one figure, millimetres of paper, x right, y up, from any origin.
@@ -256,11 +257,13 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
             stated.get(key).map(|v| drawing_scale(v, measure, &scales).map(|s| s / per)).transpose()
         };
         // From metres of paper to millimetres.
-        answers.scales = StatedScales {
-            length: scale("length", Measure::Length, 1000.0)?,
-            velocity: scale("velocity", Measure::Velocity, 1000.0)?,
-            acceleration: scale("acceleration", Measure::Acceleration, 1000.0)?,
-        };
+        for (key, dimension, measure) in [
+            ("length", Dimension::Length, Measure::Length),
+            ("velocity", Dimension::Velocity, Measure::Velocity),
+            ("acceleration", Dimension::Acceleration, Measure::Acceleration),
+        ] {
+            answers.scales.0[dimension as usize] = scale(key, measure, 1000.0)?;
+        }
     }
     for entry in entries(&fields, "lengths", "lengths on the drawing in mm, by name of the quantity")? {
         let asked = names.quantity(&entry.key, entry.at)?;

@@ -135,11 +135,8 @@ impl<'s> Case<'s> {
         let own = solve::solve(scene, Extent::WholeSkeleton, crate::sheet::scale::for_scene)?;
         // Nobody is graded by a solution that is not confirmed.
         crate::check::confirm(scene, &own)?;
-        let scales = Scales {
-            length: answers.scales.length.unwrap_or(own.scales.length),
-            velocity: answers.scales.velocity.unwrap_or(own.scales.velocity),
-            acceleration: answers.scales.acceleration.unwrap_or(own.scales.acceleration),
-        };
+        let scales =
+            Scales::new(|dimension| answers.scales.of(dimension).unwrap_or(own.scales.of(dimension)));
         let asking = asking(scene, answers);
         let Solved { structure, plan, .. } = solve::solve(&asking, Extent::Asked, |_, _| scales)?;
         let mechanism = asking.mechanism;
@@ -338,10 +335,11 @@ impl<'s> Case<'s> {
         let Some(polygon) = polygon(&self.right.construction, order) else { return Vec::new() };
         let mut names = vec![("o".to_owned(), Target::Image(order, Label::Pole))];
         for image in &polygon.images {
-            let name = crate::sheet::image_name(self.scene, image.label, order);
+            let name = crate::sheet::image_name(self.scene, image.label, order.diagram());
             names.push((plain_name(&name, order), Target::Image(order, image.label)));
         }
-        for (name, label) in crate::sheet::image_names(self.scene, &self.right.construction, order) {
+        for (name, label) in crate::sheet::image_names(self.scene, &self.right.construction, order.diagram())
+        {
             names.push((plain_name(&name, order), Target::Image(order, label)));
         }
         // Where no other point has that name, an image goes by its letter alone.
@@ -359,9 +357,8 @@ impl<'s> Case<'s> {
     /// Whether the student says at which scale a vector was drawn.
     pub(super) fn states_scale(&self, of: Which) -> bool {
         match of {
-            Which::One(quantity) if quantity.order() == Order::Velocity => self.stated.velocity.is_some(),
-            Which::One(quantity) if quantity.order() == Order::Acceleration => {
-                self.stated.acceleration.is_some()
+            Which::One(quantity) if quantity.order() != Order::Position => {
+                self.stated.of(quantity.order().dimension()).is_some()
             }
             _ => true,
         }
@@ -369,11 +366,7 @@ impl<'s> Case<'s> {
 
     /// SI units per millimetre of a figure.
     pub(super) fn si_per_mm(&self, order: Order) -> f64 {
-        match order {
-            Order::Position => self.scales.length,
-            Order::Velocity => self.scales.velocity,
-            Order::Acceleration => self.scales.acceleration,
-        }
+        self.scales.of(order.dimension())
     }
 
     fn unit_of(&self, order: Order) -> Unit {
@@ -423,7 +416,7 @@ impl<'s> Case<'s> {
         let observation = &self.observations[index];
         if let (Target::Image(order, head), Given::Vector(at)) = (observation.target, observation.given) {
             let si = self.si_per_mm(order);
-            return Some(HandedIn { order, from: [0.0; 2], to: at.map(|x| x / si), head });
+            return Some(HandedIn { diagram: order.diagram(), from: [0.0; 2], to: at.map(|x| x / si), head });
         }
         let quantity = observation.quantity.filter(is_vector)?;
         let order = quantity.order();
@@ -443,7 +436,7 @@ impl<'s> Case<'s> {
             return None;
         }
         let to = [vector.from[0] + own[0], vector.from[1] + own[1]];
-        Some(HandedIn { order, from: vector.from, to, head: vector.head })
+        Some(HandedIn { diagram: order.diagram(), from: vector.from, to, head: vector.head })
     }
 
     /// Where in a polygon an answer stands: the head of its vector, or of that from which it is calculated.
@@ -488,7 +481,7 @@ impl<'s> Case<'s> {
                 image.at.map(|mm| mm * self.si_per_mm(order)).to_vec()
             }
             Target::Place(point) => {
-                sketch.construction.space.places[point.0]?.map(|mm| mm * self.scales.length).to_vec()
+                sketch.construction.space.places[point.0]?.map(|mm| mm * self.scales.length()).to_vec()
             }
         };
         for reading in &change.readings {
@@ -792,8 +785,7 @@ pub(super) fn direction(construction: &Construction, of: Reference) -> Option<[f
         }
         // A guide is seen by a line that is drawn along it or square to it.
         Reference::Guide(_) => {
-            let polygons = [&construction.velocity, &construction.acceleration];
-            let mut lines = polygons.into_iter().flatten().flat_map(|p| &p.lines);
+            let mut lines = construction.diagrams.iter().flat_map(|diagram| &diagram.lines);
             lines.find_map(|line| match *line {
                 ConstructionLine::Ray { from, to, claim: Some(Claim::Parallel(r)), .. } if r == of => {
                     Some([to[0] - from[0], to[1] - from[1]]).filter(|d| size(d) > LEGIBLE)
@@ -863,12 +855,8 @@ pub(super) fn size(numbers: &[f64]) -> f64 {
 pub(super) fn polygon(
     construction: &Construction,
     order: Order,
-) -> Option<&crate::graphical::construction::Polygon> {
-    match order {
-        Order::Position => None,
-        Order::Velocity => construction.velocity.as_ref(),
-        Order::Acceleration => construction.acceleration.as_ref(),
-    }
+) -> Option<&crate::graphical::construction::Diagram> {
+    construction.diagram(order.diagram())
 }
 
 /// A point's name without primes, commas and blanks; in polygons in small letters.
@@ -939,7 +927,7 @@ pub(super) fn rank_of(construction: &Construction, quantity: &Quantity) -> (Orde
         for (place, act) in step.acts.iter().enumerate() {
             let here = match act {
                 Act::ReadVector { vector, .. } | Act::LayOffVector { vector, .. } => {
-                    let vectors = polygon(construction, step.order).map(|p| &p.vectors);
+                    let vectors = construction.diagram(step.diagram).map(|diagram| &diagram.vectors);
                     links.is_empty()
                         && vectors.and_then(|v| v.get(*vector)).is_some_and(|v| v.quantity == *quantity)
                 }

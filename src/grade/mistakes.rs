@@ -7,8 +7,9 @@ use super::change::{Change, InRadians, InputChange, Misreading, Stray, Which};
 use super::kind::Kind;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, Label, Reference, Vector};
 use crate::graphical::{Departure, Sketch, Twist};
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
+use crate::plan::DiagramPlan;
 
 /// A mistake that may have been made.
 #[derive(Debug, Clone)]
@@ -511,11 +512,12 @@ impl<'c> List<'c, '_> {
     fn rays(&mut self) {
         let mut all: Vec<(usize, Order, Departure)> = Vec::new();
         for (number, step) in self.construction.steps.iter().enumerate() {
+            let Some(order) = step.diagram.order() else { continue };
             for act in &step.acts {
                 if let Act::DrawRay { claim, .. } = *act {
-                    let ray = Departure::Ray { order: step.order, claim };
+                    let ray = Departure::Ray { order, claim };
                     if !all.iter().any(|(_, _, known)| *known == ray) {
-                        all.push((number, step.order, ray));
+                        all.push((number, order, ray));
                     }
                 }
             }
@@ -547,9 +549,10 @@ impl<'c> List<'c, '_> {
         }
         let mut rays: Vec<(usize, Order, Claim)> = Vec::new();
         for (number, step) in self.construction.steps.iter().enumerate() {
+            let Some(order) = step.diagram.order() else { continue };
             for act in &step.acts {
                 if let Act::DrawRay { claim, .. } = *act {
-                    rays.push((number, step.order, claim));
+                    rays.push((number, order, claim));
                     let (Claim::Parallel(of) | Claim::Perpendicular(of)) = claim;
                     references.push(of);
                 }
@@ -604,7 +607,9 @@ impl<'c> List<'c, '_> {
             Act::MarkMeet { label, .. } => Some(*label),
             _ => None,
         });
-        label.map_or_else(String::new, |label| crate::sheet::image_name(self.case.scene, label, order))
+        label.map_or_else(String::new, |label| {
+            crate::sheet::image_name(self.case.scene, label, order.diagram())
+        })
     }
 
     // --- calculated rates ----------------------------------------------------------------------
@@ -660,7 +665,8 @@ impl<'c> List<'c, '_> {
 
     fn images(&mut self) {
         let mut further: Vec<(LinkId, PointId)> = Vec::new();
-        for step in self.case.plan.velocity.iter().chain(&self.case.plan.acceleration) {
+        let moving = |diagram: &&DiagramPlan| diagram.kind != DiagramKind::Skeleton;
+        for step in self.case.plan.diagrams.iter().filter(moving).flat_map(|diagram| &diagram.steps) {
             further.extend(&step.points);
         }
         further.sort_unstable();
@@ -911,7 +917,7 @@ impl<'c> List<'c, '_> {
 
     /// "bc read for oc".
     fn read_for(&self, [tail, head]: [Label; 2], vector: &Vector, order: Order) -> String {
-        let name = |label: Label| crate::sheet::image_name(self.case.scene, label, order);
+        let name = |label: Label| crate::sheet::image_name(self.case.scene, label, order.diagram());
         format!("{}{} read for {}{}", name(tail), name(head), name(vector.tail), name(vector.head))
     }
 

@@ -142,18 +142,18 @@ pub fn grade_with_overlay(
         .iter()
         .zip(&named)
         .filter_map(|(fault, text)| {
-            let own = case.handed_in(fault.first, student).map(|own| (own.order, own.to));
-            let (order, at) = own.or_else(|| case.place_of(fault.first, student))?;
-            Some(crate::sheet::Fault { order, at, text })
+            let own = case.handed_in(fault.first, student).map(|own| (own.diagram, own.to));
+            let place = || case.place_of(fault.first, student).map(|(order, at)| (order.diagram(), at));
+            let (diagram, at) = own.or_else(place)?;
+            Some(crate::sheet::Fault { diagram, at, text })
         })
         .collect();
     // A polygon of which nothing was answered is not laid under anything.
     let mut right = case.right.construction.clone();
-    if !case.answers(Order::Velocity) {
-        right.velocity = None;
-    }
-    if !case.answers(Order::Acceleration) {
-        right.acceleration = None;
+    for order in [Order::Velocity, Order::Acceleration] {
+        if !case.answers(order) {
+            right.diagrams.retain(|diagram| diagram.kind != order.diagram());
+        }
     }
     let figure = crate::sheet::overlay(scene, &right, &student.construction, &handed_in, &faults);
     Ok((report, figure))

@@ -29,7 +29,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     d.alphas[LinkId::FRAME.0] = Some(d.rest());
     d.step(Order::Acceleration, &[], Vec::new());
     d.act(Act::MarkPole);
-    for step in &plan.acceleration {
+    for step in plan.steps(Order::Acceleration) {
         d.acceleration_of(step, &d.structure.groups[step.group]);
     }
 }

@@ -245,7 +245,7 @@ impl<'a> Rig<'a> {
         let placed = |p: &crate::mechanism::Point| p.place.exact().map(|at| at.map(|g| g.value));
         let origin = asking.points.iter().find_map(exact);
         let origin = origin.or_else(|| asking.points.iter().find_map(placed)).unwrap_or([0.0; 2]);
-        let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * scales.length);
+        let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * scales.length());
         let places: Vec<Option<[f64; 2]>> =
             drawn.record().space.places.iter().map(|p| p.map(world)).collect();
         let now = match input {
@@ -652,11 +652,11 @@ fn position(
 ) -> Result<Option<Position>, DrawError> {
     let drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
     let places = drawn.record().space.places.iter();
-    let places = places.map(|p| p.map(|at| at.map(|x| x * scales.length))).collect();
+    let places = places.map(|p| p.map(|at| at.map(|x| x * scales.length()))).collect();
     let known = drawn.centres.known.get(&chord(links[0], links[1]));
     Ok(known.map(|centre| {
         let [x, y, w] = centre.in_paper();
-        (places, [x * scales.length, y * scales.length, w])
+        (places, [x * scales.length(), y * scales.length(), w])
     }))
 }
 

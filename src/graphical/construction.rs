@@ -7,7 +7,7 @@
 use std::fmt;
 
 use crate::double_double::DoubleDouble;
-use crate::mechanism::quantity::{Answer, Method, Order, Quantity};
+use crate::mechanism::quantity::{Answer, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, Mechanism, PointId};
 
@@ -22,10 +22,8 @@ pub type Mm2 = [f64; 2];
 pub struct Construction {
     /// The kinematic skeleton.
     pub space: Space,
-    /// The velocity polygon, if any asked quantity needs it.
-    pub velocity: Option<Polygon>,
-    /// The acceleration polygon, if any asked quantity needs it.
-    pub acceleration: Option<Polygon>,
+    /// The vector diagrams that the asked quantities need, in the order in which they were begun: one of a kind.
+    pub diagrams: Vec<Diagram>,
     /// The circle diagram, if any instant centre is wanted.
     pub circle: Option<CircleDiagram>,
     /// The other constructions on the skeleton, in the order of the plan.
@@ -36,6 +34,14 @@ pub struct Construction {
     pub steps: Vec<Step>,
     /// One answer per asked quantity, in order.
     pub answers: Vec<Reading>,
+}
+
+impl Construction {
+    /// The vector diagram of a kind, where anything asked needs it.
+    #[must_use]
+    pub fn diagram(&self, kind: DiagramKind) -> Option<&Diagram> {
+        self.diagrams.iter().find(|diagram| diagram.kind == kind)
+    }
 }
 
 /// An asked quantity as read off the paper.
@@ -445,12 +451,12 @@ impl Found {
     }
 }
 
-/// A polygon with its pole at (0, 0).
+/// A vector diagram with its pole at (0, 0).
 #[derive(Debug, Clone)]
-pub struct Polygon {
-    /// [`Order::Velocity`] or [`Order::Acceleration`].
-    pub order: Order,
-    /// SI units (m/s or m/s²) per millimetre of paper.
+pub struct Diagram {
+    /// What it shows.
+    pub kind: DiagramKind,
+    /// SI units of its dimension per millimetre of paper.
     pub si_per_mm: f64,
     /// Image points and feet. The pole itself is not listed.
     pub images: Vec<Image>,
@@ -601,8 +607,8 @@ pub enum ConstructionLine {
 /// One numbered step of the solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
-    /// Skeleton, velocity or acceleration.
-    pub order: Order,
+    /// The diagram in which it is drawn.
+    pub diagram: DiagramKind,
     /// The links that this step solves; empty where it solves none (pole, frame).
     pub links: Vec<LinkId>,
     /// The vector equations of the step.
@@ -774,7 +780,7 @@ pub enum Act {
     Calculate(Calculation),
     /// Lay off a vector of known magnitude and direction.
     LayOffVector {
-        /// Index into [`Polygon::vectors`].
+        /// Index into [`Diagram::vectors`].
         vector: usize,
         /// Its magnitude in SI units.
         value: f64,
@@ -824,7 +830,7 @@ pub enum Act {
     },
     /// Lay off a velocity that was found from a link's instant centre with the frame.
     LayOffFromCentre {
-        /// Index into [`Polygon::vectors`].
+        /// Index into [`Diagram::vectors`].
         vector: usize,
         /// The link.
         link: LinkId,
@@ -835,7 +841,7 @@ pub enum Act {
     },
     /// Read a vector off the diagram.
     ReadVector {
-        /// Index into [`Polygon::vectors`].
+        /// Index into [`Diagram::vectors`].
         vector: usize,
         /// Its length on paper in mm.
         mm: f64,

@@ -9,8 +9,8 @@ use crate::plan::{Auxiliary, home};
 use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, Klein, NamedPoint, Stroke, StrokeRole, StrokeShape};
 use super::centres::{Centres, FromCentres, Why};
 use super::construction::{
-    Act, Axes, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Equation, Image,
-    Label, LinkImage, Polygon, Reading, Space, Step, Transfer, Vector, VectorKind,
+    Act, Axes, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Diagram, Equation,
+    Image, Label, LinkImage, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
 use super::departure::Departure;
 use super::missing::Missing;
@@ -204,14 +204,13 @@ impl<'m> Draughtsman<'m> {
             reasons: Vec::new(),
             record: Construction {
                 space: Space {
-                    metres_per_mm: scales.length,
+                    metres_per_mm: scales.length(),
                     places: vec![None; points],
                     axes: vec![None; links],
                     lines: Vec::new(),
                     choices: Vec::new(),
                 },
-                velocity: None,
-                acceleration: None,
+                diagrams: Vec::new(),
                 circle: None,
                 auxiliary: Vec::new(),
                 others: Vec::new(),
@@ -238,16 +237,12 @@ impl<'m> Draughtsman<'m> {
     }
 
     pub(super) fn length_scale(&self) -> Scale {
-        scale(self.scales.length)
+        scale(self.scales.length())
     }
 
     /// The scale of a polygon.
     pub(super) fn polygon_scale(&self, order: Order) -> Scale {
-        scale(match order {
-            Order::Position => self.scales.length,
-            Order::Velocity => self.scales.velocity,
-            Order::Acceleration => self.scales.acceleration,
-        })
+        scale(self.scales.of(order.dimension()))
     }
 
     /// A reason for a division that fails where these links are in line.
@@ -295,7 +290,12 @@ impl<'m> Draughtsman<'m> {
         if self.silent {
             return;
         }
-        self.record.steps.push(Step { order, links: links.to_vec(), equations, acts: Vec::new() });
+        self.record.steps.push(Step {
+            diagram: order.diagram(),
+            links: links.to_vec(),
+            equations,
+            acts: Vec::new(),
+        });
     }
 
     /// Begins the step of the rubbing speeds, unless the present one is it.
@@ -420,36 +420,26 @@ impl<'m> Draughtsman<'m> {
 
     /// Opens a polygon.
     pub(super) fn open_polygon(&mut self, order: Order) {
-        let polygon = Polygon {
-            order,
+        self.record.diagrams.push(Diagram {
+            kind: order.diagram(),
             si_per_mm: self.polygon_scale(order).si_per_mm,
             images: Vec::new(),
             vectors: Vec::new(),
             lines: Vec::new(),
             link_images: Vec::new(),
-        };
-        match order {
-            Order::Acceleration => self.record.acceleration = Some(polygon),
-            _ => self.record.velocity = Some(polygon),
-        }
+        });
     }
 
-    pub(super) fn polygon(&self, order: Order) -> Option<&Polygon> {
-        match order {
-            Order::Acceleration => self.record.acceleration.as_ref(),
-            _ => self.record.velocity.as_ref(),
-        }
+    pub(super) fn polygon(&self, order: Order) -> Option<&Diagram> {
+        self.record.diagram(order.diagram())
     }
 
     /// The polygon to draw in; none while a trial is on the board.
-    fn polygon_mut(&mut self, order: Order) -> Option<&mut Polygon> {
+    fn polygon_mut(&mut self, order: Order) -> Option<&mut Diagram> {
         if self.silent {
             return None;
         }
-        match order {
-            Order::Acceleration => self.record.acceleration.as_mut(),
-            _ => self.record.velocity.as_mut(),
-        }
+        self.record.diagrams.iter_mut().find(|diagram| diagram.kind == order.diagram())
     }
 
     /// The images of a polygon, by point; those of fixed points are the pole.

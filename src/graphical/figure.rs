@@ -83,7 +83,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
         if statement.standing == Standing::Hint {
             let [x, y] = at.value();
             d.stated_hints[statement.point.0] =
-                Some([origin[0] + x * d.scales.length, origin[1] + y * d.scales.length]);
+                Some([origin[0] + x * d.scales.length(), origin[1] + y * d.scales.length()]);
         }
     }
     Ok(())
@@ -108,7 +108,7 @@ pub(super) fn allowed(mechanism: &Mechanism, scales: Scales) -> f64 {
         Place::Fixed(_) | Place::Stated(_) | Place::Near(_) | Place::Unknown => None,
     });
     // At the scale of a first drawing the longest known length is 100 mm.
-    ROUNDING * 100.0 * scales.length + 4.0 * rooms.fold(0.0, f64::max)
+    ROUNDING * 100.0 * scales.length() + 4.0 * rooms.fold(0.0, f64::max)
 }
 
 impl Draughtsman<'_> {
@@ -146,7 +146,7 @@ impl Draughtsman<'_> {
             Standing::AtMeet(loci) => self.meet_loci(of, &loci, Some(stated.value()), false)?,
         };
         let [p, q] = [settled, stated].map(|at| at.value());
-        let apart = libm::hypot(p[0] - q[0], p[1] - q[1]) * self.scales.length;
+        let apart = libm::hypot(p[0] - q[0], p[1] - q[1]) * self.scales.length();
         if apart > allowed(self.mechanism, super::provisional_scales(self.mechanism)) {
             return Err(DrawError::Unplaced { point: of, why: Unplaced::Beside { by: apart } });
         }
@@ -156,7 +156,7 @@ impl Draughtsman<'_> {
     /// World coordinates as millimetres of the skeleton, for hints.
     fn world_on_paper(&self, world: [f64; 2]) -> [f64; 2] {
         let origin = self.origin_of_space().map(|g| g.value);
-        [0, 1].map(|k| (world[k] - origin[k]) / self.scales.length)
+        [0, 1].map(|k| (world[k] - origin[k]) / self.scales.length())
     }
 
     fn on_paper(&mut self, length: Given) -> crate::board::Mm {
@@ -236,7 +236,7 @@ impl Draughtsman<'_> {
 
     /// Which of two places a hint chooses.
     fn next_to(&self, of: PointId, places: [[f64; 2]; 2], near: Option<[f64; 2]>) -> Result<Side, DrawError> {
-        let per_mm = self.scales.length;
+        let per_mm = self.scales.length();
         let square = |at: [f64; 2], near: [f64; 2]| {
             let [x, y] = [0, 1].map(|k| (at[k] - near[k]) * per_mm);
             x * x + y * y

@@ -23,6 +23,7 @@ mod pose;
 mod position;
 mod reading;
 mod rolled;
+mod scales;
 mod settle;
 mod shown;
 mod transcribe;
@@ -35,80 +36,19 @@ pub use departure::{Departure, Sketch, Twist, sketch};
 pub(crate) use figure::standing;
 pub use missing::Missing;
 pub use reading::Numbers;
+pub use scales::{DiagramExtent, Extents, Scales, Told};
 pub use shown::{Shown, is_trial};
 pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, transcribe_with_bounds};
 
 use crate::board::{Arithmetic, Board, Real, Scale, Tape};
 use crate::given::Given;
-use crate::mechanism::statement::Locus;
+use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::{Drive, GroupKind, Structure};
-use crate::mechanism::{Input, LinkId, Mechanism, PointId, Roll};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::Plan;
-use construction::{Construction, Label, OtherPosition, Polygon, TransferInk};
+use construction::Construction;
 use draughtsman::Draughtsman;
-
-/// The scale factors of a solution.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scales {
-    /// Metres per millimetre of paper.
-    pub length: f64,
-    /// m/s per millimetre of paper.
-    pub velocity: f64,
-    /// m/s² per millimetre of paper.
-    pub acceleration: f64,
-}
-
-/// How large the diagrams are in reality, to choose scales by.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Extents {
-    /// Width and height of the skeleton, m.
-    pub space: [f64; 2],
-    /// Width and height of the skeleton with its pitch circles, m.
-    pub rims: [f64; 2],
-    /// Where the skeleton's lower left corner lies, from its origin, m.
-    pub least: [f64; 2],
-    /// Width and height of the skeleton with the other positions that it shows, m.
-    pub positions: [f64; 2],
-    /// Width and height of the velocity polygon, m/s; where there is none, of the arrows on the skeleton.
-    pub velocity: [f64; 2],
-    /// Width and height of the acceleration polygon, m/s²; zero where there is none.
-    pub acceleration: [f64; 2],
-    /// The joints of the skeleton, m, from its origin.
-    pub joints: Vec<[f64; 2]>,
-    /// The points of the velocity and of the acceleration polygon with their poles, m/s and m/s², without those of trials.
-    pub images: [Vec<[f64; 2]>; 2],
-    /// How many vectors the velocity and the acceleration polygon have.
-    pub vectors: [usize; 2],
-    /// How much there is to be told of the steps.
-    pub told: Told,
-    /// Whether there is a circle diagram.
-    pub circle: bool,
-}
-
-/// How much there is to be told of the steps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Told {
-    /// Steps.
-    pub steps: usize,
-    /// Vector equations.
-    pub equations: usize,
-    /// What is done, read and calculated.
-    pub acts: usize,
-}
-
-impl Extents {
-    /// The same where the skeleton shows these positions as well.
-    #[must_use]
-    pub fn with(mut self, others: &[OtherPosition]) -> Self {
-        let all = || others.iter().flat_map(|other| other.places.iter().flatten());
-        for axis in 0..2 {
-            let least = all().map(|at| at[axis]).fold(self.least[axis], f64::min);
-            let most = all().map(|at| at[axis]).fold(self.least[axis] + self.space[axis], f64::max);
-            self.positions[axis] = most - least;
-        }
-        self
-    }
-}
+use scales::{board_scales, measure, provisional_scales};
 
 /// A finished drawing and the tape behind it.
 #[derive(Debug, Clone)]
@@ -128,16 +68,13 @@ impl Solution {
     /// `None` where there is no such polygon.
     #[must_use]
     pub fn without_noise(&self, extents: &Extents) -> Option<Extents> {
-        let noise = |polygon: &Option<Polygon>, extent: [f64; 2]| {
-            let vectors = || polygon.iter().flat_map(|p| &p.vectors).filter(|v| !is_trial(v));
-            extent != [0.0; 2] && vectors().next().is_some() && vectors().all(|v| v.is_zero)
-        };
         let mut quiet = extents.clone();
-        if noise(&self.construction.velocity, extents.velocity) {
-            quiet.velocity = [0.0; 2];
-        }
-        if noise(&self.construction.acceleration, extents.acceleration) {
-            quiet.acceleration = [0.0; 2];
+        for extent in quiet.diagrams.iter_mut().filter(|extent| extent.size != [0.0; 2]) {
+            let drawn = self.construction.diagram(extent.kind);
+            let vectors = || drawn.iter().flat_map(|diagram| &diagram.vectors).filter(|v| !is_trial(v));
+            if vectors().next().is_some() && vectors().all(|v| v.is_zero) {
+                extent.size = [0.0; 2];
+            }
         }
         (quiet != *extents).then_some(quiet)
     }
@@ -367,7 +304,7 @@ pub fn solution(
     let mut drawn = drawn.map_err(|error| with_range(error, mechanism, structure, plan))?;
     let extents = measure(drawn.record(), mechanism, board);
     let mut page = choose(extents.clone());
-    drawn.per_page = page.length / board.length;
+    drawn.per_page = page.length() / board.length();
     let mut solution = finish(drawn, plan);
     if let Some(quiet) = solution.without_noise(&extents) {
         page = choose(quiet);
@@ -422,7 +359,7 @@ pub(crate) fn places(
 ) -> Result<Vec<Option<[f64; 2]>>, DrawError> {
     let scales = provisional_scales(mechanism);
     let origin = origin(mechanism);
-    let world = |at: [f64; 2]| [0, 1].map(|axis| origin[axis] + at[axis] * scales.length);
+    let world = |at: [f64; 2]| [0, 1].map(|axis| origin[axis] + at[axis] * scales.length());
     let drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
     Ok(drawn.record().space.places.iter().map(|at| at.map(world)).collect())
 }
@@ -462,150 +399,16 @@ fn drawn_by<'m>(mut draughtsman: Draughtsman<'m>, plan: &Plan) -> Result<Draught
     if plan.centres.feeds {
         centres::draw(&mut draughtsman, plan);
         draughtsman.fed = centres::feed(&mut draughtsman, plan);
-    } else if !plan.velocity.is_empty() {
+    } else if !plan.steps(Order::Velocity).is_empty() {
         velocity::draw(&mut draughtsman, plan);
     }
-    if !plan.acceleration.is_empty() && draughtsman.fed.is_ok() {
+    if !plan.steps(Order::Acceleration).is_empty() && draughtsman.fed.is_ok() {
         acceleration::draw(&mut draughtsman, plan);
     }
     if !plan.centres.wanted.is_empty() && !plan.centres.feeds {
         centres::draw(&mut draughtsman, plan);
     }
     Ok(draughtsman)
-}
-
-/// Scales at which paper numbers are of order 100, whatever the units.
-fn provisional_scales(mechanism: &Mechanism) -> Scales {
-    let mut size: f64 = 0.0;
-    let mut longest: f64 = 0.0;
-    let mut seen = |x: f64| longest = longest.max(x.abs());
-    for link in &mechanism.links {
-        link_figure::given_lengths(link).into_iter().for_each(&mut seen);
-    }
-    let places: Vec<[f64; 2]> = mechanism.points.iter().filter_map(|p| p.place.hint()).collect();
-    for locus in mechanism.statements.iter().flat_map(|statement| statement.loci) {
-        if let Locus::Circle { radius, .. } = locus {
-            seen(radius.value);
-        }
-    }
-    for p in &places {
-        size = size.max(libm::hypot(p[0] - places[0][0], p[1] - places[0][1]));
-    }
-    size = size.max(longest);
-    let (mut speed, mut acceleration) = (0.0_f64, 0.0_f64);
-    for input in &mechanism.inputs {
-        let (v, a) = match input {
-            Input::Angle { omega, alpha, .. } => {
-                (omega.value * size, omega.value * omega.value * size + alpha.value.abs() * size)
-            }
-            Input::Speed { speed, alpha, .. } => {
-                (speed.value, speed.value * speed.value / size + alpha.value.abs() * size)
-            }
-            Input::Slide { velocity, acceleration, .. } => {
-                (velocity.value, acceleration.value.abs() + velocity.value * velocity.value / size)
-            }
-        };
-        speed = speed.max(v.abs());
-        acceleration = acceleration.max(a.abs());
-    }
-    let per_mm = |largest: f64| {
-        let scale = largest / 100.0;
-        if scale.is_normal() { scale } else { 1.0 }
-    };
-    Scales { length: per_mm(size), velocity: per_mm(speed), acceleration: per_mm(acceleration) }
-}
-
-/// The scales of the board: powers of two at which paper numbers are of order 100. Every operation is homogeneous, so
-/// that no bit of an answer depends on them.
-fn board_scales(mechanism: &Mechanism) -> Scales {
-    let Scales { length, velocity, acceleration } = provisional_scales(mechanism);
-    let [length, velocity, acceleration] = [length, velocity, acceleration].map(|scale| {
-        let (mantissa, exponent) = libm::frexp(scale);
-        libm::ldexp(1.0, if mantissa < std::f64::consts::FRAC_1_SQRT_2 { exponent - 1 } else { exponent })
-    });
-    Scales { length, velocity, acceleration }
-}
-
-fn measure(record: &Construction, mechanism: &Mechanism, scales: Scales) -> Extents {
-    let extent = |points: &mut dyn Iterator<Item = [f64; 2]>, start: Option<[f64; 2]>, scale: f64| {
-        let mut bounds: Option<[[f64; 2]; 2]> = start.map(|p| [p, p]);
-        for p in points {
-            let [low, high] = bounds.get_or_insert([p, p]);
-            for axis in 0..2 {
-                low[axis] = low[axis].min(p[axis]);
-                high[axis] = high[axis].max(p[axis]);
-            }
-        }
-        bounds.map_or([0.0; 2], |[low, high]| [(high[0] - low[0]) * scale, (high[1] - low[1]) * scale])
-    };
-    let polygon = |polygon: &Option<Polygon>, scale: f64| {
-        polygon.as_ref().map_or([0.0; 2], |p| {
-            // What was tried lies anywhere, and where construction lines end has no name.
-            let tried = |label: Label| matches!(label, Label::Trial { .. });
-            let points = p.images.iter().filter(|i| !tried(i.label)).map(|i| i.at);
-            let vectors = p.vectors.iter().filter(|v| !tried(v.tail) && !tried(v.head));
-            extent(&mut points.chain(vectors.flat_map(|v| [v.from, v.to])), Some([0.0; 2]), scale)
-        })
-    };
-    let images = |polygon: &Option<Polygon>, scale: f64| {
-        let images = polygon.iter().flat_map(|p| &p.images);
-        let named = images.filter(|image| !matches!(image.label, Label::Trial { .. }));
-        let places = named.map(|image| image.at.map(|x| x * scale));
-        if polygon.is_some() { places.chain([[0.0; 2]]).collect() } else { Vec::new() }
-    };
-    let polygons = [&record.velocity, &record.acceleration];
-    // Arrows on the skeleton, where there is no polygon: half as long as a polygon would be.
-    let arrows =
-        record.circle.iter().flat_map(|c| &c.transfers).flat_map(|t| &t.ink).filter_map(|ink| match ink {
-            TransferInk::Velocity { at, tip, .. } | TransferInk::Turned { at, tip, .. } => {
-                Some(2.0 * libm::hypot(tip[0] - at[0], tip[1] - at[1]) * scales.velocity)
-            }
-            _ => None,
-        });
-    let longest = arrows.fold(0.0, f64::max);
-    let places = || record.space.places.iter().flatten().copied();
-    let space = extent(&mut places(), None, scales.length);
-    let wheels = mechanism.rolls.iter().flat_map(|roll| pitch_circle_corners(roll, record, scales));
-    let rims = extent(&mut places().chain(wheels), None, scales.length);
-    let least = [0, 1].map(|axis| places().map(|at| at[axis] * scales.length).fold(f64::INFINITY, f64::min));
-    let least = least.map(|x| if x.is_finite() { x } else { 0.0 });
-    Extents {
-        space,
-        rims,
-        least,
-        positions: space,
-        velocity: match &record.velocity {
-            None => [longest; 2],
-            drawn => polygon(drawn, scales.velocity),
-        },
-        acceleration: polygon(&record.acceleration, scales.acceleration),
-        joints: places().map(|at| at.map(|x| x * scales.length)).collect(),
-        images: [
-            images(&record.velocity, scales.velocity),
-            images(&record.acceleration, scales.acceleration),
-        ],
-        vectors: polygons.map(|polygon| polygon.as_ref().map_or(0, |p| p.vectors.len())),
-        told: Told {
-            steps: record.steps.len(),
-            equations: record.steps.iter().map(|step| step.equations.len()).sum(),
-            acts: record.steps.iter().map(|step| step.acts.len()).sum(),
-        },
-        circle: record.circle.is_some(),
-    }
-}
-
-/// Opposite corners of the squares about the pitch circles of a roll, on paper.
-fn pitch_circle_corners(roll: &Roll, record: &Construction, scales: Scales) -> Vec<[f64; 2]> {
-    let circles = match roll {
-        Roll::Circles { centres, radii, .. } => [0, 1].map(|i| (centres[i], radii[i].value)).to_vec(),
-        Roll::Line { centre, radius, .. } => vec![(*centre, radius.value)],
-    };
-    let corners = circles.into_iter().filter_map(|(centre, radius)| {
-        let [x, y] = (*record.space.places.get(centre.0)?)?;
-        let r = radius / scales.length;
-        Some([[x - r, y - r], [x + r, y + r]])
-    });
-    corners.flatten().collect()
 }
 
 /// Adds to a chain that does not close the range of the input in which it does, found by turning the
@@ -624,7 +427,7 @@ fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, pl
         .collect();
     let (&[input], 1) = (driven.as_slice(), mechanism.inputs.len()) else { return error };
     let Input::Angle { link, angle: Some(_), .. } = mechanism.inputs[input] else { return error };
-    let positions = Plan { position: plan.position.clone(), ..Plan::default() };
+    let positions = plan.skeleton();
     let scales = provisional_scales(mechanism);
     let closes = |at: f64| {
         let mut turned = mechanism.clone();

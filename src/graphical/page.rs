@@ -1,71 +1,47 @@
 //! From the board to the page: the board draws at scales that are powers of two, so that no digit depends on them; the
 //! page shows the same figures at round ones. Between the two lies a similarity for each diagram.
 
-use crate::mechanism::quantity::{Asked, Order};
+use crate::mechanism::quantity::{Asked, Dimension};
 
 use super::Scales;
 use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, InflectionBy, StrokeShape};
 use super::construction::{
-    Act, CentrePlace, CircleDiagram, Construction, ConstructionLine, Mm2, Polygon, Space, Transfer,
+    Act, CentrePlace, CircleDiagram, Construction, ConstructionLine, Diagram, Mm2, Space, Transfer,
     TransferAct, TransferInk,
 };
 
 /// Vectors shorter than this are drawn as points (millimetres).
 pub(super) const SHORTEST_VECTOR: f64 = 1.0;
 
-/// Millimetres of the page for one of the board, by diagram.
-#[derive(Debug, Clone, Copy)]
-struct Similarity {
-    length: f64,
-    velocity: f64,
-    acceleration: f64,
-}
-
-impl Similarity {
-    fn of(&self, order: Order) -> f64 {
-        match order {
-            Order::Position => self.length,
-            Order::Velocity => self.velocity,
-            Order::Acceleration => self.acceleration,
-        }
-    }
-}
-
 impl Construction {
     /// Brings a construction from the scales of the board to those of the page.
     pub(super) fn bring_to_page(&mut self, asked: &[Asked], board: Scales, page: Scales) {
-        let by = Similarity {
-            length: board.length / page.length,
-            velocity: board.velocity / page.velocity,
-            acceleration: board.acceleration / page.acceleration,
-        };
-        space(&mut self.space, by.length, page.length);
-        for drawn in [&mut self.velocity, &mut self.acceleration].into_iter().flatten() {
-            let si_per_mm = match drawn.order {
-                Order::Acceleration => page.acceleration,
-                _ => page.velocity,
-            };
-            polygon(drawn, by.of(drawn.order), si_per_mm);
+        // Millimetres of the page for one of the board.
+        let by = Scales::new(|dimension| board.of(dimension) / page.of(dimension));
+        space(&mut self.space, by.length(), page.length());
+        for drawn in &mut self.diagrams {
+            let dimension = drawn.kind.dimension();
+            diagram(drawn, by.of(dimension), page.of(dimension));
         }
         if let Some(drawn) = &mut self.circle {
-            circle(drawn, by, page.velocity);
+            circle(drawn, by, page.of(Dimension::Velocity));
         }
         for drawing in &mut self.auxiliary {
-            auxiliary(drawing, by.length);
+            auxiliary(drawing, by.length());
         }
         for step in &mut self.steps {
             for act in &mut step.acts {
                 match act {
-                    Act::MeasureLength { mm, .. } => *mm *= by.length,
+                    Act::MeasureLength { mm, .. } => *mm *= by.length(),
                     Act::LayOffVector { mm, .. }
                     | Act::LayOffFromCentre { mm, .. }
-                    | Act::ReadVector { mm, .. } => *mm *= by.of(step.order),
+                    | Act::ReadVector { mm, .. } => *mm *= by.of(step.diagram.dimension()),
                     _ => {}
                 }
             }
         }
         for (reading, asked) in self.answers.iter_mut().zip(asked) {
-            reading.drawn_mm = reading.drawn_mm.map(|mm| mm * by.of(asked.quantity.order()));
+            reading.drawn_mm = reading.drawn_mm.map(|mm| mm * by.of(asked.quantity.order().dimension()));
         }
     }
 }
@@ -76,8 +52,8 @@ fn scale(at: &mut Mm2, by: f64) {
 
 /// Brings the tip of an arrow that stands on the skeleton along: the place by the skeleton's similarity, the arrow by
 /// that of velocities.
-fn tip(at: Mm2, tip: &mut Mm2, by: Similarity) {
-    *tip = [0, 1].map(|k| at[k] * by.length + (tip[k] - at[k]) * by.velocity);
+fn tip(at: Mm2, tip: &mut Mm2, by: Scales) {
+    *tip = [0, 1].map(|k| at[k] * by.length() + (tip[k] - at[k]) * by.of(Dimension::Velocity));
 }
 
 fn line(line: &mut ConstructionLine, by: f64) {
@@ -101,25 +77,25 @@ fn space(space: &mut Space, by: f64, metres_per_mm: f64) {
     space.lines.iter_mut().for_each(|drawn| line(drawn, by));
 }
 
-fn polygon(polygon: &mut Polygon, by: f64, si_per_mm: f64) {
-    polygon.si_per_mm = si_per_mm;
-    polygon.images.iter_mut().for_each(|image| scale(&mut image.at, by));
-    for vector in &mut polygon.vectors {
+fn diagram(diagram: &mut Diagram, by: f64, si_per_mm: f64) {
+    diagram.si_per_mm = si_per_mm;
+    diagram.images.iter_mut().for_each(|image| scale(&mut image.at, by));
+    for vector in &mut diagram.vectors {
         scale(&mut vector.from, by);
         scale(&mut vector.to, by);
         let length = libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]);
         vector.as_point = vector.is_zero || length < SHORTEST_VECTOR;
     }
-    polygon.lines.iter_mut().for_each(|drawn| line(drawn, by));
-    for image in &mut polygon.link_images {
+    diagram.lines.iter_mut().for_each(|drawn| line(drawn, by));
+    for image in &mut diagram.link_images {
         image.corners.iter_mut().for_each(|(_, at)| scale(at, by));
     }
 }
 
-fn circle(circle: &mut CircleDiagram, by: Similarity, si_per_mm: f64) {
+fn circle(circle: &mut CircleDiagram, by: Scales, si_per_mm: f64) {
     for centre in &mut circle.centres {
         if let CentrePlace::At(at) = &mut centre.place {
-            scale(at, by.length);
+            scale(at, by.length());
         }
     }
     for transfer in &mut circle.transfers {
@@ -127,19 +103,21 @@ fn circle(circle: &mut CircleDiagram, by: Similarity, si_per_mm: f64) {
     }
 }
 
-fn transferred(transfer: &mut Transfer, by: Similarity, si_per_mm: f64) {
+fn transferred(transfer: &mut Transfer, by: Scales, si_per_mm: f64) {
     transfer.si_per_mm = si_per_mm;
     for act in &mut transfer.acts {
         match act {
-            TransferAct::Ratio { mm, .. } => scale(mm, by.length),
+            TransferAct::Ratio { mm, .. } => scale(mm, by.length()),
             TransferAct::CommonSpeed { mm, .. }
             | TransferAct::AboutPole { mm, .. }
-            | TransferAct::Omega { mm, .. } => *mm *= by.length,
-            TransferAct::Gauge { mm, .. } | TransferAct::Parallel { mm, .. } => *mm *= by.velocity,
+            | TransferAct::Omega { mm, .. } => *mm *= by.length(),
+            TransferAct::Gauge { mm, .. } | TransferAct::Parallel { mm, .. } => {
+                *mm *= by.of(Dimension::Velocity)
+            }
             // A′B′ is AB and what the velocity adds to it.
             TransferAct::OmegaByParallel { mm: [longer, own], .. } => {
-                *longer = *own * by.length + (*longer - *own) * by.velocity;
-                *own *= by.length;
+                *longer = *own * by.length() + (*longer - *own) * by.of(Dimension::Velocity);
+                *own *= by.length();
             }
             TransferAct::Translation { .. } => {}
         }
@@ -147,32 +125,32 @@ fn transferred(transfer: &mut Transfer, by: Similarity, si_per_mm: f64) {
     for ink in &mut transfer.ink {
         match ink {
             TransferInk::LineOfCentres { from, to } | TransferInk::Radius { from, to } => {
-                scale(from, by.length);
-                scale(to, by.length);
+                scale(from, by.length());
+                scale(to, by.length());
             }
             TransferInk::Velocity { at, tip: head, .. } | TransferInk::Turned { at, tip: head, .. } => {
                 tip(*at, head, by);
-                scale(at, by.length);
+                scale(at, by.length());
             }
             TransferInk::Gauge { from, to, foot } => {
                 tip(*foot, to, by);
-                scale(from, by.length);
-                scale(foot, by.length);
+                scale(from, by.length());
+                scale(foot, by.length());
             }
             TransferInk::Arc { centre, from, to } => {
-                scale(centre, by.length);
-                scale(from, by.length);
-                scale(to, by.length);
+                scale(centre, by.length());
+                scale(from, by.length());
+                scale(to, by.length());
             }
             TransferInk::Upright { from, to } | TransferInk::ToPole { from, to } => {
                 tip(*from, to, by);
-                scale(from, by.length);
+                scale(from, by.length());
             }
             TransferInk::Parallel { from, to, link } => {
                 tip(link[0], from, by);
                 tip(link[1], to, by);
-                scale(&mut link[0], by.length);
-                scale(&mut link[1], by.length);
+                scale(&mut link[0], by.length());
+                scale(&mut link[1], by.length());
             }
         }
     }

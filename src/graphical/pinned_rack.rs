@@ -65,7 +65,7 @@ impl Draughtsman<'_> {
         let Some(best) = (0..poses.len()).min_by(|&a, &b| score(a).total_cmp(&score(b))) else {
             return Err(self.too_near(base, centre, distance.value()));
         };
-        let per_mm = self.scales.length;
+        let per_mm = self.scales.length();
         let rival = (0..poses.len()).find(|&other| {
             other != best
                 && match (tried[best].0, tried[other].0) {
@@ -99,7 +99,7 @@ impl Draughtsman<'_> {
     /// The wheel is too near to the pin for the rack to pass between.
     fn too_near(&self, base: PointId, centre: PointId, distance: f64) -> DrawError {
         let name = |point: PointId| self.mechanism.point(point).name.clone();
-        let distance = distance * self.scales.length;
+        let distance = distance * self.scales.length();
         DrawError::CannotAssemble {
             pin: centre,
             why: Box::new(Misfit {

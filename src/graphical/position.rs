@@ -37,7 +37,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError
     }
     d.act(Act::MarkPlaces);
     figure::draw(d)?;
-    for step in &plan.position {
+    for step in plan.steps(Order::Position) {
         let group = &d.structure.groups[step.group];
         d.step(Order::Position, &group.links.clone(), Vec::new());
         d.position_of(step, group)?;
@@ -487,7 +487,7 @@ impl Draughtsman<'_> {
                 return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
             };
             self.chosen(track);
-            let radius = circle.radius.value() * self.scales.length;
+            let radius = circle.radius.value() * self.scales.length();
             self.act(Act::StrikeArc { centre: base, to: centre, radius });
             self.take_hinted(&main, None, centre, pair)?;
         }
@@ -531,7 +531,7 @@ impl Draughtsman<'_> {
     fn miss_of_hint(&self, point: PointId, at: [f64; 2]) -> Option<f64> {
         let origin = self.origin_of_space().map(|g| g.value);
         self.hint_of(point).map(|hint| {
-            let [dx, dy] = [0, 1].map(|k| origin[k] + at[k] * self.scales.length - hint[k]);
+            let [dx, dy] = [0, 1].map(|k| origin[k] + at[k] * self.scales.length() - hint[k]);
             dx * dx + dy * dy
         })
     }
@@ -826,7 +826,7 @@ impl Draughtsman<'_> {
         let pair = self.board.meet_circles(circles[0], circles[1], reason).map_err(|_| {
             let names = bases.map(|b| self.mechanism.point(b).name.clone());
             let [p, q] = bases.map(|b| self.at(b).value());
-            let [r1, r2] = circles.map(|c| c.radius.value() * self.scales.length);
+            let [r1, r2] = circles.map(|c| c.radius.value() * self.scales.length());
             let [first, second] = names;
             DrawError::CannotAssemble {
                 pin,
@@ -834,13 +834,13 @@ impl Draughtsman<'_> {
                     first: (first, r1),
                     second: (second, Some(r2)),
                     pin: self.mechanism.point(pin).name.clone(),
-                    distance: libm::hypot(p[0] - q[0], p[1] - q[1]) * self.scales.length,
+                    distance: libm::hypot(p[0] - q[0], p[1] - q[1]) * self.scales.length(),
                 }),
                 range: None,
             }
         })?;
         for ((_, base), circle) in main.iter().zip(circles) {
-            let radius = circle.radius.value() * self.scales.length;
+            let radius = circle.radius.value() * self.scales.length();
             self.act(Act::StrikeArc { centre: *base, to: pin, radius });
         }
         self.take_hinted(&main, None, pin, pair)?;
@@ -874,7 +874,7 @@ impl Draughtsman<'_> {
         let circle = self.circle(main[0], pin);
         let pair = self.meet_track(track, circle, (rod, base), (slide, pin))?;
         self.act(Act::DrawGuide { slide });
-        let radius = circle.radius.value() * self.scales.length;
+        let radius = circle.radius.value() * self.scales.length();
         self.act(Act::StrikeArc { centre: base, to: pin, radius });
         self.take_hinted(&main, rider.map(|link| (slide, link)), pin, pair)?;
         let at = self.at(pin).value();
@@ -909,7 +909,7 @@ impl Draughtsman<'_> {
         (slide, pin): (usize, PointId),
     ) -> Result<Pair, DrawError> {
         let reason = self.reason(&[link, self.mechanism.slides[slide].guide.link]);
-        let per_mm = self.scales.length;
+        let per_mm = self.scales.length();
         let first = (self.mechanism.point(base).name.clone(), circle.radius.value() * per_mm);
         let pin_name = self.mechanism.point(pin).name.clone();
         let (met, second, distance) = match track {
@@ -1034,8 +1034,8 @@ impl Draughtsman<'_> {
         }
         let tried = poses.map(|pose| self.hints_of_pose(link, pose));
         match tried.map(|(score, _)| score) {
-            [Some(a), Some(b)] if chooses(a, b, self.scales.length) => Ok(Side::First),
-            [Some(a), Some(b)] if chooses(b, a, self.scales.length) => Ok(Side::Second),
+            [Some(a), Some(b)] if chooses(a, b, self.scales.length()) => Ok(Side::First),
+            [Some(a), Some(b)] if chooses(b, a, self.scales.length()) => Ok(Side::Second),
             // A lever of which nothing else is named stands with its guide towards the pin.
             [None, None] if tried[0].1.is_none() => Ok(Side::First),
             _ => match tried.map(|(_, shown)| shown) {
@@ -1063,7 +1063,7 @@ impl Draughtsman<'_> {
             }
             let own = self.own(link, point);
             let at = self.carried_point(link, own).value();
-            shown = Some((point, [0, 1].map(|k| origin[k] + at[k] * self.scales.length)));
+            shown = Some((point, [0, 1].map(|k| origin[k] + at[k] * self.scales.length())));
             score = self.miss_of_hint(point, at).map(|m| m + score.unwrap_or(0.0)).or(score);
         }
         self.poses[link.0] = before;
@@ -1143,7 +1143,7 @@ impl Draughtsman<'_> {
         DrawError::CannotAssemble {
             pin,
             why: Box::new(Misfit {
-                first: ("radius of the guide-".to_owned(), arc.radius.value() * self.scales.length),
+                first: ("radius of the guide-".to_owned(), arc.radius.value() * self.scales.length()),
                 second: (String::new(), None),
                 pin: self.mechanism.point(pin).name.clone(),
                 distance: 0.0,
@@ -1291,7 +1291,7 @@ impl Draughtsman<'_> {
             return Ok(side);
         }
         let origin = self.origin_of_space().map(|g| g.value);
-        let per_mm = self.scales.length;
+        let per_mm = self.scales.length();
         let sides = [Side::First, Side::Second];
         let mut score: [Option<f64>; 2] = [None; 2];
         for (side, score) in sides.iter().zip(&mut score) {

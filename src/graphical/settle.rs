@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use crate::board::Tape;
 use crate::mechanism::quantity::Quantity;
 
-use super::construction::{Act, Calculation, Construction, Polygon};
+use super::construction::{Act, Calculation, Construction};
 use super::shown::Shown;
 
 /// The quantities that may be zero, with their bounds.
@@ -24,15 +24,15 @@ pub(super) fn settle(construction: &mut Construction, zeros: &HashMap<Quantity, 
     // The point of a link under a pin shares its name with other things that are not zero: the value tells.
     let zero =
         |quantity: &Quantity, value: f64| zeros.get(quantity).is_some_and(|bound| value.abs() <= 2.0 * bound);
-    for polygon in [&mut construction.velocity, &mut construction.acceleration].into_iter().flatten() {
-        for vector in &mut polygon.vectors {
+    for diagram in &mut construction.diagrams {
+        for vector in &mut diagram.vectors {
             let length = libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]);
-            if zero(&vector.quantity, length * polygon.si_per_mm) {
+            if zero(&vector.quantity, length * diagram.si_per_mm) {
                 (vector.as_point, vector.is_zero) = (true, true);
             }
         }
     }
-    let Construction { velocity, acceleration, steps, .. } = construction;
+    let Construction { diagrams, steps, .. } = construction;
     for step in steps {
         for term in step.equations.iter_mut().flat_map(|e| e.left.iter_mut().chain(&mut e.right)) {
             if term.magnitude.is_some_and(|magnitude| zero(&term.quantity, magnitude)) {
@@ -42,9 +42,8 @@ pub(super) fn settle(construction: &mut Construction, zeros: &HashMap<Quantity, 
         for act in &mut step.acts {
             match act {
                 Act::ReadVector { vector, mm, value } | Act::LayOffFromCentre { vector, mm, value, .. } => {
-                    let is_read = |polygon: &&Polygon| polygon.order == step.order;
-                    let polygon = [&*velocity, &*acceleration].into_iter().flatten().find(is_read);
-                    if polygon.and_then(|p| p.vectors.get(*vector)).is_some_and(|v| v.is_zero) {
+                    let read = diagrams.iter().find(|diagram| diagram.kind == step.diagram);
+                    if read.and_then(|diagram| diagram.vectors.get(*vector)).is_some_and(|v| v.is_zero) {
                         (*mm, *value) = (0.0, 0.0);
                     }
                 }

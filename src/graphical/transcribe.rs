@@ -1,7 +1,7 @@
 //! A mechanism's drawing as a program: made once, to be run over the range of an input.
 
 use crate::board::{Board, BoundedProgram, Program, Reason, Tape, Transcript, Variable, Wanted};
-use crate::mechanism::quantity::Quantity;
+use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{LinkId, Mechanism, PointId};
 use crate::plan::{Plan, chord};
@@ -162,7 +162,7 @@ fn write_down(
     starts: &Starts,
 ) -> Result<Written, DrawError> {
     let higher = plan
-        .position
+        .steps(Order::Position)
         .iter()
         .map(|step| &structure.groups[step.group])
         .find(|group| matches!(group.kind, GroupKind::Higher { .. } | GroupKind::Other));
@@ -170,7 +170,7 @@ fn write_down(
         let links: Vec<LinkId> = group.links.clone();
         return Err(DrawError::NoConstruction { links });
     }
-    let scales = Scales { length: 1.0, velocity: 1.0, acceleration: 1.0 };
+    let scales = Scales::new(|_| 1.0);
     let board = Board::new(Tape::to_be_run());
     let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
     draughtsman.starts = starts;

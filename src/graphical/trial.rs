@@ -595,11 +595,11 @@ impl<'m> Draughtsman<'m> {
             return std::f64::consts::PI;
         }
         let lengths: f64 = self.mechanism.links.iter().flat_map(given_lengths).map(f64::abs).sum::<f64>()
-            / self.scales.length;
+            / self.scales.length();
         let places = self.places.iter().flatten().map(|p| libm::hypot(p.value()[0], p.value()[1]));
         let origin = self.origin_of_space().map(|g| g.value);
         let hints = (0..self.mechanism.points.len()).filter_map(|p| self.hint_of(PointId(p)));
-        let hints = hints.map(|h| libm::hypot(h[0] - origin[0], h[1] - origin[1]) / self.scales.length);
+        let hints = hints.map(|h| libm::hypot(h[0] - origin[0], h[1] - origin[1]) / self.scales.length());
         lengths + 2.0 * places.chain(hints).fold(0.0, f64::max)
     }
 
@@ -615,7 +615,7 @@ impl<'m> Draughtsman<'m> {
             return Err(DrawError::NoConstruction { links: self.links_of_trial(trial) });
         };
         let origin = self.origin_of_space().map(|g| g.value);
-        let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * self.scales.length);
+        let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * self.scales.length());
         // The hints of the group's joints come first; where they have none, or do not choose, those of its other
         // points.
         let joints = self.joints_of(trial);
@@ -634,12 +634,12 @@ impl<'m> Draughtsman<'m> {
         for of_joints in [true, false] {
             let scores: Vec<f64> = left.iter().map(|&root| score(&roots[root], of_joints)).collect();
             let least = scores.iter().fold(f64::INFINITY, |least, s| least.min(*s));
-            let per_mm = self.scales.length;
+            let per_mm = self.scales.length();
             let open = left.into_iter().zip(scores).filter(|(_, s)| !chooses(least, *s, per_mm));
             left = open.map(|(root, _)| root).collect();
         }
         let Some(&best) = left.first() else {
-            return Err(DrawError::NoClosure { pin, least: least * self.scales.length });
+            return Err(DrawError::NoClosure { pin, least: least * self.scales.length() });
         };
         if let Some(&rival) = left.get(1) {
             // Name a point by which the two can be told apart.
@@ -725,7 +725,7 @@ impl<'m> Draughtsman<'m> {
                     .iter()
                     .flat_map(|a| places.iter().map(move |b| libm::hypot(a[0] - b[0], a[1] - b[1])))
                     .fold(0.0, f64::max);
-                TRIAL_VECTOR * si_per_mm / (reach.max(1e-3) * self.scales.length)
+                TRIAL_VECTOR * si_per_mm / (reach.max(1e-3) * self.scales.length())
             }
         };
         if rate.is_normal() { rate } else { 1.0 }

@@ -13,7 +13,7 @@
 
 use crate::board::{Amount, Direction, Line, Mm, Point, Ratio};
 use crate::given::Given;
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{Dimension, Order, Quantity};
 use crate::mechanism::structure::{Drive, Group, GroupKind};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
@@ -33,7 +33,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     d.omegas[LinkId::FRAME.0] = Some(d.rest());
     d.step(Order::Velocity, &[], Vec::new());
     d.act(Act::MarkPole);
-    for step in &plan.velocity {
+    for step in plan.steps(Order::Velocity) {
         d.velocity_of(step, &d.structure.groups[step.group]);
     }
 }
@@ -164,7 +164,7 @@ impl Draughtsman<'_> {
             );
             let (a, b) = (from.value(), image.value());
             let mm = libm::hypot(b[0] - a[0], b[1] - a[1]);
-            self.act(Act::LayOffVector { vector, value: mm * self.scales.velocity, mm });
+            self.act(Act::LayOffVector { vector, value: mm * self.scales.of(Dimension::Velocity), mm });
             if !self.mechanism.is_fixed(base) {
                 let label = self.label(point);
                 self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);

@@ -50,7 +50,7 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
     let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest;
     let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_>| {
         let fine = miss.abs() <= allowed || !miss.is_finite();
-        let by = miss.abs() * d.scales.length;
+        let by = miss.abs() * d.scales.length();
         match d.mechanism.statement_of(pin) {
             _ if fine => Ok(()),
             Some(_) => Err(DrawError::Unplaced { point: pin, why: Unplaced::Beside { by } }),
@@ -100,7 +100,7 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
                     continue;
                 }
                 let [a, b] = centres.map(|c| d.at(c));
-                let [r, s] = radii.map(|radius| radius.value / d.scales.length);
+                let [r, s] = radii.map(|radius| radius.value / d.scales.length());
                 let apart = if internal { (r - s).abs() } else { r + s };
                 missed(centres[1], d.board.distance(a, b).value() - apart, d)?;
             }
@@ -111,7 +111,7 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
                 let Line { through, along } = d.line_of(&guide);
                 let at = d.at(centre);
                 let across = d.board.square_off(Line { through, along }, at)[1].value();
-                missed(centre, across.abs() - radius.value / d.scales.length, d)?;
+                missed(centre, across.abs() - radius.value / d.scales.length(), d)?;
             }
         }
     }
@@ -125,7 +125,7 @@ fn stated_hints(d: &Draughtsman<'_>) -> Result<(), DrawError> {
     for (index, hint) in d.stated_hints.iter().enumerate() {
         let (Some(hint), Some(at)) = (hint, d.places[index]) else { continue };
         let at = at.value();
-        let [x, y] = [0, 1].map(|k| origin[k] + at[k] * d.scales.length - hint[k]);
+        let [x, y] = [0, 1].map(|k| origin[k] + at[k] * d.scales.length() - hint[k]);
         let by = libm::hypot(x, y);
         if by > allowed {
             return Err(DrawError::Unplaced { point: PointId(index), why: Unplaced::Beside { by } });

@@ -82,6 +82,73 @@ pub enum Order {
     Acceleration,
 }
 
+impl Order {
+    /// The diagram in which vectors of this order are drawn: for positions the skeleton.
+    #[must_use]
+    pub const fn diagram(self) -> DiagramKind {
+        match self {
+            Self::Position => DiagramKind::Skeleton,
+            Self::Velocity => DiagramKind::Velocity,
+            Self::Acceleration => DiagramKind::Acceleration,
+        }
+    }
+
+    /// What vectors of this order are measured in.
+    #[must_use]
+    pub const fn dimension(self) -> Dimension {
+        self.diagram().dimension()
+    }
+}
+
+/// What a diagram of the solution shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum DiagramKind {
+    /// The kinematic skeleton: the mechanism to scale.
+    Skeleton,
+    /// The velocity polygon.
+    Velocity,
+    /// The acceleration polygon.
+    Acceleration,
+}
+
+impl DiagramKind {
+    /// What its lengths on paper stand for.
+    #[must_use]
+    pub const fn dimension(self) -> Dimension {
+        match self {
+            Self::Skeleton => Dimension::Length,
+            Self::Velocity => Dimension::Velocity,
+            Self::Acceleration => Dimension::Acceleration,
+        }
+    }
+
+    /// The order of the motion that it shows.
+    #[must_use]
+    pub const fn order(self) -> Option<Order> {
+        match self {
+            Self::Skeleton => Some(Order::Position),
+            Self::Velocity => Some(Order::Velocity),
+            Self::Acceleration => Some(Order::Acceleration),
+        }
+    }
+}
+
+/// What a length on paper stands for: each has one scale on a sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Dimension {
+    /// Metres.
+    Length,
+    /// Metres a second.
+    Velocity,
+    /// Metres a second, a second.
+    Acceleration,
+}
+
+impl Dimension {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Length, Self::Velocity, Self::Acceleration];
+}
+
 impl Quantity {
     /// The points and the links that its name names.
     #[must_use]

@@ -15,7 +15,7 @@ use crate::graphical::auxiliary::{
     AuxiliaryAct, AuxiliaryDrawing, InflectionBy, PointName, Proportion, Stroke, StrokeRole, StrokeShape,
 };
 use crate::graphical::construction::{Construction, Label};
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
 
@@ -294,7 +294,7 @@ impl Plate<'_> {
 #[must_use]
 pub fn name(name: PointName, notation: &Notation<'_>) -> Rich {
     match name {
-        PointName::Image(label, order) => notation.image(label, order),
+        PointName::Image(label, order) => notation.image(label, order.diagram()),
         PointName::Centre(links) => super::circle::name(links, notation),
         PointName::Inflection(point) => notation.point_with(point, "w"),
         PointName::InflectionPole => letter("W", notation),
@@ -345,20 +345,20 @@ impl Teller<'_> {
                     ("crank", n.length(crank.pivot, crank.crank_pin)),
                     ("pivot", n.point(crank.pivot)),
                     ("pin", n.point(crank.crank_pin)),
-                    ("pole", image(pole, Order::Velocity)),
-                    ("image", image(label(crank.crank_pin), Order::Velocity)),
+                    ("pole", image(pole, DiagramKind::Velocity)),
+                    ("image", image(label(crank.crank_pin), DiagramKind::Velocity)),
                     ("velocity", n.symbol(Quantity::Velocity(crank.crank_pin), false)),
                     ("omega", omega(crank.crank)),
                     ("rate", n.rotation(rate, &n.angular_unit(Order::Velocity))),
-                    ("scale", self.scale(velocity, Order::Velocity)),
+                    ("scale", self.scale(velocity, Dimension::Velocity)),
                 ];
                 let mut text = Rich::fill(words.klein_crank, &parts);
                 if let Some(scale) = acceleration {
                     let parts = [
-                        ("pole", image(pole, Order::Acceleration)),
-                        ("image", image(label(crank.crank_pin), Order::Acceleration)),
+                        ("pole", image(pole, DiagramKind::Acceleration)),
+                        ("image", image(label(crank.crank_pin), DiagramKind::Acceleration)),
                         ("omega", omega(crank.crank)),
-                        ("scale", self.scale(scale, Order::Acceleration)),
+                        ("scale", self.scale(scale, Dimension::Acceleration)),
                     ];
                     text = text.up(" ").then(&Rich::fill(words.klein_crank_accelerations, &parts));
                 }
@@ -366,10 +366,10 @@ impl Teller<'_> {
             }
             AuxiliaryAct::AcrossGuide { crank, crossing } => {
                 let parts = [
-                    ("pole", image(pole, Order::Velocity)),
+                    ("pole", image(pole, DiagramKind::Velocity)),
                     ("guide", n.guide(crank.slide)),
                     ("rod", n.length(crank.crank_pin, crank.slider_pin)),
-                    ("image", image(label(crank.slider_pin), Order::Velocity)),
+                    ("image", image(label(crank.slider_pin), DiagramKind::Velocity)),
                 ];
                 steps::warned(Rich::fill(words.klein_across, &parts), crossing, n)
             }
@@ -379,8 +379,11 @@ impl Teller<'_> {
                     ("rod", n.length(crank.crank_pin, crank.slider_pin)),
                     ("pin", n.point(crank.crank_pin)),
                     ("end", n.point(crank.slider_pin)),
-                    ("opening", n.image_line(own(crank.crank_pin), own(crank.slider_pin), Order::Velocity)),
-                    ("foot", image(foot(crank.slider_pin), Order::Acceleration)),
+                    (
+                        "opening",
+                        n.image_line(own(crank.crank_pin), own(crank.slider_pin), DiagramKind::Velocity),
+                    ),
+                    ("foot", image(foot(crank.slider_pin), DiagramKind::Acceleration)),
                 ];
                 let template = match proportion {
                     Proportion::Chord => words.klein_chord,
@@ -395,18 +398,18 @@ impl Teller<'_> {
                     ("alpha", n.symbol(Quantity::Alpha(crank.crank), false)),
                     ("omega", omega(crank.crank)),
                     ("mm", human::millimetres(mm)),
-                    ("image", image(label(crank.crank_pin), Order::Acceleration)),
-                    ("foot", image(foot(crank.slider_pin), Order::Acceleration)),
+                    ("image", image(label(crank.crank_pin), DiagramKind::Acceleration)),
+                    ("foot", image(foot(crank.slider_pin), DiagramKind::Acceleration)),
                 ];
                 Rich::fill(words.klein_gathering, &parts)
             }
             AuxiliaryAct::AlongGuide { crank, crossing } => {
                 let parts = [
-                    ("pole", image(pole, Order::Acceleration)),
+                    ("pole", image(pole, DiagramKind::Acceleration)),
                     ("guide", n.guide(crank.slide)),
-                    ("foot", image(foot(crank.slider_pin), Order::Acceleration)),
+                    ("foot", image(foot(crank.slider_pin), DiagramKind::Acceleration)),
                     ("rod", n.length(crank.crank_pin, crank.slider_pin)),
-                    ("image", image(label(crank.slider_pin), Order::Acceleration)),
+                    ("image", image(label(crank.slider_pin), DiagramKind::Acceleration)),
                 ];
                 steps::warned(Rich::fill(words.klein_along, &parts), crossing, n)
             }
@@ -417,15 +420,15 @@ impl Teller<'_> {
                     return Some(text);
                 }
                 let parts = [
-                    ("pole", image(pole, Order::Acceleration)),
-                    ("image", image(label(crank.slider_pin), Order::Acceleration)),
+                    ("pole", image(pole, DiagramKind::Acceleration)),
+                    ("image", image(label(crank.slider_pin), DiagramKind::Acceleration)),
                     ("acceleration", n.symbol(Quantity::Acceleration(crank.slider_pin), false)),
                 ];
                 text.up(" ").then(&Rich::fill(words.klein_reversed, &parts))
             }
             AuxiliaryAct::ReadImage { quantity, tail, head, mm, si_per_mm } => {
                 let order = quantity.order();
-                let unit = n.unit(order);
+                let unit = n.unit(order.dimension());
                 let reading = human::millimetres(mm)
                     .up("\u{a0}×\u{a0}")
                     .then(&human::number(si_per_mm / unit.si))
@@ -433,7 +436,7 @@ impl Teller<'_> {
                     .then(&human::quantity(mm * si_per_mm, &unit));
                 let parts = [
                     ("vector", n.symbol(quantity, false)),
-                    ("image", n.image_line(tail, head, order)),
+                    ("image", n.image_line(tail, head, order.diagram())),
                     ("reading", reading),
                 ];
                 Rich::fill(words.read_vector, &parts)
@@ -578,7 +581,7 @@ impl Teller<'_> {
                 Rich::fill(words.inflection_straight, &[("point", own()), ("found", found)])
             }
             InflectionBy::Acceleration { normal, mm } => {
-                let unit = n.unit(Order::Acceleration);
+                let unit = n.unit(Dimension::Acceleration);
                 let parts = [
                     ("point", own()),
                     ("pole", pole),
@@ -595,8 +598,8 @@ impl Teller<'_> {
     }
 
     /// A scale that follows from another: 15.7 cm/s ≡ 1 cm.
-    fn scale(&self, si_per_mm: f64, order: Order) -> Rich {
-        human::quantity(si_per_mm * 10.0, &self.notation.unit(order)).up("\u{a0}≡\u{a0}1\u{a0}cm")
+    fn scale(&self, si_per_mm: f64, dimension: Dimension) -> Rich {
+        human::quantity(si_per_mm * 10.0, &self.notation.unit(dimension)).up("\u{a0}≡\u{a0}1\u{a0}cm")
     }
 }
 

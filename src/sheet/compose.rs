@@ -7,17 +7,16 @@ use super::figure::{Figure, Group, Mark, Moment, Node, Pen, Shape};
 use super::font::Face;
 use super::growth::Births;
 use super::notation::Notation;
+use super::panels::{self, Panel, captioned};
 use super::rich::Rich;
-use super::steps::{self, Drawn, Item, Told};
+use super::steps::{self, Item, Told};
 use super::table::{Block, Table};
 use super::words::{Language, Words};
-use super::{
-    auxiliary, centres, circle, given, growth, human, polygon, positions, results, skeleton, transfer, wanted,
-};
+use super::{auxiliary, given, growth, human, positions, results, skeleton, transfer, wanted};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
-use crate::graphical::construction::{Construction, Polygon};
+use crate::graphical::construction::Construction;
 use crate::mechanism::PointId;
-use crate::mechanism::quantity::Order;
+use crate::mechanism::quantity::{DiagramKind, Order};
 use crate::scene::Scene;
 
 /// Blank around the page.
@@ -25,11 +24,11 @@ const MARGIN: f64 = 17.0;
 /// Blank around a single figure.
 const EDGE: f64 = 4.0;
 /// Type size of running text.
-const TEXT: f64 = 3.5;
+pub(super) const TEXT: f64 = 3.5;
 /// From base line to base line of running text.
 const LEADING: f64 = 4.9;
 /// The same where Arabic script reaches further up and down; lines whose letters come too near keep more.
-const ARABIC_LEADING: f64 = 5.5;
+pub(super) const ARABIC_LEADING: f64 = 5.5;
 /// What is on a last page and fills less of it than this is taken back to those before where they can be set tighter.
 const LEAST_LAST: f64 = 0.2;
 /// How much nearer lines may stand to each other for that.
@@ -40,8 +39,6 @@ const BETWEEN_LINES: f64 = 0.3;
 const LEAST_COLUMN: f64 = 28.0;
 /// The result table stands beside the skeleton if it is no taller than this.
 const TALLEST_BESIDE: f64 = 112.0;
-/// The lines of a legend below a drawing may be as wide as this.
-const LEGEND: f64 = 80.0;
 /// Blank below a row of panels.
 const BELOW_ROW: f64 = 6.0;
 /// A column of the steps is no narrower, except in a pair.
@@ -81,16 +78,19 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let words = language.words();
     let notation = Notation::new(scene, words);
     let construction = &told_apart(construction, &notation);
-    let drawn = |name| panel(name, construction, &notation);
-    let panels = [Name::Skeleton, Name::Velocity, Name::Acceleration, Name::Centres, Name::Circle].map(drawn);
+    let panels = Panel::all(construction).into_iter();
+    let drawn: Vec<(Panel, Block)> =
+        panels.filter_map(|panel| Some((panel, panel.block(construction, &notation)?))).collect();
     // Scales stated in the scene may outgrow the paper: then the paper grows, and nothing is clipped.
-    let largest = |side: fn(&Block) -> f64| panels.iter().flatten().map(side).fold(0.0, f64::max);
+    let largest = |side: fn(&Block) -> f64| {
+        let to_scale = drawn.iter().filter(|(panel, _)| panel.has_scale_of_its_own());
+        to_scale.map(|(_, block)| side(block)).fold(0.0, f64::max)
+    };
     let (width, height) = paper(scene);
     let width = width.max(largest(|b| b.width) + 2.0 * MARGIN);
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
-    let [skeleton, velocity, acceleration, centres, circle] = panels;
     let given = given::paragraph(&notation);
-    let beside = width - 2.0 * MARGIN - GUTTER - skeleton.as_ref().map_or(0.0, |b| b.width);
+    let beside = width - 2.0 * MARGIN - GUTTER - drawn.first().map_or(0.0, |(_, skeleton)| skeleton.width);
     // All results beside the skeleton, or those of velocity there and the others below the panels.
     let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
     let fits = |table: &Table| {
@@ -104,12 +104,9 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
         if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
     };
     let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    let drawn = construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none());
-    let further = drawn.map(|drawing| auxiliary_panel(drawing, construction, &notation));
-    let transfers = construction.circle.as_ref().map_or(0, |c| transfer::by_method(c).len());
-    let transfers = (0..transfers).map(|i| panel(Name::Transfer(i), construction, &notation));
-    let blocks = [skeleton, first, velocity, acceleration, centres, circle].into_iter().chain(transfers);
-    let blocks: Vec<Block> = blocks.flatten().chain(further).collect();
+    // Beside the skeleton, which is the first of them.
+    let mut drawn = drawn.into_iter().map(|(_, block)| block);
+    let blocks: Vec<Block> = drawn.next().into_iter().chain(first).chain(drawn).collect();
     let steps = steps::items(construction, &notation);
     let set = |tight: f64| {
         let mut pager = Pager { tight, ..Pager::new(width, height, title(scene, words), words) };
@@ -246,11 +243,11 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
     let height = height.max(blocks().map(|b| b.height).fold(0.0, f64::max) + 4.0 * MARGIN);
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&given::paragraph(&notation));
-    let last_of_centres = drawn.iter().rposition(|(piece, _)| piece.drawn == Some(Drawn::Centres));
+    let last_of_centres = drawn.iter().rposition(|(piece, _)| piece.drawn == Some(Panel::Centres));
     for (i, (piece, picture)) in drawn.into_iter().enumerate() {
         pager.step(column(&piece.items, pager.column(), words), picture);
         if last_of_centres == Some(i) {
-            let circle = panel(Name::Circle, construction, &notation);
+            let circle = Panel::Circle.block(construction, &notation);
             pager.rows(&circle.into_iter().collect::<Vec<_>>());
         }
     }
@@ -269,7 +266,7 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
 /// What is said beside one picture.
 struct Piece {
     items: Vec<Item>,
-    drawn: Option<Drawn>,
+    drawn: Option<Panel>,
     /// How many acts on paper it tells.
     acts: usize,
     /// The last of them.
@@ -285,7 +282,7 @@ fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
         let acts = told.acts.iter().flatten().count();
         let parts = acts.div_ceil(ACTS).max(1);
         let each = acts.div_ceil(parts);
-        let step = if told.drawn == Some(Drawn::Centres) { births.last().step + 1 } else { told.step };
+        let step = if told.drawn == Some(Panel::Centres) { births.last().step + 1 } else { told.step };
         let fresh = || Piece {
             items: Vec::new(),
             drawn: told.drawn,
@@ -315,7 +312,7 @@ fn pieces(told: &[Told], births: &Births<'_>) -> Vec<Piece> {
                     if before.whole
                         && piece.whole
                         && before.drawn == piece.drawn
-                        && matches!(piece.drawn, Some(Drawn::Diagram(_)))
+                        && matches!(piece.drawn, Some(Panel::Diagram(_)))
                         && before.acts + piece.acts <= ACTS =>
                 {
                     before.items.extend(piece.items);
@@ -345,7 +342,7 @@ struct Blackboard<'a> {
 }
 
 struct Finished {
-    of: Drawn,
+    of: Panel,
     ink: Group,
     caption: Vec<Rich>,
     shown: Option<Moment>,
@@ -357,33 +354,22 @@ impl<'a> Blackboard<'a> {
     }
 
     /// The place of a diagram among the finished ones, drawn when it is first asked for.
-    fn index(&mut self, of: Drawn) -> Option<usize> {
+    fn index(&mut self, of: Panel) -> Option<usize> {
         if let Some(index) = self.finished.iter().position(|finished| finished.of == of) {
             return Some(index);
         }
-        let name = match of {
-            Drawn::Diagram(Order::Position) => Name::Skeleton,
-            Drawn::Diagram(Order::Velocity) => Name::Velocity,
-            Drawn::Diagram(Order::Acceleration) => Name::Acceleration,
-            Drawn::Centres => Name::Centres,
-            Drawn::Transfer(_) | Drawn::Auxiliary(_) => return None,
-        };
-        let ink = drawing(name, self.construction, self.notation, Some(self.births))?;
-        let caption = captions(name, self.construction, self.notation)?;
+        let ink = of.drawing(self.construction, self.notation, Some(self.births))?;
+        let caption = of.caption(self.construction, self.notation)?;
         // The skeleton under the centres stood there before.
-        let shown = (of == Drawn::Centres).then_some(Moment { act: usize::MAX, ..self.births.last() });
+        let shown = (of == Panel::Centres).then_some(Moment { act: usize::MAX, ..self.births.last() });
         self.finished.push(Finished { of, ink, caption, shown });
         Some(self.finished.len() - 1)
     }
 
     /// The picture of a drawing after this act; none where nothing new is in it.
-    fn picture(&mut self, of: Drawn, upto: Moment) -> Option<Block> {
+    fn picture(&mut self, of: Panel, upto: Moment) -> Option<Block> {
         match of {
-            Drawn::Transfer(index) => panel(Name::Transfer(index), self.construction, self.notation),
-            Drawn::Auxiliary(index) => {
-                let drawing = self.construction.auxiliary.get(index)?;
-                Some(auxiliary_panel(drawing, self.construction, self.notation))
-            }
+            Panel::Transfer(_) | Panel::Auxiliary(_) => of.block(self.construction, self.notation),
             of => {
                 let index = self.index(of)?;
                 let own = &mut self.finished[index];
@@ -397,7 +383,7 @@ impl<'a> Blackboard<'a> {
     }
 }
 
-/// The figures of a film, all of one size: the three diagrams as they stand after each step, each in its
+/// The figures of a film, all of one size: the diagrams as they stand after each step, each in its
 /// place, and the head of the step below them.
 #[must_use]
 pub fn film(scene: &Scene, construction: &Construction, language: Language) -> Vec<Figure> {
@@ -405,31 +391,40 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
     let notation = Notation::new(scene, words);
     let construction = &growth::alone(&told_apart(construction, &notation));
     let births = Births::of(construction, notation.mechanism());
-    let names = [Name::Skeleton, Name::Velocity, Name::Acceleration];
-    // The places of the diagrams are those that the finished ones need.
-    let finished = names.map(|name| drawing(name, construction, &notation, Some(&births)));
-    let boxes = finished.each_ref().map(|d| d.as_ref().and_then(Group::bounds));
-    let ink = boxes.map(|b| b.unwrap_or(Rect::ZERO).inflate(EDGE, EDGE));
-    let width = (ink[1].width() + ink[2].width()).max(ink[0].width());
-    let second = ink[0].height();
-    let head = second + ink[1].height().max(ink[2].height()) + 2.0 * TEXT;
-    let left = (width - ink[1].width() - ink[2].width()) / 2.0;
-    let corners = [
-        Point::new((width - ink[0].width()) / 2.0, 0.0),
-        Point::new(left, second),
-        Point::new(left + ink[1].width(), second),
-    ];
+    // The places of the diagrams are those that the finished ones need: the skeleton, below it the others in pairs.
+    let finished: Vec<(Group, Rect)> = Panel::diagrams(construction)
+        .into_iter()
+        .filter_map(|panel| panel.drawing(construction, &notation, Some(&births)))
+        .map(|drawing| {
+            let ink = drawing.bounds().unwrap_or(Rect::ZERO).inflate(EDGE, EDGE);
+            (drawing, ink)
+        })
+        .collect();
+    let (skeleton, others) = finished.split_at(1.min(finished.len()));
+    let rows: Vec<&[(Group, Rect)]> = [skeleton].into_iter().chain(others.chunks(2)).collect();
+    let wide = |row: &[(Group, Rect)]| row.iter().map(|(_, ink)| ink.width()).sum::<f64>();
+    let width = rows.iter().map(|row| wide(row)).fold(0.0, f64::max);
+    let mut corners: Vec<Point> = Vec::new();
+    let mut below = 0.0;
+    for row in &rows {
+        let mut left = (width - wide(row)) / 2.0;
+        for (_, ink) in *row {
+            corners.push(Point::new(left, below));
+            left += ink.width();
+        }
+        below += row.iter().map(|(_, ink)| ink.height()).fold(0.0, f64::max);
+    }
+    let head = below + 2.0 * TEXT;
     let told = steps::by_step(construction, &notation);
     let last = told.len().saturating_sub(1);
     let mut since: Option<Moment> = None;
     let frames = told.iter().enumerate().map(|(i, told)| {
         let upto = Moment { step: told.step, act: usize::MAX };
         let mut root = Group::new("frame").data("step", (told.step + 1).to_string());
-        for (k, finished) in finished.iter().enumerate() {
-            let Some(finished) = finished else { continue };
+        for ((finished, ink), corner) in finished.iter().zip(&corners) {
             // At the end all is of one colour.
             let mut own = if i == last { finished.clone() } else { growth::at(finished, since, upto) };
-            own.translate(corners[k] - ink[k].origin());
+            own.translate(*corner - ink.origin());
             root.group(own);
         }
         since = Some(upto);
@@ -450,50 +445,22 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
     frames.collect()
 }
 
-/// A diagram without its caption; with the lives of its ink where these are told.
-fn drawing(
-    name: Name,
-    construction: &Construction,
-    notation: &Notation<'_>,
-    births: Option<&Births<'_>>,
-) -> Option<Group> {
-    let polygon = |polygon: &Option<Polygon>| {
-        let polygon = polygon.as_ref()?;
-        let births = births.map(|births| births.images(polygon.order));
-        Some(polygon::draw(polygon, &construction.steps, notation, births))
-    };
-    match name {
-        Name::Skeleton => Some(match births {
-            Some(births) => skeleton::growing(construction, notation, births),
-            None => skeleton::draw(construction, notation),
-        }),
-        Name::Velocity => polygon(&construction.velocity),
-        Name::Acceleration => polygon(&construction.acceleration),
-        Name::Centres => Some(centres::draw(construction.circle.as_ref()?, construction, notation, births)),
-        Name::Circle => Some(circle::draw(construction.circle.as_ref()?, notation)),
-        Name::Transfer(index) => {
-            let circle = construction.circle.as_ref()?;
-            let same = transfer::by_method(circle).into_iter().nth(index)?;
-            Some(transfer::draw(&same, circle, construction, notation))
-        }
-    }
-}
-
 /// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
 #[must_use]
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
     let words = language.words();
     let notation = Notation::new(scene, words);
     let construction = &told_apart(construction, &notation);
+    let block = |panel: Panel| panel.block(construction, &notation);
     let (block, heading) = match name {
-        "skeleton" => (panel(Name::Skeleton, construction, &notation)?, words.skeleton),
-        "velocity" => (panel(Name::Velocity, construction, &notation)?, words.velocity_diagram),
-        "acceleration" => (panel(Name::Acceleration, construction, &notation)?, words.acceleration_diagram),
-        "centres" => (panel(Name::Centres, construction, &notation)?, words.centres_figure),
-        "circle" => (panel(Name::Circle, construction, &notation)?, words.circle_diagram),
+        "skeleton" => (block(Panel::SKELETON)?, words.skeleton),
+        "velocity" => (block(Panel::Diagram(DiagramKind::Velocity))?, words.velocity_diagram),
+        "acceleration" => (block(Panel::Diagram(DiagramKind::Acceleration))?, words.acceleration_diagram),
+        "centres" => (block(Panel::Centres)?, words.centres_figure),
+        "circle" => (block(Panel::Circle)?, words.circle_diagram),
         "transfer" => {
             let figures: Vec<Figure> = (0..transfer::by_method(construction.circle.as_ref()?).len())
-                .filter_map(|i| panel(Name::Transfer(i), construction, &notation))
+                .filter_map(|i| block(Panel::Transfer(i)))
                 .map(|block| tight(scene, block, words.transfer_figure, words))
                 .collect();
             return (!figures.is_empty()).then(|| stack(&figures));
@@ -506,7 +473,7 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         _ => {
             let kind = wanted::auxiliary(name, scene).ok()??;
             let drawing = construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;
-            (with_steps(drawing, construction, &notation), words.auxiliary_figure)
+            (with_steps(drawing, construction, &notation)?, words.auxiliary_figure)
         }
     };
     Some(tight(scene, block, heading, words))
@@ -541,8 +508,12 @@ pub(super) fn cut(mut root: Group, title: String, description: String, words: &W
 }
 
 /// A construction on the skeleton with its steps below.
-fn with_steps(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Block {
-    let mut block = auxiliary_panel(drawing, construction, notation);
+fn with_steps(
+    drawing: &AuxiliaryDrawing,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Option<Block> {
+    let mut block = panels::of_auxiliary(drawing, construction)?.block(construction, notation)?;
     let items = auxiliary::items(drawing, construction, notation);
     // The caption says already what the head of the steps would say.
     let mut steps = column(&items[1.min(items.len())..], block.width.max(120.0), notation.words);
@@ -550,7 +521,7 @@ fn with_steps(drawing: &AuxiliaryDrawing, construction: &Construction, notation:
     block.group.translate(Vec2::new((width - block.width) / 2.0, 0.0));
     steps.group.translate(Vec2::new(0.0, block.height + 2.0));
     block.group.group(steps.group);
-    Block { width, height: block.height + 2.0 + steps.height, ..block }
+    Some(Block { width, height: block.height + 2.0 + steps.height, ..block })
 }
 
 /// The decimal sign that the scene wishes, in everything that is set but what the scene's own title says.
@@ -612,12 +583,7 @@ fn title(scene: &Scene, words: &Words) -> String {
 
 fn description(construction: &Construction, words: &Words) -> String {
     let mut what = vec![words.skeleton];
-    if construction.velocity.is_some() {
-        what.push(words.velocity_diagram);
-    }
-    if construction.acceleration.is_some() {
-        what.push(words.acceleration_diagram);
-    }
+    what.extend(construction.diagrams.iter().map(|diagram| panels::title(diagram.kind, words)));
     words.description.replace("{what}", &what.join(words.comma).to_lowercase())
 }
 
@@ -648,140 +614,12 @@ pub(super) fn free_paper(scene: &Scene) -> (f64, f64) {
     (free(width), free(height))
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Name {
-    Skeleton,
-    Velocity,
-    Acceleration,
-    Centres,
-    Circle,
-    /// Velocities from centres, by index of the method.
-    Transfer(usize),
-}
-
-/// A drawing of the solution with its caption and scale.
-fn panel(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
-    let caption = captions(name, construction, notation)?;
-    Some(captioned(drawing(name, construction, notation, None)?, &caption))
-}
-
-/// What stands below a drawing: its name and scale, and the legend of what is dashed in it.
-fn captions(name: Name, construction: &Construction, notation: &Notation<'_>) -> Option<Vec<Rich>> {
-    let words = notation.words;
-    let plain = |caption: &str| Rich::upright(caption);
-    let (caption, scale) = match name {
-        Name::Skeleton => {
-            let scale = notation.length_scale(construction.space.metres_per_mm);
-            (plain(words.skeleton), scale)
-        }
-        Name::Centres => {
-            let scale = notation.length_scale(construction.space.metres_per_mm);
-            (plain(words.centres_figure), scale)
-        }
-        Name::Circle => (plain(words.circle_diagram), Rich::default()),
-        Name::Transfer(index) => {
-            let circle = construction.circle.as_ref()?;
-            let same = transfer::by_method(circle).into_iter().nth(index)?;
-            let scale = notation.scale(same.first()?.si_per_mm, Order::Velocity);
-            (transfer::title(&same, notation), scale)
-        }
-        Name::Velocity => {
-            let p = construction.velocity.as_ref()?;
-            (plain(words.velocity_diagram), notation.scale(p.si_per_mm, p.order))
-        }
-        Name::Acceleration => {
-            let p = construction.acceleration.as_ref()?;
-            (plain(words.acceleration_diagram), notation.scale(p.si_per_mm, p.order))
-        }
-    };
-    let letter = words.panels[letter(name, construction).min(words.panels.len() - 1)];
-    let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
-    if !scale.is_empty() {
-        let scale = Rich::fill(words.scale, &[("scale", scale)]);
-        caption = caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale);
-    }
-    let mut caption = vec![caption];
-    if matches!(name, Name::Skeleton) {
-        caption.extend(positions::legend(construction, notation));
-    }
-    Some(caption)
-}
-
-/// A construction on the skeleton with its caption.
-fn auxiliary_panel(
-    drawing: &AuxiliaryDrawing,
-    construction: &Construction,
-    notation: &Notation<'_>,
-) -> Block {
-    let words = notation.words;
-    let index = construction.auxiliary.iter().position(|other| other.kind == drawing.kind).unwrap_or(0);
-    // After those of the panels that every sheet may have.
-    let before = match &construction.circle {
-        Some(circle) => letter(Name::Transfer(transfer::by_method(circle).len()), construction),
-        None => letter(Name::Centres, construction),
-    };
-    let letter = words.panels[(before + index).min(words.panels.len() - 1)];
-    let scale = notation.length_scale(construction.space.metres_per_mm);
-    let scale = Rich::fill(words.scale, &[("scale", scale)]);
-    let ink = auxiliary::draw(drawing, construction, notation);
-    let caption = Rich::bold(format!("({letter})")).up(" ").then(&auxiliary::title(&drawing.kind, notation));
-    captioned(ink, &[caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale)])
-}
-
-/// Which panel of the solution it is, counted from zero.
-fn letter(name: Name, construction: &Construction) -> usize {
-    let velocity = usize::from(construction.velocity.is_some());
-    let acceleration = usize::from(construction.acceleration.is_some());
-    match name {
-        Name::Skeleton => 0,
-        Name::Velocity => 1,
-        Name::Acceleration => 1 + velocity,
-        Name::Centres => 1 + velocity + acceleration,
-        Name::Circle => 2 + velocity + acceleration,
-        Name::Transfer(index) => 3 + velocity + acceleration + index,
-    }
-}
-
-/// A drawing with its caption below it, upper left corner at the origin: lines that are no wider than the drawing or the
-/// first of them.
-fn captioned(drawing: Group, caption: &[Rich]) -> Block {
-    let mut group = Group::new("panel");
-    group.group(drawing);
-    let ink = group.bounds().unwrap_or(Rect::ZERO);
-    let first = caption.first().map_or(0.0, |line| line.width(TEXT));
-    let width = ink.width().max(first);
-    group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
-    let mut base = ink.height() + 7.0;
-    let mut widest = width;
-    let mut above: Vec<Rect> = Vec::new();
-    for (i, text) in caption.iter().enumerate() {
-        // What is said first stays in one line.
-        let lines = if i == 0 { vec![text.clone()] } else { text.wrap(TEXT, width.max(LEGEND)) };
-        for (k, line) in lines.iter().enumerate() {
-            let line = line.set(TEXT);
-            let left = (width - line.width) / 2.0;
-            let own = line.boxes_at(Point::new(left, 0.0));
-            if i + k > 0 {
-                base += ARABIC_LEADING.max(clear_of(&above, &own));
-            }
-            above = own;
-            widest = widest.max(line.width);
-            line.put(&mut group, Point::new(left, base), "caption");
-        }
-    }
-    // A legend may be wider than a small drawing.
-    if widest > width {
-        group.translate(Vec2::new((widest - width) / 2.0, 0.0));
-    }
-    Block { group, width: widest, height: base + 1.5 }
-}
-
 fn leading(words: &Words) -> f64 {
     if words.right_to_left { ARABIC_LEADING } else { LEADING }
 }
 
 /// How far below `above` what is set in `below` must stand to keep clear of it, both set on one base line.
-fn clear_of(above: &[Rect], below: &[Rect]) -> f64 {
+pub(super) fn clear_of(above: &[Rect], below: &[Rect]) -> f64 {
     let beside = |a: &Rect, b: &Rect| a.x0 < b.x1 && b.x0 < a.x1;
     let pairs = above.iter().flat_map(|a| below.iter().filter(move |b| beside(a, b)).map(move |b| (a, b)));
     pairs.map(|(a, b)| a.y1 - b.y0 + BETWEEN_LINES).fold(0.0, f64::max)

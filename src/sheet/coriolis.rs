@@ -8,7 +8,7 @@ use super::growth::Images;
 use super::ink::{FINE, SMALL, THIN, arc_arrow, arrow, dot, page};
 use super::labels::{Obstacles, Request, Site, place};
 use super::notation::Notation;
-use crate::graphical::construction::{Act, Calculation, Polygon, Step, VectorKind};
+use crate::graphical::construction::{Act, Calculation, Diagram, Step, VectorKind};
 use crate::mechanism::LinkId;
 use crate::mechanism::quantity::Quantity;
 
@@ -27,7 +27,7 @@ const WIDTH_COST: f64 = 3.0;
 /// leaves room, else where it makes the drawing grow least.
 pub fn add_insets(
     group: &mut Group,
-    polygon: &Polygon,
+    polygon: &Diagram,
     steps: &[Step],
     notation: &Notation<'_>,
     births: Option<&Images>,

@@ -11,7 +11,7 @@ use super::notation::Notation;
 use super::polygon::vector_name;
 use super::rich::Rich;
 use super::scale::APART;
-use crate::graphical::construction::{ConstructionLine, Label, Polygon, Vector, VectorKind};
+use crate::graphical::construction::{ConstructionLine, Diagram, Label, Vector, VectorKind};
 
 /// Images closer than this are one.
 const COINCIDENT: f64 = 0.05;
@@ -71,7 +71,7 @@ impl Spot {
 }
 
 /// The spots in which points that are not one stand nearer to each other than they may.
-pub(super) fn spots(polygon: &Polygon, window: Rect) -> Vec<Spot> {
+pub(super) fn spots(polygon: &Diagram, window: Rect) -> Vec<Spot> {
     let tried = |label: Label| matches!(label, Label::Trial { .. });
     let own = polygon.images.iter().map(|image| (image.label, page(image.at)));
     let all = std::iter::once((Label::Pole, Point::ZERO)).chain(own);
@@ -144,7 +144,7 @@ pub(super) fn circles(spots: &[Spot], births: Option<&Images>) -> (Group, Vec<Re
 pub(super) fn add(
     group: &mut Group,
     spots: &[Spot],
-    polygon: &Polygon,
+    polygon: &Diagram,
     notation: &Notation<'_>,
     births: Option<&Images>,
 ) {
@@ -159,7 +159,7 @@ pub(super) fn add(
 }
 
 /// A detail with the middle of its spot at the origin, and its caption.
-fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Polygon, notation: &Notation<'_>) -> Group {
+fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Diagram, notation: &Notation<'_>) -> Group {
     let mut own = Group::new("detail").data("multiple", format!("{}", spot.multiple));
     let radius = spot.radius * spot.multiple;
     let ring = Shape::Circle { centre: Point::ZERO, radius };
@@ -205,9 +205,9 @@ fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Polygon, notation: &Notati
         } else {
             own.mark(dot(at, THICK / 2.0).class("detail-point"));
         }
-        let texts: Vec<Rich> = labels.iter().map(|label| notation.image(*label, polygon.order)).collect();
+        let texts: Vec<Rich> = labels.iter().map(|label| notation.image(*label, polygon.kind)).collect();
         let text = Rich::join(&texts, &Rich::upright(","));
-        let of = labels.iter().map(|label| notation.image_name(*label, polygon.order));
+        let of = labels.iter().map(|label| notation.image_name(*label, polygon.kind));
         let site = Site::Around { at, radius: 0.9, toward: None };
         let mut request = Request::new(text, LABEL, site, "label image-name").naming(of);
         request.leader = true;
@@ -241,6 +241,6 @@ fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Polygon, notation: &Notati
 }
 
 /// The vectors that lie in a spot from end to end: they have their names in the detail.
-fn named_inside<'a>(spot: &'a Spot, polygon: &'a Polygon) -> impl Iterator<Item = &'a Vector> {
+fn named_inside<'a>(spot: &'a Spot, polygon: &'a Diagram) -> impl Iterator<Item = &'a Vector> {
     polygon.vectors.iter().filter(move |v| !v.as_point && spot.has(v.tail) && spot.has(v.head))
 }

@@ -1,8 +1,8 @@
 //! Feet of components that would share a name are told apart: each place of a polygon has its own.
 
 use super::notation::Notation;
-use crate::graphical::construction::{Act, Construction, Label, Mm2, Polygon};
-use crate::mechanism::quantity::Order;
+use crate::graphical::construction::{Act, Construction, Diagram, Label, Mm2};
+use crate::mechanism::quantity::DiagramKind;
 
 /// Places closer than this are one.
 const SAME: f64 = 1e-6;
@@ -11,7 +11,9 @@ const SAME: f64 = 1e-6;
 #[must_use]
 pub fn told_apart(construction: &Construction, notation: &Notation<'_>) -> Construction {
     let mut all = construction.clone();
-    let (Some(old), Some(new)) = (&construction.acceleration, &mut all.acceleration) else { return all };
+    let kind = DiagramKind::Acceleration;
+    let new = all.diagrams.iter_mut().find(|diagram| diagram.kind == kind);
+    let (Some(old), Some(new)) = (construction.diagram(kind), new) else { return all };
     let mut feet = Feet { notation: *notation, named: Vec::new() };
     for vector in &mut new.vectors {
         vector.tail = feet.name(vector.tail, vector.from);
@@ -21,7 +23,7 @@ pub fn told_apart(construction: &Construction, notation: &Notation<'_>) -> Const
         image.label = feet.name(image.label, image.at);
     }
     // A line is drawn from the foot that was laid off last under its name.
-    for step in all.steps.iter_mut().filter(|step| step.order == Order::Acceleration) {
+    for step in all.steps.iter_mut().filter(|step| step.diagram == kind) {
         let mut last: Vec<(Label, Label)> = Vec::new();
         for act in &mut step.acts {
             match act {
@@ -39,7 +41,7 @@ pub fn told_apart(construction: &Construction, notation: &Notation<'_>) -> Const
 }
 
 /// The names of a vector's ends before and after.
-fn ends(old: &Polygon, new: &Polygon, vector: usize) -> Vec<(Label, Label)> {
+fn ends(old: &Diagram, new: &Diagram, vector: usize) -> Vec<(Label, Label)> {
     let (Some(old), Some(new)) = (old.vectors.get(vector), new.vectors.get(vector)) else {
         return Vec::new();
     };

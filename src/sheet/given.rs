@@ -5,7 +5,7 @@
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
-use crate::mechanism::quantity::{Asked, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
     Direction, Form, GivenPoint, GuidePoint, Input, Link, LinkId, Mechanism, Path, Place, PointId, Rider,
@@ -14,7 +14,7 @@ use crate::mechanism::{
 
 /// A dimension of a link: the distance of two of its points, as stated.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dimension {
+pub struct StatedLength {
     /// One end; a fixed point stands first, as one reads the mechanism.
     pub from: PointId,
     /// Other end.
@@ -25,14 +25,14 @@ pub struct Dimension {
 
 /// The stated dimensions of a link.
 #[must_use]
-pub fn dimensions(link: &Link, notation: &Notation<'_>) -> Vec<Dimension> {
+pub fn dimensions(link: &Link, notation: &Notation<'_>) -> Vec<StatedLength> {
     let mechanism = notation.mechanism();
     let mut all = Vec::new();
     let mut distance = |a: usize, b: usize, length: f64| {
         if let (Some(a), Some(b)) = (link.points.get(a), link.points.get(b)) {
             let (from, to) =
                 if mechanism.is_fixed(*b) && !mechanism.is_fixed(*a) { (*b, *a) } else { (*a, *b) };
-            all.push(Dimension { from, to, length });
+            all.push(StatedLength { from, to, length });
         }
     };
     match &link.form {
@@ -391,7 +391,7 @@ impl Teller<'_> {
             }
             Input::Speed { angle: at, point, speed, link, alpha } => {
                 parts.extend(at.map(|at| angle(*link, at.value)));
-                let unit = rate_unit(self.n.unit(Order::Velocity));
+                let unit = rate_unit(self.n.unit(Dimension::Velocity));
                 let value = self.constant(self.rate(speed.value, &unit, true), alpha.value);
                 parts.push(self.equals(self.n.symbol(Quantity::Velocity(*point), false), &value));
                 self.second(
@@ -409,10 +409,10 @@ impl Teller<'_> {
                     let point = ("point", self.n.point(point));
                     parts.push(Rich::fill(self.n.words.given_at, &[point, distance]));
                 }
-                let unit = rate_unit(self.n.unit(Order::Velocity));
+                let unit = rate_unit(self.n.unit(Dimension::Velocity));
                 let value = self.constant(self.rate(velocity.value, &unit, false), acceleration.value);
                 parts.push(self.equals(self.n.symbol(Quantity::Velocity(point), false), &value));
-                let unit = second_unit(self.n.unit(Order::Acceleration));
+                let unit = second_unit(self.n.unit(Dimension::Acceleration));
                 self.second(Quantity::Acceleration(point), acceleration.value, &unit, false, parts);
             }
         }

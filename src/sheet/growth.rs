@@ -6,9 +6,9 @@
 
 use super::figure::{Group, Life, Moment, Node};
 use crate::graphical::construction::{
-    Act, Calculation, Claim, Construction, ConstructionLine, Label, Polygon, Step,
+    Act, Calculation, Claim, Construction, ConstructionLine, Diagram, Label, Step,
 };
-use crate::mechanism::quantity::Order;
+use crate::mechanism::quantity::DiagramKind;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Slide};
 
 /// The class of ink that stood there before.
@@ -28,8 +28,8 @@ pub struct Births<'a> {
     rotations: Vec<(LinkId, bool, Moment)>,
     /// The last moment of all.
     last: Moment,
-    velocity: Images,
-    acceleration: Images,
+    /// Of the vector diagrams.
+    diagrams: Vec<(DiagramKind, Images)>,
 }
 
 /// When the ink of a polygon came onto the paper.
@@ -82,10 +82,8 @@ impl<'a> Births<'a> {
             | Act::DrawPath { .. } => Some(Kind::Ray(None)),
             _ => None,
         });
-        let images = |polygon: &Option<Polygon>| {
-            polygon.as_ref().map_or_else(Images::default, |polygon| images(polygon, steps))
-        };
-        let (velocity, acceleration) = (images(&construction.velocity), images(&construction.acceleration));
+        let diagrams = construction.diagrams.iter().map(|diagram| (diagram.kind, images(diagram, steps)));
+        let diagrams = diagrams.collect();
         let rotation = |(moment, act): (Moment, &Act)| match act {
             Act::Calculate(Calculation::Omega { link, .. } | Calculation::Speed { link, .. }) => {
                 Some((*link, false, moment))
@@ -95,7 +93,7 @@ impl<'a> Births<'a> {
         };
         let rotations = acts(steps).filter_map(rotation).collect();
         let last = end(steps, steps.len().saturating_sub(1));
-        Self { mechanism, points, lines, guides, rotations, last, velocity, acceleration }
+        Self { mechanism, points, lines, guides, rotations, last, diagrams }
     }
 
     /// The last moment of the steps.
@@ -157,13 +155,10 @@ impl<'a> Births<'a> {
         self.rider(slide).max(self.link(slide.guide.link))
     }
 
-    /// Those of the polygon of this order.
+    /// Those of a vector diagram.
     #[must_use]
-    pub fn images(&self, order: Order) -> &Images {
-        match order {
-            Order::Acceleration => &self.acceleration,
-            _ => &self.velocity,
-        }
+    pub fn images(&self, kind: DiagramKind) -> Option<&Images> {
+        self.diagrams.iter().find_map(|(of, images)| (*of == kind).then_some(images))
     }
 }
 
@@ -196,7 +191,7 @@ fn place(steps: &[Step], mechanism: &Mechanism, point: PointId) -> Moment {
     };
     let by_act = acts(steps).find(|(_, act)| found(act)).map(|(moment, _)| moment);
     let solved = |step: &Step| {
-        step.order == Order::Position && step.links.iter().any(|link| given.links.contains(link))
+        step.diagram == DiagramKind::Skeleton && step.links.iter().any(|link| given.links.contains(link))
     };
     if by_act.is_none() && mechanism.is_given(point) {
         return Moment::default();
@@ -239,9 +234,9 @@ fn in_turn(lines: &[ConstructionLine], steps: &[Step], drawn: impl Fn(&Act) -> O
     lines.iter().map(one).collect()
 }
 
-fn images(polygon: &Polygon, steps: &[Step]) -> Images {
+fn images(diagram: &Diagram, steps: &[Step]) -> Images {
     let mut all = Images::default();
-    let own = || acts(steps).filter(|(moment, _)| steps[moment.step].order == polygon.order);
+    let own = || acts(steps).filter(|(moment, _)| steps[moment.step].diagram == diagram.kind);
     all.pole = own().next().map(|(moment, _)| moment).unwrap_or_default();
     let mut know = |label: Label, moment: Moment| {
         if label != Label::Pole && !all.labels.iter().any(|(known, _)| *known == label) {
@@ -253,7 +248,7 @@ fn images(polygon: &Polygon, steps: &[Step]) -> Images {
         match act {
             Act::LayOffVector { vector, .. } | Act::LayOffFromCentre { vector, .. } => {
                 laid.push((*vector, moment));
-                for label in polygon.vectors.get(*vector).into_iter().flat_map(|v| [v.tail, v.head]) {
+                for label in diagram.vectors.get(*vector).into_iter().flat_map(|v| [v.tail, v.head]) {
                     know(label, moment);
                 }
             }
@@ -262,27 +257,27 @@ fn images(polygon: &Polygon, steps: &[Step]) -> Images {
             | Act::CompleteImage { label, .. }
             | Act::SameImage { label, .. } => know(*label, moment),
             Act::TryPolygon { .. } => {
-                let trials = polygon.images.iter().map(|image| image.label);
+                let trials = diagram.images.iter().map(|image| image.label);
                 trials.filter(|l| matches!(l, Label::Trial { .. })).for_each(|label| know(label, moment));
             }
             _ => {}
         }
     }
     // What no act names has its place when its vector is drawn.
-    for vector in &polygon.vectors {
+    for vector in &diagram.vectors {
         for label in [vector.tail, vector.head] {
             know(label, end(steps, vector.step));
         }
     }
-    let vectors = polygon.vectors.iter().enumerate().map(|(index, vector)| {
+    let vectors = diagram.vectors.iter().enumerate().map(|(index, vector)| {
         let own = laid.iter().find(|(laid, _)| *laid == index);
         let born = own.map_or_else(|| all.label(vector.tail).max(all.label(vector.head)), |(_, at)| *at);
         let reads = |act: &Act| matches!(act, Act::ReadVector { vector, .. } if *vector == index);
-        let read = acts(steps).find(|(at, act)| steps[at.step].order == polygon.order && reads(act));
+        let read = acts(steps).find(|(at, act)| steps[at.step].diagram == diagram.kind && reads(act));
         Life { born, read: read.map(|(moment, _)| moment) }
     });
     all.vectors = vectors.collect();
-    all.lines = in_turn(&polygon.lines, steps, |act| match act {
+    all.lines = in_turn(&diagram.lines, steps, |act| match act {
         Act::DrawRay { claim, .. } => Some(Kind::Ray(Some(*claim))),
         _ => None,
     });

@@ -28,6 +28,7 @@ mod labels;
 mod notation;
 pub mod overlap;
 mod overlay;
+mod panels;
 mod polygon;
 mod pose;
 mod positions;
@@ -62,19 +63,15 @@ pub use words::Language;
 pub fn image_names(
     scene: &crate::scene::Scene,
     construction: &crate::graphical::construction::Construction,
-    order: crate::mechanism::quantity::Order,
+    kind: crate::mechanism::quantity::DiagramKind,
 ) -> Vec<(String, crate::graphical::construction::Label)> {
-    use crate::mechanism::quantity::Order;
     let notation = notation::Notation::new(scene, Language::English.words());
     let printed = feet::told_apart(construction, &notation);
-    let polygons = match order {
-        Order::Velocity => [&construction.velocity, &printed.velocity],
-        Order::Acceleration => [&construction.acceleration, &printed.acceleration],
-        Order::Position => return Vec::new(),
+    let [Some(drawn), Some(printed)] = [construction.diagram(kind), printed.diagram(kind)] else {
+        return Vec::new();
     };
-    let [Some(drawn), Some(printed)] = polygons else { return Vec::new() };
     let pairs = printed.images.iter().zip(&drawn.images);
-    pairs.map(|(name, image)| (notation.image_name(name.label, order), image.label)).collect()
+    pairs.map(|(name, image)| (notation.image_name(name.label, kind), image.label)).collect()
 }
 
 /// The name of a polygon's point as plain characters: o, b, a4, b'1.
@@ -82,9 +79,9 @@ pub fn image_names(
 pub fn image_name(
     scene: &crate::scene::Scene,
     label: crate::graphical::construction::Label,
-    order: crate::mechanism::quantity::Order,
+    kind: crate::mechanism::quantity::DiagramKind,
 ) -> String {
-    notation::Notation::new(scene, Language::English.words()).image_name(label, order)
+    notation::Notation::new(scene, Language::English.words()).image_name(label, kind)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::profile::{Profile, Relative};
 use super::rich::Rich;
 use super::words::Words;
 use crate::graphical::construction::{Claim, Label, Reference};
-use crate::mechanism::quantity::{Method, Order, Quantity, Unit};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Method, Order, Quantity, Unit};
 use crate::mechanism::{Direction, GuidePoint, LinkId, Mechanism, Path, PointId, Rider};
 use crate::scene::{AngularAcceleration, Scene};
 use crate::sheet::font::Face;
@@ -97,14 +97,14 @@ impl<'a> Notation<'a> {
         Rich::fill(template, &[("links", list)])
     }
 
-    /// An image point in a polygon of this order: o, b, a₄, b′₁.
+    /// An image point in a vector diagram: o, b, a₄, b′₁.
     #[must_use]
-    pub fn image(&self, label: Label, order: Order) -> Rich {
-        let prime = if order == Order::Acceleration { self.profile.prime } else { "" };
+    pub fn image(&self, label: Label, kind: DiagramKind) -> Rich {
+        let prime = if kind == DiagramKind::Acceleration { self.profile.prime } else { "" };
         let (letters, sub) = self.image_parts(label);
         let letters = match label {
             Label::Pole => {
-                let (letter, index) = self.profile.poles[usize::from(order == Order::Acceleration)];
+                let (letter, index) = self.profile.poles[usize::from(kind == DiagramKind::Acceleration)];
                 let prime = if index.is_empty() { prime } else { "" };
                 return Rich::italic(letter).scripts(prime, Face::Italic, index);
             }
@@ -116,8 +116,8 @@ impl<'a> Notation<'a> {
 
     /// The same as plain characters, for data attributes: o, b, a4, b'1.
     #[must_use]
-    pub fn image_name(&self, label: Label, order: Order) -> String {
-        let prime = if order == Order::Acceleration { "'" } else { "" };
+    pub fn image_name(&self, label: Label, kind: DiagramKind) -> String {
+        let prime = if kind == DiagramKind::Acceleration { "'" } else { "" };
         let (letters, sub) = self.image_parts(label);
         format!("{letters}{prime}{sub}")
     }
@@ -140,8 +140,8 @@ impl<'a> Notation<'a> {
 
     /// Two images as the name of a vector's line: ab, o′a′.
     #[must_use]
-    pub fn image_line(&self, from: Label, to: Label, order: Order) -> Rich {
-        self.image(from, order).then(&self.image(to, order))
+    pub fn image_line(&self, from: Label, to: Label, kind: DiagramKind) -> Rich {
+        self.image(from, kind).then(&self.image(to, kind))
     }
 
     /// The method by which a quantity is asked, where it is not the usual one.
@@ -314,12 +314,12 @@ impl<'a> Notation<'a> {
 
     /// The scene's unit of velocity or acceleration; of length for positions.
     #[must_use]
-    pub fn unit(&self, order: Order) -> Unit {
+    pub fn unit(&self, dimension: Dimension) -> Unit {
         let units = &self.scene.units;
-        let (power, times) = match order {
-            Order::Position => return units.length.clone(),
-            Order::Velocity => ("", units.time.si),
-            Order::Acceleration => ("^2", units.time.si * units.time.si),
+        let (power, times) = match dimension {
+            Dimension::Length => return units.length.clone(),
+            Dimension::Velocity => ("", units.time.si),
+            Dimension::Acceleration => ("^2", units.time.si * units.time.si),
         };
         Unit {
             symbol: format!("{}/{}{power}", units.length.symbol, units.time.symbol),
@@ -499,8 +499,8 @@ impl<'a> Notation<'a> {
 
     /// A scale of a polygon: 50 cm/s ≡ 1 cm.
     #[must_use]
-    pub fn scale(&self, si_per_mm: f64, order: Order) -> Rich {
-        let unit = self.unit(order);
+    pub fn scale(&self, si_per_mm: f64, dimension: Dimension) -> Rich {
+        let unit = self.unit(dimension);
         let value = human::with_unit(&human::stated(si_per_mm * 10.0 / unit.si), &unit.symbol);
         value.up("\u{a0}≡\u{a0}1\u{a0}cm")
     }

@@ -10,8 +10,8 @@ use super::notation::Notation;
 use super::polygon;
 use super::rich::Rich;
 use super::words::Language;
-use crate::graphical::construction::{Construction, Label, Mm2, Polygon, VectorKind};
-use crate::mechanism::quantity::Order;
+use crate::graphical::construction::{Construction, Diagram, Label, Mm2, VectorKind};
+use crate::mechanism::quantity::DiagramKind;
 use crate::scene::Scene;
 
 /// A vector of the student that lies nearer to the right one than this (mm) is not drawn twice.
@@ -31,7 +31,7 @@ const OFF: [f64; 3] = [2.4, 3.6, 5.2];
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fault<'a> {
     /// In which polygon.
-    pub order: Order,
+    pub diagram: DiagramKind,
     /// Where the student has it, mm from the pole, y up.
     pub at: Mm2,
     /// What it is.
@@ -42,7 +42,7 @@ pub struct Fault<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HandedIn {
     /// In which polygon.
-    pub order: Order,
+    pub diagram: DiagramKind,
     /// Its tail, mm from the pole, y up.
     pub from: Mm2,
     /// Its head.
@@ -67,21 +67,20 @@ pub fn overlay(
     let right = told_apart(right, &notation);
     let mut root = Group::new("overlay");
     let mut y = 0.0;
-    let pairs = [(&right.velocity, &student.velocity), (&right.acceleration, &student.acceleration)];
-    for (polygon, own) in pairs {
-        let Some(polygon) = polygon else { continue };
+    for polygon in &right.diagrams {
+        let own = student.diagram(polygon.kind);
         let mut panel = polygon::draw(polygon, &right.steps, &notation, None);
         let mut arrows: Vec<(Mm2, Mm2, Label, bool)> =
-            own.as_ref().map_or_else(Vec::new, |own| differing(polygon, own));
-        for vector in handed_in.iter().filter(|vector| vector.order == polygon.order) {
+            own.map_or_else(Vec::new, |own| differing(polygon, own));
+        for vector in handed_in.iter().filter(|vector| vector.diagram == polygon.kind) {
             let near = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) <= SAME;
             if !arrows.iter().any(|(from, to, ..)| near(*from, vector.from) && near(*to, vector.to)) {
                 arrows.push((vector.from, vector.to, vector.head, true));
             }
         }
         let here: Vec<(usize, &Fault<'_>)> =
-            (1..).zip(faults).filter(|(_, fault)| fault.order == polygon.order).collect();
-        draw_arrows(&mut panel, &arrows, polygon.order, &notation);
+            (1..).zip(faults).filter(|(_, fault)| fault.diagram == polygon.kind).collect();
+        draw_arrows(&mut panel, &arrows, polygon.kind, &notation);
         for (number, fault) in &here {
             let centre = page(fault.at);
             let circle = Shape::Circle { centre, radius: CIRCLE };
@@ -113,7 +112,7 @@ pub fn overlay(
 }
 
 /// The student's vectors where they differ: tail, head, name of the head, whether it is one of those that are drawn thick.
-fn differing(right: &Polygon, own: &Polygon) -> Vec<(Mm2, Mm2, Label, bool)> {
+fn differing(right: &Diagram, own: &Diagram) -> Vec<(Mm2, Mm2, Label, bool)> {
     let apart = |a: Mm2, b: Mm2| libm::hypot(a[0] - b[0], a[1] - b[1]) > SAME;
     let differs = |vector: &&crate::graphical::construction::Vector| {
         let same = right.vectors.iter().find(|v| v.quantity == vector.quantity && v.kind == vector.kind);
@@ -123,7 +122,12 @@ fn differing(right: &Polygon, own: &Polygon) -> Vec<(Mm2, Mm2, Label, bool)> {
     own.vectors.iter().filter(differs).map(|v| (v.from, v.to, v.head, whole(v.kind))).collect()
 }
 
-fn draw_arrows(panel: &mut Group, arrows: &[(Mm2, Mm2, Label, bool)], order: Order, notation: &Notation<'_>) {
+fn draw_arrows(
+    panel: &mut Group,
+    arrows: &[(Mm2, Mm2, Label, bool)],
+    kind: DiagramKind,
+    notation: &Notation<'_>,
+) {
     let mut group = Group::new("student");
     for &(from, to, _, whole) in arrows {
         let pen = Pen { width: if whole { THIN } else { FINE }, dash: Dash::Dashed };
@@ -143,7 +147,7 @@ fn draw_arrows(panel: &mut Group, arrows: &[(Mm2, Mm2, Label, bool)], order: Ord
             continue;
         }
         named.push((label, to));
-        let letter = notation.image(label, order).up("*");
+        let letter = notation.image(label, kind).up("*");
         name(panel, &letter, page(to), 0.0, "label student-name");
     }
 }

@@ -11,8 +11,8 @@ use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
-use crate::graphical::construction::{ConstructionLine, Image, Label, Polygon, Step, Vector, VectorKind};
-use crate::mechanism::quantity::Order;
+use crate::graphical::construction::{ConstructionLine, Diagram, Image, Label, Step, Vector, VectorKind};
+use crate::mechanism::quantity::DiagramKind;
 
 /// Images closer than this on paper are one dot and share a label.
 const COINCIDENT: f64 = 0.05;
@@ -30,12 +30,12 @@ const PAST: f64 = 4.0;
 /// The polygon with its pole at the origin of the group; `steps` tell the senses of rotation. Its ink has lives where these
 /// are told.
 #[must_use]
-pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>, births: Option<&Images>) -> Group {
-    let (class, figure_name) = match polygon.order {
-        Order::Acceleration => ("acceleration polygon", notation.words.acceleration_diagram),
+pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: Option<&Images>) -> Group {
+    let (class, figure_name) = match polygon.kind {
+        DiagramKind::Acceleration => ("acceleration polygon", notation.words.acceleration_diagram),
         _ => ("velocity polygon", notation.words.velocity_diagram),
     };
-    let unit = notation.unit(polygon.order);
+    let unit = notation.unit(polygon.kind.dimension());
     let mut group = Group::new(class)
         .data("scale", number(polygon.si_per_mm / unit.si))
         .data("unit", format!("{} per mm", unit.symbol))
@@ -73,7 +73,7 @@ pub fn draw(polygon: &Polygon, steps: &[Step], notation: &Notation<'_>, births: 
     }
     let mut group = named;
     detail::add(&mut group, &spots, polygon, notation, births);
-    if polygon.order == Order::Acceleration {
+    if polygon.kind == DiagramKind::Acceleration {
         coriolis::add_insets(&mut group, polygon, steps, notation, births);
     }
     group
@@ -83,7 +83,7 @@ fn number(value: f64) -> String {
     format!("{value}")
 }
 
-fn link_images(polygon: &Polygon, notation: &Notation<'_>, births: Option<&Images>) -> Group {
+fn link_images(polygon: &Diagram, notation: &Notation<'_>, births: Option<&Images>) -> Group {
     let mut all = Group::new("images");
     for image in &polygon.link_images {
         let corners: Vec<Point> = image.corners.iter().map(|(_, at)| page(*at)).collect();
@@ -123,7 +123,7 @@ fn widest(points: &[Point]) -> Option<(Point, Point)> {
     (a.distance(b) > COINCIDENT).then_some((a, b))
 }
 
-fn construction(polygon: &Polygon, notation: &Notation<'_>, window: Rect, births: Option<&Images>) -> Group {
+fn construction(polygon: &Diagram, notation: &Notation<'_>, window: Rect, births: Option<&Images>) -> Group {
     let mut all = Group::new("construction");
     for (index, line) in polygon.lines.iter().enumerate() {
         let born = births.and_then(|births| births.lines.get(index).copied());
@@ -168,7 +168,7 @@ pub(super) fn short_arc(line: &ConstructionLine) -> Option<Mark> {
 
 /// What is shown: all that has a place of its own. What was tried may lie far beyond it; then its lines end at the
 /// border.
-fn window(polygon: &Polygon) -> Rect {
+fn window(polygon: &Diagram) -> Rect {
     /// Blank around the polygon for what leads out of it.
     const BORDER: f64 = 14.0;
     let tried = |label: Label| matches!(label, Label::Trial { .. });
@@ -199,7 +199,7 @@ fn cut_vector(from: Point, to: Point, window: Rect, step: usize) -> Group {
     group
 }
 
-fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>, window: Rect) -> Group {
+fn draw_vector(vector: &Vector, polygon: &Diagram, notation: &Notation<'_>, window: Rect) -> Group {
     let ends = (page(vector.from), page(vector.to));
     if !window.contains(ends.0) || !window.contains(ends.1) {
         return cut_vector(ends.0, ends.1, window, vector.step);
@@ -215,13 +215,13 @@ fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>, wind
     let from = page(vector.from);
     let to = if vector.is_zero { from } else { page(vector.to) };
     let length = (to - from).hypot();
-    let unit = notation.unit(polygon.order);
+    let unit = notation.unit(polygon.kind.dimension());
     let name = notation.quantity_name(vector.quantity);
     let mut group = Group::new(format!("vector {kind}"))
         .data("quantity", name)
         .data("value", number(length * polygon.si_per_mm / unit.si))
-        .data("from", notation.image_name(vector.tail, polygon.order))
-        .data("to", notation.image_name(vector.head, polygon.order))
+        .data("from", notation.image_name(vector.tail, polygon.kind))
+        .data("to", notation.image_name(vector.head, polygon.kind))
         .data("step", (vector.step + 1).to_string());
     if let Some(claim) = vector.claim {
         let (name, value) = notation.claim_data(claim);
@@ -238,7 +238,7 @@ fn draw_vector(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>, wind
 }
 
 /// A mark in the corner where a normal part ends and the tangential part begins.
-fn right_angles(polygon: &Polygon, window: Rect, births: Option<&Images>) -> Group {
+fn right_angles(polygon: &Diagram, window: Rect, births: Option<&Images>) -> Group {
     let mut all = Group::new("right-angles");
     let shown = |v: &&Vector| !v.as_point && window.contains(page(v.to));
     for normal in polygon.vectors.iter().filter(|v| v.kind == VectorKind::Normal).filter(shown) {
@@ -263,16 +263,16 @@ fn right_angles(polygon: &Polygon, window: Rect, births: Option<&Images>) -> Gro
     all
 }
 
-fn images(polygon: &Polygon, notation: &Notation<'_>, window: Rect, births: Option<&Images>) -> Group {
+fn images(polygon: &Diagram, notation: &Notation<'_>, window: Rect, births: Option<&Images>) -> Group {
     let mut all = Group::new("points");
     let mut pole = Group::new("image pole")
-        .data("point", notation.image_name(Label::Pole, polygon.order))
+        .data("point", notation.image_name(Label::Pole, polygon.kind))
         .lived(births.map(|births| births.pole));
     let circle = Shape::Circle { centre: Point::ORIGIN, radius: 0.75 };
     pole.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Paper).precise());
     all.group(pole);
     for image in polygon.images.iter().filter(|image| window.contains(page(image.at))) {
-        let name = notation.image_name(image.label, polygon.order);
+        let name = notation.image_name(image.label, polygon.kind);
         let born = births.map(|births| births.label(image.label));
         let mut own = Group::new("image").data("point", name).lived(born);
         own.mark(dot(page(image.at), THICK / 2.0).precise());
@@ -282,7 +282,7 @@ fn images(polygon: &Polygon, notation: &Notation<'_>, window: Rect, births: Opti
 }
 
 /// Where the name of a point stands: beside it, or where the line to it leaves the window.
-fn shown(at: Point, polygon: &Polygon, window: Rect) -> Point {
+fn shown(at: Point, polygon: &Diagram, window: Rect) -> Point {
     if window.contains(at) {
         return at;
     }
@@ -298,7 +298,7 @@ fn shown(at: Point, polygon: &Polygon, window: Rect) -> Point {
 }
 
 fn labels(
-    polygon: &Polygon,
+    polygon: &Diagram,
     notation: &Notation<'_>,
     window: Rect,
     spots: &[Spot],
@@ -321,7 +321,7 @@ fn labels(
     for (at, labels) in groups {
         // A pin that bears the name of the link's own point, and the contact there, are one name.
         let mut names: Vec<Rich> = Vec::new();
-        for name in labels.iter().map(|l| notation.image(*l, polygon.order)) {
+        for name in labels.iter().map(|l| notation.image(*l, polygon.kind)) {
             if !names.contains(&name) {
                 names.push(name);
             }
@@ -333,7 +333,7 @@ fn labels(
             Some(spot) => spot.site(),
             None => Site::Around { at, radius, toward: outward(at, polygon) },
         };
-        let of = labels.iter().map(|l| notation.image_name(*l, polygon.order));
+        let of = labels.iter().map(|l| notation.image_name(*l, polygon.kind));
         // What falls on a point that has a name already stands beside it from the first.
         let born = births.and_then(|births| labels.iter().map(|l| births.label(*l)).min());
         let mut request = Request::new(text, LABEL, site, "label image-name").naming(of).lived(born);
@@ -435,7 +435,7 @@ impl Named {
 
 /// The symbol of a drawn vector, by the image that it starts from.
 #[must_use]
-pub fn vector_name(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>) -> Rich {
+pub fn vector_name(vector: &Vector, polygon: &Diagram, notation: &Notation<'_>) -> Rich {
     let at = |v: &Vector| (page(v.from), page(v.to));
     // A tangential part starts where its normal part ends.
     let normal = polygon.vectors.iter().find(|n| {
@@ -451,7 +451,7 @@ pub fn vector_name(vector: &Vector, polygon: &Polygon, notation: &Notation<'_>) 
 }
 
 /// The direction away from all lines that end in a point: there its name is out of the way.
-fn outward(at: Point, polygon: &Polygon) -> Option<f64> {
+fn outward(at: Point, polygon: &Diagram) -> Option<f64> {
     let mut sum = Vec2::ZERO;
     for vector in &polygon.vectors {
         let (from, to) = (page(vector.from), page(vector.to));

@@ -5,7 +5,7 @@ use super::notation::Notation;
 use super::rich::Rich;
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{Construction, Reading};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Order, Quantity};
 
 /// The asked quantities of these orders with their values, senses and directions.
 #[must_use]
@@ -35,8 +35,8 @@ pub fn stated_scales(notation: &Notation<'_>) -> Option<Rich> {
     let sheet = &notation.scene.sheet;
     let list: Vec<Rich> = [
         sheet.length_scale.map(|ratio| notation.length_scale(ratio / 1000.0)),
-        sheet.velocity_scale.map(|k| notation.scale(k, Order::Velocity)),
-        sheet.acceleration_scale.map(|k| notation.scale(k, Order::Acceleration)),
+        sheet.velocity_scale.map(|k| notation.scale(k, Dimension::Velocity)),
+        sheet.acceleration_scale.map(|k| notation.scale(k, Dimension::Acceleration)),
     ]
     .into_iter()
     .flatten()

@@ -4,6 +4,7 @@ use super::compose::free_paper;
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::graphical::{Extents, Scales};
+use crate::mechanism::quantity::Dimension;
 use crate::mechanism::{Mechanism, PointId, Roll};
 use crate::scene::Scene;
 
@@ -52,7 +53,7 @@ pub fn for_question(scene: &Scene, extents: Extents) -> Scales {
     let free = (QUESTION.0 * wide, QUESTION.1 * high);
     let stated = scene.sheet.length_scale.map(|ratio| ratio / 1000.0);
     let length = stated.or(choose_length(w, h, free)).unwrap_or(0.001);
-    Scales { length, ..for_scene(scene, extents) }
+    for_scene(scene, extents).with(Dimension::Length, length)
 }
 
 /// Room for a diagram beside the words of a step, width and height in mm.
@@ -64,22 +65,51 @@ pub fn for_steps(scene: &Scene, extents: Extents) -> Scales {
     let [w, h] = with_wheels(&scene.mechanism, extents.space, extents.rims);
     let (wide, high) = stretch(scene);
     let free = (STEP.0 * wide, STEP.1 * high);
-    let (length, time) = (scene.units.length.si, scene.units.time.si);
-    let fit = |[w, h]: [f64; 2], unit: f64| choose_for(w, h, free, unit);
-    let rate = length / time;
-    let stated = &scene.sheet;
-    Scales {
-        length: stated
-            .length_scale
-            .map(|ratio| ratio / 1000.0)
-            .or(choose_length(w, h, free))
-            .unwrap_or(0.001),
-        velocity: stated.velocity_scale.or(fit(extents.velocity, rate)).unwrap_or(rate),
-        acceleration: stated
-            .acceleration_scale
-            .or(fit(extents.acceleration, rate / time))
-            .unwrap_or(rate / time),
+    let fit = |dimension: Dimension, [w, h]: [f64; 2]| match dimension {
+        Dimension::Length => choose_length(w, h, free),
+        _ => choose_for(w, h, free, unit(scene, dimension)),
+    };
+    Scales::new(|dimension| {
+        let size = match dimension {
+            Dimension::Length => Some([w, h]),
+            _ => largest(&extents, dimension),
+        };
+        let fitting = || size.and_then(|size| fit(dimension, size));
+        stated(scene, dimension).or_else(fitting).unwrap_or(by_default(scene, dimension))
+    })
+}
+
+/// The scale of a dimension that a scene states, SI per mm.
+fn stated(scene: &Scene, dimension: Dimension) -> Option<f64> {
+    match dimension {
+        Dimension::Length => scene.sheet.length_scale.map(|ratio| ratio / 1000.0),
+        Dimension::Velocity => scene.sheet.velocity_scale,
+        Dimension::Acceleration => scene.sheet.acceleration_scale,
     }
+}
+
+/// One of the scene's units of a dimension, SI.
+fn unit(scene: &Scene, dimension: Dimension) -> f64 {
+    let (length, time) = (scene.units.length.si, scene.units.time.si);
+    match dimension {
+        Dimension::Length => length,
+        Dimension::Velocity => length / time,
+        Dimension::Acceleration => length / (time * time),
+    }
+}
+
+/// The scale of what has no size: the skeleton in its own, one of the scene's units a millimetre elsewhere.
+fn by_default(scene: &Scene, dimension: Dimension) -> f64 {
+    match dimension {
+        Dimension::Length => 0.001,
+        _ => unit(scene, dimension),
+    }
+}
+
+/// Width and height of all diagrams of a dimension; none where there is no such diagram.
+fn largest(extents: &Extents, dimension: Dimension) -> Option<[f64; 2]> {
+    let all = extents.diagrams.iter().filter(|extent| extent.kind.dimension() == dimension);
+    all.map(|extent| extent.size).reduce(|a, b| [0, 1].map(|axis| a[axis].max(b[axis])))
 }
 
 /// How much wider and higher than those of upright A4 the panels are.
@@ -93,32 +123,38 @@ fn stretch(scene: &Scene) -> (f64, f64) {
 /// points crowd has a row, then a page to itself, and so has one for which the pages have room.
 #[must_use]
 pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
-    let length = scene.units.length.si;
-    let stretch = stretch(scene);
-    let time = scene.units.time.si;
-    let units = [length / time, length / (time * time)];
-    let stated = &scene.sheet;
-    let stated_lengths =
-        [stated.length_scale.map(|ratio| ratio / 1000.0), stated.velocity_scale, stated.acceleration_scale];
+    let skeleton = Choice {
+        dimension: Dimension::Length,
+        size: with_wheels(&scene.mechanism, extents.positions, extents.rims),
+        unit: scene.units.length.si,
+        stated: stated(scene, Dimension::Length),
+        points: &extents.joints,
+        vectors: 0,
+    };
+    let diagrams = extents.diagrams.iter().map(|extent| {
+        let dimension = extent.kind.dimension();
+        Choice {
+            dimension,
+            size: extent.size,
+            unit: unit(scene, dimension),
+            stated: stated(scene, dimension),
+            points: &extent.points,
+            vectors: extent.vectors,
+        }
+    });
     let choices = Choices {
-        sizes: [
-            with_wheels(&scene.mechanism, extents.positions, extents.rims),
-            extents.velocity,
-            extents.acceleration,
-        ],
-        units,
-        stretch,
+        all: [skeleton].into_iter().chain(diagrams).collect(),
+        stretch: stretch(scene),
         paper: free_paper(scene),
-        stated: stated_lengths,
         extents: &extents,
         asked: scene.mechanism.asked.len(),
     };
-    let [skeleton, velocity, acceleration] = choices.best();
-    Scales {
-        length: skeleton.unwrap_or(0.001),
-        velocity: velocity.unwrap_or(units[0]),
-        acceleration: acceleration.unwrap_or(units[1]),
-    }
+    let best = choices.best();
+    Scales::new(|dimension| {
+        let of = choices.all.iter().zip(&best).filter(|(choice, _)| choice.dimension == dimension);
+        let chosen = of.filter_map(|(_, scale)| *scale).reduce(f64::max);
+        chosen.or(stated(scene, dimension)).unwrap_or(by_default(scene, dimension))
+    })
 }
 
 /// How much room a diagram has.
@@ -133,109 +169,127 @@ impl Room {
     const ALL: [Self; 3] = [Self::Shared, Self::Row, Self::Page];
 }
 
-/// Scales, SI per mm, of the skeleton, the velocity and the acceleration polygon; none where nothing has a size.
-type Three = [Option<f64>; 3];
+/// A diagram whose scale is to be chosen.
+struct Choice<'a> {
+    dimension: Dimension,
+    /// Width and height, SI.
+    size: [f64; 2],
+    /// One of the scene's units, SI.
+    unit: f64,
+    /// What the scene states, SI per mm.
+    stated: Option<f64>,
+    /// Its points, SI; of arrows on the skeleton, which are no diagram, none.
+    points: &'a [[f64; 2]],
+    vectors: usize,
+}
 
-/// What the scales of the three diagrams are chosen by.
+/// What the scales of all diagrams are chosen by.
 struct Choices<'a> {
-    /// Width and height of skeleton and polygons, SI.
-    sizes: [[f64; 2]; 3],
-    units: [f64; 2],
+    /// The skeleton, then the vector diagrams in their order.
+    all: Vec<Choice<'a>>,
     stretch: (f64, f64),
     /// Within the margins, mm.
     paper: (f64, f64),
-    stated: Three,
     extents: &'a Extents,
     /// How many results there are.
     asked: usize,
 }
 
+/// Scales of all diagrams, SI per mm; none where nothing has a size.
+type Chosen = Vec<Option<f64>>;
+
 impl Choices<'_> {
     /// The scales at which what crowds has room, and beyond these the largest for which the sheet needs no further page.
-    fn best(&self) -> Three {
+    fn best(&self) -> Chosen {
         /// Estimates of heights err by about so much, mm.
         const SPARE: f64 = 22.0;
-        let mut rooms = [Room::Shared; 3];
-        for i in 0..3 {
-            let mut least = self.crowding(i, self.scales(rooms)[i]);
+        let count = self.all.len();
+        let mut rooms = vec![Room::Shared; count];
+        for i in 0..count {
+            let mut least = self.crowding(i, self.scales(&rooms)[i]);
             for room in [Room::Row, Room::Page] {
-                let mut wider = rooms;
+                let mut wider = rooms.clone();
                 wider[i] = room;
-                let crowding = self.crowding(i, self.scales(wider)[i]);
+                let crowding = self.crowding(i, self.scales(&wider)[i]);
                 if crowding < least {
                     (rooms, least) = (wider, crowding);
                 }
             }
         }
-        let pages = self.pages(self.scales(rooms), 0.0);
-        let mut best = (0.0, self.scales(rooms));
-        for skeleton in Room::ALL {
-            for velocity in Room::ALL {
-                for acceleration in Room::ALL {
-                    let wider = [skeleton, velocity, acceleration];
-                    let grown = wider.iter().zip(&rooms).all(|(a, b)| a >= b);
-                    // To fill a page a row is enough.
-                    let modest = wider.iter().zip(&rooms).all(|(a, b)| *a <= Room::Row.max(*b));
-                    let scales = self.scales(wider);
-                    if !(grown && modest) || self.pages(scales, SPARE) > pages {
-                        continue;
-                    }
-                    let gain: f64 = (0..3).map(|i| self.gain(i, scales[i])).sum();
-                    if gain > best.0 {
-                        best = (gain, scales);
-                    }
-                }
+        let pages = self.pages(&self.scales(&rooms), 0.0);
+        let mut best = (0.0, self.scales(&rooms));
+        for wider in self.wider(&rooms) {
+            let scales = self.scales(&wider);
+            if self.pages(&scales, SPARE) > pages {
+                continue;
+            }
+            let gain: f64 = (0..count).map(|i| self.gain(i, scales[i])).sum();
+            if gain > best.0 {
+                best = (gain, scales);
             }
         }
         best.1
     }
 
+    /// All ways of giving diagrams the room that they have, or more: to fill a page a row is enough.
+    fn wider(&self, rooms: &[Room]) -> Vec<Vec<Room>> {
+        let mut ways: Vec<Vec<Room>> = vec![Vec::new()];
+        for &own in rooms {
+            let larger = Room::ALL.into_iter().filter(|room| *room >= own && *room <= Room::Row.max(own));
+            let larger: Vec<Room> = larger.collect();
+            ways = ways
+                .into_iter()
+                .flat_map(|way| larger.iter().map(move |room| [&way[..], &[*room]].concat()))
+                .collect();
+        }
+        ways
+    }
+
     /// How large a diagram is to the eye: what fills a quarter of a page is large enough.
     fn gain(&self, i: usize, scale: Option<f64>) -> f64 {
         let Some(scale) = scale else { return 0.0 };
-        let [w, h] = self.sizes[i].map(|side| side / scale);
+        let [w, h] = self.all[i].size.map(|side| side / scale);
         (w * h).sqrt().max(0.6 * w.max(h)).min(115.0)
     }
 
-    fn scales(&self, rooms: [Room; 3]) -> Three {
+    fn scales(&self, rooms: &[Room]) -> Chosen {
         let stretched = |room: (f64, f64)| (room.0 * self.stretch.0, room.1 * self.stretch.1);
         // Never higher than the page, whatever its form.
         let below = |room: (f64, f64)| (room.0, room.1.min(self.paper.1 - 45.0));
-        let [w, h] = self.sizes[0];
+        let [w, h] = self.all[0].size;
         let fit = |room| choose_length(w, h, below(stretched(room)));
         let skeleton = match rooms[0] {
             Room::Shared => fit(SKELETON).zip(fit(LONG_SKELETON)).map(|(a, b)| a.min(b)),
             Room::Row => fit(ROW_SKELETON),
             Room::Page => fit(PAGE_SKELETON),
         };
-        let [mut velocity, mut acceleration] =
-            polygons([self.sizes[1], self.sizes[2]], self.units, self.stretch);
-        for (i, own) in [&mut velocity, &mut acceleration].into_iter().enumerate() {
-            let [w, h] = self.sizes[i + 1];
-            let room = match rooms[i + 1] {
+        let mut scales = vec![skeleton];
+        for pair in self.all[1..].chunks(2) {
+            scales.extend(beside(pair, self.stretch));
+        }
+        for ((choice, own), room) in self.all.iter().zip(&mut scales).zip(rooms).skip(1) {
+            let [w, h] = choice.size;
+            let room = match room {
                 // Arrows on the skeleton are no diagram.
-                _ if self.extents.images[i].is_empty() => continue,
+                _ if choice.points.is_empty() => continue,
                 Room::Shared => continue,
                 Room::Row => POLYGON,
                 Room::Page => PAGE_POLYGON,
             };
-            let wider = choose_for(w, h, below(stretched(room)), self.units[i]);
+            let wider = choose_for(w, h, below(stretched(room)), choice.unit);
             *own = own.zip(wider).map(|(a, b)| a.min(b));
         }
-        let [length, v, a] = self.stated;
-        [length.or(skeleton), v.or(velocity), a.or(acceleration)]
+        self.all.iter().zip(scales).map(|(choice, scale)| choice.stated.or(scale)).collect()
     }
 
     /// How many points of a diagram stand too near to others at this scale, and how much area its names lack.
     fn crowding(&self, i: usize, scale: Option<f64>) -> usize {
         let Some(scale) = scale else { return 0 };
-        let (points, apart): (&[[f64; 2]], f64) = match i {
-            0 => (&self.extents.joints, JOINTS_APART),
-            _ => (&self.extents.images[i - 1], APART),
-        };
-        let near = too_near(points, apart * scale);
-        let names = if i == 0 { 0 } else { self.extents.vectors[i - 1] + points.len() };
-        let [w, h] = self.sizes[i].map(|side| side / scale);
+        let choice = &self.all[i];
+        let apart = if i == 0 { JOINTS_APART } else { APART };
+        let near = too_near(choice.points, apart * scale);
+        let names = if i == 0 { 0 } else { choice.vectors + choice.points.len() };
+        let [w, h] = choice.size.map(|side| side / scale);
         // A flat polygon is named along its sides.
         let area = (w + 16.0) * (h + 16.0);
         let lacking = PER_NAME * names as f64 - area;
@@ -243,7 +297,7 @@ impl Choices<'_> {
     }
 
     /// About how many pages the sheet needs at these scales, with so much blank to spare, mm.
-    fn pages(&self, scales: Three, spare: f64) -> usize {
+    fn pages(&self, scales: &[Option<f64>], spare: f64) -> usize {
         const HEADING: f64 = 28.0;
         /// What names and caption add to the height of a diagram, and to that of a skeleton with its supports.
         const AROUND: [f64; 2] = [25.0, 31.0];
@@ -253,10 +307,10 @@ impl Choices<'_> {
         /// Width of the result table, and what stands about a skeleton.
         const BESIDE: [f64; 2] = [62.0, 34.0];
         let free = self.paper.1 - 6.0;
-        let drawn = |i: &usize| *i == 0 || !self.extents.images[i - 1].is_empty();
+        let drawn = |i: usize| i == 0 || !self.all[i].points.is_empty();
         let size = |i: usize| {
-            let scale = scales[i].filter(|_| drawn(&i))?;
-            Some(self.sizes[i].map(|side| side / scale))
+            let scale = scales[i].filter(|_| drawn(i))?;
+            Some(self.all[i].size.map(|side| side / scale))
         };
         let mut rows: Vec<f64> = Vec::new();
         let [w, h] = size(0).unwrap_or_default();
@@ -264,11 +318,14 @@ impl Choices<'_> {
         let beside = w + BESIDE[1] + BESIDE[0] <= self.paper.0 && table <= TALLEST_BESIDE;
         rows.push(if beside { f64::max(h + AROUND[1], table + 6.0) } else { h + AROUND[1] });
         let caption = |w: f64| f64::max(w + 2.0 * NAMES, CAPTION);
-        match [size(1), size(2)] {
-            [Some([w, h]), Some([ww, hh])] if caption(w) + caption(ww) <= self.paper.0 => {
-                rows.push(h.max(hh) + AROUND[0]);
+        let diagrams: Vec<Option<[f64; 2]>> = (1..self.all.len()).map(size).collect();
+        for pair in diagrams.chunks(2) {
+            match *pair {
+                [Some([w, h]), Some([ww, hh])] if caption(w) + caption(ww) <= self.paper.0 => {
+                    rows.push(h.max(hh) + AROUND[0]);
+                }
+                _ => rows.extend(pair.iter().flatten().map(|[_, h]| h + AROUND[0])),
             }
-            polygons => rows.extend(polygons.into_iter().flatten().map(|[_, h]| h + AROUND[0])),
         }
         if self.extents.circle {
             rows.push(h + AROUND[1] + 40.0);
@@ -364,19 +421,19 @@ fn with_wheels(mechanism: &Mechanism, [w, h]: [f64; 2], rims: [f64; 2]) -> [f64;
     [grown(0, w), grown(1, h)]
 }
 
-/// Scales of both polygons: each fits into its half of a row, and a narrow one leaves its room to the
-/// other.
-fn polygons(sizes: [[f64; 2]; 2], units: [f64; 2], (wide, high): (f64, f64)) -> [Option<f64>; 2] {
+/// Scales of the diagrams of one row: each of two fits into its half, and a narrow one leaves its room to the other.
+fn beside(row: &[Choice<'_>], (wide, high): (f64, f64)) -> Chosen {
     let stretched = |room: (f64, f64)| (room.0 * wide, room.1 * high);
-    let fit = |i: usize, free| choose_for(sizes[i][0], sizes[i][1], free, units[i]);
-    let halves = [fit(0, stretched(HALF_POLYGON)), fit(1, stretched(HALF_POLYGON))];
-    let [Some(velocity), Some(acceleration)] = halves else {
-        return [0, 1].map(|i| fit(i, stretched(LONE_POLYGON)));
+    let fit = |of: &Choice<'_>, free| choose_for(of.size[0], of.size[1], free, of.unit);
+    let half = |of: &Choice<'_>| fit(of, stretched(HALF_POLYGON));
+    let [first, second] = row else { return row.iter().map(|of| fit(of, stretched(LONE_POLYGON))).collect() };
+    let (Some(a), Some(b)) = (half(first), half(second)) else {
+        return row.iter().map(|of| fit(of, stretched(LONE_POLYGON))).collect();
     };
     let wider = |taken: f64| (ROW * wide - f64::max(taken + NAMES, CAPTION) - NAMES, POLYGON.1 * high);
-    let acceleration = fit(1, wider(sizes[0][0] / velocity)).map_or(acceleration, |s| s.min(acceleration));
-    let velocity = fit(0, wider(sizes[1][0] / acceleration)).map_or(velocity, |s| s.min(velocity));
-    [Some(velocity), Some(acceleration)]
+    let b = fit(second, wider(first.size[0] / a)).map_or(b, |scale| scale.min(b));
+    let a = fit(first, wider(second.size[0] / b)).map_or(a, |scale| scale.min(a));
+    vec![Some(a), Some(b)]
 }
 
 /// The smallest round number (1, 2, 2.5, 5 × 10ⁿ) that is not below `least`; `None` unless `least` is

@@ -1,17 +1,18 @@
 //! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
 
-use super::given::{Dimension, dimensions};
+use super::given::{StatedLength, dimensions};
 use super::human;
 use super::notation::Notation;
+use super::panels::Panel;
 use super::polygon::vector_name;
 use super::rich::Rich;
 use super::table::{Align, Flow, Table};
 use super::words::counted;
 use crate::graphical::construction::{
-    Act, Calculation, Claim, Construction, Equation, Label, Polygon, Reference, Step, Term, TermDirection,
+    Act, Calculation, Claim, Construction, Diagram, Equation, Label, Reference, Step, Term, TermDirection,
     Vector, VectorKind,
 };
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider};
 
@@ -41,24 +42,11 @@ pub struct Told {
     /// Index of the step; of several steps under one head the last.
     pub step: usize,
     /// What is drawn in.
-    pub drawn: Option<Drawn>,
+    pub drawn: Option<Panel>,
     /// Head, equations, sentences.
     pub items: Vec<Item>,
     /// Of each item the index of the act on paper that it tells; none of what is said or calculated.
     pub acts: Vec<Option<usize>>,
-}
-
-/// The drawing that something is told of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Drawn {
-    /// The skeleton, the velocity or the acceleration diagram.
-    Diagram(Order),
-    /// The instant centres with the circle diagram.
-    Centres,
-    /// Velocities from centres, by index of the method.
-    Transfer(usize),
-    /// A construction on the skeleton, by its index.
-    Auxiliary(usize),
 }
 
 /// The same step by step.
@@ -86,11 +74,11 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
         let head = head.up("\u{a0}\u{a0}").then(&teller.head());
         let mut own = Told {
             step: i,
-            drawn: (!rubs).then_some(Drawn::Diagram(step.order)),
+            drawn: (!rubs).then_some(Panel::Diagram(step.diagram)),
             items: vec![Item::Head(head)],
             acts: vec![None],
         };
-        let moves = step.order != Order::Position;
+        let moves = step.diagram != DiagramKind::Skeleton;
         if let Some(lines) = conversions.take_if(|_| moves) {
             lines.into_iter().for_each(|line| own.say(Item::Sentence(line), None));
         }
@@ -119,7 +107,7 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             if let Some(line) = teller.act(act) {
                 own.say(Item::Sentence(line), (!matches!(act, Act::Calculate(_))).then_some(index));
             }
-            known.learn(act, step.order);
+            known.learn(act, step.diagram);
         }
         // What was marked at the beginning needs no step of its own.
         if own.items.len() > 1 {
@@ -129,20 +117,20 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
     // Constructions of their own follow the steps.
     let step = construction.steps.len().saturating_sub(1);
     let unnumbered = |items: Vec<Item>| items.into_iter().map(|item| (item, None)).collect();
-    let mut more = |drawn: Drawn, told: Vec<(Item, Option<usize>)>| {
+    let mut more = |drawn: Panel, told: Vec<(Item, Option<usize>)>| {
         let (items, acts) = told.into_iter().unzip();
         all.push(Told { step, drawn: Some(drawn), items, acts });
     };
     if let Some(circle) = &construction.circle {
-        more(Drawn::Centres, super::circle::items(circle, notation));
+        more(Panel::Centres, super::circle::items(circle, notation));
         for (index, items) in super::transfer::items(circle, construction, notation).into_iter().enumerate() {
-            more(Drawn::Transfer(index), unnumbered(items));
+            more(Panel::Transfer(index), unnumbered(items));
         }
     }
     for (index, drawing) in construction.auxiliary.iter().enumerate() {
         if drawing.refused.is_none() {
             let items = super::auxiliary::items(drawing, construction, notation);
-            more(Drawn::Auxiliary(index), unnumbered(items));
+            more(Panel::Auxiliary(index), unnumbered(items));
         }
     }
     all.retain(|told| !told.items.is_empty());
@@ -215,11 +203,11 @@ pub fn calculation(
     construction: &Construction,
     notation: &Notation<'_>,
 ) -> Option<Rich> {
-    let order = match calculation {
-        Calculation::Alpha { .. } => Order::Acceleration,
-        _ => Order::Velocity,
+    let diagram = match calculation {
+        Calculation::Alpha { .. } => DiagramKind::Acceleration,
+        _ => DiagramKind::Velocity,
     };
-    let step = Step { order, links: Vec::new(), equations: Vec::new(), acts: Vec::new() };
+    let step = Step { diagram, links: Vec::new(), equations: Vec::new(), acts: Vec::new() };
     Teller { construction, notation, step: &step }.calculation(calculation)
 }
 
@@ -242,11 +230,11 @@ fn read(
     [tail, head]: [Label; 2],
     mm: f64,
     value: f64,
-    polygon: &Polygon,
+    polygon: &Diagram,
     notation: &Notation<'_>,
 ) -> Rich {
     let words = notation.words;
-    let unit = notation.unit(polygon.order);
+    let unit = notation.unit(polygon.kind.dimension());
     if value != 0.0 && mm < TOO_SHORT {
         let amount = human::quantity(value, &unit);
         return Rich::fill(words.too_short, &[("vector", vector), ("value", amount)]);
@@ -258,7 +246,7 @@ fn read(
         .then(&human::stated(factor))
         .up("\u{a0}=\u{a0}")
         .then(&human::with_unit(&amount, &unit.symbol));
-    let image = notation.image_line(tail, head, polygon.order);
+    let image = notation.image_line(tail, head, polygon.kind);
     Rich::fill(words.read_vector, &[("vector", vector), ("image", image), ("reading", reading)])
 }
 
@@ -310,7 +298,7 @@ impl<'a> Known<'a> {
             return None;
         }
         self.quantities.push(quantity);
-        let polygon = self.construction.velocity.as_ref()?;
+        let polygon = self.construction.diagram(DiagramKind::Velocity)?;
         let ends = self.ends(quantity, polygon)?;
         let name = self.notation.symbol_from(quantity, from);
         let mm = speed / polygon.si_per_mm;
@@ -318,7 +306,7 @@ impl<'a> Known<'a> {
     }
 
     /// The images between which a velocity lies.
-    fn ends(&self, quantity: Quantity, polygon: &Polygon) -> Option<[Label; 2]> {
+    fn ends(&self, quantity: Quantity, polygon: &Diagram) -> Option<[Label; 2]> {
         let drawn = polygon.vectors.iter().find(|v| self.absolute(v.quantity) == quantity);
         if let Some(vector) = drawn {
             return Some([vector.tail, vector.head]);
@@ -335,12 +323,9 @@ impl<'a> Known<'a> {
     }
 
     /// What is known after an act.
-    fn learn(&mut self, act: &Act, order: Order) {
-        let polygon = match order {
-            Order::Acceleration => &self.construction.acceleration,
-            _ => &self.construction.velocity,
-        };
-        let vector = |index: usize| Some(polygon.as_ref()?.vectors.get(index)?.quantity);
+    fn learn(&mut self, act: &Act, diagram: DiagramKind) {
+        let diagram = self.construction.diagram(diagram);
+        let vector = |index: usize| Some(diagram?.vectors.get(index)?.quantity);
         let known = match act {
             Act::ReadVector { vector: index, .. }
             | Act::LayOffVector { vector: index, .. }
@@ -411,13 +396,13 @@ impl Teller<'_> {
             _ => None,
         });
         let point = found.filter(|_| self.step.links.is_empty());
-        let template = match (self.step.order, self.step.links.is_empty() && point.is_none()) {
-            (Order::Position, true) => words.step_frame,
-            (Order::Position, false) => words.step_place,
-            (Order::Velocity, true) => words.step_velocity_pole,
-            (Order::Velocity, false) => words.step_velocity,
-            (Order::Acceleration, true) => words.step_acceleration_pole,
-            (Order::Acceleration, false) => words.step_acceleration,
+        let template = match (self.step.diagram, self.step.links.is_empty() && point.is_none()) {
+            (DiagramKind::Skeleton, true) => words.step_frame,
+            (DiagramKind::Skeleton, false) => words.step_place,
+            (DiagramKind::Velocity, true) => words.step_velocity_pole,
+            (DiagramKind::Velocity, false) => words.step_velocity,
+            (DiagramKind::Acceleration, true) => words.step_acceleration_pole,
+            (DiagramKind::Acceleration, false) => words.step_acceleration,
         };
         let links = point.map_or_else(|| self.notation.links(&self.step.links), |p| self.notation.point(p));
         Rich::fill(template, &[("links", links)]).bolder()
@@ -426,7 +411,7 @@ impl Teller<'_> {
     /// One column per term, the signs between them in columns of their own.
     fn terms(&self, equation: &Equation) -> Table {
         let words = self.notation.words;
-        let unit = self.notation.unit(self.step.order);
+        let unit = self.notation.unit(self.step.diagram.dimension());
         let label = |word: &str| Rich::italic(word);
         let mut table = Table {
             columns: vec![Align::Left],
@@ -475,11 +460,8 @@ impl Teller<'_> {
         (magnitude, direction)
     }
 
-    fn polygon(&self) -> Option<&Polygon> {
-        match self.step.order {
-            Order::Acceleration => self.construction.acceleration.as_ref(),
-            _ => self.construction.velocity.as_ref(),
-        }
+    fn polygon(&self) -> Option<&Diagram> {
+        self.construction.diagram(self.step.diagram)
     }
 
     fn vector(&self, index: usize) -> Option<&Vector> {
@@ -519,17 +501,13 @@ impl Teller<'_> {
     fn trial_value(&self, driver: TrialDriver, order: Order, si: f64) -> Rich {
         match driver {
             TrialDriver::Turn(_) => self.notation.rotation(si, &self.notation.angular_unit(order)),
-            TrialDriver::Slide(_) => human::quantity(si, &self.notation.unit(order)),
+            TrialDriver::Slide(_) => human::quantity(si, &self.notation.unit(order.dimension())),
         }
     }
 
     /// Whether a diagram has the two trial images of a point.
     fn shows_trials(&self, point: PointId, order: Order) -> bool {
-        let polygon = match order {
-            Order::Acceleration => &self.construction.acceleration,
-            _ => &self.construction.velocity,
-        };
-        polygon.as_ref().is_some_and(|polygon| {
+        self.construction.diagram(order.diagram()).is_some_and(|polygon| {
             polygon.images.iter().any(|i| matches!(i.label, Label::Trial { point: of, .. } if of == point))
         })
     }
@@ -538,11 +516,11 @@ impl Teller<'_> {
     fn act(&self, act: &Act) -> Option<Rich> {
         let n = self.notation;
         let words = n.words;
-        let order = self.step.order;
+        let diagram = self.step.diagram;
         let length_unit = &n.scene.units.length;
         let per_mm = self.construction.space.metres_per_mm;
         let metres = |si: f64| human::quantity(si, length_unit);
-        let image = |label| n.image(label, order);
+        let image = |label| n.image(label, diagram);
         let sentence = match act {
             Act::MarkPlaces => {
                 let points: Vec<Rich> = (0..n.mechanism().points.len())
@@ -593,7 +571,7 @@ impl Teller<'_> {
                     Closing::Rod { near: point, .. } | Closing::Slide { pin: point, .. }
                         if self.shows_trials(*point, *order) =>
                     {
-                        let image = |second| n.image(Label::Trial { point: *point, second }, *order);
+                        let image = |second| n.image(Label::Trial { point: *point, second }, order.diagram());
                         told(words.try_polygon, ("images", n.list(&[image(false), image(true)])))
                     }
                     Closing::Angle { link, .. } => told(
@@ -666,13 +644,13 @@ impl Teller<'_> {
                 let parts = [("length", n.length(*from, *to)), ("mm", mm), ("value", value)];
                 Rich::fill(words.measure_length, &parts)
             }
-            Act::MarkPole => Rich::fill(words.mark_pole, &[("pole", n.image(Label::Pole, order))]),
+            Act::MarkPole => Rich::fill(words.mark_pole, &[("pole", n.image(Label::Pole, diagram))]),
             Act::Calculate(calculation) => return self.calculation(calculation),
             Act::LayOffVector { vector, mm, .. } => {
                 let vector = self.vector(*vector)?;
                 let parts = [
                     ("vector", self.name(vector)),
-                    ("image", n.image_line(vector.tail, vector.head, order)),
+                    ("image", n.image_line(vector.tail, vector.head, diagram)),
                     ("mm", human::millimetres(*mm)),
                     ("tail", image(vector.tail)),
                     ("head", image(vector.head)),
@@ -701,10 +679,10 @@ impl Teller<'_> {
                 Rich::fill(
                     template,
                     &[
-                        ("line", n.image_line(first, last, order)),
-                        ("image", n.image_line(*from, *to, order)),
+                        ("line", n.image_line(first, last, diagram)),
+                        ("image", n.image_line(*from, *to, diagram)),
                         ("beyond", beyond.map(image).unwrap_or_default()),
-                        ("part", n.image_line(*from, *label, order)),
+                        ("part", n.image_line(*from, *label, diagram)),
                         ("ratio", human::number(ratio.abs())),
                         ("label", image(*label)),
                     ],
@@ -713,7 +691,7 @@ impl Teller<'_> {
             Act::CompleteImage { label, link, base } => Rich::fill(
                 words.complete_image,
                 &[
-                    ("base", n.image_line(base[0], base[1], order)),
+                    ("base", n.image_line(base[0], base[1], diagram)),
                     ("link", Rich::upright(n.number(*link))),
                     ("label", image(*label)),
                 ],
@@ -728,8 +706,8 @@ impl Teller<'_> {
                     &[
                         ("centre", super::circle::name([LinkId::FRAME, *link], n)),
                         ("vector", self.name(vector)),
-                        ("value", human::quantity(*value, &n.unit(order))),
-                        ("image", n.image_line(vector.tail, vector.head, order)),
+                        ("value", human::quantity(*value, &n.unit(diagram.dimension()))),
+                        ("image", n.image_line(vector.tail, vector.head, diagram)),
                         ("mm", human::millimetres(*mm)),
                     ],
                 )
@@ -777,7 +755,7 @@ impl Teller<'_> {
         let own = ("point", n.point(point));
         let number = ("link", Rich::upright(n.number(link)));
         let body = n.mechanism().link(link);
-        let length = |d: Dimension| {
+        let length = |d: StatedLength| {
             let value = human::quantity(d.length, &n.scene.units.length);
             let paper = human::millimetres(d.length / per_mm);
             n.length(d.from, d.to).up("\u{a0}=\u{a0}").then(&value).up("\u{a0}(").then(&paper).up(")")
@@ -820,7 +798,7 @@ impl Teller<'_> {
         let comma = |a: Rich, b: Rich| if a.is_empty() { b } else { a.aside(n.words.comma, &b) };
         let Some(claim) = vector.claim else { return Rich::default() };
         if vector.kind == VectorKind::Coriolis && self.is_drawn_backwards(vector) {
-            let head = ("head", n.image(vector.head, self.step.order));
+            let head = ("head", n.image(vector.head, self.step.diagram));
             return comma(n.claim(claim), Rich::fill(n.words.head_first, &[head]));
         }
         match claim {
@@ -868,7 +846,7 @@ impl Teller<'_> {
         let n = self.notation;
         let equals = "\u{a0}= ";
         let length = &n.scene.units.length;
-        let (v, a) = (n.unit(Order::Velocity), n.unit(Order::Acceleration));
+        let (v, a) = (n.unit(Dimension::Velocity), n.unit(Dimension::Acceleration));
         let (w, e) = (n.angular_unit(Order::Velocity), n.angular_unit(Order::Acceleration));
         let times = "\u{a0}·\u{a0}";
         let cross = "\u{a0}×\u{a0}";
@@ -999,8 +977,8 @@ impl Teller<'_> {
                     .then(&human::quantity(*value, &a))
             }
             Calculation::Translation { link } => {
-                let omega = match self.step.order {
-                    Order::Acceleration => Quantity::Alpha(*link),
+                let omega = match self.step.diagram {
+                    DiagramKind::Acceleration => Quantity::Alpha(*link),
                     _ => Quantity::Omega(*link),
                 };
                 Rich::fill(

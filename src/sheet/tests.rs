@@ -7,7 +7,7 @@ use super::overlap::overlaps;
 use super::{Language, figure_names, film, question, scale, single, solution, step_by_step};
 use crate::graphical::construction::{CentrePlace, Construction};
 use crate::graphical::{construct, extents};
-use crate::mechanism::quantity::Answer;
+use crate::mechanism::quantity::{Answer, DiagramKind};
 use crate::mechanism::structure::Structure;
 use crate::plan::{Extent, Plan};
 use crate::render::svg;
@@ -288,9 +288,10 @@ fn told(group: &Group, words: &mut String, leaking: &mut Vec<String>) {
 fn computed(scene: &Scene, construction: &Construction) -> Vec<(String, f64)> {
     let (length, time) = (scene.units.length.si, scene.units.time.si);
     let mut all = Vec::new();
-    for (polygon, unit) in
-        [(&construction.velocity, length / time), (&construction.acceleration, length / (time * time))]
-    {
+    for (polygon, unit) in [
+        (construction.diagram(DiagramKind::Velocity), length / time),
+        (construction.diagram(DiagramKind::Acceleration), length / (time * time)),
+    ] {
         for vector in polygon.iter().flat_map(|p| p.vectors.iter().map(move |v| (p, v))) {
             let (p, v) = vector;
             let parts = [v.to[0] - v.from[0], v.to[1] - v.from[1]];
@@ -342,8 +343,8 @@ fn unknown_figures_are_refused() {
 #[test]
 fn the_book_s_scales_are_chosen() {
     let (_, construction) = problem_3_1();
-    let velocity = construction.velocity.unwrap().si_per_mm;
-    let acceleration = construction.acceleration.unwrap().si_per_mm;
+    let velocity = construction.diagram(DiagramKind::Velocity).unwrap().si_per_mm;
+    let acceleration = construction.diagram(DiagramKind::Acceleration).unwrap().si_per_mm;
     let close = |a: f64, b: f64| (a - b).abs() < 1e-12 * b;
     assert!(close(construction.space.metres_per_mm, 0.01));
     assert!(close(velocity, 0.05) && close(acceleration, 0.5), "{velocity} {acceleration}");
@@ -468,8 +469,7 @@ fn placed(json: &str) -> (Scene, Construction) {
     };
     let construction = Construction {
         space,
-        velocity: None,
-        acceleration: None,
+        diagrams: vec![],
         circle: None,
         others: vec![],
         auxiliary: Vec::new(),
@@ -669,7 +669,7 @@ fn the_image_of_a_link_is_drawn_once() {
 fn a_polygon_found_by_trial_fills_its_panel() {
     for path in ["examples/pairs/higher-group.json", "src/catalogue/stephenson.json"] {
         let (_, construction) = solved(&Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
-        for polygon in [&construction.velocity, &construction.acceleration].into_iter().flatten() {
+        for polygon in &construction.diagrams {
             let longest =
                 polygon.vectors.iter().map(|v| libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]));
             let longest = longest.fold(0.0, f64::max);
@@ -896,7 +896,7 @@ fn a_crowded_spot_has_its_detail_at_a_true_multiple() {
             _ => None,
         })
         .collect();
-    let polygon = construction.acceleration.as_ref().unwrap();
+    let polygon = construction.diagram(DiagramKind::Acceleration).unwrap();
     let foot = polygon
         .vectors
         .iter()

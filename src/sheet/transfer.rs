@@ -15,7 +15,7 @@ use super::steps::Item;
 use crate::graphical::construction::{
     Centre, CentrePlace, CircleDiagram, Construction, Mm2, Spot, Transfer, TransferAct, TransferInk,
 };
-use crate::mechanism::quantity::{Method, Order, Quantity};
+use crate::mechanism::quantity::{Dimension, Method, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::chord;
 
@@ -60,7 +60,7 @@ pub fn draw(
         centres(transfers, circle, window, notation, &mut overlay);
         overlay
     });
-    let unit = notation.unit(Order::Velocity);
+    let unit = notation.unit(Dimension::Velocity);
     group.class = "transfer".to_owned();
     match transfers.first() {
         Some(first) => group.data("velocity-scale", format!("{}", first.si_per_mm / unit.si)),
@@ -399,19 +399,19 @@ impl Teller<'_> {
     }
 
     fn speed(&self, si: f64) -> Rich {
-        human::quantity(si, &self.notation.unit(Order::Velocity))
+        human::quantity(si, &self.notation.unit(Dimension::Velocity))
     }
 
     /// A length read on paper, and the speed that it is by the scale.
     fn read(&self, mm: f64, speed: f64) -> [Rich; 2] {
-        let unit = self.notation.unit(Order::Velocity);
+        let unit = self.notation.unit(Dimension::Velocity);
         let [mm, value] = human::reading(mm.abs(), self.si_per_mm / unit.si, speed.abs() / unit.si);
         [mm, human::with_unit(&value, &unit.symbol)]
     }
 
     /// The rotation and the length of a line `ω · length = speed`, so that it closes as it is printed.
     fn product(&self, omega: f64, mm: f64, speed: f64) -> [Rich; 2] {
-        let (w, v) = (self.notation.angular_unit(Order::Velocity), self.notation.unit(Order::Velocity));
+        let (w, v) = (self.notation.angular_unit(Order::Velocity), self.notation.unit(Dimension::Velocity));
         let unit = &self.notation.scene.units.length;
         let factors = [omega.abs() / w.si, mm.abs() * self.metres_per_mm / unit.si];
         let [rate, length] = human::closing(factors, speed.abs() / v.si, |[a, b]| a * b);
@@ -512,7 +512,7 @@ impl Teller<'_> {
             }
             TransferAct::Omega { link, spot, mm, speed, omega } => {
                 let (w, v) =
-                    (self.notation.angular_unit(Order::Velocity), self.notation.unit(Order::Velocity));
+                    (self.notation.angular_unit(Order::Velocity), self.notation.unit(Dimension::Velocity));
                 let unit = &self.notation.scene.units.length;
                 let factors = [speed.abs() / v.si, mm.abs() * self.metres_per_mm / unit.si];
                 let [speed, length] = human::closing(factors, omega.abs() / w.si, |[v, l]| v / l);

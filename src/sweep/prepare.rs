@@ -298,7 +298,7 @@ fn now(mechanism: &Mechanism, quantity: Quantity) -> Result<Option<Answer>, Swee
     only.asked = vec![Asked { name: String::new(), quantity, unit, method: Method::Polygon }];
     let structure = Structure::of(&only)?;
     let plan = Plan::new(&only, &structure, Extent::Asked);
-    let scales = Scales { length: 1.0, velocity: 1.0, acceleration: 1.0 };
+    let scales = Scales::new(|_| 1.0);
     let drawn = graphical::construct(&only, &structure, &plan, scales)?;
     Ok(drawn.construction.answers.into_iter().next().map(|reading| reading.answer))
 }

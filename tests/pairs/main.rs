@@ -269,7 +269,7 @@ proptest! {
         let Some(made) = build(&plan) else { return Ok(()) };
         let Ok(solved) = solve(&read(&made.scene), Extent::Asked, scale::for_scene) else { return Ok(()) };
         let construction = &solved.solution.construction;
-        for polygon in [&construction.velocity, &construction.acceleration].into_iter().flatten() {
+        for polygon in &construction.diagrams {
             for vector in &polygon.vectors {
                 for (label, at) in [(vector.tail, vector.from), (vector.head, vector.to)] {
                     let stands = label == Label::Pole && at == [0.0; 2]

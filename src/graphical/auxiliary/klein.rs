@@ -79,7 +79,7 @@ impl Draughtsman<'_> {
         let (guide, _) = self.tangent(slide, slider_pin);
         let across = self.board.quarter_turn(guide);
         let rod_line = Line { through: pin, along: along_rod };
-        let per_mm = self.scales.length;
+        let per_mm = self.scales.length();
         self.act_auxiliary(AuxiliaryAct::CrankAsImage {
             crank,
             omega: omega.value(),
@@ -197,7 +197,7 @@ impl Draughtsman<'_> {
             libm::hypot(q[0] - p[0], q[1] - p[1])
         };
         self.act_auxiliary(AuxiliaryAct::ReadTurned { crank, accelerations: klein.acceleration.is_some() });
-        let velocity = rate.abs() * self.scales.length;
+        let velocity = rate.abs() * self.scales.length();
         let read = |d: &mut Self, quantity, (tail, p), (head, q), si_per_mm: f64| {
             let mm = apart(p, q);
             d.act_auxiliary(AuxiliaryAct::ReadImage { quantity, tail, head, mm, si_per_mm });
@@ -212,7 +212,7 @@ impl Draughtsman<'_> {
             Calculation::Omega { link: rod, quantity: relative, ends, speed, length: length.value(), value };
         self.act_auxiliary(AuxiliaryAct::Calculate(omega));
         let Some(found) = klein.acceleration else { return };
-        let acceleration = rate * rate * self.scales.length;
+        let acceleration = rate * rate * self.scales.length();
         read(self, Quantity::Acceleration(slider_pin), (b, found.image), (Label::Pole, pole), acceleration);
         let relative = Quantity::RelativeAcceleration(slider_pin, crank_pin);
         read(self, relative, (b, found.image), (a, found.pin), acceleration);

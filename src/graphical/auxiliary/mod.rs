@@ -348,7 +348,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
 impl Draughtsman<'_> {
     /// Draws the centrodes of two links. They are curves through many positions, each drawn on its own board.
     fn draw_centrodes(&mut self, links: [LinkId; 2]) {
-        let per_mm = self.scales.length;
+        let per_mm = self.scales.length();
         let page = self.per_page * per_mm;
         let fineness = Fineness { tolerance: CURVE_WITHIN * page, reach: CURVE_REACH * page };
         let found = match centrodes::trace(self.mechanism, self.structure, links, fineness) {

@@ -16,7 +16,7 @@ impl Draughtsman<'_> {
             Ok(places) => places,
             Err(why) => return self.refuse_auxiliary(centrodes::clause(&why)),
         };
-        let per_mm = self.scales.length;
+        let per_mm = self.scales.length();
         let moved = |d: &mut Self, p: PointId| {
             let at = places.get(p.0).copied().flatten()?;
             Some(d.board.copied(at.map(|x| x / per_mm)))

@@ -22,7 +22,7 @@ pub(in super::super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(),
     d.omegas[LinkId::FRAME.0] = Some(d.rest());
     d.step(Order::Velocity, &[], Vec::new());
     d.act(Act::MarkPole);
-    for step in &plan.velocity {
+    for step in plan.steps(Order::Velocity) {
         let group = &d.structure.groups[step.group];
         if matches!(group.kind, GroupKind::Rolling { .. }) {
             return Err(ROLLING);

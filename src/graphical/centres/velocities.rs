@@ -200,7 +200,7 @@ impl Draughtsman<'_> {
                 self.draw_transfer(TransferInk::LineOfCentres { from: second.value(), to: common.value() });
             } else if let [Location::At(first), Location::Toward(..), Location::At(common)] = places {
                 let mm = self.board.distance(first, common).value();
-                let speed = mm * self.scales.length * omegas[0].abs();
+                let speed = mm * self.scales.length() * omegas[0].abs();
                 self.tell(TransferAct::CommonSpeed {
                     links: [input, link],
                     of: input,

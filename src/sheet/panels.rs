@@ -1,0 +1,193 @@
+//! The panels of a sheet: one list of what a construction has drawn, in the order in which it is shown and lettered.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::compose::{ARABIC_LEADING, TEXT, clear_of};
+use super::figure::Group;
+use super::growth::Births;
+use super::notation::Notation;
+use super::rich::Rich;
+use super::table::Block;
+use super::words::Words;
+use super::{auxiliary, centres, circle, polygon, positions, skeleton, transfer};
+use crate::graphical::auxiliary::AuxiliaryDrawing;
+use crate::graphical::construction::Construction;
+use crate::mechanism::quantity::{DiagramKind, Dimension};
+
+/// The lines of a legend below a drawing may be as wide as this.
+const LEGEND: f64 = 80.0;
+
+/// A drawing of the solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Panel {
+    /// The skeleton or a vector diagram.
+    Diagram(DiagramKind),
+    /// The instant centres on the skeleton.
+    Centres,
+    /// The circle diagram.
+    Circle,
+    /// A velocity carried over by instant centres, by index of the method.
+    Transfer(usize),
+    /// A construction on the skeleton, by index.
+    Auxiliary(usize),
+}
+
+impl Panel {
+    /// The skeleton.
+    pub const SKELETON: Self = Self::Diagram(DiagramKind::Skeleton);
+
+    /// What a construction has drawn, in order.
+    #[must_use]
+    pub fn all(construction: &Construction) -> Vec<Self> {
+        let mut all = vec![Self::SKELETON];
+        all.extend(construction.diagrams.iter().map(|diagram| Self::Diagram(diagram.kind)));
+        if let Some(circle) = &construction.circle {
+            all.extend([Self::Centres, Self::Circle]);
+            all.extend((0..transfer::by_method(circle).len()).map(Self::Transfer));
+        }
+        let drawn =
+            construction.auxiliary.iter().enumerate().filter(|(_, drawing)| drawing.refused.is_none());
+        all.extend(drawn.map(|(index, _)| Self::Auxiliary(index)));
+        all
+    }
+
+    /// The diagrams among them.
+    #[must_use]
+    pub fn diagrams(construction: &Construction) -> Vec<Self> {
+        Self::all(construction).into_iter().filter(|panel| matches!(panel, Self::Diagram(_))).collect()
+    }
+
+    /// Whether it is drawn at a scale that a scene may state; what stands on a skeleton besides is fitted in.
+    #[must_use]
+    pub const fn has_scale_of_its_own(self) -> bool {
+        matches!(self, Self::Diagram(_) | Self::Centres | Self::Circle)
+    }
+
+    /// The panel with its caption and scale; none where the construction has no such drawing.
+    #[must_use]
+    pub fn block(self, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
+        let caption = self.caption(construction, notation)?;
+        Some(captioned(self.drawing(construction, notation, None)?, &caption))
+    }
+
+    /// The drawing without its caption; with the lives of its ink where these are told.
+    #[must_use]
+    pub fn drawing(
+        self,
+        construction: &Construction,
+        notation: &Notation<'_>,
+        births: Option<&Births<'_>>,
+    ) -> Option<Group> {
+        match self {
+            Self::SKELETON => Some(match births {
+                Some(births) => skeleton::growing(construction, notation, births),
+                None => skeleton::draw(construction, notation),
+            }),
+            Self::Diagram(kind) => {
+                let births = births.and_then(|births| births.images(kind));
+                Some(polygon::draw(construction.diagram(kind)?, &construction.steps, notation, births))
+            }
+            Self::Centres => {
+                Some(centres::draw(construction.circle.as_ref()?, construction, notation, births))
+            }
+            Self::Circle => Some(circle::draw(construction.circle.as_ref()?, notation)),
+            Self::Transfer(index) => {
+                let circle = construction.circle.as_ref()?;
+                let same = transfer::by_method(circle).into_iter().nth(index)?;
+                Some(transfer::draw(&same, circle, construction, notation))
+            }
+            Self::Auxiliary(index) => {
+                Some(auxiliary::draw(construction.auxiliary.get(index)?, construction, notation))
+            }
+        }
+    }
+
+    /// What stands below the drawing: its letter, name and scale, and the legend of what is dashed in it.
+    #[must_use]
+    pub fn caption(self, construction: &Construction, notation: &Notation<'_>) -> Option<Vec<Rich>> {
+        let words = notation.words;
+        let name = |caption: &str| Rich::upright(caption);
+        let skeleton = || notation.length_scale(construction.space.metres_per_mm);
+        let (caption, scale) = match self {
+            Self::SKELETON => (name(words.skeleton), skeleton()),
+            Self::Diagram(kind) => {
+                let scale = notation.scale(construction.diagram(kind)?.si_per_mm, kind.dimension());
+                (name(title(kind, words)), scale)
+            }
+            Self::Centres => (name(words.centres_figure), skeleton()),
+            Self::Circle => (name(words.circle_diagram), Rich::default()),
+            Self::Transfer(index) => {
+                let circle = construction.circle.as_ref()?;
+                let same = transfer::by_method(circle).into_iter().nth(index)?;
+                let scale = notation.scale(same.first()?.si_per_mm, Dimension::Velocity);
+                (transfer::title(&same, notation), scale)
+            }
+            Self::Auxiliary(index) => {
+                (auxiliary::title(&construction.auxiliary.get(index)?.kind, notation), skeleton())
+            }
+        };
+        let place = Self::all(construction).iter().position(|panel| *panel == self)?;
+        let letter = words.panels[place.min(words.panels.len() - 1)];
+        let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
+        if !scale.is_empty() {
+            let scale = Rich::fill(words.scale, &[("scale", scale)]);
+            caption = caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale);
+        }
+        let mut caption = vec![caption];
+        if self == Self::SKELETON {
+            caption.extend(positions::legend(construction, notation));
+        }
+        Some(caption)
+    }
+}
+
+/// The panel of a construction on the skeleton.
+#[must_use]
+pub fn of_auxiliary(drawing: &AuxiliaryDrawing, construction: &Construction) -> Option<Panel> {
+    let index = construction.auxiliary.iter().position(|other| other.kind == drawing.kind)?;
+    Some(Panel::Auxiliary(index))
+}
+
+/// What a diagram is called.
+#[must_use]
+pub const fn title(kind: DiagramKind, words: &Words) -> &'static str {
+    match kind {
+        DiagramKind::Skeleton => words.skeleton,
+        DiagramKind::Velocity => words.velocity_diagram,
+        DiagramKind::Acceleration => words.acceleration_diagram,
+    }
+}
+
+/// A drawing with its caption below it, upper left corner at the origin: lines that are no wider than the drawing or the
+/// first of them.
+pub(super) fn captioned(drawing: Group, caption: &[Rich]) -> Block {
+    let mut group = Group::new("panel");
+    group.group(drawing);
+    let ink = group.bounds().unwrap_or(Rect::ZERO);
+    let first = caption.first().map_or(0.0, |line| line.width(TEXT));
+    let width = ink.width().max(first);
+    group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
+    let mut base = ink.height() + 7.0;
+    let mut widest = width;
+    let mut above: Vec<Rect> = Vec::new();
+    for (i, text) in caption.iter().enumerate() {
+        // What is said first stays in one line.
+        let lines = if i == 0 { vec![text.clone()] } else { text.wrap(TEXT, width.max(LEGEND)) };
+        for (k, line) in lines.iter().enumerate() {
+            let line = line.set(TEXT);
+            let left = (width - line.width) / 2.0;
+            let own = line.boxes_at(Point::new(left, 0.0));
+            if i + k > 0 {
+                base += ARABIC_LEADING.max(clear_of(&above, &own));
+            }
+            above = own;
+            widest = widest.max(line.width);
+            line.put(&mut group, Point::new(left, base), "caption");
+        }
+    }
+    // A legend may be wider than a small drawing.
+    if widest > width {
+        group.translate(Vec2::new((widest - width) / 2.0, 0.0));
+    }
+    Block { group, width: widest, height: base + 1.5 }
+}
