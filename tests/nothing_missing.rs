@@ -74,7 +74,7 @@ const RIGHT: &[(&str, &str, &str)] = &[
         "the image of a fixed point is the pole",
     ),
     ("graphical/draughtsman.rs", "p.vectors.get(vector)) else { return }", "a step list without a polygon"),
-    ("graphical/mod.rs", "map_or([0.0; 2]", "the size of what has no ink"),
+    ("graphical/scales.rs", "map_or([0.0; 2]", "the size of what has no ink"),
     ("graphical/pose.rs", "return (own_x, own_x);", "the axes of what stands in the world"),
     ("graphical/position.rs", "m + score.unwrap_or(0.0)", "a sum begins at zero"),
     ("graphical/position.rs", "score.unwrap_or(0.0) + m", "a sum begins at zero"),
