@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::{Asked, DiagramKind, Method, Order, Quantity};
-use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial, TrialDriver};
+use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial, TrialDriver, Unknown};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// From what instant centres are found.
@@ -103,24 +103,24 @@ pub fn trial_steps(trial: &Trial, step: &GroupStep, mechanism: &Mechanism) -> Ve
         }
     }
     for group in &trial.groups {
-        wanted.extend(bases(group.kind).into_iter().flatten());
+        wanted.extend(group.kind.bases());
         wanted.extend(&group.points);
     }
     let mut found: BTreeSet<PointId> = BTreeSet::new();
     let mut steps = Vec::new();
     for (index, group) in trial.groups.iter().enumerate() {
-        let main = main_points(group.kind);
+        let main = group.kind.main_points(mechanism);
         let mut points = Vec::new();
         for &link in group.links.iter().filter(|&&l| !mechanism.link(l).block) {
             for &point in &mechanism.link(link).points {
                 let fresh = wanted.contains(&point) && !found.contains(&point);
-                if fresh && !mechanism.is_fixed(point) && !main.contains(&Some(point)) {
+                if fresh && !mechanism.is_fixed(point) && !main.contains(&point) {
                     found.insert(point);
                     points.push((link, point));
                 }
             }
         }
-        found.extend(main.into_iter().flatten());
+        found.extend(main);
         steps.push(GroupStep { group: index, points });
     }
     steps
@@ -594,7 +594,7 @@ impl Wanted<'_> {
     fn point(&mut self, point: PointId, order: Order) {
         let Some(group) = self.structure.group_finding(self.mechanism, point) else { return };
         self.group(group, order);
-        if main_points(self.structure.groups[group].kind).contains(&Some(point)) {
+        if self.structure.groups[group].kind.main_points(self.mechanism).contains(&point) {
             return;
         }
         // A joint of the group that lies on none of its links is found by solving the group itself.
@@ -706,22 +706,24 @@ impl Wanted<'_> {
             }
             self.steps.insert((lower, group), BTreeSet::new());
             let kind = self.structure.groups[group].kind;
-            for base in bases(kind).into_iter().flatten() {
+            for base in kind.bases() {
                 self.point(base, lower);
             }
             if let GroupKind::Higher { .. } = kind {
                 self.surroundings(group, lower);
             }
-            match kind {
-                GroupKind::Wheel { wheel: link, roll, .. }
-                | GroupKind::DrivenWheel { wheel: link, roll, .. }
-                | GroupKind::Rack { link, roll, .. } => self.rolled_on(roll, link, lower),
-                GroupKind::Rolling { centre, roll, .. } | GroupKind::PinnedRack { centre, roll, .. } => {
-                    self.leans_on(roll, centre, lower);
-                }
-                _ => {}
+            if let GroupKind::Wheel { wheel, roll, .. } = kind {
+                self.rolled_on(roll, wheel, lower);
             }
-            for slide in slides_of(kind).into_iter().flatten() {
+            for unknown in kind.unknowns(self.mechanism).into_iter().flat_map(|(_, unknowns)| unknowns) {
+                match unknown {
+                    Unknown::Contact { roll, body } => self.rolled_on(roll, body, lower),
+                    Unknown::Spin { roll, wheel, .. } => self.rolled_on(roll, wheel, lower),
+                    Unknown::Roll { roll, centre, .. } => self.leans_on(roll, centre, lower),
+                    Unknown::Turn { .. } | Unknown::Slide { .. } | Unknown::Carried { .. } => {}
+                }
+            }
+            for slide in kind.slides(self.mechanism) {
                 let slide = self.mechanism.slides[slide];
                 for link in [Some(slide.guide.link), slide_rider(&slide)].into_iter().flatten() {
                     if self.structure.group_of(link) != Some(group) {
@@ -742,73 +744,10 @@ fn lower_orders(order: Order) -> &'static [Order] {
     }
 }
 
-/// The points on solved links from which a group is solved.
-fn bases(kind: GroupKind) -> [Option<PointId>; 2] {
-    match kind {
-        GroupKind::Driver { base, .. }
-        | GroupKind::Rrp { base, .. }
-        | GroupKind::Rolling { base, .. }
-        | GroupKind::PinnedRack { base, .. } => [Some(base), None],
-        GroupKind::Rrr { bases: [a, b], .. } => [Some(a), Some(b)],
-        GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin)],
-        GroupKind::Yoke { pin: base, .. }
-        | GroupKind::Rpp { base, .. }
-        | GroupKind::Wheel { centre: base, .. } => [Some(base), None],
-        GroupKind::DrivenBar { pins, under, .. } => [0, 1].map(|i| under[i].then_some(pins[i])),
-        GroupKind::Prp { .. }
-        | GroupKind::Rack { .. }
-        | GroupKind::DrivenWheel { .. }
-        | GroupKind::DrivenSlide { .. }
-        | GroupKind::Higher { .. }
-        | GroupKind::Other => [None, None],
-    }
-}
-
-/// The sliding pairs by which a group depends on solved links.
-fn slides_of(kind: GroupKind) -> [Option<usize>; 2] {
-    match kind {
-        GroupKind::Rrp { slide, .. } | GroupKind::Rpr { slide, .. } => [Some(slide), None],
-        GroupKind::Prp { slides: [a, b], .. } | GroupKind::DrivenBar { slides: [a, b], .. } => {
-            [Some(a), Some(b)]
-        }
-        GroupKind::Yoke { ride, slot, .. } | GroupKind::Rpp { ride, slot, .. } => [Some(ride), Some(slot)],
-        GroupKind::DrivenSlide { slide, .. } | GroupKind::Rack { ride: slide, .. } => [Some(slide), None],
-        GroupKind::DrivenWheel { guide, .. } => [guide, None],
-        GroupKind::Wheel { .. }
-        | GroupKind::Rolling { .. }
-        | GroupKind::PinnedRack { .. }
-        | GroupKind::Higher { .. }
-        | GroupKind::Driver { .. }
-        | GroupKind::Rrr { .. }
-        | GroupKind::Other => [None, None],
-    }
-}
-
 fn slide_rider(slide: &Slide) -> Option<LinkId> {
     match slide.rider {
         Rider::Link { link, .. } => Some(link),
         Rider::Pin { .. } => None,
-    }
-}
-
-/// The points that are found or used by solving the group itself.
-fn main_points(kind: GroupKind) -> [Option<PointId>; 3] {
-    match kind {
-        GroupKind::Driver { base, .. } => [Some(base), None, None],
-        GroupKind::Rrr { bases: [a, b], pin, .. } => [Some(a), Some(b), Some(pin)],
-        GroupKind::Rrp { base, pin, .. } | GroupKind::Rpr { base, pin, .. } => [Some(base), Some(pin), None],
-        GroupKind::Prp { pin, .. } | GroupKind::Yoke { pin, .. } => [Some(pin), None, None],
-        GroupKind::Rpp { base, point: pin, .. } | GroupKind::Rolling { base, centre: pin, .. } => {
-            [Some(base), Some(pin), None]
-        }
-        GroupKind::DrivenBar { point, pins: [a, b], .. } => [Some(a), Some(b), Some(point)],
-        GroupKind::Wheel { centre: base, .. }
-        | GroupKind::DrivenWheel { centre: base, .. }
-        | GroupKind::PinnedRack { base, .. } => [Some(base), None, None],
-        GroupKind::Rack { .. }
-        | GroupKind::DrivenSlide { .. }
-        | GroupKind::Higher { .. }
-        | GroupKind::Other => [None, None, None],
     }
 }
 

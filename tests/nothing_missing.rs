@@ -89,7 +89,7 @@ const RIGHT: &[(&str, &str, &str)] = &[
     ("graphical/velocity.rs", "= kind else { return };", "a group of another kind is another construction's"),
     (
         "graphical/dyad.rs",
-        "self.routes_of(kind) else { return };",
+        "kind.unknowns(self.mechanism) else { return };",
         "a group of another kind is another construction's",
     ),
     (

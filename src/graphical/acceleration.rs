@@ -15,13 +15,13 @@
 use crate::board::{Amount, Direction, Line, Mm, Point};
 use crate::given::Given;
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::{Drive, Group, GroupKind};
+use crate::mechanism::structure::{Drive, Group, GroupKind, Target, Unknown};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Calculation, Claim, Label, Reference, VectorKind};
 use super::draughtsman::{Draughtsman, Foot};
-use super::dyad::{Route, Target, Unknown};
+use super::dyad::Route;
 
 /// Draws the steps of the acceleration polygon.
 pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {

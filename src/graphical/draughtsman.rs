@@ -2,7 +2,7 @@
 
 use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
 use crate::mechanism::quantity::{Indeterminate, Order, Quantity};
-use crate::mechanism::structure::{GroupKind, Structure, TrialDriver};
+use crate::mechanism::structure::{Structure, Target, TrialDriver, Unknown};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::{Auxiliary, home};
 
@@ -474,14 +474,14 @@ impl<'m> Draughtsman<'m> {
         let moving = |slide: usize| self.mechanism.slides[slide].guide.link != LinkId::FRAME;
         let on_moving_guide = self.mechanism.slides.iter().any(|s| {
             s.guide.link != LinkId::FRAME && matches!(s.rider, Rider::Pin { point: p, .. } if p == point)
-        }) || self.structure.groups.iter().any(|group| match group.kind {
-            GroupKind::Rrp { pin, slide, rider: Some(_), .. } => pin == point && moving(slide),
-            GroupKind::Prp { pin, slides, .. } => pin == point && slides.into_iter().any(moving),
-            GroupKind::Rpp { point: pin, .. } | GroupKind::PinnedRack { centre: pin, .. } => pin == point,
-            GroupKind::DrivenBar { pins, slides, riders, .. } => {
-                (0..2).any(|i| pins[i] == point && riders[i].is_some() && moving(slides[i]))
-            }
-            _ => false,
+        }) || self.structure.groups.iter().any(|group| {
+            let Some((target, unknowns)) = group.kind.unknowns(self.mechanism) else { return false };
+            unknowns.into_iter().any(|unknown| match (unknown, target) {
+                (Unknown::Slide { slide, .. }, Target::Pin(pin))
+                | (Unknown::Carried { slide, pin, .. }, _) => pin == point && moving(slide),
+                (Unknown::Roll { centre, back: true, .. }, _) => centre == point,
+                _ => false,
+            })
         });
         let link = if on_moving_guide { home(self.mechanism, self.structure, point) } else { None };
         Label::Image { point, link }

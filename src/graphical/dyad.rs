@@ -5,7 +5,7 @@
 
 use crate::board::{Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::{Group, GroupKind};
+use crate::mechanism::structure::{Group, GroupKind, Lead, Target, Unknown};
 use crate::mechanism::{Guide, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::GroupStep;
 
@@ -22,77 +22,6 @@ pub(super) struct Route {
     pub(super) unknown: Unknown,
 }
 
-/// What the length along a route tells.
-#[derive(Clone, Copy)]
-pub(super) enum Unknown {
-    /// A link turns about its base.
-    Turn {
-        link: LinkId,
-        base: PointId,
-        /// The point whose image the route leads to.
-        to: PointId,
-    },
-    /// A rider slides along its guide.
-    Slide {
-        slide: usize,
-        /// The rider is solved and the guide is sought.
-        back: bool,
-    },
-    /// Another pin of a driven link slides along its guide; the link's rotation leads from it to the pin
-    /// that is sought.
-    Carried {
-        slide: usize,
-        /// The rider is solved and the guide is sought.
-        back: bool,
-        link: LinkId,
-        pin: PointId,
-    },
-    /// A wheel's centre runs along the body on which it rolls.
-    Roll {
-        /// Index of the rolling pair.
-        roll: usize,
-        /// The wheel.
-        wheel: LinkId,
-        /// Its centre.
-        centre: PointId,
-        /// The centre is solved and the body of the line is sought.
-        back: bool,
-    },
-    /// The contact points of a rolling pair have one tangential part; they differ along the common normal.
-    Contact {
-        /// Index of the rolling pair.
-        roll: usize,
-        /// The body that is sought.
-        body: LinkId,
-    },
-    /// The same, from the contact point to the centre of a wheel that is driven.
-    Spin {
-        /// Index of the rolling pair.
-        roll: usize,
-        /// The wheel.
-        wheel: LinkId,
-        /// Its centre.
-        centre: PointId,
-    },
-}
-
-/// The image that a group's two routes lead to.
-#[derive(Clone, Copy)]
-pub(super) enum Target {
-    /// That of the group's pin.
-    Pin(PointId),
-    /// That of the point of a link under a pin of a solved link.
-    Under(PointId, LinkId),
-}
-
-impl Target {
-    pub(super) fn pin(self) -> PointId {
-        match self {
-            Self::Pin(pin) | Self::Under(pin, _) => pin,
-        }
-    }
-}
-
 /// One route as a sum of vectors.
 struct Side {
     known: Vec<Term>,
@@ -101,80 +30,7 @@ struct Side {
     back: bool,
 }
 
-/// Base and pin between which the images of a link's further points are found.
-pub(super) fn main_base(kind: GroupKind, link: LinkId) -> Option<(PointId, PointId)> {
-    match kind {
-        GroupKind::Rrr { links, bases, pin } => {
-            links.iter().position(|&l| l == link).map(|index| (bases[index], pin))
-        }
-        GroupKind::Rrp { rod, base, pin, .. } if rod == link => Some((base, pin)),
-        GroupKind::Rolling { rod, base, centre, .. } if rod == link => Some((base, centre)),
-        _ => None,
-    }
-}
-
 impl Draughtsman<'_> {
-    /// The image that a group is solved for, and the two unknowns that lead to it; those of the frame first.
-    pub(super) fn routes_of(&self, kind: GroupKind) -> Option<(Target, [Unknown; 2])> {
-        let slide = |slide: usize, link: Option<LinkId>| {
-            let back = link == Some(self.mechanism.slides[slide].guide.link);
-            Unknown::Slide { slide, back }
-        };
-        Some(match kind {
-            GroupKind::Rrr { links, bases, pin } => {
-                (Target::Pin(pin), [0, 1].map(|i| Unknown::Turn { link: links[i], base: bases[i], to: pin }))
-            }
-            GroupKind::Rrp { rod, base, pin, slide: guide, rider } => {
-                (Target::Pin(pin), [Unknown::Turn { link: rod, base, to: pin }, slide(guide, rider)])
-            }
-            GroupKind::Rolling { rod, base, wheel, centre, roll } => (
-                Target::Pin(centre),
-                [
-                    Unknown::Turn { link: rod, base, to: centre },
-                    Unknown::Roll { roll, wheel, centre, back: false },
-                ],
-            ),
-            GroupKind::PinnedRack { link, base, wheel, centre, roll } => (
-                Target::Under(centre, link),
-                [Unknown::Turn { link, base, to: centre }, Unknown::Roll { roll, wheel, centre, back: true }],
-            ),
-            GroupKind::Prp { pin, slides, riders } => {
-                (Target::Pin(pin), [0, 1].map(|i| slide(slides[i], riders[i])))
-            }
-            GroupKind::Rpp { link, point, ride, slot, .. } => {
-                (Target::Pin(point), [slide(ride, Some(link)), slide(slot, Some(link))])
-            }
-            GroupKind::Rpr { lever, base, pin, slide: guide, .. } => (
-                Target::Under(pin, lever),
-                [Unknown::Turn { link: lever, base, to: pin }, slide(guide, Some(lever))],
-            ),
-            GroupKind::Yoke { link, ride, pin, slot } => {
-                (Target::Under(pin, link), [slide(ride, Some(link)), slide(slot, Some(link))])
-            }
-            GroupKind::Rack { link, ride, roll } => (
-                Target::Under(self.contact_of(roll), link),
-                [slide(ride, Some(link)), Unknown::Contact { roll, body: link }],
-            ),
-            GroupKind::DrivenBar { link, point, pins, slides, riders, under, .. } => {
-                let hold =
-                    |i: usize| self.hold_of((slides[i], pins[i]), (riders[i], under[i]), (link, point));
-                (Target::Pin(point), [0, 1].map(hold))
-            }
-            GroupKind::DrivenWheel { wheel, centre, roll, guide, .. } => {
-                let held = match guide {
-                    Some(guide) => slide(guide, None),
-                    None => Unknown::Roll { roll, wheel, centre, back: false },
-                };
-                (Target::Pin(centre), [held, Unknown::Spin { roll, wheel, centre }])
-            }
-            GroupKind::Driver { .. }
-            | GroupKind::DrivenSlide { .. }
-            | GroupKind::Wheel { .. }
-            | GroupKind::Higher { .. }
-            | GroupKind::Other => return None,
-        })
-    }
-
     /// The solved link of a sliding pair; none where a pin of one is the rider.
     pub(super) fn solved_side(&self, slide: usize, back: bool) -> Option<LinkId> {
         let slide = self.mechanism.slides[slide];
@@ -390,26 +246,11 @@ impl Draughtsman<'_> {
         foot
     }
 
-    /// What one of the two sliding pairs of a driven link leaves unknown.
-    fn hold_of(
-        &self,
-        (slide, pin): (usize, PointId),
-        (rider, under): (Option<LinkId>, bool),
-        (link, point): (LinkId, PointId),
-    ) -> Unknown {
-        let back = under || rider == Some(self.mechanism.slides[slide].guide.link);
-        if pin == point && !under {
-            Unknown::Slide { slide, back }
-        } else {
-            Unknown::Carried { slide, back, link, pin }
-        }
-    }
-
     /// The other pins of a driven link: their images, and what their sliding is.
     fn other_pins(&mut self, order: Order, kind: GroupKind) {
-        let GroupKind::DrivenBar { link, point, pins, slides, riders, under, .. } = kind else { return };
-        for (hold, is_under) in under.into_iter().enumerate() {
-            let found = self.hold_of((slides[hold], pins[hold]), (riders[hold], is_under), (link, point));
+        let GroupKind::DrivenBar { link, point, under, .. } = kind else { return };
+        let unknowns = kind.unknowns(self.mechanism).into_iter().flat_map(|(_, unknowns)| unknowns);
+        for (found, is_under) in unknowns.zip(under) {
             let Unknown::Carried { slide, back, pin, .. } = found else { continue };
             let (target, head) = if is_under {
                 let image = self.image_under(order, pin, link);
@@ -493,7 +334,7 @@ impl Draughtsman<'_> {
     /// Two lines of unknown length meet in the sought image.
     pub(super) fn dyad(&mut self, order: Order, step: &GroupStep, group: &Group) {
         let kind = group.kind;
-        let Some((target, unknowns)) = self.routes_of(kind) else { return };
+        let Some((target, unknowns)) = kind.unknowns(self.mechanism) else { return };
         self.board.purpose(match order {
             Order::Acceleration => "acceleration image",
             _ => "velocity image",
@@ -788,32 +629,14 @@ impl Draughtsman<'_> {
                 Order::Acceleration => "acceleration image of a further point",
                 _ => "velocity image of a further point",
             });
-            let about = match kind {
-                GroupKind::Rpr { lever, base, .. } if link == lever => Some(base),
-                GroupKind::Rpp { lever, base, .. } if link == lever => Some(base),
-                GroupKind::PinnedRack { base, .. } => Some(base),
-                GroupKind::Rpr { pin, .. } => Some(pin),
-                GroupKind::DrivenBar { link: bar, point: pin, .. } if link == bar => Some(pin),
-                _ => None,
-            };
-            let carried = match kind {
-                GroupKind::Yoke { pin, .. } => Some(pin),
-                GroupKind::Rack { roll, .. } => Some(self.contact_of(roll)),
-                GroupKind::Rpp { point: pin, .. } | GroupKind::Prp { pin, .. } => Some(pin),
-                GroupKind::Rrp { rider: Some(rider), pin, .. } if rider == link => Some(pin),
-                GroupKind::DrivenBar { pins, riders, .. } => {
-                    (0..2).find(|&i| riders[i] == Some(link)).map(|i| pins[i])
-                }
-                _ => None,
-            };
-            let image = match (about, carried, main_base(kind, link)) {
-                (Some(base), ..) => self.image_about(order, link, base, point),
-                (_, Some(pin), _) => self.riding_image(order, link, pin, point),
-                (.., Some((base, pin))) => match self.straight_ratio(link, base, pin, point) {
+            let image = match kind.lead(self.mechanism, link) {
+                Some(Lead::Turning(base)) => self.image_about(order, link, base, point),
+                Some(Lead::Riding(pin)) => self.riding_image(order, link, pin, point),
+                Some(Lead::Image(base, pin)) => match self.straight_ratio(link, base, pin, point) {
                     Some(ratio) => self.divide_image(order, (base, pin), point, ratio),
                     None => self.corner_of_image(order, link, (base, pin), point),
                 },
-                _ => continue,
+                None => continue,
             };
             let image = self.note_image(order, point, image);
             self.absolute_of(order, point, image);

@@ -18,14 +18,13 @@
 use crate::board::{Amount, Angle, Board, Line, Mm, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::{Closing, Drive, Joint, Trial, TrialDriver};
+use crate::mechanism::structure::{Closing, Drive, Joint, Target, Trial, TrialDriver, Unknown};
 use crate::mechanism::{Form, Input, Link, LinkId, Mechanism, Path, PointId, Rider};
 use crate::plan::{GroupStep, trial_steps};
 
 use super::DrawError;
 use super::construction::{Act, Label};
 use super::draughtsman::{Draughtsman, Images};
-use super::dyad::{Target, Unknown};
 use super::link_figure::given_lengths;
 use super::missing::Missing;
 use super::pose::{Pose, Track};

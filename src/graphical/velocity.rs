@@ -14,13 +14,13 @@
 use crate::board::{Amount, Direction, Line, Mm, Point, Ratio};
 use crate::given::Given;
 use crate::mechanism::quantity::{Dimension, Order, Quantity};
-use crate::mechanism::structure::{Drive, Group, GroupKind};
+use crate::mechanism::structure::{Drive, Group, GroupKind, Target, Unknown};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Calculation, Claim, Label, Reference, VectorKind};
 use super::draughtsman::Draughtsman;
-use super::dyad::{Route, Target, Unknown};
+use super::dyad::Route;
 use super::missing::Missing;
 
 /// Two sides of an image triangle that cross flatter than this are not constructed from but replaced by
@@ -313,7 +313,7 @@ impl Draughtsman<'_> {
             self.absolute_vector(Order::Velocity, Quantity::Velocity(centre), head, at);
         }
         // How fast the centre runs along what holds it shows in the same figure.
-        if let Some((target, [held, _])) = self.routes_of(kind) {
+        if let Some((target, [held, _])) = kind.unknowns(self.mechanism) {
             let loud = !std::mem::replace(&mut self.silent, true);
             self.read_closing(Order::Velocity, held, target, (head, at));
             self.silent = !loud;
@@ -605,24 +605,7 @@ impl Draughtsman<'_> {
 
     /// ω or ε of links that slide without turning against a solved link: that of the solved one.
     pub(super) fn rates_by_riding(&mut self, order: Order, kind: GroupKind) {
-        let rides = match kind {
-            GroupKind::Yoke { link, ride, .. } | GroupKind::Rack { link, ride, .. } => {
-                [Some((ride, link, link)), None]
-            }
-            GroupKind::Rrp { slide, rider, .. } => [rider.map(|link| (slide, link, link)), None],
-            GroupKind::Prp { slides, riders, .. } | GroupKind::DrivenBar { slides, riders, .. } => {
-                [0, 1].map(|i| riders[i].map(|link| (slides[i], link, link)))
-            }
-            GroupKind::Rpp { link, lever, ride, .. } => [Some((ride, link, link)), Some((ride, link, lever))],
-            _ => [None, None],
-        };
-        for (slide, found, link) in rides.into_iter().flatten() {
-            let slide = self.mechanism.slides[slide];
-            // Of the pair's two links the other one than that which is found.
-            let carrier = match slide.rider {
-                Rider::Link { link: rider, .. } if found == slide.guide.link => rider,
-                _ => slide.guide.link,
-            };
+        for (link, carrier) in kind.riding(self.mechanism) {
             let rate = self.rate(order, carrier);
             self.set_rate(order, link, rate);
         }

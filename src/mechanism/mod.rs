@@ -7,6 +7,7 @@
 //! **Architecture Invariant:** nothing here knows a file format, paper or a solver.
 
 pub mod engine;
+pub mod group;
 pub mod quantity;
 pub mod report;
 pub mod slider_crank;

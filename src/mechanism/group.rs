@@ -1,0 +1,487 @@
+//! What a group is: which links it has and how they hang together, the image that is sought with it, and the two
+//! unknowns that lead there. Plan, velocity and acceleration read that; the name of a kind is for people.
+
+use std::fmt;
+
+use super::structure::Drive;
+use super::{LinkId, Mechanism, PointId, Rider};
+
+/// The kinds of groups by the constructions that solve them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GroupKind {
+    /// A link driven about a pin on a link that is already solved.
+    Driver {
+        /// Its pin on a solved link.
+        base: PointId,
+        /// What says how it turns.
+        input: Drive,
+    },
+    /// Two links, three turning pairs.
+    Rrr {
+        /// The two links.
+        links: [LinkId; 2],
+        /// Their pins on solved links.
+        bases: [PointId; 2],
+        /// The pin between them.
+        pin: PointId,
+    },
+    /// A rod whose pin rides on a guide of a solved link.
+    Rrp {
+        /// The rod.
+        rod: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The pin on the guide.
+        pin: PointId,
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// The link that has the pin and slides without turning against the solved one, where it is not
+        /// the pin itself or its block that slides.
+        rider: Option<LinkId>,
+    },
+    /// A lever that carries a guide for a pin of a solved link (slotted lever, Whitworth); or that
+    /// carries, or is carried by, a rod which slides against it without turning (oscillating cylinder).
+    Rpr {
+        /// The link about whose pin the group turns.
+        lever: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The pin on the solved link that rides on the guide.
+        pin: PointId,
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// The rod between the pin and the guide, where there is one.
+        rod: Option<LinkId>,
+    },
+    /// A pin that rides on guides of two solved links, itself or with a link that slides without turning.
+    Prp {
+        /// The pin.
+        pin: PointId,
+        /// Indices into [`Mechanism::slides`].
+        slides: [usize; 2],
+        /// For each pair the link that has the pin and slides without turning against the solved one, where
+        /// it is not the pin itself or its block that slides.
+        riders: [Option<LinkId>; 2],
+    },
+    /// A link that slides without turning against a solved link, and another that slides without turning
+    /// against the first and is pinned to a solved link (Oldham's coupling).
+    Rpp {
+        /// The link between the two sliding pairs.
+        link: LinkId,
+        /// Its first joint, by which it is found.
+        point: PointId,
+        /// The pinned link.
+        lever: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
+        ride: usize,
+        /// Index into [`Mechanism::slides`]: the link and the pinned link.
+        slot: usize,
+    },
+    /// A link that slides without turning against a solved link and carries a guide for a pin of a
+    /// solved link (Scotch yoke).
+    Yoke {
+        /// The link.
+        link: LinkId,
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
+        ride: usize,
+        /// The pin on the solved link.
+        pin: PointId,
+        /// Index into [`Mechanism::slides`]: the pin on the link.
+        slot: usize,
+    },
+    /// A slide that is driven: its pin, or the link that rides without turning.
+    DrivenSlide {
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// What says how it slides.
+        input: Drive,
+    },
+    /// A wheel pivoted to a solved link and rolling on another.
+    Wheel {
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre, pinned to a solved link.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
+    /// A link that slides without turning against a solved link and is driven by a solved wheel.
+    Rack {
+        /// The link.
+        link: LinkId,
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
+        ride: usize,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
+    /// A driven link that two sliding pairs hold: its pins ride on guides of solved links, themselves or with
+    /// links that slide without turning (trammel driven by its bar); or it carries guides for pins of solved
+    /// links.
+    DrivenBar {
+        /// The link.
+        link: LinkId,
+        /// The point of it by which it is found: the first of its own pins, else its first joint.
+        point: PointId,
+        /// The pins: of the link, or solved ones under which its guides run; its own first.
+        pins: [PointId; 2],
+        /// For each pin the index into [`Mechanism::slides`].
+        slides: [usize; 2],
+        /// For each pin the link that has it and slides without turning against the solved one, where it is
+        /// not the pin itself or its block that slides.
+        riders: [Option<LinkId>; 2],
+        /// For each pin whether it is solved and rides on a guide of the link.
+        under: [bool; 2],
+        /// What says how it turns.
+        input: Drive,
+    },
+    /// A driven wheel that rolls on a solved body; its centre is held by the contact, or rides on a guide.
+    DrivenWheel {
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// Index into [`Mechanism::slides`]: the centre on a guide of a solved link.
+        guide: Option<usize>,
+        /// What says how it turns.
+        input: Drive,
+    },
+    /// A rod that carries the centre of a wheel, which is held against a solved body.
+    Rolling {
+        /// The rod.
+        rod: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The wheel; how it turns is found after it.
+        wheel: LinkId,
+        /// The wheel's centre, on the rod.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
+    /// A link whose own line is held against a wheel whose centre is solved (a rack pinned to a crank).
+    PinnedRack {
+        /// The link.
+        link: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The wheel; how it turns is found after it.
+        wheel: LinkId,
+        /// The wheel's centre, solved.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
+    /// A group of higher class: something in it is driven by trial until the group closes.
+    Higher {
+        /// Index into [`Structure::trials`].
+        trial: usize,
+    },
+    /// A group for which no construction is known yet.
+    Other,
+}
+
+impl fmt::Display for GroupKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Driver { .. } => "driver",
+            Self::Rrr { .. } => "RRR",
+            Self::Rrp { .. } => "RRP",
+            Self::Rpr { .. } => "RPR",
+            Self::Prp { .. } => "PRP",
+            Self::Rpp { .. } => "RPP",
+            Self::Yoke { .. } => "PPR",
+            Self::DrivenSlide { .. } => "driven slide",
+            Self::Wheel { .. } => "wheel",
+            Self::Rack { .. } => "rack",
+            Self::DrivenBar { .. } => "driven bar",
+            Self::DrivenWheel { .. } => "driven wheel",
+            Self::Rolling { .. } => "rod with a rolling wheel",
+            Self::PinnedRack { .. } => "pinned rack",
+            Self::Higher { .. } => "group of higher class",
+            Self::Other => "group without a construction",
+        })
+    }
+}
+
+/// What a group of two unknowns is solved for, at the orders of velocity and acceleration alike.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// The image of the group's pin.
+    Pin(PointId),
+    /// The image of the point of a link under a pin of a solved link.
+    Under(PointId, LinkId),
+}
+
+impl Target {
+    /// The pin.
+    #[must_use]
+    pub const fn pin(self) -> PointId {
+        match self {
+            Self::Pin(pin) | Self::Under(pin, _) => pin,
+        }
+    }
+}
+
+/// What the length along a line to the sought image tells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unknown {
+    /// A link turns about its base.
+    Turn {
+        /// The link.
+        link: LinkId,
+        /// Its pin on a solved link.
+        base: PointId,
+        /// The point whose image the line leads to.
+        to: PointId,
+    },
+    /// A rider slides along its guide.
+    Slide {
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// The rider is solved and the guide is sought.
+        back: bool,
+    },
+    /// Another pin of a driven link slides along its guide; the link's rotation leads from it to the pin
+    /// that is sought.
+    Carried {
+        /// Index into [`Mechanism::slides`].
+        slide: usize,
+        /// The rider is solved and the guide is sought.
+        back: bool,
+        /// The driven link.
+        link: LinkId,
+        /// The other pin.
+        pin: PointId,
+    },
+    /// A wheel's centre runs along the body on which it rolls.
+    Roll {
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+        /// The centre is solved and the body of the line is sought.
+        back: bool,
+    },
+    /// The contact points of a rolling pair have one tangential part; they differ along the common normal.
+    Contact {
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// The body that is sought.
+        body: LinkId,
+    },
+    /// The same, from the contact point to the centre of a wheel that is driven.
+    Spin {
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// The wheel.
+        wheel: LinkId,
+        /// Its centre.
+        centre: PointId,
+    },
+}
+
+impl Unknown {
+    /// The sliding pair along which it lies.
+    #[must_use]
+    pub const fn slide(self) -> Option<usize> {
+        match self {
+            Self::Slide { slide, .. } | Self::Carried { slide, .. } => Some(slide),
+            Self::Turn { .. } | Self::Roll { .. } | Self::Contact { .. } | Self::Spin { .. } => None,
+        }
+    }
+}
+
+/// From what the images of a link's further points are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lead {
+    /// From the images of two of its points: by the similar figure.
+    Image(PointId, PointId),
+    /// From that of one, about which it turns at a rate that is known.
+    Turning(PointId),
+    /// From that of one; the link does not turn against the solved link on which it slides.
+    Riding(PointId),
+}
+
+impl GroupKind {
+    /// What is sought, and the two unknowns that lead to it, those of the frame first; `None` for what has none or more: a
+    /// link about a pin, a driven slide, a wheel on its axle, a group that is tried.
+    #[must_use]
+    pub fn unknowns(self, mechanism: &Mechanism) -> Option<(Target, [Unknown; 2])> {
+        let slide = |slide: usize, link: Option<LinkId>| {
+            let back = link == Some(mechanism.slides[slide].guide.link);
+            Unknown::Slide { slide, back }
+        };
+        Some(match self {
+            Self::Rrr { links, bases, pin } => {
+                (Target::Pin(pin), [0, 1].map(|i| Unknown::Turn { link: links[i], base: bases[i], to: pin }))
+            }
+            Self::Rrp { rod, base, pin, slide: guide, rider } => {
+                (Target::Pin(pin), [Unknown::Turn { link: rod, base, to: pin }, slide(guide, rider)])
+            }
+            Self::Rolling { rod, base, wheel, centre, roll } => (
+                Target::Pin(centre),
+                [
+                    Unknown::Turn { link: rod, base, to: centre },
+                    Unknown::Roll { roll, wheel, centre, back: false },
+                ],
+            ),
+            Self::PinnedRack { link, base, wheel, centre, roll } => (
+                Target::Under(centre, link),
+                [Unknown::Turn { link, base, to: centre }, Unknown::Roll { roll, wheel, centre, back: true }],
+            ),
+            Self::Prp { pin, slides, riders } => {
+                (Target::Pin(pin), [0, 1].map(|i| slide(slides[i], riders[i])))
+            }
+            Self::Rpp { link, point, ride, slot, .. } => {
+                (Target::Pin(point), [slide(ride, Some(link)), slide(slot, Some(link))])
+            }
+            Self::Rpr { lever, base, pin, slide: guide, .. } => (
+                Target::Under(pin, lever),
+                [Unknown::Turn { link: lever, base, to: pin }, slide(guide, Some(lever))],
+            ),
+            Self::Yoke { link, ride, pin, slot } => {
+                (Target::Under(pin, link), [slide(ride, Some(link)), slide(slot, Some(link))])
+            }
+            Self::Rack { link, ride, roll } => (
+                Target::Under(mechanism.contacts[roll], link),
+                [slide(ride, Some(link)), Unknown::Contact { roll, body: link }],
+            ),
+            Self::DrivenBar { link, point, pins, slides, riders, under, .. } => {
+                let hold = |i: usize| {
+                    let back = under[i] || riders[i] == Some(mechanism.slides[slides[i]].guide.link);
+                    if pins[i] == point && !under[i] {
+                        Unknown::Slide { slide: slides[i], back }
+                    } else {
+                        Unknown::Carried { slide: slides[i], back, link, pin: pins[i] }
+                    }
+                };
+                (Target::Pin(point), [0, 1].map(hold))
+            }
+            Self::DrivenWheel { wheel, centre, roll, guide, .. } => {
+                let held = match guide {
+                    Some(guide) => slide(guide, None),
+                    None => Unknown::Roll { roll, wheel, centre, back: false },
+                };
+                (Target::Pin(centre), [held, Unknown::Spin { roll, wheel, centre }])
+            }
+            Self::Driver { .. }
+            | Self::DrivenSlide { .. }
+            | Self::Wheel { .. }
+            | Self::Higher { .. }
+            | Self::Other => return None,
+        })
+    }
+
+    /// The points on solved links from which it is solved.
+    #[must_use]
+    pub fn bases(self) -> Vec<PointId> {
+        match self {
+            Self::Driver { base, .. }
+            | Self::Rrp { base, .. }
+            | Self::Rolling { base, .. }
+            | Self::PinnedRack { base, .. }
+            | Self::Rpp { base, .. }
+            | Self::Yoke { pin: base, .. }
+            | Self::Wheel { centre: base, .. } => vec![base],
+            Self::Rrr { bases, .. } => bases.to_vec(),
+            Self::Rpr { base, pin, .. } => vec![base, pin],
+            Self::DrivenBar { pins, under, .. } => (0..2).filter(|&i| under[i]).map(|i| pins[i]).collect(),
+            Self::Prp { .. }
+            | Self::Rack { .. }
+            | Self::DrivenWheel { .. }
+            | Self::DrivenSlide { .. }
+            | Self::Higher { .. }
+            | Self::Other => Vec::new(),
+        }
+    }
+
+    /// The sliding pairs by which it depends on solved links.
+    #[must_use]
+    pub fn slides(self, mechanism: &Mechanism) -> Vec<usize> {
+        match self {
+            Self::DrivenSlide { slide, .. } => vec![slide],
+            _ => {
+                let unknowns = self.unknowns(mechanism).map(|(_, unknowns)| unknowns);
+                unknowns.into_iter().flatten().filter_map(Unknown::slide).collect()
+            }
+        }
+    }
+
+    /// The points that are used or found by solving the group itself.
+    #[must_use]
+    pub fn main_points(self, mechanism: &Mechanism) -> Vec<PointId> {
+        let mut points = self.bases();
+        if let Some((target, unknowns)) = self.unknowns(mechanism) {
+            if let Target::Pin(pin) = target {
+                points.push(pin);
+            }
+            points.extend(unknowns.into_iter().filter_map(|unknown| match unknown {
+                Unknown::Carried { pin, .. } => Some(pin),
+                _ => None,
+            }));
+        }
+        points
+    }
+
+    /// From what the images of the further points of one of its links are found.
+    #[must_use]
+    pub fn lead(self, mechanism: &Mechanism, link: LinkId) -> Option<Lead> {
+        let own = match self {
+            Self::Rpp { lever, base, .. } if link == lever => Some(Lead::Turning(base)),
+            Self::Rpr { lever, pin, .. } if link != lever => Some(Lead::Turning(pin)),
+            Self::DrivenBar { link: bar, point, .. } if link == bar => Some(Lead::Turning(point)),
+            Self::Yoke { pin, .. } | Self::Rpp { point: pin, .. } | Self::Prp { pin, .. } => {
+                Some(Lead::Riding(pin))
+            }
+            Self::Rack { roll, .. } => Some(Lead::Riding(mechanism.contacts[roll])),
+            Self::Rrp { rider: Some(rider), pin, .. } if rider == link => Some(Lead::Riding(pin)),
+            Self::DrivenBar { pins, riders, .. } => {
+                (0..2).find(|&i| riders[i] == Some(link)).map(|i| Lead::Riding(pins[i]))
+            }
+            _ => None,
+        };
+        // A link that turns: between its base and the pin where that is its own, else about its base.
+        own.or_else(|| {
+            let (target, unknowns) = self.unknowns(mechanism)?;
+            unknowns.into_iter().find_map(|unknown| match (unknown, target) {
+                (Unknown::Turn { link: of, base, to }, Target::Pin(_)) if of == link => {
+                    Some(Lead::Image(base, to))
+                }
+                (Unknown::Turn { link: of, base, .. }, Target::Under(..)) if of == link => {
+                    Some(Lead::Turning(base))
+                }
+                _ => None,
+            })
+        })
+    }
+
+    /// Its links that do not turn against a solved link, each with that link.
+    #[must_use]
+    pub fn riding(self, mechanism: &Mechanism) -> Vec<(LinkId, LinkId)> {
+        // Of a pair's two links the other one.
+        let carrier = |slide: usize, found: LinkId| match mechanism.slides[slide].rider {
+            Rider::Link { link: rider, .. } if found == mechanism.slides[slide].guide.link => rider,
+            _ => mechanism.slides[slide].guide.link,
+        };
+        match self {
+            Self::Yoke { link, ride, .. } | Self::Rack { link, ride, .. } => {
+                vec![(link, carrier(ride, link))]
+            }
+            Self::Rrp { slide, rider: Some(link), .. } => vec![(link, carrier(slide, link))],
+            Self::Prp { slides, riders, .. } | Self::DrivenBar { slides, riders, .. } => {
+                let riders = riders.into_iter().zip(slides);
+                riders.filter_map(|(link, slide)| link.map(|link| (link, carrier(slide, link)))).collect()
+            }
+            Self::Rpp { link, lever, ride, .. } => {
+                vec![(link, carrier(ride, link)), (lever, carrier(ride, link))]
+            }
+            _ => Vec::new(),
+        }
+    }
+}
