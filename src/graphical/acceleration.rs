@@ -26,7 +26,8 @@ use super::dyad::Route;
 /// Draws the steps of the acceleration polygon.
 pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     d.open_polygon(Order::Acceleration);
-    d.alphas[LinkId::FRAME.0] = Some(d.rest());
+    let rest = d.rest();
+    d.set_rate(Order::Acceleration, LinkId::FRAME, rest);
     d.step(Order::Acceleration, &[], Vec::new());
     d.act(Act::MarkPole);
     for step in plan.steps(Order::Acceleration) {
@@ -51,12 +52,12 @@ impl Draughtsman<'_> {
             GroupKind::Wheel { wheel, centre, roll } => self.acceleration_of_wheel(step, wheel, centre, roll),
             GroupKind::DrivenBar { link, input, .. } => {
                 let alpha = self.driven_rate(Order::Acceleration, input);
-                self.alphas[link.0] = Some(alpha);
+                self.set_rate(Order::Acceleration, link, alpha);
                 self.dyad(Order::Acceleration, step, group);
             }
             GroupKind::DrivenWheel { wheel, centre, input, .. } => {
                 let alpha = self.driven_rate(Order::Acceleration, input);
-                self.alphas[wheel.0] = Some(alpha);
+                self.set_rate(Order::Acceleration, wheel, alpha);
                 self.dyad(Order::Acceleration, step, group);
                 self.points_of_wheel(Order::Acceleration, step, wheel, centre);
             }
@@ -169,7 +170,7 @@ impl Draughtsman<'_> {
         let uniform = alpha == Given::exact(0.0);
         let alpha = self.board.amount(alpha);
         let alpha = self.rate_as_calculated(Order::Acceleration, link, alpha);
-        self.alphas[link.0] = Some(alpha);
+        self.set_rate(Order::Acceleration, link, alpha);
         if !uniform {
             self.driven_accelerations(step, link, base);
             return;
@@ -209,7 +210,7 @@ impl Draughtsman<'_> {
             (VectorKind::Sliding, Quantity::SlipAcceleration(first, guide))
         };
         let image = self.lay_off_vector(quantity, from.1, along, mm);
-        self.sliding_accelerations[slide] = Some(given);
+        self.motion_mut(Order::Acceleration).slidings[slide] = Some(given);
         let image = self.note_image(Order::Acceleration, first, image);
         let claim = Claim::Parallel(Reference::Guide(slide));
         let head = (self.label(first), image);
@@ -317,7 +318,7 @@ impl Draughtsman<'_> {
         let rider = self.riding_point(slide, pin);
         let (along, inward) = self.tangent(slide, pin);
         let (mut label, mut at) = self.slide_start(Order::Acceleration, (slide, back), pin);
-        let slip = self.slips[slide];
+        let slip = self.motion(Order::Velocity).slidings[slide];
         if let (Some(slip), false) = (slip, self.translates[guide.link.0]) {
             let coriolis = self.coriolis(slip, (rider, guide.link));
             let left = self.board.quarter_turn(along);
@@ -507,7 +508,7 @@ impl Draughtsman<'_> {
         let reason = self.reason(&[link]);
         let alpha = self.board.quotient(tangential, length, reason);
         let alpha = self.rate_as_calculated(Order::Acceleration, link, alpha);
-        self.alphas[link.0] = Some(alpha);
+        self.set_rate(Order::Acceleration, link, alpha);
         self.act(Act::Calculate(Calculation::Alpha {
             link,
             quantity,
@@ -533,7 +534,7 @@ impl Draughtsman<'_> {
         let scale = self.polygon_scale(Order::Acceleration);
         let read = self.board.read(along, scale);
         let value = if back { self.board.opposite(read) } else { read };
-        self.sliding_accelerations[slide] = Some(value);
+        self.motion_mut(Order::Acceleration).slidings[slide] = Some(value);
         let ends = [route.foot, (label, image)];
         let (quantity, reversed) = self.sliding_unknown(Order::Acceleration, target, (slide, back));
         let [tail, head] = if reversed { [ends[1], ends[0]] } else { ends };

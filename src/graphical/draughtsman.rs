@@ -23,6 +23,17 @@ use super::{Scales, scale};
 /// Images of one polygon.
 pub(super) type Images = Vec<Option<Point>>;
 
+/// What is known of the motion at one order.
+pub(super) struct Motion {
+    /// Images of the points, by point.
+    pub(super) images: Images,
+    /// ω or ε of each link.
+    pub(super) rotations: Vec<Option<Amount>>,
+    /// The sliding velocity, or the apparent acceleration along the guide, in each pair, signed along the guide's direction
+    /// under the rider, seen from the guide's link; by index of the pair.
+    pub(super) slidings: Vec<Option<Amount>>,
+}
+
 /// A normal part that stands on the acceleration polygon.
 pub(super) struct Foot {
     pub(super) link: LinkId,
@@ -77,25 +88,14 @@ pub(super) struct Draughtsman<'m> {
     pub(super) poses: Vec<Option<Pose>>,
     /// Lengths already given or measured.
     pub(super) lengths: Vec<(LinkId, PointId, PointId, Amount)>,
-    /// Velocity images, by point.
-    pub(super) velocities: Images,
-    /// Acceleration images, by point.
-    pub(super) accelerations: Images,
-    /// ω of each link.
-    pub(super) omegas: Vec<Option<Amount>>,
+    /// What is known of the motion, by order.
+    motions: [Motion; 2],
     /// Which links cannot turn, whatever moves: the frame, and what slides on such links without turning.
     pub(super) translates: Vec<bool>,
-    /// ε of each link.
-    pub(super) alphas: Vec<Option<Amount>>,
     /// The normal parts laid off so far.
     pub(super) feet: Vec<Foot>,
     /// Images of points of guide links under their riders.
     pub(super) coincident: Vec<Coincident>,
-    /// The sliding velocity in each pair, signed along the guide's direction under the rider, seen from the
-    /// guide's link; by index of the pair.
-    pub(super) slips: Vec<Option<Amount>>,
-    /// The apparent acceleration along the guide in each pair, signed, by index of the pair.
-    pub(super) sliding_accelerations: Vec<Option<Amount>>,
     /// Velocity of a rolling wheel's centre along the line on which it rolls, by index of the rolling pair.
     pub(super) rolling_speeds: Vec<Option<Amount>>,
     /// Instant centres found so far.
@@ -178,15 +178,14 @@ impl<'m> Draughtsman<'m> {
             figures: vec![None; links],
             poses: vec![None; links],
             lengths: Vec::new(),
-            velocities: vec![None; points],
-            accelerations: vec![None; points],
-            omegas: vec![None; links],
+            motions: [0, 1].map(|_| Motion {
+                images: vec![None; points],
+                rotations: vec![None; links],
+                slidings: vec![None; mechanism.slides.len()],
+            }),
             translates: translating(mechanism),
-            alphas: vec![None; links],
             feet: Vec::new(),
             coincident: Vec::new(),
-            slips: vec![None; mechanism.slides.len()],
-            sliding_accelerations: vec![None; mechanism.slides.len()],
             rolling_speeds: vec![None; mechanism.rolls.len()],
             centres: Centres::default(),
             kleins: Vec::new(),
@@ -444,10 +443,16 @@ impl<'m> Draughtsman<'m> {
 
     /// The images of a polygon, by point; those of fixed points are the pole.
     pub(super) fn images(&mut self, order: Order) -> &mut Images {
-        match order {
-            Order::Acceleration => &mut self.accelerations,
-            _ => &mut self.velocities,
-        }
+        &mut self.motion_mut(order).images
+    }
+
+    /// What is known of the motion at this order: of velocities, or of accelerations.
+    pub(super) fn motion(&self, order: Order) -> &Motion {
+        &self.motions[usize::from(order == Order::Acceleration)]
+    }
+
+    pub(super) fn motion_mut(&mut self, order: Order) -> &mut Motion {
+        &mut self.motions[usize::from(order == Order::Acceleration)]
     }
 
     /// The image of a point whose image is known; the pole for a fixed one. What depends on an image that no

@@ -251,11 +251,7 @@ impl Draughtsman<'_> {
     }
 
     pub(super) fn rate(&mut self, order: Order, link: LinkId) -> Amount {
-        let known = match order {
-            Order::Acceleration => self.alphas[link.0],
-            _ => self.omegas[link.0],
-        };
-        match known {
+        match self.motion(order).rotations[link.0] {
             Some(rate) => rate,
             None if self.translates[link.0] => self.rest(),
             None => {

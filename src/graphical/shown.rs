@@ -7,7 +7,7 @@ use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 
 use super::construction::{Label, Vector};
-use super::draughtsman::Draughtsman;
+use super::draughtsman::{Draughtsman, Motion};
 
 /// A quantity that stands on the paper.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,10 +118,7 @@ impl Draughtsman<'_> {
             _ => Quantity::Velocity(point),
         };
         for order in [Order::Velocity, Order::Acceleration] {
-            let (images, rates) = match order {
-                Order::Acceleration => (&self.accelerations, &self.alphas),
-                _ => (&self.velocities, &self.omegas),
-            };
+            let Motion { images, rotations: rates, .. } = self.motion(order);
             let Some(polygon) = self.polygon(order) else { continue };
             let points = (0..images.len()).map(PointId).filter(|point| images[point.0].is_some());
             all.extend(points.map(|point| of_point(order, point)));

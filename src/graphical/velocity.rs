@@ -30,7 +30,8 @@ pub(super) const FLATTEST_CROSSING: f64 = 0.05;
 /// Draws the steps of the velocity polygon.
 pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     d.open_polygon(Order::Velocity);
-    d.omegas[LinkId::FRAME.0] = Some(d.rest());
+    let rest = d.rest();
+    d.set_rate(Order::Velocity, LinkId::FRAME, rest);
     d.step(Order::Velocity, &[], Vec::new());
     d.act(Act::MarkPole);
     for step in plan.steps(Order::Velocity) {
@@ -56,7 +57,7 @@ impl Draughtsman<'_> {
             GroupKind::DrivenWheel { .. } => self.velocity_of_driven_wheel(step, group.kind),
             GroupKind::DrivenBar { link, input, .. } => {
                 let omega = self.driven_rate(Order::Velocity, input);
-                self.omegas[link.0] = Some(omega);
+                self.set_rate(Order::Velocity, link, omega);
                 self.dyad(Order::Velocity, step, group);
             }
             GroupKind::Higher { trial } => self.polygon_by_trial(Order::Velocity, step, trial),
@@ -93,7 +94,7 @@ impl Draughtsman<'_> {
         self.step(Order::Velocity, &[link], Vec::new());
         let omega = self.given_rate(Order::Velocity, input);
         let omega = self.rate_as_calculated(Order::Velocity, link, omega);
-        self.omegas[link.0] = Some(omega);
+        self.set_rate(Order::Velocity, link, omega);
         self.driven_velocities(step, link, base);
     }
 
@@ -204,7 +205,7 @@ impl Draughtsman<'_> {
             (VectorKind::Sliding, Quantity::Slip(first, guide))
         };
         let image = self.lay_off_vector(quantity, from, along, mm);
-        self.slips[slide] = Some(speed);
+        self.motion_mut(Order::Velocity).slidings[slide] = Some(speed);
         let image = self.note_image(Order::Velocity, first, image);
         let claim = Claim::Parallel(Reference::Guide(slide));
         let (tail, head) = ((self.label_under(first, guide), from), (self.label(first), image));
@@ -269,7 +270,7 @@ impl Draughtsman<'_> {
         let reason = self.reason(&[wheel]);
         let omega = self.board.quotient(speed, radius, reason);
         let omega = self.rate_as_calculated(Order::Velocity, wheel, omega);
-        self.omegas[wheel.0] = Some(omega);
+        self.set_rate(Order::Velocity, wheel, omega);
         self.act(Act::Calculate(Calculation::Omega {
             link: wheel,
             quantity,
@@ -300,7 +301,7 @@ impl Draughtsman<'_> {
         self.board.purpose("velocity of a driven wheel");
         self.step(Order::Velocity, &[wheel], Vec::new());
         let omega = self.driven_rate(Order::Velocity, input);
-        self.omegas[wheel.0] = Some(omega);
+        self.set_rate(Order::Velocity, wheel, omega);
         let other = self.rolled_on(roll, wheel);
         let image = self.contact_image(Order::Velocity, roll, other);
         self.note_under(Order::Velocity, contact, wheel, image);
@@ -494,7 +495,7 @@ impl Draughtsman<'_> {
         let reason = self.reason(&[link]);
         let omega = self.board.quotient(speed, length, reason);
         let omega = self.rate_as_calculated(Order::Velocity, link, omega);
-        self.omegas[link.0] = Some(omega);
+        self.set_rate(Order::Velocity, link, omega);
         self.act(Act::Calculate(Calculation::Omega {
             link,
             quantity,
@@ -521,7 +522,7 @@ impl Draughtsman<'_> {
         let read = self.as_read(Quantity::Slip(self.riding_point(slide, pin), guide), read);
         // Read from the guide's point to the rider: against the ray where it was drawn backwards.
         let speed = if back { self.board.opposite(read) } else { read };
-        self.slips[slide] = Some(speed);
+        self.motion_mut(Order::Velocity).slidings[slide] = Some(speed);
         let (quantity, reversed) = self.sliding_unknown(Order::Velocity, target, (slide, back));
         let ends = [route.foot, (label, image)];
         let [tail, head] = if reversed { [ends[1], ends[0]] } else { ends };
@@ -586,11 +587,7 @@ impl Draughtsman<'_> {
             }
             let mut rate = self.rate(order, slide.guide.link);
             if let Path::Arc { radius, .. } = slide.guide.path {
-                let along = match order {
-                    Order::Velocity => self.slips[index],
-                    _ => self.sliding_accelerations[index],
-                };
-                if let Some(along) = along {
+                if let Some(along) = self.motion(order).slidings[index] {
                     let radius = self.board.amount(radius);
                     let reason = self.reason(&[slide.guide.link]);
                     let turn = self.board.quotient(along, radius, reason);
@@ -612,10 +609,7 @@ impl Draughtsman<'_> {
     }
 
     pub(super) fn set_rate(&mut self, order: Order, link: LinkId, rate: Amount) {
-        match order {
-            Order::Acceleration => self.alphas[link.0] = Some(rate),
-            _ => self.omegas[link.0] = Some(rate),
-        }
+        self.motion_mut(order).rotations[link.0] = Some(rate);
     }
 
     /// The vector from the pole to an image.

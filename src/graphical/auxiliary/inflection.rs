@@ -157,8 +157,8 @@ impl Draughtsman<'_> {
     /// A point with a velocity: its path normal is square to it.
     fn free(&mut self, link: LinkId, point: PointId) -> Option<Station> {
         let at = self.places[point.0]?;
-        let image = self.velocities[point.0]?;
-        self.accelerations[point.0]?;
+        let image = self.motion(Order::Velocity).images[point.0]?;
+        self.motion(Order::Acceleration).images[point.0]?;
         let pole = self.board.origin();
         let reason = self.reason(&[link]);
         let (along, speed) = self.board.toward(pole, image, reason);

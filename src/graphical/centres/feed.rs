@@ -19,7 +19,8 @@ const ROLLING: Why = "a wheel that rolls on a moving body: its acceleration is n
 /// Why the centres do not lead to one of them.
 pub(in super::super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), Why> {
     d.open_polygon(Order::Velocity);
-    d.omegas[LinkId::FRAME.0] = Some(d.rest());
+    let rest = d.rest();
+    d.set_rate(Order::Velocity, LinkId::FRAME, rest);
     d.step(Order::Velocity, &[], Vec::new());
     d.act(Act::MarkPole);
     for step in plan.steps(Order::Velocity) {
@@ -46,10 +47,10 @@ impl Draughtsman<'_> {
     /// ω of a link and the velocities of its points, from its centre.
     fn lay_off_velocities(&mut self, link: LinkId) -> Result<(), Why> {
         let omega = self.omega_of(link, false)?;
-        self.omegas[link.0] = Some(omega);
+        self.set_rate(Order::Velocity, link, omega);
         for point in self.mechanism.link(link).points.clone() {
             let standing = self.places[point.0].is_some() && !self.mechanism.is_fixed(point);
-            if !standing || self.velocities[point.0].is_some() {
+            if !standing || self.motion(Order::Velocity).images[point.0].is_some() {
                 continue;
             }
             let velocity = self.velocity_of_point(point, link, false)?;
@@ -78,8 +79,12 @@ impl Draughtsman<'_> {
         let pair = self.mechanism.slides[slide];
         let guide = pair.guide.link;
         let rider = self.riding_point(slide, PointId(0));
-        let rides_on = self.velocities[rider.0].is_some() || self.mechanism.is_fixed(rider);
-        if self.slips[slide].is_some() || self.omegas[guide.0].is_none() || !rides_on {
+        let rides_on =
+            self.motion(Order::Velocity).images[rider.0].is_some() || self.mechanism.is_fixed(rider);
+        if self.motion(Order::Velocity).slidings[slide].is_some()
+            || self.motion(Order::Velocity).rotations[guide.0].is_none()
+            || !rides_on
+        {
             return;
         }
         let under = self.image_under(Order::Velocity, rider, guide);
@@ -87,7 +92,8 @@ impl Draughtsman<'_> {
         let (along, _) = self.tangent(slide, rider);
         let [mm, _] = self.board.square_off(Line { through: under, along }, image);
         let scale = self.polygon_scale(Order::Velocity);
-        self.slips[slide] = Some(self.board.read(mm, scale));
+        let read = self.board.read(mm, scale);
+        self.motion_mut(Order::Velocity).slidings[slide] = Some(read);
         self.note_part(Quantity::Slip(rider, guide), under, image);
         if guide != LinkId::FRAME {
             let claim = Claim::Parallel(Reference::Guide(slide));

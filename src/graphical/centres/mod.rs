@@ -244,8 +244,9 @@ impl Draughtsman<'_> {
             Some((link, from, point))
         });
         let Some((link, from, point)) = seen else { return false };
-        let rates =
-            [link, from].map(|l| if l == LinkId::FRAME { Some(self.rest()) } else { self.omegas[l.0] });
+        let rates = [link, from].map(|l| {
+            if l == LinkId::FRAME { Some(self.rest()) } else { self.motion(Order::Velocity).rotations[l.0] }
+        });
         let [Some(own), Some(other)] = rates else { return false };
         if from != LinkId::FRAME && !self.mechanism.link(from).points.contains(&point) {
             self.step(Order::Velocity, &[from], Vec::new());
@@ -266,7 +267,8 @@ impl Draughtsman<'_> {
     /// under it is known as well or can be laid off.
     fn point_of_velocity(&self, link: LinkId, from: LinkId) -> Option<PointId> {
         let known = |p: PointId| {
-            self.places[p.0].is_some() && (self.mechanism.is_fixed(p) || self.velocities[p.0].is_some())
+            self.places[p.0].is_some()
+                && (self.mechanism.is_fixed(p) || self.motion(Order::Velocity).images[p.0].is_some())
         };
         let carries =
             |l: LinkId| l == LinkId::FRAME || self.mechanism.link(l).points.iter().any(|&p| known(p));
