@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::{Ending, Failure, print, read_scene};
 use crate::check::{SweepUnconfirmed, confirm_sweep};
 use crate::files;
-use crate::mechanism::quantity::{Quantity, Unit};
+use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
 use crate::render::{self, Format};
 use crate::report::{diagnose, short};
 use crate::scene::{Scene, Subject};
@@ -91,7 +91,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if only_diagrams && job.only.is_none() && !asks(scene) {
         // Nobody asked for anything: how the sliders and rockers move, not forty diagrams.
         let mut outputs_only = scene.mechanism.clone();
-        outputs_only.asked = sweep.of_outputs().cloned().collect();
+        outputs_only.asked = sweep.of_outputs().into_iter().filter_map(|of| named(scene, of)).collect();
         if !outputs_only.asked.is_empty() && outputs_only.asked.len() < scene.mechanism.asked.len() {
             let names: Vec<&str> = outputs_only.asked.iter().map(|asked| asked.name.as_str()).collect();
             let names = names.join(", ");
@@ -159,6 +159,17 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
 /// Whether the scene itself says what it asks for.
 fn asks(scene: &Scene) -> bool {
     serde_json::from_str::<Value>(scene.source.text()).is_ok_and(|root| root.get("find").is_some())
+}
+
+/// A quantity as the scene asks for it; places and angles, for which nobody asks who asks for nothing, in the scene's units.
+fn named(scene: &Scene, quantity: Quantity) -> Option<Asked> {
+    let unit = match quantity {
+        Quantity::Position(_) => scene.units.length.clone(),
+        Quantity::Angle(_) => scene.units.angle.clone(),
+        _ => return scene.mechanism.asked.iter().find(|asked| asked.quantity == quantity).cloned(),
+    };
+    let name = quantity.name(&scene.mechanism);
+    Some(Asked { name, quantity, unit, method: Method::default() })
 }
 
 /// Keeps these of the asked quantities, in this order.

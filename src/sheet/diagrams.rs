@@ -8,6 +8,7 @@ use kurbo::{Point, Rect, Vec2};
 use super::figure::{Figure, Group, Mark, Pen, Shape};
 use super::ink::{FINE, SMALL, THICK, THIN, dot};
 use super::labels::{self, Request, Site};
+use super::motions::{self, Panel, Rate};
 use super::notation::Notation;
 use super::rich::{Line, Rich};
 use super::{Language, human};
@@ -24,6 +25,8 @@ const PAPER: (f64, f64) = (210.0, 297.0);
 const MARGIN: f64 = 10.0;
 /// A panel with its names.
 const PANEL: (f64, f64) = (85.0, 74.0);
+/// How much lower a panel is that has another one below it on the same axis.
+const STACKED: f64 = 8.0;
 /// The plot in a panel: left, top, width, height.
 const PLOT: (f64, f64, f64, f64) = (15.0, 9.0, 66.0, 50.0);
 /// A fitted curve stays this near to the truth, mm.
@@ -35,25 +38,6 @@ const CUT: f64 = 3.0;
 const NUMBERED: u32 = 12;
 /// Size of tick labels.
 const TICK: f64 = 2.6;
-
-/// What a panel shows.
-enum Panel {
-    /// A number over the input: one column, or the length of a vector of two.
-    Over(Vec<usize>),
-    /// Two columns against each other: a path or a hodograph.
-    Plane([usize; 2]),
-    /// The length of a vector of two columns, laid off in the direction of the input.
-    Polar([usize; 2]),
-}
-
-impl Panel {
-    fn columns(&self) -> &[usize] {
-        match self {
-            Self::Over(columns) => columns,
-            Self::Plane(columns) | Self::Polar(columns) => columns,
-        }
-    }
-}
 
 /// A sweep that has been looked at: all diagrams are read off the same tables, one for each stretch.
 struct Seen<'s> {
@@ -103,28 +87,6 @@ pub fn of_sweep(scene: &Scene, sweep: &Sweep, language: Language) -> Figure {
 pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirmed: Option<&str>) -> Figure {
     let words = language.words();
     let notation = Notation::new(scene, words);
-    let mut panels = Vec::new();
-    let asked: Vec<usize> = (0..sweep.columns.len()).filter(|&c| !sweep.columns[c].watched).collect();
-    for &c in &asked {
-        let column = &sweep.columns[c];
-        match (column.axis, column.asked.quantity) {
-            (None, _) => panels.push(Panel::Over(vec![c])),
-            (Some(0), Quantity::Position(_) | Quantity::Centre(..)) => {
-                panels.push(Panel::Plane([c, c + 1]));
-                if column.motion {
-                    panels.extend([c, c + 1].map(|c| Panel::Over(vec![c])));
-                }
-            }
-            (Some(0), _) => {
-                panels.push(Panel::Over(vec![c, c + 1]));
-                panels.push(Panel::Plane([c, c + 1]));
-                if sweep.whole_turn && matches!(sweep.input, InputKind::Angle(_)) {
-                    panels.push(Panel::Polar([c, c + 1]));
-                }
-            }
-            _ => {}
-        }
-    }
     let mut first = Group::new("page");
     let title = scene.title.in_language(words.tag).unwrap_or(words.sweep).to_owned();
     // A page of Arabic script begins on the right.
@@ -148,34 +110,38 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
         }
     }
     let seen = Seen::new(sweep);
-    let rows_in = |height: f64| (1..).take_while(|rows| f64::from(*rows) * PANEL.1 <= height).count().max(1);
-    let (below_title, on_a_page) = (rows_in(PAPER.1 - top - MARGIN), rows_in(PAPER.1 - 2.0 * MARGIN));
-    let rows = panels.len().div_ceil(2);
+    let stacks = motions::stacks(sweep, |columns| seen.looks(columns));
     let mut pages = vec![first];
-    for (index, panel) in panels.iter().enumerate() {
-        let (row, side) = (index / 2, index % 2);
-        let side = if words.right_to_left { 1 - side } else { side };
-        let (page, row, top) = if row < below_title {
-            (0, row, top)
-        } else {
-            let row = row - below_title;
-            (1 + row / on_a_page, row % on_a_page, MARGIN)
-        };
-        if pages.len() <= page {
-            pages.push(Group::new("page"));
+    // How far each of the two columns of a page is filled; of Arabic script the right one comes first.
+    let mut filled = [top; 2];
+    let bottom = PAPER.1 - MARGIN;
+    for stack in &stacks {
+        let tall: f64 = (0..stack.len()).map(|i| height_of(i + 1 == stack.len())).sum();
+        let mut column = usize::from(filled[1] < filled[0]);
+        if filled[column] + tall > bottom {
+            column = 1 - column;
         }
-        #[expect(clippy::cast_precision_loss, reason = "a few panels")]
-        let at = Vec2::new(MARGIN + side as f64 * PANEL.0, top + row as f64 * PANEL.1);
-        let mut group = match panel {
-            Panel::Over(columns) => over(&notation, &seen, columns),
-            Panel::Plane(columns) => plane(&seen, *columns),
-            Panel::Polar(columns) => polar(&seen, *columns),
-        };
-        let heading = heading_of(&notation, sweep, panel).set(SMALL);
-        heading.put(&mut group, Point::new(begin(&heading, 2.0, PANEL.0 - 6.0), 5.0), "heading");
-        group.translate(at);
-        if let Some(page) = pages.get_mut(page) {
-            page.group(group);
+        if filled[column] + tall > bottom {
+            pages.push(Group::new("page"));
+            (filled, column) = ([MARGIN; 2], 0);
+        }
+        let side = if words.right_to_left { 1 - column } else { column };
+        #[expect(clippy::cast_precision_loss, reason = "two columns")]
+        let left = MARGIN + side as f64 * PANEL.0;
+        for (i, panel) in stack.iter().enumerate() {
+            let last = i + 1 == stack.len();
+            let mut group = match panel {
+                Panel::Over(_) | Panel::Along(..) => over(&notation, &seen, panel, last),
+                Panel::Plane(columns) => plane(&seen, *columns),
+                Panel::Polar(columns) => polar(&seen, *columns),
+            };
+            let heading = heading_of(&notation, sweep, panel).set(SMALL);
+            heading.put(&mut group, Point::new(begin(&heading, 2.0, PANEL.0 - 6.0), 5.0), "heading");
+            group.translate(Vec2::new(left, filled[column]));
+            filled[column] += height_of(last);
+            if let Some(page) = pages.last_mut() {
+                page.group(group);
+            }
         }
     }
     let (mut root, mut width, mut height) = (Group::new("diagrams"), PAGE, 0.0);
@@ -187,9 +153,7 @@ pub fn of_sweep_with(scene: &Scene, sweep: &Sweep, language: Language, unconfirm
             root.group(page);
         }
     } else {
-        #[expect(clippy::cast_precision_loss, reason = "a few panels")]
-        let below = rows as f64 * PANEL.1;
-        height = top + below + MARGIN;
+        height = filled[0].max(filled[1]) + MARGIN;
         root.children = pages.pop().unwrap_or_default().children;
     }
     Figure {
@@ -263,6 +227,14 @@ fn heading_of(notation: &Notation<'_>, sweep: &Sweep, panel: &Panel) -> Rich {
     let symbol = notation.symbol(column.asked.quantity, vector);
     let length = || Rich::upright("|").then(&symbol).up("|");
     let named = match (panel, column.axis) {
+        (Panel::Along(_, along), _) => {
+            let angle = human::degrees(motions::direction(*along));
+            let symbol = match column.asked.quantity {
+                Quantity::Position(point) => Rich::italic("s").sub(&notation.index(point)),
+                _ => symbol,
+            };
+            Rich::fill(words.along, &[("symbol", symbol), ("angle", angle)])
+        }
         (Panel::Over(_), _) if vector => length(),
         (Panel::Over(_), Some(axis)) => {
             let axis = Rich::italic(["x", "y"][axis]);
@@ -277,24 +249,6 @@ fn heading_of(notation: &Notation<'_>, sweep: &Sweep, panel: &Panel) -> Rich {
         }
     };
     with_unit(notation, named, &column.asked.unit)
-}
-
-/// A number with its change by the input.
-type Rate = (f64, f64);
-
-/// The number of a panel: the column, or the length of the vector.
-fn number(columns: &[usize], values: &[Option<Dual>]) -> Option<Rate> {
-    let get = |c: usize| values.get(c).copied().flatten();
-    match *columns {
-        [x, y] => {
-            let (x, y) = (get(x)?, get(y)?);
-            let length = libm::hypot(x.value, y.value);
-            let change = if length > 0.0 { (x.value * x.slope + y.value * y.slope) / length } else { 0.0 };
-            Some((length, change))
-        }
-        [c] => get(c).map(|m| (m.value, m.slope)),
-        _ => None,
-    }
 }
 
 /// Least and greatest of some numbers; what runs away to infinity is cut.
@@ -338,7 +292,8 @@ impl Axes {
         Vec2::new(per(self.x, self.plot.width()), -per(self.y, self.plot.height()))
     }
 
-    fn draw(&self, group: &mut Group, x_ticks: &[f64]) {
+    /// The axes; the numbers of the lower one only where nothing below has the same.
+    fn draw(&self, group: &mut Group, x_ticks: &[f64], numbers: bool) {
         let plot = self.plot;
         let corners =
             vec![Point::new(plot.x0, plot.y0), Point::new(plot.x0, plot.y1), Point::new(plot.x1, plot.y1)];
@@ -348,8 +303,10 @@ impl Axes {
             group.mark(
                 Mark::stroke(Shape::Line(at, at + Vec2::new(0.0, 1.2)), Pen::solid(FINE)).class("tick"),
             );
-            let text = human::stated(x).set(TICK);
-            text.put(group, at + Vec2::new(-text.width / 2.0, 4.0), "tick");
+            if numbers {
+                let text = human::stated(x).set(TICK);
+                text.put(group, at + Vec2::new(-text.width / 2.0, 4.0), "tick");
+            }
         }
         for y in ticks(self.y[0], self.y[1]) {
             let at = self.map(self.x[0], y);
@@ -366,22 +323,27 @@ impl Axes {
     }
 }
 
+/// Height of a panel; the last of a stack has the axis with its numbers.
+fn height_of(last: bool) -> f64 {
+    if last { PANEL.1 } else { PANEL.1 - STACKED }
+}
+
 fn plot_area() -> Rect {
     Rect::from_origin_size((PLOT.0, PLOT.1), (PLOT.2, PLOT.3))
 }
 
-/// A number over the input.
-fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
-    let sweep = seen.sweep;
+/// A number over the input; the input is named where nothing below has the same axis.
+fn over(notation: &Notation<'_>, seen: &Seen<'_>, panel: &Panel, last: bool) -> Group {
+    let (sweep, columns) = (seen.sweep, panel.columns());
     let Some(column) = columns.first().map(|&c| &sweep.columns[c]) else { return Group::default() };
     let unit = &column.asked.unit;
     let input = input_unit(notation, sweep);
     let mut group = Group::new("over").data("quantity", &column.asked.name);
     // An angle that passes half a turn goes on.
     let turns = matches!(column.asked.quantity, Quantity::Angle(_));
-    let middle = turns.then(|| angle_of_first(seen, columns)).flatten();
+    let middle = turns.then(|| angle_of_first(seen, panel)).flatten();
     let read = |values: &[Option<Dual>]| -> Option<Rate> {
-        let (value, change) = number(columns, values)?;
+        let (value, change) = panel.number(values)?;
         let value = middle.map_or(value, |m| value - 2.0 * PI * ((value - m) / (2.0 * PI)).round());
         Some((value / unit.si, change / unit.si))
     };
@@ -395,14 +357,14 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
         let half = noise.max(y[1].abs() / 4.0);
         y = [y[0] - half, y[1] + half];
     }
-    if columns.len() == 2 {
+    if panel.is_length() {
         y[0] = 0.0;
     }
     let blank = (y[1] - y[0]).max(y[1].abs() * 1e-6).max(f64::MIN_POSITIVE) * 0.04;
     let axes = Axes {
         plot: plot_area(),
         x: sweep.range.map(|x| x / input.si),
-        y: [if columns.len() == 2 { 0.0 } else { y[0] - blank }, y[1] + blank],
+        y: [if panel.is_length() { 0.0 } else { y[0] - blank }, y[1] + blank],
     };
     let marks = match sweep.input {
         InputKind::Angle(_) => {
@@ -414,7 +376,7 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
         }
         InputKind::Slide(_) | InputKind::Time => ticks(axes.x[0], axes.x[1]),
     };
-    axes.draw(&mut group, &marks);
+    axes.draw(&mut group, &marks, last);
     let scale = axes.scale();
     let track = |at: f64, values: &[Option<Dual>]| {
         let (value, change) = read(values)?;
@@ -432,6 +394,9 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, columns: &[usize]) -> Group {
             let path = table.curve(columns, range, &track, ACCURACY);
             group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
         }
+    }
+    if !last {
+        return group;
     }
     let below = with_unit(notation, input_symbol(notation, sweep), &input).set(TICK);
     below.put(&mut group, Point::new(PLOT.0 + PLOT.2 - below.width, PLOT.1 + PLOT.3 + 8.0), "axis-name");
@@ -460,9 +425,9 @@ fn is_sure(values: &[Option<Dual>], columns: &[usize], span: f64) -> bool {
 }
 
 /// The first value of an angle, to follow it over half a turn.
-fn angle_of_first(seen: &Seen<'_>, columns: &[usize]) -> Option<f64> {
-    let looks = seen.looks(columns);
-    let values = looks.iter().filter_map(|values| number(columns, values).map(|r| r.0));
+fn angle_of_first(seen: &Seen<'_>, panel: &Panel) -> Option<f64> {
+    let looks = seen.looks(panel.columns());
+    let values = looks.iter().filter_map(|values| panel.number(values).map(|r| r.0));
     // The middle of the circle's part that is used: opposite the widest gap.
     let mut sorted: Vec<f64> = values.map(|value| value - 2.0 * PI * (value / (2.0 * PI)).round()).collect();
     sorted.sort_by(f64::total_cmp);
@@ -549,7 +514,7 @@ fn plane(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
         [middle - spans[axis] / 2.0, middle + spans[axis] / 2.0]
     });
     let axes = Axes { plot: area, x, y };
-    axes.draw(&mut group, &ticks(x[0], x[1]));
+    axes.draw(&mut group, &ticks(x[0], x[1]), true);
     let scale = axes.scale();
     let track = |_: f64, values: &[Option<Dual>]| {
         let [x, y] = read(values)?;
@@ -601,8 +566,9 @@ fn polar(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
     let column = &sweep.columns[columns[0]];
     let unit = &column.asked.unit;
     let mut group = Group::new("polar").data("quantity", &column.asked.name);
+    let panel = Panel::Polar(columns);
     let read = |values: &[Option<Dual>]| -> Option<Rate> {
-        number(&columns, values).map(|(value, change)| (value / unit.si, change / unit.si))
+        panel.number(values).map(|(value, change)| (value / unit.si, change / unit.si))
     };
     let looks = seen.looks(&columns);
     let [_, most] = bounds(looks.iter().filter_map(|values| read(values).map(|r| r.0)));

@@ -25,6 +25,7 @@ mod growth;
 mod human;
 mod ink;
 mod labels;
+mod motions;
 mod notation;
 pub mod overlap;
 mod overlay;

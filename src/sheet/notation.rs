@@ -288,7 +288,8 @@ impl<'a> Notation<'a> {
     }
 
     /// A point's name in the index of a vector.
-    fn index(&self, point: PointId) -> String {
+    #[must_use]
+    pub fn index(&self, point: PointId) -> String {
         self.profile.index(self.point_name(point))
     }
 

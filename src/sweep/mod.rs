@@ -396,21 +396,22 @@ impl Sweep {
         self.stretches.iter().find(|s| (s.from..=s.to).contains(&at))
     }
 
-    /// The asked quantities that tell how what goes to and fro moves: of pins on guides of the frame their velocities and
-    /// accelerations, of links pivoted to it their ω and α.
-    pub fn of_outputs(&self) -> impl Iterator<Item = &Asked> {
-        let mechanism = &self.ready.0;
-        let outputs: Vec<Quantity> = self
-            .columns
-            .iter()
-            .filter(|column| column.motion)
-            .flat_map(|column| match column.asked.quantity {
-                Quantity::Position(p) => vec![Quantity::Velocity(p), Quantity::Acceleration(p)],
-                Quantity::Angle(l) => vec![Quantity::Omega(l), Quantity::Alpha(l)],
-                _ => Vec::new(),
-            })
-            .collect();
-        mechanism.asked.iter().take(self.asked).filter(move |asked| outputs.contains(&asked.quantity))
+    /// What tells how that moves which goes to and fro: of pins on guides of the frame places, velocities and
+    /// accelerations, of links pivoted to it their angle, ω and α.
+    #[must_use]
+    pub fn of_outputs(&self) -> Vec<Quantity> {
+        let mut outputs: Vec<Quantity> = Vec::new();
+        for column in self.columns.iter().filter(|column| column.motion) {
+            let of = match column.asked.quantity {
+                at @ Quantity::Position(p) => [at, Quantity::Velocity(p), Quantity::Acceleration(p)],
+                at @ Quantity::Angle(l) => [at, Quantity::Omega(l), Quantity::Alpha(l)],
+                _ => continue,
+            };
+            if !outputs.contains(&of[0]) {
+                outputs.extend(of);
+            }
+        }
+        outputs
     }
 
     /// The mechanism at one place: every column with its derivative by the input; `None` where it cannot be
