@@ -42,7 +42,7 @@ pub const DOCTYPE: usize = 8 << 10;
 /// Uses of what they declare.
 pub const ENTITIES: usize = 1_000;
 /// Other positions on one skeleton.
-pub const POSITIONS: usize = crate::scene::MOST_POSITIONS;
+pub const POSITIONS: usize = 24;
 /// Positions of a sweep.
 pub const STEPS: u32 = 10_000_000;
 /// A line of a message: characters.

@@ -44,8 +44,8 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             Failure(format!("--paper {paper}: choose A0 to A6, letter or legal, such as \"A3 landscape\""))
         })?);
     }
-    if job.positions.len() > crate::scene::MOST_POSITIONS {
-        let most = crate::scene::MOST_POSITIONS;
+    if job.positions.len() > crate::limits::POSITIONS {
+        let most = crate::limits::POSITIONS;
         return Err(Failure(format!("--positions: {most} at most can be told apart")));
     }
     if !job.positions.is_empty() {

@@ -91,6 +91,21 @@ impl Extents {
         self.diagrams.iter().find(|extent| extent.kind == kind)
     }
 
+    /// Scales at which every diagram is so many millimetres large: for numbers, which depend on no scale.
+    #[must_use]
+    pub fn filling(&self, mm: f64) -> Scales {
+        let per_mm = |[width, height]: [f64; 2]| {
+            let scale = width.max(height) / mm;
+            if scale.is_normal() { scale } else { 1.0 }
+        };
+        Scales::new(|dimension| {
+            let of = self.diagrams.iter().filter(|extent| extent.kind.dimension() == dimension);
+            let sizes = of.map(|extent| extent.size);
+            let skeleton = (dimension == Dimension::Length).then_some(self.space);
+            sizes.chain(skeleton).map(per_mm).reduce(f64::max).unwrap_or(1.0)
+        })
+    }
+
     /// The same where the skeleton shows these positions as well.
     #[must_use]
     pub fn with(mut self, others: &[OtherPosition]) -> Self {

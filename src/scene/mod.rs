@@ -26,7 +26,7 @@ mod vary;
 pub use asked::{Named, QUANTITIES};
 pub use diagnostic::{Diagnostic, nearest};
 pub use schema::schema;
-pub use sheet::{MOST_POSITIONS, input_place, paper_size};
+pub use sheet::{input_place, paper_size};
 pub use source::{Source, Subject};
 pub use units::si_of;
 

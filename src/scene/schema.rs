@@ -3,8 +3,9 @@
 use serde_json::{Value, json};
 
 use super::asked::QUANTITIES;
-use super::sheet::{LANGUAGES, MOST_POSITIONS, NOTATIONS, PAPERS, THEMES};
+use super::sheet::{LANGUAGES, NOTATIONS, PAPERS, THEMES};
 use super::units::names;
+use crate::limits::POSITIONS;
 use crate::mechanism::quantity::Method;
 
 /// The JSON Schema (draft 2020-12) of a scene: what an editor needs to complete and to check it.
@@ -420,7 +421,7 @@ fn sheet() -> Value {
             },
             "decimal": { "enum": ["point", "comma"], "default": "point", "description": "Decimal sign." },
             "positions": {
-                "type": "array", "items": { "anyOf": [reference("angle"), reference("length")] }, "maxItems": MOST_POSITIONS,
+                "type": "array", "items": { "anyOf": [reference("angle"), reference("length")] }, "maxItems": POSITIONS,
                 "description": "Other positions of the mechanism, drawn dashed on the skeleton: places of the first input, angles or for a slide lengths.",
                 "examples": [[60, "90 deg"]],
             },

@@ -5,6 +5,7 @@ use super::diagnostic::{Fault, Res};
 use super::json::{Entry, Fields, Kind, Value};
 use super::units::{Measure, Scale, Scales, Words, drawing_scale, number};
 use super::{AngularAcceleration, Scene, SheetOptions, Title, keys};
+use crate::limits::POSITIONS;
 use crate::mechanism::{Input, Mechanism, Sense};
 
 /// Languages of the sheet.
@@ -41,9 +42,6 @@ pub(super) fn title(value: Option<&Value<'_>>) -> Res<Title> {
         _ => Err(value.unexpected("text, or texts by language")),
     }
 }
-
-/// More positions than this on one skeleton cannot be told apart.
-pub const MOST_POSITIONS: usize = 24;
 
 /// What the first input measures.
 fn input_measure(mechanism: &Mechanism) -> Measure {
@@ -109,9 +107,9 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales, mechanism: &Mecha
     }
     if let Some(positions) = fields.get("positions") {
         let all = positions.list("a list of places of the input, such as [60, \"90 deg\"]")?;
-        if all.len() > MOST_POSITIONS {
+        if all.len() > POSITIONS {
             let what = format!("{} positions cannot be told apart", all.len());
-            return Err(Fault::new(positions.at, what).mend(format!("list {MOST_POSITIONS} at most")));
+            return Err(Fault::new(positions.at, what).mend(format!("list {POSITIONS} at most")));
         }
         for item in all {
             let stated = scales.stated(item, input, input.turns(), scales.bare(input))?;

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use linkgram::graphical::{self, DrawError, Extents, Scales, Solution};
 use linkgram::mechanism::PointId;
-use linkgram::mechanism::quantity::{Answer, DiagramKind, Dimension};
+use linkgram::mechanism::quantity::Answer;
 use linkgram::mechanism::structure::Structure;
 use linkgram::plan::{Extent, Plan};
 use linkgram::scene::{self, Scene};
@@ -69,18 +69,7 @@ pub(crate) fn scenes() -> Vec<(String, Scene)> {
 
 /// Scales that put each diagram on 120 mm of paper.
 pub(crate) fn scales_for(extents: Extents) -> Scales {
-    let per_mm = |extent: [f64; 2]| {
-        let scale = extent[0].max(extent[1]) / 120.0;
-        if scale.is_normal() { scale } else { 1.0 }
-    };
-    let drawn = |kind: DiagramKind| extents.diagram(kind).map_or([0.0; 2], |extent| extent.size);
-    Scales::new(|dimension| {
-        per_mm(match dimension {
-            Dimension::Length => extents.space,
-            Dimension::Velocity => drawn(DiagramKind::Velocity),
-            Dimension::Acceleration => drawn(DiagramKind::Acceleration),
-        })
-    })
+    extents.filling(120.0)
 }
 
 /// A scene with its drawn solution.
