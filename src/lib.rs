@@ -150,6 +150,7 @@ pub mod golden;
 pub mod grade;
 pub mod graphical;
 pub mod limits;
+pub mod live;
 mod markup;
 pub mod mechanism;
 mod parallel;

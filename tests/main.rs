@@ -20,7 +20,6 @@ mod exam;
 mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
-mod forces;
 mod formats;
 #[path = "goldens/main.rs"]
 mod goldens;
@@ -33,6 +32,8 @@ mod help;
 mod ink;
 mod klein;
 mod legibility;
+#[path = "live/main.rs"]
+mod live;
 mod mutated_files;
 mod mutations;
 mod nothing_missing;

@@ -27,7 +27,9 @@ pub use hand::{Hand, Pencil};
 pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
 pub use number::TOO_LARGE;
 pub use op::Op;
-pub use program::{Block, Dual, LANES, Lane, Law, Program, Transcript, Variable, Wanted, Workspace};
+pub use program::{
+    Block, Dual, LANES, Lane, Law, ListedStep, Listing, Program, Transcript, Variable, Wanted, Workspace,
+};
 pub use scalar::{Arithmetic, Real};
 pub use tape::{Nudge, Operation, PointRecord, Reason, Tape};
 

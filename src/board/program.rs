@@ -311,6 +311,7 @@ impl Transcript {
             .chain(chords.iter().chain(&turns).map(|(_, slot)| *slot))
             .collect();
         let last_use = self.last_uses(&kept);
+        let drawn = self.lots();
         let mut slots = vec![0_u32; self.nodes.len()];
         let mut program = Program {
             steps: Vec::new(),
@@ -360,7 +361,7 @@ impl Transcript {
                 slots[p]
             });
             let guard = guarded[slot];
-            program.steps.push(Step { op, to, second, guard, from });
+            program.steps.push(Step { op, to, second, guard, lots: lots(drawn[slot]), from });
             let mut done: Vec<u32> = of[..op.operands()].to_vec();
             done.sort_unstable();
             done.dedup();
@@ -391,6 +392,29 @@ impl Transcript {
         divisors.dedup_by_key(|d| d.0);
         program.divisors = divisors;
         program
+    }
+
+    /// A lot for every number, by how it is computed: the same number errs alike in whatever program it stands, so that
+    /// two programs of one drawing refuse the same.
+    fn lots(&self) -> Vec<u64> {
+        let mut drawn: Vec<u64> = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            drawn.push(match *node {
+                Node::Input => LOT_OF_INPUT,
+                Node::Constant(value, _) => lot_of_constant(value),
+                Node::Made(op, of) => {
+                    let of = &of[..op.operands()];
+                    let lot_of = |operand: &u32| drawn.get(*operand as usize).copied().unwrap_or(0);
+                    let own = lot(op as u64);
+                    match op {
+                        // Their operands stand in no order.
+                        Op::Sum | Op::Product => lot(of.iter().map(lot_of).fold(own, u64::wrapping_add)),
+                        _ => of.iter().map(lot_of).fold(own, |all, one| lot(all ^ one)),
+                    }
+                }
+            });
+        }
+        drawn
     }
 
     /// Which numbers these numbers have been computed from, themselves among them.
@@ -594,6 +618,8 @@ struct Step {
     second: u32,
     /// It is divided by: where it does not exceed its error, nothing that follows from it is known.
     guard: bool,
+    /// The signs that were drawn for its roundings.
+    lots: u8,
     from: [u32; 4],
 }
 
@@ -681,12 +707,25 @@ impl Row {
     }
 }
 
-/// The signs that were drawn for the roundings of an operation: splitmix64 of its number (Steele, Lea and Flood 2014).
-fn lots(number: usize) -> u8 {
-    let mut z = (number as u64).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+/// A number that looks as if drawn by lot: splitmix64 (Steele, Lea and Flood 2014).
+fn lot(of: u64) -> u64 {
+    let mut z = of.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    ((z ^ (z >> 31)) >> 56) as u8
+    z ^ (z >> 31)
+}
+
+/// The signs that were drawn for the roundings of a number with this lot.
+fn lots(lot: u64) -> u8 {
+    (lot >> 56) as u8
+}
+
+/// The lot of the input.
+const LOT_OF_INPUT: u64 = 0xE220_A839_7B1D_CDAF;
+
+/// The lot of a constant.
+fn lot_of_constant(value: f64) -> u64 {
+    lot(value.to_bits())
 }
 
 /// Room for a block of positions.
@@ -825,14 +864,14 @@ impl Program {
         rows.clear();
         rows.resize(self.rows as usize, Row::default());
         rows[0] = Row { value: input, slope: 1.0, ..Row::default() };
-        rows[0].round(2.0 * U * input.abs(), lots(0));
-        for (number, &(row, value)) in self.constants.iter().enumerate() {
+        rows[0].round(2.0 * U * input.abs(), lots(LOT_OF_INPUT));
+        for &(row, value) in &self.constants {
             // A constant has been computed from numbers of the scene: a few roundings.
             let constant = &mut rows[row as usize];
             constant.value = value;
-            constant.round(4.0 * U * value.abs(), lots(usize::MAX - number));
+            constant.round(4.0 * U * value.abs(), lots(lot_of_constant(value)));
         }
-        for (number, step) in self.steps.iter().enumerate() {
+        for step in &self.steps {
             // What is no row (the index of a chord, or of a turn) is not looked at.
             let of = step.from.map(|row| rows.get(row as usize).unwrap_or(&rows[0]));
             let of = &of[..step.op.operands()];
@@ -854,13 +893,13 @@ impl Program {
                 _ => 0.0,
             };
             let mut out = carried(of, &step.op.partials(values, value), value);
-            out.round(2.0 * U * value.abs() + U * products, lots(number + 1));
+            out.round(2.0 * U * value.abs() + U * products, step.lots);
             out.lost |= step.guard && !out.is_clear();
             let second = (step.second != 0).then(|| {
                 let other = if step.op == Op::Cosine { Op::Sine } else { Op::Cosine };
                 let value = other.value(values);
                 let mut out = carried(of, &other.partials(values, value), value);
-                out.round(2.0 * U * value.abs(), lots(number + 1).rotate_left(3));
+                out.round(2.0 * U * value.abs(), step.lots.rotate_left(3));
                 out
             });
             rows[step.to as usize] = out;
@@ -912,6 +951,97 @@ impl Program {
     #[must_use]
     pub fn reason_of_chord(&self, index: usize) -> Option<Reason> {
         self.chords.get(index).and_then(|chord| chord.reason)
+    }
+}
+
+/// A step of a [`Listing`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ListedStep {
+    /// The operation.
+    pub op: Op,
+    /// Its row.
+    pub to: u32,
+    /// Where the sine of a cosine (or the cosine of a sine) goes; 0 where nobody wants it.
+    pub second: u32,
+    /// Rows of its operands; the second of a half chord is its place among the signs, the third of an angle that goes on
+    /// its place among the half turns. Unused ones are 0.
+    pub from: [u32; 4],
+    /// The signs that were drawn for its roundings, one bit for each sample.
+    pub lots: u8,
+    /// It is divided by: where it does not exceed its error, nothing that follows from it is known.
+    pub guard: bool,
+}
+
+/// A program as it is written down for another evaluator: every row is written once. Row 0 is the input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Listing {
+    /// How many rows there are.
+    pub rows: u32,
+    /// The signs that were drawn for the rounding of the input.
+    pub lots_of_input: u8,
+    /// Rows that hold a number from the beginning, with the signs that were drawn for its rounding.
+    pub constants: Vec<(u32, f64, u8)>,
+    /// The operations, in order.
+    pub steps: Vec<ListedStep>,
+    /// The rows of the asked numbers.
+    pub asked: Vec<u32>,
+    /// How many signs of half chords stand before the half turns.
+    pub chord_slots: usize,
+    /// Every watched half chord: its place among the signs, the row of its square, why it may vanish.
+    pub chords: Vec<(usize, u32, Option<Reason>)>,
+    /// Every watched angle that goes on: its place among the half turns, and its row.
+    pub turns: Vec<(usize, u32)>,
+    /// What is divided by on the way to a number of motion, with the reason.
+    pub divisors: Vec<(u32, Reason)>,
+}
+
+impl Program {
+    /// The program written down, with no row used twice.
+    #[must_use]
+    pub fn listing(&self) -> Listing {
+        let mut now: Vec<u32> = vec![0; self.rows as usize];
+        let mut rows = 1;
+        let mut fresh = |now: &mut Vec<u32>, row: u32| {
+            now[row as usize] = rows;
+            rows += 1;
+            rows - 1
+        };
+        let constants = self
+            .constants
+            .iter()
+            .map(|&(row, value)| (fresh(&mut now, row), value, lots(lot_of_constant(value))))
+            .collect();
+        let steps = self
+            .steps
+            .iter()
+            .map(|step| {
+                let mut from = [0; 4];
+                for (index, (to, &row)) in from.iter_mut().zip(&step.from).enumerate() {
+                    let is_row = index < step.op.operands();
+                    let is_place = matches!((step.op, index), (Op::HalfChord, 1) | (Op::Turned, 2));
+                    if is_row {
+                        *to = now[row as usize];
+                    } else if is_place {
+                        *to = row;
+                    }
+                }
+                let to = fresh(&mut now, step.to);
+                let second = if step.second == 0 { 0 } else { fresh(&mut now, step.second) };
+                ListedStep { op: step.op, to, second, from, lots: step.lots, guard: step.guard }
+            })
+            .collect();
+        let row = |row: u32| now[row as usize];
+        Listing {
+            lots_of_input: lots(LOT_OF_INPUT),
+            constants,
+            steps,
+            asked: self.asked.iter().map(|&asked| row(asked)).collect(),
+            chord_slots: self.chord_slots,
+            chords: self.chords.iter().map(|c| (c.index, row(c.row), c.reason)).collect(),
+            turns: self.turns.iter().map(|&(index, turn)| (index, row(turn))).collect(),
+            divisors: self.divisors.iter().map(|&(divisor, why)| (row(divisor), why)).collect(),
+            rows,
+        }
     }
 }
 

@@ -1,15 +1,20 @@
 //! `linkgram draw`.
 
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::{Ending, Failure, print_bytes, read_scene};
+use crate::check::confirm_sweep;
 use crate::drawing::{self, Kind, NoFigure, Wish, unknown, unknown_figure};
 use crate::files;
+use crate::live::{self, Live, LiveError};
+use crate::plan::Extent;
 use crate::render::theme::Theme;
 use crate::render::{self, Format, Lettering};
 use crate::scene::Scene;
-use crate::sheet::{Figure, Language};
-use crate::solve::Settings;
+use crate::sheet::{self, Figure, Language};
+use crate::solve::{Settings, solve_with};
+use crate::sweep::Over;
 
 /// What is to be drawn, and where.
 pub(super) struct Job {
@@ -27,10 +32,49 @@ pub(super) struct Job {
     pub(super) format: Option<String>,
     pub(super) positions: Vec<String>,
     pub(super) other_assembly: bool,
+    pub(super) over: Over,
+    pub(super) from: Option<f64>,
+    pub(super) to: Option<f64>,
+}
+
+/// Seconds for the course of a page where nothing is said.
+const SECONDS: f64 = 6.0;
+
+/// What is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Output {
+    Figure(Format),
+    /// A page of hypertext.
+    Page,
+}
+
+impl Output {
+    fn from_name(name: &str) -> Option<Self> {
+        let page = ["html", "htm"].iter().any(|known| name.eq_ignore_ascii_case(known));
+        if page { Some(Self::Page) } else { Format::from_name(name).map(Self::Figure) }
+    }
+
+    /// The names of all, pages last.
+    fn names() -> Vec<&'static str> {
+        Format::ALL.map(Format::name).into_iter().chain(["html"]).collect()
+    }
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
-    let formats = formats(job)?;
+    let outputs = outputs(job)?;
+    let formats: Vec<Format> = outputs
+        .iter()
+        .filter_map(|output| match output {
+            Output::Figure(format) => Some(*format),
+            Output::Page => None,
+        })
+        .collect();
+    let pages = outputs.contains(&Output::Page);
+    if !pages && (job.over != Over::Input || job.from.is_some() || job.to.is_some()) {
+        let what = "--against, --from and --to are for a page that moves: end a name in .html";
+        return Err(Failure(what.to_owned()));
+    }
+    let languages = languages(job, pages)?;
     let lettering = lettering(job, &formats)?;
     if let Some(unknown) = job.figure.iter().find_map(|name| unknown_figure(name)) {
         return Err(Failure(unknown));
@@ -58,7 +102,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let wish = Wish {
         kind: job.kind,
         figures: job.figure.clone(),
-        language: language(job)?,
+        language: languages.first().copied(),
         settings: job.settings,
     };
     let options = render::Options { theme: theme(job, scene)?, lettering, dpi };
@@ -66,36 +110,86 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         NoFigure::Unconfirmed(_) => Failure::unconfirmed(error.told(scene)),
         _ => Failure(error.told(scene)),
     };
+    if job.play && pages {
+        return Err(Failure("--play plays in an SVG; a page plays by itself: leave it out".to_owned()));
+    }
     if job.play {
         let frames = drawing::film(scene, &wish).map_err(impossible)?;
         return write_film(job, &formats, &frames, &options);
     }
     let figure = drawing::figure(scene, &wish).map_err(impossible)?;
-    let bytes = |format: &Format| {
-        render::render(&figure, *format, &options).map_err(|error| Failure(error.to_string()))
+    let page = if pages {
+        let first = languages.first().copied().unwrap_or_else(|| drawing::language(scene));
+        let mut sheets = vec![(first, figure.clone())];
+        for language in languages.iter().skip(1) {
+            let wish = Wish { language: Some(*language), ..wish.clone() };
+            sheets.push((*language, drawing::figure(scene, &wish).map_err(impossible)?));
+        }
+        Some(page(job, scene, sheets)?)
+    } else {
+        None
+    };
+    let bytes = |output: &Output| match output {
+        Output::Figure(format) => {
+            render::render(&figure, *format, &options).map_err(|error| Failure(error.to_string()))
+        }
+        Output::Page => Ok(page.clone().unwrap_or_default().into_bytes()),
     };
     if job.output.is_empty() {
-        for format in &formats {
-            print_bytes(&bytes(format)?)?;
+        for output in &outputs {
+            print_bytes(&bytes(output)?)?;
         }
         return Ok(Ending::Fine);
     }
     let mut written = Vec::new();
-    for (path, format) in job.output.iter().zip(&formats) {
-        written.push((path.clone(), bytes(format)?));
+    for (path, output) in job.output.iter().zip(&outputs) {
+        written.push((path.clone(), bytes(output)?));
     }
     files::write_all(&written)?;
     Ok(Ending::Fine)
 }
 
-/// The format of each output; of standard output where there is none.
-fn formats(job: &Job) -> Result<Vec<Format>, Failure> {
+/// The page of a scene: with what moves, or without and a warning that says why.
+fn page(job: &Job, scene: &Scene, sheets: Vec<(Language, Figure)>) -> Result<String, Failure> {
+    let options = live::Options { sheets, seconds: SECONDS };
+    if job.kind == Kind::Question {
+        return Ok(live::question(scene, &options));
+    }
+    let failed = |error: LiveError| Failure(error.to_string());
+    let solved = solve_with(scene, Extent::WholeSkeleton, &[], job.settings, sheet::scale::for_scene)
+        .map_err(|error| super::failure(scene, &error))?;
+    let unit = super::sweep::unit_of(scene, job.over);
+    let range = match (job.from, job.to) {
+        (None, None) => None,
+        (Some(from), Some(to)) => Some([from * unit.si, to * unit.si]),
+        _ => return Err(Failure("give both --from and --to, in the scene's units".to_owned())),
+    };
+    let live = match Live::of_solved(scene, &solved, job.over, range) {
+        // A range that is none is the caller's mistake, not the mechanism's.
+        Err(error @ LiveError::Sweep(crate::sweep::SweepError::Range(_))) => return Err(failed(error)),
+        Err(error) => Err(error.to_string()),
+        Ok(live) => match confirm_sweep(live.sweep()) {
+            Ok(_) => Ok(live),
+            Err(why) => Err(super::sweep::not_confirmed(scene, live.sweep(), &unit, &why)),
+        },
+    };
+    let (page, still) =
+        live::page(scene, &solved, live.as_ref().map_err(Clone::clone), &options).map_err(failed)?;
+    if let Some(why) = still {
+        let file = scene.source.file();
+        let _ = writeln!(io::stderr(), "{file}: the page does not move: {why}");
+    }
+    Ok(page)
+}
+
+/// What each output is; standard output where there is none.
+fn outputs(job: &Job) -> Result<Vec<Output>, Failure> {
     let chosen = |name: &String| {
-        let known = Format::ALL.map(Format::name);
-        Format::from_name(name).ok_or_else(|| Failure(unknown("format", name, name, &known)))
+        Output::from_name(name).ok_or_else(|| Failure(unknown("format", name, name, &Output::names())))
     };
     if job.output.is_empty() {
-        return Ok(vec![job.format.as_ref().map(chosen).transpose()?.unwrap_or_default()]);
+        let chosen = job.format.as_ref().map(chosen).transpose()?;
+        return Ok(vec![chosen.unwrap_or(Output::Figure(Format::default()))]);
     }
     if job.format.is_some() {
         let what = "--format is for standard output; the ending of a file's name chooses its format";
@@ -104,10 +198,10 @@ fn formats(job: &Job) -> Result<Vec<Format>, Failure> {
     job.output.iter().map(|path| format_of(path)).collect()
 }
 
-fn format_of(path: &Path) -> Result<Format, Failure> {
-    let ending = path.extension().and_then(|e| e.to_str()).and_then(Format::from_name);
+fn format_of(path: &Path) -> Result<Output, Failure> {
+    let ending = path.extension().and_then(|e| e.to_str()).and_then(Output::from_name);
     ending.ok_or_else(|| {
-        let known = Format::ALL.map(|format| format!(".{}", format.name()));
+        let known: Vec<String> = Output::names().into_iter().map(|name| format!(".{name}")).collect();
         let path = files::shown(path);
         Failure(format!("{path}: unknown format; end the name in {}", one_of(&known)))
     })
@@ -149,8 +243,20 @@ fn theme(job: &Job, scene: &Scene) -> Result<Theme, Failure> {
     Theme::from_name(name).ok_or_else(|| Failure(unknown("theme", name, name, &Theme::ALL.map(Theme::name))))
 }
 
-fn language(job: &Job) -> Result<Option<Language>, Failure> {
-    job.lang.as_deref().map(super::language).transpose()
+/// The languages that are asked for: several for a page.
+fn languages(job: &Job, pages: bool) -> Result<Vec<Language>, Failure> {
+    let Some(tags) = &job.lang else { return Ok(Vec::new()) };
+    let mut all = Vec::new();
+    for tag in tags.split(',').map(str::trim) {
+        let language = super::language(tag)?;
+        if !all.contains(&language) {
+            all.push(language);
+        }
+    }
+    if all.len() > 1 && !pages {
+        return Err(Failure(format!("--lang {tags}: several languages are for a page: end a name in .html")));
+    }
+    Ok(all)
 }
 
 /// Writes the steps as a film.

@@ -67,11 +67,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let source = match exam {
         Some(exam) => Source::Exam(exam),
-        None => {
-            let scene = read_scene(&job.scene)?.1;
-            super::without_forces(&scene)?;
-            Source::Scene(Box::new(scene))
-        }
+        None => Source::Scene(Box::new(read_scene(&job.scene)?.1)),
     };
     if let (true, Source::Scene(scene)) = (answers.is_empty(), &source) {
         return tolerances(job, scene, &settings);

@@ -10,11 +10,11 @@ use super::{Arguments, Ending, Failure, print};
 const TOPICS: [(&str, &str); 9] = [
     ("scene", include_str!("../../docs/scene.md")),
     ("quantities", include_str!("../../docs/quantities.md")),
-    ("forces", include_str!("../../docs/forces.md")),
     ("formats", include_str!("../../docs/formats.md")),
     ("grading", include_str!("../../docs/grading.md")),
     ("exams", include_str!("../../docs/exams.md")),
     ("sweeps", include_str!("../../docs/sweeps.md")),
+    ("live", include_str!("../../docs/live.md")),
     ("golden", include_str!("../../docs/golden.md")),
     ("accuracy", include_str!("../../docs/accuracy.md")),
 ];

@@ -17,6 +17,7 @@ mod solve;
 mod structure;
 mod sweep;
 mod tradeoff;
+mod watch;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
@@ -42,64 +43,102 @@ use crate::terminal;
     about,
     arg_required_else_help = true,
     disable_help_subcommand = true,
-    after_help = "`linkgram help` lists topics to look up: scene, quantities, formats, grading, exams, sweeps, golden, accuracy."
+    after_help = "`linkgram help` lists topics to look up: scene, quantities, formats, grading, exams, sweeps, live, golden, accuracy."
 )]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
 }
 
+#[derive(Debug, clap::Args)]
+struct DrawArguments {
+    /// The scene file; - for standard input
+    scene: PathBuf,
+    /// Where to write; the ending chooses the format (.svg, .png, .pdf, .tex, .json, .html); may be given
+    /// several times: all files are written, or none. Without it the figure goes to standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Vec<PathBuf>,
+    /// A single figure instead of the sheet: skeleton, velocity, acceleration, steps, results
+    #[arg(long, value_name = "NAME")]
+    figure: Vec<String>,
+    /// What to draw: the question without its answers, the solution, or its steps one by one
+    #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = Kind::Solution)]
+    kind: Kind,
+    /// With --as steps: one SVG that plays them, without a script
+    #[arg(long)]
+    play: bool,
+    /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted
+    #[arg(long, value_name = "SIZE")]
+    paper: Option<String>,
+    /// Language of the sheet: en, ar, ar-x-ajala, fa; of a page several: en,ar,fa
+    #[arg(long, value_name = "LANG")]
+    lang: Option<String>,
+    /// Resolution of a PNG: 150 where nothing is said
+    #[arg(long, value_name = "DPI", allow_negative_numbers = true)]
+    dpi: Option<f32>,
+    /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
+    #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
+    arith: Arithmetic,
+    /// Colours: mono, colour or dark; what the scene says, or mono
+    #[arg(long, value_name = "NAME")]
+    theme: Option<String>,
+    /// Text of an SVG: embed (with the glyphs that it uses), live (for those who have the typefaces) or outline
+    /// (paths); embed where nothing is said
+    #[arg(long, value_name = "KIND")]
+    text: Option<String>,
+    /// Format on standard output: svg, png, pdf, tex, json or html
+    #[arg(long, value_name = "FORMAT")]
+    format: Option<String>,
+    /// Other positions, dashed on the skeleton: places of the input, such as 60,90 or "1 rad,2 rad"
+    #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
+    positions: Vec<String>,
+    /// The other assembly, dashed on the skeleton
+    #[arg(long)]
+    other_assembly: bool,
+    /// Draw it even where the independent solver does not confirm it, with a note that says so
+    #[arg(long)]
+    unchecked: bool,
+    /// Of a page (.html): what moves it, the input or time
+    #[arg(long, value_enum, default_value_t = Against::Input)]
+    against: Against,
+    /// Of a page: from this place of the input, in the scene's unit
+    #[arg(long, value_name = "AT", allow_hyphen_values = true)]
+    from: Option<f64>,
+    /// Of a page: to this place of the input
+    #[arg(long, value_name = "AT", allow_hyphen_values = true)]
+    to: Option<f64>,
+}
+
+impl DrawArguments {
+    fn job(self) -> draw::Job {
+        draw::Job {
+            scene: self.scene,
+            output: self.output,
+            figure: self.figure,
+            kind: self.kind,
+            play: self.play,
+            paper: self.paper,
+            lang: self.lang,
+            dpi: self.dpi,
+            theme: self.theme,
+            text: self.text,
+            format: self.format,
+            positions: self.positions,
+            other_assembly: self.other_assembly,
+            settings: Settings { arithmetic: self.arith, unchecked: self.unchecked },
+            over: self.against.over(),
+            from: self.from,
+            to: self.to,
+        }
+    }
+}
+
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Draw the solution sheet of a scene, or single figures of it
-    Draw {
-        /// The scene file; - for standard input
-        scene: PathBuf,
-        /// Where to write; the ending chooses the format (.svg, .png, .pdf, .tex, .json); may be given
-        /// several times: all files are written, or none. Without it the figure goes to standard output
-        #[arg(short, long, value_name = "FILE")]
-        output: Vec<PathBuf>,
-        /// A single figure instead of the sheet: skeleton, velocity, acceleration, steps, results
-        #[arg(long, value_name = "NAME")]
-        figure: Vec<String>,
-        /// What to draw: the question without its answers, the solution, or its steps one by one
-        #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = Kind::Solution)]
-        kind: Kind,
-        /// With --as steps: one SVG that plays them, without a script
-        #[arg(long)]
-        play: bool,
-        /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted
-        #[arg(long, value_name = "SIZE")]
-        paper: Option<String>,
-        /// Language of the sheet: en, ar, ar-x-ajala, fa
-        #[arg(long, value_name = "LANG")]
-        lang: Option<String>,
-        /// Resolution of a PNG: 150 where nothing is said
-        #[arg(long, value_name = "DPI", allow_negative_numbers = true)]
-        dpi: Option<f32>,
-        /// Arithmetic of the drawing board: f32, f64, or dd (double-double, 31 digits)
-        #[arg(long, value_name = "ARITHMETIC", default_value = "f64", value_parser = parse_arithmetic)]
-        arith: Arithmetic,
-        /// Colours: mono, colour or dark; what the scene says, or mono
-        #[arg(long, value_name = "NAME")]
-        theme: Option<String>,
-        /// Text of an SVG: embed (with the glyphs that it uses), live (for those who have the typefaces) or outline
-        /// (paths); embed where nothing is said
-        #[arg(long, value_name = "KIND")]
-        text: Option<String>,
-        /// Format on standard output: svg, png, pdf, tex or json
-        #[arg(long, value_name = "FORMAT")]
-        format: Option<String>,
-        /// Other positions, dashed on the skeleton: places of the input, such as 60,90 or "1 rad,2 rad"
-        #[arg(long, value_name = "LIST", value_delimiter = ',', allow_hyphen_values = true)]
-        positions: Vec<String>,
-        /// The other assembly, dashed on the skeleton
-        #[arg(long)]
-        other_assembly: bool,
-        /// Draw it even where the independent solver does not confirm it, with a note that says so
-        #[arg(long)]
-        unchecked: bool,
-    },
+    Draw(DrawArguments),
+    /// Draw at once and after every change of the scene, until Ctrl-C; an error keeps the old files
+    Watch(DrawArguments),
     /// Print the asked quantities, graphical beside analytic
     Solve {
         /// The scene file; - for standard input
@@ -291,6 +330,7 @@ enum Command {
 enum SchemaOf {
     Scene,
     Answers,
+    Live,
 }
 
 /// What a sweep goes over.
@@ -298,6 +338,15 @@ enum SchemaOf {
 enum Against {
     Input,
     Time,
+}
+
+impl Against {
+    const fn over(self) -> Over {
+        match self {
+            Self::Input => Over::Input,
+            Self::Time => Over::Time,
+        }
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -476,41 +525,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let ending = match arguments.command {
-        Command::Draw {
-            scene,
-            output,
-            figure,
-            kind,
-            play,
-            paper,
-            lang,
-            dpi,
-            theme,
-            text,
-            format,
-            positions,
-            other_assembly,
-            unchecked,
-            arith,
-        } => {
-            let settings = Settings { arithmetic: arith, unchecked };
-            draw::run(&draw::Job {
-                scene,
-                output,
-                figure,
-                kind,
-                play,
-                paper,
-                lang,
-                dpi,
-                theme,
-                text,
-                format,
-                positions,
-                other_assembly,
-                settings,
-            })
-        }
+        Command::Draw(arguments) => draw::run(&arguments.job()),
+        Command::Watch(arguments) => watch::run(&arguments.job()),
         Command::Solve { scene, json, explain, hand, arith } => {
             let settings = Settings { arithmetic: arith, ..Settings::default() };
             solve::run(&solve::Job { scene, json, explain, hand, settings })
@@ -535,7 +551,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             lang,
             output,
         } => {
-            let over = if against == Against::Time { Over::Time } else { Over::Input };
+            let over = against.over();
             let job =
                 sweep::Job { scene, steps, tolerance, from, to, over, bounds, unchecked, only, lang, output };
             sweep::run(&job)
@@ -596,6 +612,7 @@ fn schema(of: SchemaOf) -> Result<Ending, Failure> {
     let schema = match of {
         SchemaOf::Scene => crate::scene::schema(),
         SchemaOf::Answers => crate::grade::schema(),
+        SchemaOf::Live => crate::live::schema(),
     };
     let text = serde_json::to_string_pretty(&schema).map_err(|error| Failure(error.to_string()))?;
     print(&(text + "\n"))?;
@@ -635,14 +652,6 @@ fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
     let (file, text) = files::read(path)?;
     let scene = crate::scene::read(&text, &file)?;
     Ok((file, scene))
-}
-
-/// Refuses to set or to mark what has no sheets yet.
-fn without_forces(scene: &Scene) -> Result<(), Failure> {
-    if crate::drawing::asks_forces(scene) {
-        return Err(Failure(crate::drawing::NO_SHEETS_OF_FORCES.to_owned()));
-    }
-    Ok(())
 }
 
 /// An error of a later room, at the place in the file that it is about.

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use super::{Ending, Failure, print, read_scene};
 use crate::check::{SweepUnconfirmed, confirm_sweep};
 use crate::files;
+use crate::live::{Live, LiveError};
 use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
 use crate::render::{self, Format};
 use crate::report::{diagnose, short};
@@ -47,18 +48,21 @@ const STEPS: u32 = 36;
 enum Output {
     Csv,
     Json,
+    Live,
     Diagrams(Format),
 }
 
 impl Output {
     fn of(path: &Path) -> Result<Self, Failure> {
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         match Format::from_name(ending) {
+            _ if name.to_ascii_lowercase().ends_with(".live.json") => Ok(Self::Live),
             _ if ending.eq_ignore_ascii_case("csv") => Ok(Self::Csv),
             Some(Format::Json) => Ok(Self::Json),
             Some(format) => Ok(Self::Diagrams(format)),
             None => Err(Failure(format!(
-                "{}: end the name in .csv or .json for a table, in .svg, .png, .pdf or .tex for diagrams",
+                "{}: end the name in .csv or .json for a table, in .live.json for the drawing as a page runs it, in .svg, .png, .pdf or .tex for diagrams",
                 files::shown(path)
             ))),
         }
@@ -137,9 +141,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let figure = diagrams.then(|| {
         crate::sheet::diagrams::of_sweep_with(scene, &sweep, language, report.unconfirmed.as_deref())
     });
+    let live = outputs.contains(&Output::Live).then(|| live(job, scene, stated, language)).transpose()?;
     let drawn: Vec<Option<Vec<u8>>> = outputs
         .iter()
         .map(|output| match (output, &figure) {
+            (Output::Live, _) => Ok(live.clone()),
             (Output::Diagrams(format), Some(figure)) => render::render(figure, *format, &options).map(Some),
             _ => Ok(None),
         })
@@ -154,6 +160,23 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
     })?;
     Ok(Ending::Fine)
+}
+
+/// The drawing as a page runs it.
+fn live(
+    job: &Job,
+    scene: &Scene,
+    stated: Option<[f64; 2]>,
+    language: crate::sheet::Language,
+) -> Result<Vec<u8>, Failure> {
+    let live = Live::of(scene, job.over, stated).map_err(|error| match error {
+        LiveError::Unsolved(error) => super::failure(scene, &error),
+        LiveError::Sweep(error) => refusal(scene, error),
+        LiveError::Number(what) => scene.source.complain(Subject::Inputs, what.to_owned(), None).into(),
+    })?;
+    let mut bytes = serde_json::to_vec(&live.json(language)).map_err(|error| Failure(error.to_string()))?;
+    bytes.push(b'\n');
+    Ok(bytes)
 }
 
 /// Whether the scene itself says what it asks for.
@@ -210,12 +233,18 @@ fn listed(names: &str) -> Vec<String> {
 }
 
 /// The unit of what is varied.
-fn unit_of(scene: &Scene, over: Over) -> Unit {
+pub(super) fn unit_of(scene: &Scene, over: Over) -> Unit {
     match scene.mechanism.inputs.first() {
         _ if over == Over::Time => scene.units.time.clone(),
         Some(crate::mechanism::Input::Slide { .. }) => scene.units.length.clone(),
         _ => scene.units.angle.clone(),
     }
+}
+
+/// Which number of a sweep the independent solver does not confirm.
+pub(super) fn not_confirmed(scene: &Scene, sweep: &Sweep, unit: &Unit, why: &SweepUnconfirmed) -> String {
+    let report = Report { file: scene.source.file(), scene, sweep, unit, unconfirmed: None };
+    format!("not confirmed: {}", report.unconfirmed(why))
 }
 
 fn refusal(scene: &Scene, error: SweepError) -> Failure {

@@ -14,7 +14,6 @@ mod departure;
 mod draughtsman;
 mod dyad;
 mod figure;
-mod forces;
 mod link_figure;
 mod loci;
 mod missing;
@@ -408,9 +407,6 @@ fn drawn_by<'m>(mut draughtsman: Draughtsman<'m>, plan: &Plan) -> Result<Draught
     }
     if !plan.centres.wanted.is_empty() && !plan.centres.feeds {
         centres::draw(&mut draughtsman, plan);
-    }
-    if !plan.forces.shares.is_empty() {
-        forces::draw(&mut draughtsman, plan);
     }
     Ok(draughtsman)
 }

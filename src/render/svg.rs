@@ -59,6 +59,26 @@ pub fn write_embedded(figure: &Figure, theme: Theme) -> String {
     document(figure, theme, &Lettered::Embedded, Some(font_faces(figure)))
 }
 
+/// A part of a figure as SVG, to stand in a document of somebody else; its identifiers as they are.
+#[must_use]
+pub fn fragment(group: &Group) -> String {
+    let writer = Writer { theme: Theme::Mono, lettered: &Lettered::Live, texts: Cell::new(0) };
+    writer.group(group, Place::default()).to_string().replace(PREFIX, "")
+}
+
+/// The rules for the typefaces of a figure's text, with the glyphs that occur and some more characters of each.
+#[must_use]
+pub fn faces(figure: &Figure, also: &str) -> String {
+    let mut all = figure.clone();
+    for face in [Face::Upright, Face::Italic] {
+        let at = Point::ORIGIN;
+        let runs = vec![Run { text: also.to_owned(), face, size: 4.0, at }];
+        all.root.children.push(Node::Text(Text { class: "", runs }));
+    }
+    let rules = font_faces(&all);
+    rules.trim_start_matches("<style>").trim_end_matches("</style>").to_owned()
+}
+
 /// Path data of each line of text by its identifier, as [`write_numbered`] gives them.
 #[cfg(feature = "png")]
 pub(super) type Outlines = std::collections::BTreeMap<String, String>;

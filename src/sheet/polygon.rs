@@ -31,10 +31,7 @@ const PAST: f64 = 4.0;
 /// are told.
 #[must_use]
 pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: Option<&Images>) -> Group {
-    let (class, figure_name) = match polygon.kind {
-        DiagramKind::Acceleration => ("acceleration polygon", notation.words.acceleration_diagram),
-        _ => ("velocity polygon", notation.words.velocity_diagram),
-    };
+    let (class, figure_name) = headed(polygon.kind, notation);
     let unit = notation.unit(polygon.kind.dimension());
     let mut group = Group::new(class)
         .data("scale", number(polygon.si_per_mm / unit.si))
@@ -77,6 +74,94 @@ pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: 
         coriolis::add_insets(&mut group, polygon, steps, notation, births);
     }
     group
+}
+
+/// The class of a diagram, and what it is called.
+fn headed(kind: DiagramKind, notation: &Notation<'_>) -> (&'static str, &'static str) {
+    match kind {
+        DiagramKind::Acceleration => ("acceleration polygon", notation.words.acceleration_diagram),
+        _ => ("velocity polygon", notation.words.velocity_diagram),
+    }
+}
+
+/// The ink of the polygon without its names, however far it goes: every vector `v`, line `r`, image `p` and link image `l`
+/// in a group of its own, whose identifier tells its place in the polygon.
+#[must_use]
+pub fn apart(polygon: &Diagram, notation: &Notation<'_>, births: &Images) -> Group {
+    /// Further than any ink.
+    const EVERYWHERE: Rect = Rect::new(-1e9, -1e9, 1e9, 1e9);
+    let (class, _) = headed(polygon.kind, notation);
+    let mut group = Group::new(class);
+    let named = |letter: char, index: usize, mut own: Group| {
+        own.id = Some(format!("{letter}{index}"));
+        own
+    };
+    for (index, image) in polygon.link_images.iter().enumerate() {
+        let corners: Vec<Point> = image.corners.iter().map(|(_, at)| page(*at)).collect();
+        let born = image.corners.iter().map(|(point, _)| births.point(*point)).max();
+        let mut own = Group::new("image link-image").data("link", notation.number(image.link)).lived(born);
+        own.mark(Mark::outlined(Shape::Polygon(corners), Pen::solid(FINE), Tone::Tint).precise());
+        group.group(named('l', index, own));
+    }
+    for (index, line) in polygon.lines.iter().enumerate() {
+        let ConstructionLine::Ray { from, to, claim, step } = line else { continue };
+        let (from, to) = (page(*from), page(*to));
+        let past = to + (to - from) * (PAST / (to - from).hypot().max(1e-9));
+        let own = Group::new("ray").data("step", (step + 1).to_string());
+        let mut own = match claim.map(|claim| notation.claim_data(claim)) {
+            Some((name, value)) => own.data(name, value),
+            None => own,
+        };
+        own = own.lived(births.lines.get(index).copied());
+        own.mark(Mark::stroke(Shape::Line(from, past), Pen::solid(FINE)).precise());
+        group.group(named('r', index, own));
+    }
+    // Whole vectors over their parts.
+    let whole = |v: &Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
+    let all = || polygon.vectors.iter().enumerate();
+    for (index, vector) in all().filter(|(_, v)| !whole(v)).chain(all().filter(|(_, v)| whole(v))) {
+        let own = draw_vector(vector, polygon, notation, EVERYWHERE);
+        group.group(named('v', index, own.lived(births.vectors.get(index).copied())));
+    }
+    let mut pole = Group::new("image pole").lived(Some(births.pole));
+    let circle = Shape::Circle { centre: Point::ORIGIN, radius: 0.75 };
+    pole.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Paper).precise());
+    group.group(pole);
+    for (index, image) in polygon.images.iter().enumerate() {
+        let name = notation.image_name(image.label, polygon.kind);
+        let mut own = Group::new("image").data("point", name).lived(Some(births.label(image.label)));
+        own.mark(dot(page(image.at), THICK / 2.0).precise());
+        group.group(named('p', index, own));
+    }
+    group
+}
+
+/// The name of images that are one point: a = b.
+#[must_use]
+pub fn name_of_images(labels: &[Label], polygon: &Diagram, notation: &Notation<'_>) -> Request {
+    let names: Vec<Rich> = labels.iter().map(|label| notation.image(*label, polygon.kind)).collect();
+    let text = Rich::join(&names, &Rich::upright(notation.words.comma.trim_end()));
+    let radius = if labels.contains(&Label::Pole) { 0.9 } else { 0.4 };
+    let site = Site::Around { at: Point::ORIGIN, radius, toward: None };
+    let of = labels.iter().map(|label| notation.image_name(*label, polygon.kind));
+    Request::new(text, LABEL, site, "label image-name").naming(of)
+}
+
+/// The name of a vector, or of several that are one stroke.
+#[must_use]
+pub fn name_of_vectors(vectors: &[&Vector], polygon: &Diagram, notation: &Notation<'_>) -> Request {
+    let mut names: Vec<Rich> = Vec::new();
+    for vector in vectors {
+        let name = vector_name(vector, polygon, notation);
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let text = Rich::join(&names, &Rich::upright("\u{a0}=\u{a0}"));
+    let ends = vectors.first().map_or((Point::ORIGIN, Point::ORIGIN), |v| (page(v.from), page(v.to)));
+    let site = Site::Along { from: ends.0, to: ends.1 };
+    let of: Vec<String> = vectors.iter().map(|v| notation.quantity_name(v.quantity)).collect();
+    Request::new(text, SMALL, site, VECTOR_NAME).naming(of)
 }
 
 fn number(value: f64) -> String {

@@ -102,6 +102,22 @@ pub fn draw(construction: &Construction, notation: &Notation<'_>) -> Group {
     draw_under(construction, notation, Arrows::All, None, |_, _| Overlay::default())
 }
 
+/// The ink of the skeleton without its names, with the lives of the ink, and the names that are to be placed.
+#[must_use]
+pub fn apart(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    births: &Births<'_>,
+) -> (Group, Vec<Request>) {
+    let mut group = Group::new("skeleton");
+    let mut artist = Artist { births: Some(births), ..Artist::new(construction, notation) };
+    artist.links_and_joints(&mut group, true);
+    let known = artist.known_rotations();
+    artist.rotations(&mut group, known, true);
+    artist.number_links();
+    (group, artist.labels)
+}
+
 /// The same with the lives of its ink.
 #[must_use]
 pub fn growing(construction: &Construction, notation: &Notation<'_>, births: &Births<'_>) -> Group {

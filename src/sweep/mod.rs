@@ -20,12 +20,12 @@ mod curve;
 mod positions;
 mod prepare;
 
-use crate::board::{Dual, LANES, Lane, Variable, Workspace};
+use crate::board::{Dual, LANES, Lane, Listing, Variable, Workspace};
 pub use crate::graphical::Without;
 use crate::graphical::{DrawError, Transcribed, transcribe};
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::mechanism::structure::{Structure, StructureError};
-use crate::mechanism::{Input, LinkId, Mechanism, Place};
+use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
 use crate::plan::{CentreSource, Extent, Plan};
 
 pub use bounds::SweepWithBounds;
@@ -95,8 +95,15 @@ impl Column {
         }
     }
 
+    /// Whether it stands wherever the mechanism does: what moves is not behind it.
+    #[must_use]
+    pub fn is_of_position(&self) -> bool {
+        matches!(self.asked.quantity, Quantity::Position(_) | Quantity::Angle(_) | Quantity::Transmission(..))
+    }
+
     /// A quantity without a sense: the program goes on with the sign that it had in the drawing.
-    fn is_unsigned(&self) -> bool {
+    #[must_use]
+    pub fn is_unsigned(&self) -> bool {
         matches!(
             self.asked.quantity,
             Quantity::Rub(..) | Quantity::Transmission(..) | Quantity::PathRadius(_)
@@ -240,10 +247,30 @@ impl Sweep {
     /// # Errors
     /// See [`SweepError`].
     pub fn over(over: Over, mechanism: &Mechanism, range: Option<[f64; 2]>) -> Result<Self, SweepError> {
+        Self::showing(over, mechanism, range, &[])
+    }
+
+    /// As [`Sweep::over`], with columns of what is shown besides: as those of the quantities that it watches, but nothing
+    /// is said of their extremes.
+    ///
+    /// # Errors
+    /// See [`SweepError`].
+    pub fn showing(
+        over: Over,
+        mechanism: &Mechanism,
+        range: Option<[f64; 2]>,
+        shown: &[Asked],
+    ) -> Result<Self, SweepError> {
         let asked = mechanism.asked.len();
         let standing = crate::graphical::standing(mechanism)?;
         let placed = &*standing;
         let (mut mechanism, swept, start) = prepare::ready(placed)?;
+        let told = mechanism.asked.len();
+        for more in shown {
+            if !mechanism.asked.iter().any(|known| known.quantity == more.quantity) {
+                mechanism.asked.push(more.clone());
+            }
+        }
         let structure = Structure::of(&mechanism)?;
         let starts = prepare::starts(placed, &mechanism, &structure)?;
         let variable = match over {
@@ -273,6 +300,7 @@ impl Sweep {
             }
         }
         let first_of = |index: usize| transcribed.numbers.iter().take(index).sum::<usize>();
+        let told = first_of(told);
         let centres = transcribed
             .centres
             .iter()
@@ -312,7 +340,7 @@ impl Sweep {
             range,
             start,
             whole_turn,
-            measures: Measure::all(&columns),
+            measures: Measure::all(&columns[..told]),
             columns,
             centres,
             without,
@@ -375,6 +403,13 @@ impl Sweep {
         } else {
             format!("|{}|", of.asked.name)
         }
+    }
+
+    /// The program of all columns, written down; its asked numbers are those of the columns in order, and after them three
+    /// for each of the centres.
+    #[must_use]
+    pub fn listing(&self) -> Listing {
+        self.transcribed.program.listing()
     }
 
     /// How many operations one position takes.
@@ -464,11 +499,7 @@ impl Sweep {
             .zip(program.known(place))
             .zip(&self.columns)
             .map(|((m, known), column)| {
-                let position = matches!(
-                    column.asked.quantity,
-                    Quantity::Position(_) | Quantity::Angle(_) | Quantity::Transmission(..)
-                );
-                (m.value.is_finite() && (position || known)).then(|| column.counted(m))
+                (m.value.is_finite() && (column.is_of_position() || known)).then(|| column.counted(m))
             })
             .collect()
     }
@@ -631,6 +662,18 @@ impl Sweep {
     #[must_use]
     pub fn links(&self, event: &Event) -> &[u32] {
         event.reason.map_or(&[], |reason| self.transcribed.links(reason))
+    }
+
+    /// The points of a link of the mechanism that moves.
+    #[must_use]
+    pub fn points_of(&self, link: LinkId) -> &[PointId] {
+        &self.ready.0.link(link).points
+    }
+
+    /// The links that stand in line where a divisor of each reason vanishes.
+    #[must_use]
+    pub fn reasons(&self) -> &[Vec<u32>] {
+        &self.transcribed.reasons
     }
 
     /// The size of the input's numbers, by which its rounding is measured.

@@ -1,0 +1,334 @@
+// The live page in a real browser. node run.mjs BROWSER LINKGRAM [SCREENSHOTS]
+// BROWSER is the path of Debian's chromium or firefox-esr; LINKGRAM the built program.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import puppeteer from 'puppeteer-core';
+
+const [, , browserPath, linkgram, pictures] = process.argv;
+const root = path.resolve(import.meta.dirname, '../..');
+const work = mkdtempSync(path.join(tmpdir(), 'linkgram-live-'));
+const firefox = browserPath.includes('firefox');
+const axe = readFileSync(path.join(import.meta.dirname, 'node_modules/axe-core/axe.min.js'), 'utf8');
+const scripts = (...names) => names.map((name) => readFileSync(path.join(root, `src/live/page/${name}.js`), 'utf8')).join('\n');
+
+const run = (...args) => execFileSync(linkgram, args, { encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe'] });
+const sceneOf = (name) => {
+  const file = path.join(work, `${name}.json`);
+  writeFileSync(file, run('new', name));
+  return file;
+};
+const rest = (ms) => new Promise((done) => { setTimeout(done, ms); });
+
+const browser = await puppeteer.launch({
+  browser: firefox ? 'firefox' : 'chrome', executablePath: browserPath, headless: true,
+  args: firefox ? [] : ['--no-sandbox', '--font-render-hinting=none'],
+});
+
+const trouble = [];
+async function open(file, { width = 1300, height = 1000, hash = '', script = true } = {}) {
+  const page = await browser.newPage();
+  page.on('console', (message) => trouble.push(`${file}: console: ${message.text()}`));
+  page.on('pageerror', (error) => trouble.push(`${file}: ${error.message}`));
+  page.on('request', (request) => {
+    if (!/^(file|data|blob|about):/.test(request.url())) trouble.push(`${file}: request ${request.url()}`);
+  });
+  if (!script) await page.setJavaScriptEnabled(false);
+  await page.setViewport({ width, height });
+  await page.goto(`file://${file}${hash}`);
+  await rest(150);
+  return page;
+}
+
+const tests = [];
+const test = (name, does) => tests.push([name, does]);
+const pageOf = (scene, ...more) => {
+  const out = path.join(work, `${path.basename(scene, '.json')}${more.join('').replace(/\W/g, '')}.html`);
+  run('draw', scene, '-o', out, ...more);
+  return out;
+};
+const four = sceneOf('four-bar'), rocker = sceneOf('rocker-crank'), slider = sceneOf('slider-crank');
+const fourPage = pageOf(four, '--lang', 'en,ar,fa');
+
+test('every number of the browser is the sweep\'s', async () => {
+  const page = await browser.newPage();
+  let compared = 0;
+  for (const scene of [four, rocker, slider, path.join(root, 'examples/s000-ch3a-1.json'), path.join(root, 'examples/eight-link.json')]) {
+    const [tablePath, livePath] = ['t.json', 't.live.json'].map((name) => path.join(work, name));
+    run('sweep', scene, '--steps', '1000', '-o', tablePath, '-o', livePath);
+    const table = JSON.parse(readFileSync(tablePath, 'utf8')), live = JSON.parse(readFileSync(livePath, 'utf8'));
+    const found = await page.evaluate((source, data) => {
+      const course = new Function(`'use strict';${source}\nreturn Course;`)();
+      const one = new course(data), out = [];
+      const [from, to] = data.variable.range;
+      for (let i = 0; i <= 1000; i++) {
+        const at = i === 1000 ? to : from * ((1000 - i) / 1000) + to * (i / 1000);
+        const values = one.look(at);
+        if (values) out.push([at / data.variable.si, data.outputs.flatMap((o, k) => (o.asked ? [values[k] === null ? null : values[k] / o.si] : []))]);
+      }
+      return out;
+    }, scripts('libm', 'program', 'course'), live);
+    assert.equal(found.length, table.positions.length);
+    table.positions.forEach((position, i) => {
+      assert.equal(position.at, found[i][0]);
+      position.values.forEach((value, k) => {
+        compared += 1;
+        assert.ok(value === found[i][1][k], `${scene} at ${position.at}: ${table.columns[k].name} ${value} ${found[i][1][k]}`);
+      });
+    });
+  }
+  await page.close();
+  return `${compared} numbers`;
+});
+
+test('the ink is where the numbers say', async () => {
+  let compared = 0;
+  for (const scene of [four, slider, path.join(root, 'examples/s000-ch3a-1.json')]) {
+    const html = pageOf(scene);
+    const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+    const page = await open(html);
+    for (const part of [0.03, 0.21, 0.38, 0.55, 0.74, 0.93]) {
+      const [from, to] = live.variable.range;
+      const at = from + part * (to - from);
+      const drawn = await page.evaluate((wish) => {
+        const slide = document.getElementById('at');
+        slide.value = String(wish);
+        slide.dispatchEvent(new Event('input'));
+        return new Promise((done) => {
+          requestAnimationFrame(() => requestAnimationFrame(() => done([Number(slide.value), [...document.querySelectorAll('#stage .vector')].map((group) => {
+            const of = (name) => group.querySelector(name)?.getAttribute('d')?.match(/-?[\d.]+/g)?.slice(0, 2).map(Number);
+            const hidden = group.getAttribute('visibility') === 'hidden' || group.querySelector('.shaft').getAttribute('visibility') === 'hidden';
+            return [group.closest('svg').id, group.dataset.quantity, hidden ? null : [of('.shaft'), of('.head')]];
+          })])));
+        });
+      }, at);
+      const values = await page.evaluate((source, data, place) => {
+        const one = new (new Function(`'use strict';${source}\nreturn Course;`)())(data);
+        return one.look(place);
+      }, scripts('libm', 'program', 'course'), live, drawn[0]).catch(() => null);
+      const { Course } = values ? { Course: null } : { Course: new Function(`'use strict';${scripts('libm', 'program', 'course')}\nreturn Course;`)() };
+      const outputs = values || new Course(live).look(drawn[0]);
+      for (const [panel, quantity, ends] of drawn[1]) {
+        const own = live.quantities[quantity];
+        if (!ends || !own || own.outputs.length !== 2) continue;
+        const { si_per_mm: scale } = live.panels[Number(panel.slice(5))];
+        const [[x0, y0], [x1, y1]] = ends;
+        const [vx, vy] = own.outputs.map((o) => outputs[o] / scale);
+        assert.ok(Math.hypot(x1 - x0 - vx, y0 - y1 - vy) <= 3e-6, `${quantity} at ${drawn[0]}: ${[x1 - x0, y0 - y1]} is not ${[vx, vy]}`);
+        compared += 1;
+      }
+    }
+    await page.close();
+  }
+  assert.ok(compared > 100, String(compared));
+  return `${compared} vectors`;
+});
+
+test('mouse, keys, field and play', async () => {
+  const page = await open(fourPage);
+  const at = () => page.evaluate(() => Number(document.getElementById('exact').value));
+  const start = await at();
+  await page.keyboard.press('ArrowRight');
+  await rest(60);
+  assert.ok(Math.abs(await at() - start - 1) < 1e-6);
+  await page.keyboard.down('Shift');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.up('Shift');
+  await rest(60);
+  assert.ok(Math.abs(await at() - start + 9) < 1e-6);
+  await page.keyboard.press('Home');
+  await rest(60);
+  assert.equal(await at(), start);
+  await page.click('#exact', { clickCount: 3 });
+  await page.keyboard.type('123.4');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  await rest(60);
+  assert.equal(await at(), 123.4);
+  await page.evaluate(() => document.activeElement.blur());
+  // A full turn by the crank pin, round its pivot.
+  const places = await page.evaluate(() => {
+    const at = (circle) => { const box = circle.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; };
+    return { grip: at(document.querySelector('.grip')), pivot: at(document.querySelector('.support[data-point=O2] path') ? document.querySelector('.joint[data-point=O2] circle') : document.querySelector('.joint circle')) };
+  });
+  const [gx, gy] = places.grip, [px, py] = places.pivot;
+  const radius = Math.hypot(gx - px, gy - py), begin = Math.atan2(gy - py, gx - px);
+  await page.mouse.move(gx, gy);
+  await page.mouse.down();
+  const seen = [];
+  for (let i = 1; i <= 36; i++) {
+    const angle = begin - i * Math.PI / 18;
+    await page.mouse.move(px + radius * Math.cos(angle), py + radius * Math.sin(angle));
+    await rest(25);
+    seen.push(await at());
+  }
+  await page.mouse.up();
+  assert.ok(Math.abs(await at() - 123.4) < 2, `after a turn: ${await at()}`);
+  assert.ok(Math.max(...seen) > 340 && Math.min(...seen) < 20, 'the crank went all the way round');
+  // Playing goes by time.
+  await page.keyboard.press('Home');
+  const before = await at(), begun = Date.now();
+  await page.keyboard.press('Space');
+  await rest(700);
+  await page.keyboard.press('Space');
+  const way = ((await at() - before) % 360 + 360) % 360, fair = 60 * (Date.now() - begun) / 1000;
+  assert.ok(way > 0.4 * fair && way < 1.2 * fair, `${way} in ${fair}`);
+  await page.close();
+});
+
+test('a limit stops the hand', async () => {
+  const html = pageOf(rocker);
+  const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+  const limits = live.course.events.filter((event) => event.kind === 'limit').map((event) => event.at / live.variable.si);
+  assert.ok(limits.length > 0);
+  const page = await open(html);
+  const at = () => page.evaluate(() => Number(document.getElementById('exact').value));
+  await page.keyboard.down('Shift');
+  for (let i = 0; i < 40; i++) await page.keyboard.press('ArrowRight');
+  await page.keyboard.up('Shift');
+  await rest(80);
+  const end = await at();
+  assert.ok(limits.some((limit) => Math.abs(limit - end) < 1e-6), `${end} is none of ${limits}`);
+  assert.ok(await page.evaluate(() => document.getElementById('message').textContent.length > 0));
+  await page.close();
+});
+
+test('steps, highlighting, diagram, traces, languages', async () => {
+  const page = await open(fourPage);
+  const shown = () => page.evaluate(() => [...document.querySelectorAll('#stage .vector')].filter((v) => v.getAttribute('visibility') !== 'hidden').length);
+  const all = await shown();
+  for (let i = 0; i < 40; i++) await page.keyboard.press('[');
+  await rest(60);
+  assert.equal(await shown(), 0);
+  for (let i = 0; i < 40; i++) await page.keyboard.press(']');
+  await rest(60);
+  assert.equal(await shown(), all);
+  await page.click('#values tbody tr:first-child button');
+  assert.ok(await page.evaluate(() => document.querySelectorAll('#stage .lit').length) > 0);
+  await page.evaluate(() => { for (const box of document.querySelectorAll('.traces input')) box.click(); });
+  assert.ok(await page.evaluate(() => [...document.querySelectorAll('.trace')].every((path) => path.getAttribute('d').length > 100)));
+  await page.select('#diagram', '0 0');
+  assert.ok(await page.evaluate(() => document.querySelector('.diagram .curve').getAttribute('d').length > 1000));
+  for (const [language, direction] of [['ar', 'rtl'], ['fa', 'rtl'], ['en', 'ltr']]) {
+    await page.select('#language', language);
+    assert.deepEqual(await page.evaluate(() => [document.documentElement.lang, document.documentElement.dir]), [language, direction]);
+  }
+  await page.close();
+});
+
+test('axe finds nothing', async () => {
+  const question = path.join(work, 'question.html');
+  run('draw', four, '--as', 'question', '-o', question);
+  let rules = 0;
+  for (const [file, hash] of [[fourPage, ''], [fourPage, '#lang=ar'], [fourPage, '#lang=fa'], [question, '']]) {
+    for (const scheme of ['light', 'dark']) {
+      const page = await open(file, { hash });
+      if (!firefox) await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+      await page.evaluate((source) => { (0, eval)(source); }, axe).catch(() => page.evaluate(axe));
+      const found = await page.evaluate(() => window.axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'] }));
+      rules += found.passes.length;
+      assert.deepEqual(found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')}`), [], `${file}${hash} ${scheme}`);
+      await page.close();
+    }
+  }
+  trouble.splice(0, trouble.length, ...trouble.filter((line) => !/unsafe-eval|Content.Security.Policy|Content-Security-Policy/i.test(line)));
+  return `${rules} rules passed`;
+});
+
+test('hostile names and addresses do nothing', async () => {
+  const scene = JSON.parse(readFileSync(four, 'utf8'));
+  scene.title = '</script><script>window.hit=1</script><!-- "\'\u2028\u202e<img src=x onerror=window.hit=1> ' + 'x'.repeat(3000);
+  const file = path.join(work, 'hostile.json');
+  writeFileSync(file, JSON.stringify(scene));
+  const html = pageOf(file);
+  assert.ok(!readFileSync(html, 'utf8').includes('<script>window.hit'));
+  const page = await open(html, { hash: '#at=1e999&step=-7&lang=<b>&x=%00' });
+  assert.equal(await page.evaluate(() => window.hit), undefined);
+  assert.equal(await page.evaluate(() => document.getElementById('live').hidden), false);
+  await page.close();
+});
+
+test('without a script the sheet stands; in a sandboxed frame the page works', async () => {
+  const page = await open(fourPage, { script: false });
+  const text = await page.$eval('#sheet', (sheet) => [sheet.hasAttribute('open'), sheet.querySelectorAll('svg path').length]).catch(() => null);
+  if (text) assert.ok(text[0] && text[1] > 50);
+  await page.close();
+  const frame = path.join(work, 'frame.html');
+  const own = readFileSync(fourPage, 'utf8').replaceAll('&', '&amp;').replaceAll('"', '&quot;');
+  writeFileSync(frame, `<!doctype html><meta charset="utf-8"><title>t</title><iframe sandbox="allow-scripts" width="900" height="700" srcdoc="${own}"></iframe>`);
+  const outer = await open(frame);
+  await rest(400);
+  const inner = outer.frames().find((one) => one !== outer.mainFrame());
+  assert.equal(await inner.evaluate(() => document.getElementById('live').hidden), false);
+  await outer.close();
+});
+
+test('the print is true to scale', async () => {
+  if (firefox) return 'only Chromium prints here';
+  const page = await open(fourPage);
+  await page.emulateMediaType('print');
+  const found = await page.evaluate(() => [...document.querySelectorAll('.panel svg')].map((svg) => {
+    const box = svg.getBoundingClientRect();
+    return [box.width / 96 * 25.4, svg.viewBox.baseVal.width];
+  }));
+  for (const [drawn, wanted] of found) assert.ok(Math.abs(drawn / wanted - 1) < 1e-3, `${drawn} mm for ${wanted} mm`);
+  await page.close();
+  return `${found.length} panels`;
+});
+
+test('size and speed', async () => {
+  const six = pageOf(path.join(root, 'examples/s000-ch3a-1.json')), eight = pageOf(path.join(root, 'examples/eight-link.json'));
+  const sizes = [six, eight].map((file) => readFileSync(file).length);
+  const script = /<script>(.*?)<\/script>/s.exec(readFileSync(six, 'utf8'))[1].length;
+  assert.ok(script <= 80_000, `script ${script}`);
+  assert.ok(sizes[0] <= 300_000, `six-link ${sizes[0]}`);
+  assert.ok(sizes[1] <= 450_000, `eight-link ${sizes[1]}`);
+  const page = await open(six);
+  const times = await page.evaluate(async () => {
+    const slide = document.getElementById('at'), all = [];
+    const span = Number(slide.max) - Number(slide.min);
+    for (let i = 0; i < 120; i++) {
+      slide.value = String(Number(slide.min) + span * ((i * 37) % 120) / 120);
+      slide.dispatchEvent(new Event('input'));
+      // The page draws in its own frame; this callback comes after it.
+      const begun = await new Promise((done) => { requestAnimationFrame(() => done(performance.now())); });
+      all.push(performance.now() - begun);
+    }
+    return all.sort((a, b) => a - b);
+  });
+  await page.close();
+  return `six-link ${sizes[0]} bytes, eight-link ${sizes[1]} bytes, script ${script} bytes, frame p95 ${times[113].toFixed(1)} ms`;
+});
+
+let failed = 0;
+for (const [name, does] of tests) {
+  const begun = Date.now();
+  try {
+    const told = await does();
+    assert.deepEqual(trouble, []);
+    console.log(`ok   ${name}${told ? `: ${told}` : ''} (${Date.now() - begun} ms)`);
+  } catch (error) {
+    failed += 1;
+    console.log(`FAIL ${name}: ${error.message}`);
+    trouble.length = 0;
+  }
+}
+if (pictures) {
+  for (const [width, height, device] of [[390, 844, 'phone'], [1400, 1000, 'desktop']]) {
+    for (const scheme of ['light', 'dark']) {
+      for (const language of ['en', 'ar']) {
+        for (const at of [20, 140, 260]) {
+          const page = await open(fourPage, { width, height, hash: `#at=${at}&lang=${language}` });
+          if (!firefox) await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+          await page.screenshot({ path: path.join(pictures, `${device}-${scheme}-${language}-${at}.png`) });
+          await page.close();
+        }
+      }
+    }
+  }
+}
+await browser.close();
+rmSync(work, { recursive: true });
+process.exit(failed === 0 ? 0 : 1);

@@ -1,0 +1,883 @@
+//! The diagrams of a page: what of their ink hangs on which numbers, at which scale, and where names stand along the course.
+
+use kurbo::{Point, Rect, Vec2};
+use serde_json::{Value, json};
+
+use super::LiveError;
+use super::moves::{Binder, Frame, Move, Moving, Place, Seen, bind};
+use crate::graphical::Scales;
+use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Quantity, Unit};
+use crate::mechanism::{LinkId, PointId};
+use crate::plan::Extent;
+use crate::scene::Scene;
+use crate::sheet::figure::{Group, Mark, Node, Shape};
+use crate::sheet::moving::{self, Draughts, Drawing, Name, Spot};
+use crate::sheet::{Language, scale};
+use crate::solve::{Settings, solve_with};
+use crate::sweep::Sweep;
+
+/// At so many positions ink is drawn to find out how it moves.
+const DRAWN: usize = 5;
+/// At so many places of the course names are placed.
+const FRAMES: u32 = 180;
+/// A skeleton over its whole course fits into this, mm.
+const SKELETON: (f64, f64) = (150.0, 115.0);
+/// The same of a polygon.
+const POLYGON: (f64, f64) = (110.0, 100.0);
+/// Blank around what moves, for names and symbols, mm.
+const BORDER: f64 = 13.0;
+/// Of equally spaced positions so many of a hundred count for the scale of a polygon.
+const COUNTED: usize = 95;
+/// A vector that is shorter has no name now, mm.
+const SHORTEST_NAMED: f64 = 4.0;
+
+/// A diagram of a page.
+#[derive(Debug)]
+pub(super) struct Panel {
+    pub(super) kind: DiagramKind,
+    pub(super) title: String,
+    pub(super) scale_text: String,
+    /// Its ink at the scene's own position, every moving group with an identifier.
+    pub(super) ink: Group,
+    /// The part of its plane that is shown, mm.
+    pub(super) shown: Rect,
+    si_per_mm: f64,
+    /// The scene's unit of what its lengths stand for.
+    unit: Unit,
+    origin: [f64; 2],
+    places: Vec<Place>,
+    moving: Vec<Moving>,
+    names: Vec<Placed>,
+}
+
+/// A name along the course.
+#[derive(Debug)]
+struct Placed {
+    id: String,
+    anchors: Vec<(Frame, Vec2)>,
+    by: Vec<Vec2>,
+    step: Option<usize>,
+    of: Vec<String>,
+    /// It names a point, not a link or a stroke.
+    is_of_point: bool,
+}
+
+/// The diagrams, and at which places of the course names were placed.
+#[derive(Debug)]
+pub(super) struct Diagrams {
+    pub(super) panels: Vec<Panel>,
+    pub(super) frames: Vec<f64>,
+}
+
+/// Numbers of one position, by column.
+type Numbers = Vec<Option<f64>>;
+
+fn column(sweep: &Sweep, quantity: Quantity) -> Option<usize> {
+    sweep.columns.iter().position(|c| c.asked.quantity == quantity && c.axis == Some(0))
+}
+
+fn scalar(sweep: &Sweep, quantity: Quantity) -> Option<usize> {
+    sweep.columns.iter().position(|c| c.asked.quantity == quantity && c.axis.is_none())
+}
+
+impl Place {
+    /// Where it is, SI units.
+    fn at(&self, numbers: &Numbers) -> Option<[f64; 2]> {
+        let coordinate = |axis: usize| -> Option<f64> {
+            self.terms.iter().try_fold(0.0, |sum, (sign, output)| {
+                Some(sum + f64::from(*sign) * (*numbers.get(output + axis)?)?)
+            })
+        };
+        Some([coordinate(0)?, coordinate(1)?])
+    }
+}
+
+/// Numbers at one place of the course.
+fn numbers(sweep: &Sweep, at: f64) -> Option<Numbers> {
+    sweep.positions(&[at]).into_iter().next().map(|position| position.values)
+}
+
+impl Diagrams {
+    pub(super) fn of(
+        scene: &Scene,
+        construction: &Construction,
+        sweep: &Sweep,
+        language: Language,
+    ) -> Result<Self, LiveError> {
+        if sweep.is_carried_along() {
+            return Err(LiveError::Number(
+                "points of wheels are carried along by how far these have rolled, which a page does not move yet",
+            ));
+        }
+        let frames: Vec<f64> =
+            sweep.equal_steps(FRAMES).into_iter().filter(|at| sweep.stretch_at(*at).is_some()).collect();
+        let course: Vec<Numbers> = frames.iter().filter_map(|at| numbers(sweep, *at)).collect();
+        let start = numbers(sweep, sweep.start)
+            .ok_or(LiveError::Number("the scene's own position lies on no stretch of its course"))?;
+        let sketches = sketches(scene, construction, sweep, &start);
+        let scales = scales(scene, &sketches, &course);
+        let drawn = drawn(scene, sweep, scales, language)?;
+        let panels = sketches
+            .into_iter()
+            .enumerate()
+            .filter_map(|(index, sketch)| panel(index, sketch, sweep, &drawn, (&course, &start), scales))
+            .collect();
+        Ok(Self { panels, frames })
+    }
+
+    pub(super) fn json(&self) -> Value {
+        let panels: Vec<Value> = self.panels.iter().map(Panel::json).collect();
+        let ink = self.panels.iter().enumerate().flat_map(|(index, panel)| {
+            panel.moving.iter().filter(|m| m.by != Move::Whole(Frame::Fixed)).map(move |m| m.json(index))
+        });
+        let labels = self
+            .panels
+            .iter()
+            .enumerate()
+            .flat_map(|(index, panel)| panel.names.iter().map(move |name| name.json(index)));
+        json!({
+            "panels": panels,
+            "ink": ink.collect::<Vec<_>>(),
+            "labels": labels.collect::<Vec<_>>(),
+            "frames": self.frames,
+        })
+    }
+}
+
+/// The places of a diagram, before its scale is known.
+struct Sketch {
+    kind: DiagramKind,
+    places: Vec<Place>,
+    /// Of a skeleton the points, of a polygon the names of the places.
+    points: Vec<PointId>,
+    labels: Vec<Label>,
+    origin: [f64; 2],
+}
+
+fn sketches(scene: &Scene, construction: &Construction, sweep: &Sweep, start: &Numbers) -> Vec<Sketch> {
+    let mechanism = &scene.mechanism;
+    let (mut points, mut places) = (Vec::new(), Vec::new());
+    for point in (0..mechanism.points.len()).map(PointId) {
+        let drawn = construction.space.places[point.0].is_some();
+        if let (true, Some(x)) = (drawn, column(sweep, Quantity::Position(point))) {
+            points.push(point);
+            places.push(Place { terms: vec![(1, x)] });
+        }
+    }
+    let origin = crate::graphical::origin(mechanism);
+    let mut all = vec![Sketch { kind: DiagramKind::Skeleton, places, points, labels: Vec::new(), origin }];
+    for polygon in &construction.diagrams {
+        let (labels, places) = images(scene, polygon, sweep, start);
+        all.push(Sketch { kind: polygon.kind, places, points: Vec::new(), labels, origin: [0.0; 2] });
+    }
+    all
+}
+
+/// The images of a polygon with the outputs that tell where they are: those of points by their own vectors, ends of
+/// components by the vectors that lead to them. What the outputs do not put where it was drawn is left out.
+fn images(scene: &Scene, polygon: &Diagram, sweep: &Sweep, start: &Numbers) -> (Vec<Label>, Vec<Place>) {
+    let mechanism = &scene.mechanism;
+    let absolute = |point: PointId, link: Option<LinkId>| {
+        let under = link.filter(|link| !mechanism.link(*link).points.contains(&point));
+        match (polygon.kind, under) {
+            (DiagramKind::Acceleration, Some(link)) => Some(Quantity::CoincidentAcceleration(point, link)),
+            (DiagramKind::Acceleration, None) => Some(Quantity::Acceleration(point)),
+            (DiagramKind::Velocity, Some(link)) => Some(Quantity::CoincidentVelocity(point, link)),
+            (DiagramKind::Velocity, None) => Some(Quantity::Velocity(point)),
+            _ => None,
+        }
+    };
+    let mut known: Vec<(Label, Place)> = vec![(Label::Pole, Place { terms: Vec::new() })];
+    for image in &polygon.images {
+        if let Label::Image { point, link } = image.label
+            && !known.iter().any(|(label, _)| *label == image.label)
+            && let Some(x) = absolute(point, link).and_then(|quantity| column(sweep, quantity))
+        {
+            known.push((image.label, Place { terms: vec![(1, x)] }));
+        }
+    }
+    // Chains of components, from what is known on.
+    let mut found = true;
+    while std::mem::take(&mut found) {
+        for vector in &polygon.vectors {
+            let place =
+                |label: Label| known.iter().find(|(l, _)| *l == label).map(|(_, place)| place.clone());
+            let Some(x) = column(sweep, vector.quantity) else { continue };
+            let (label, from, sign) = match (place(vector.tail), place(vector.head)) {
+                (Some(tail), None) => (vector.head, tail, 1),
+                (None, Some(head)) => (vector.tail, head, -1),
+                _ => continue,
+            };
+            let mut terms = from.terms;
+            terms.push((sign, x));
+            known.push((label, Place { terms }));
+            found = true;
+        }
+    }
+    known.retain(|(label, place)| {
+        let Some(image) = polygon.images.iter().find(|image| image.label == *label) else {
+            return *label == Label::Pole;
+        };
+        let Some(at) = place.at(start) else { return false };
+        let size = libm::hypot(image.at[0], image.at[1]).max(1.0);
+        (0..2).all(|axis| (at[axis] / polygon.si_per_mm - image.at[axis]).abs() <= 1e-7 * size)
+    });
+    known.into_iter().unzip()
+}
+
+/// The scales for the whole course.
+fn scales(scene: &Scene, sketches: &[Sketch], course: &[Numbers]) -> Scales {
+    let units = &scene.units;
+    let mut scales = Scales::new(|_| 1e-2);
+    for sketch in sketches {
+        let places = |numbers: &Numbers| -> Vec<[f64; 2]> {
+            let places = sketch.places.iter().filter_map(|place| place.at(numbers));
+            places.filter(|at| at.iter().all(|x| x.is_finite())).collect()
+        };
+        let mut sets: Vec<Vec<[f64; 2]>> = course.iter().map(places).collect();
+        if sketch.kind != DiagramKind::Skeleton {
+            let reach =
+                |set: &Vec<[f64; 2]>| set.iter().map(|at| libm::hypot(at[0], at[1])).fold(0.0, f64::max);
+            sets.sort_by(|a, b| reach(a).total_cmp(&reach(b)));
+            sets.truncate((sets.len() * COUNTED).div_ceil(100).max(1));
+        }
+        let all: Vec<[f64; 2]> = sets.into_iter().flatten().collect();
+        let extent = |axis: usize| {
+            let values = all.iter().map(|at| at[axis]);
+            let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+            high - low
+        };
+        let (width, height) =
+            if sketch.kind == DiagramKind::Skeleton { reach_of(&all) } else { (extent(0), extent(1)) };
+        let dimension = sketch.kind.dimension();
+        let time = units.time.si;
+        let sheet = &scene.sheet;
+        let chosen = match dimension {
+            Dimension::Length => sheet
+                .length_scale
+                .map(|ratio| ratio / 1000.0)
+                .or_else(|| scale::choose_length(width, height, SKELETON)),
+            Dimension::Velocity => sheet
+                .velocity_scale
+                .or_else(|| scale::choose_for(width, height, POLYGON, units.length.si / time)),
+            Dimension::Acceleration => sheet
+                .acceleration_scale
+                .or_else(|| scale::choose_for(width, height, POLYGON, units.length.si / (time * time))),
+        };
+        if let Some(chosen) = chosen {
+            scales = scales.with(dimension, chosen);
+        }
+    }
+    scales
+}
+
+fn reach_of(all: &[[f64; 2]]) -> (f64, f64) {
+    let side = |axis: usize| {
+        let low = all.iter().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
+        let high = all.iter().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max);
+        if high > low { high - low } else { 0.0 }
+    };
+    (side(0), side(1))
+}
+
+/// The diagrams at some positions of the course; the scene's own is the first.
+struct Drawn {
+    numbers: Vec<Numbers>,
+    constructions: Vec<Construction>,
+    diagrams: Vec<Vec<Drawing>>,
+    /// Of the scene's own position.
+    names: Names,
+}
+
+/// What only the sheet can say, by polygon.
+#[derive(Default)]
+struct Names {
+    images: Vec<(DiagramKind, Vec<(Vec<Label>, Name)>)>,
+    vectors: Vec<(DiagramKind, Vec<(Vec<usize>, Name)>)>,
+    rotations: Vec<(String, LinkId, bool)>,
+    quantities: Vec<(DiagramKind, Vec<String>)>,
+    scales: Vec<(DiagramKind, String)>,
+    units: Vec<(DiagramKind, Unit)>,
+}
+
+fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Result<Drawn, LiveError> {
+    let mut all = Drawn {
+        numbers: Vec::new(),
+        constructions: Vec::new(),
+        diagrams: Vec::new(),
+        names: Names::default(),
+    };
+    let home = sweep.stretch_at(sweep.start).cloned();
+    let inside = home.into_iter().flat_map(|home| {
+        // Where nothing in particular happens.
+        let parts = [0.137, 0.291, 0.453, 0.613, 0.789, 0.911, 0.227, 0.543];
+        parts.map(|part| home.from + (home.to - home.from) * part)
+    });
+    for at in std::iter::once(sweep.start).chain(inside) {
+        if all.constructions.len() == DRAWN {
+            break;
+        }
+        let (Some(mechanism), Some(numbers)) = (sweep.mechanism_at(at), numbers(sweep, at)) else { continue };
+        let mut moved = scene.clone();
+        moved.mechanism = mechanism;
+        moved.sheet.positions.clear();
+        moved.sheet.other_assembly = false;
+        let solved = solve_with(&moved, Extent::WholeSkeleton, &[], Settings::default(), |_, _| scales);
+        let solved = match solved {
+            Ok(solved) => solved,
+            Err(why) if all.constructions.is_empty() => return Err(why.into()),
+            Err(_) => continue,
+        };
+        let construction = solved.solution.construction;
+        let draughts = Draughts::new(&moved, &construction, language);
+        if all.constructions.is_empty() {
+            all.names = names(scene, &construction, &draughts);
+        }
+        all.diagrams.push(draughts.diagrams());
+        all.numbers.push(numbers);
+        all.constructions.push(construction);
+    }
+    Ok(all)
+}
+
+fn names(scene: &Scene, construction: &Construction, draughts: &Draughts<'_>) -> Names {
+    let mut all = Names::default();
+    for link in scene.mechanism.moving() {
+        for (quantity, second) in [(Quantity::Omega(link), false), (Quantity::Alpha(link), true)] {
+            all.rotations.push((draughts.quantity_name(quantity), link, second));
+        }
+    }
+    all.units.push((DiagramKind::Skeleton, draughts.unit(Dimension::Length)));
+    all.scales
+        .push((DiagramKind::Skeleton, draughts.scale(Dimension::Length, construction.space.metres_per_mm)));
+    for polygon in &construction.diagrams {
+        let kind = polygon.kind;
+        // One name for every label; for vectors one for every stroke.
+        let mut labels: Vec<Label> = vec![Label::Pole];
+        for image in &polygon.images {
+            if !labels.contains(&image.label) {
+                labels.push(image.label);
+            }
+        }
+        let named = labels.into_iter();
+        let named = named.filter_map(|label| Some((vec![label], draughts.name_of_images(kind, &[label])?)));
+        all.images.push((kind, named.collect()));
+        let mut strokes: Vec<(Label, Label, Vec<usize>)> = Vec::new();
+        for (index, vector) in polygon.vectors.iter().enumerate() {
+            match strokes.iter_mut().find(|(tail, head, _)| *tail == vector.tail && *head == vector.head) {
+                Some((.., own)) => own.push(index),
+                None => strokes.push((vector.tail, vector.head, vec![index])),
+            }
+        }
+        let strokes = strokes.into_iter();
+        let named = strokes.filter_map(|(.., own)| {
+            let name = draughts.name_of_vectors(kind, &own)?;
+            Some((own, name))
+        });
+        all.vectors.push((kind, named.collect()));
+        let quantities = polygon.vectors.iter().map(|v| draughts.quantity_name(v.quantity));
+        all.quantities.push((kind, quantities.collect()));
+        all.units.push((kind, draughts.unit(kind.dimension())));
+        all.scales.push((kind, draughts.scale(kind.dimension(), polygon.si_per_mm)));
+    }
+    all
+}
+
+fn of_kind<T>(all: &[(DiagramKind, T)], kind: DiagramKind) -> Option<&T> {
+    all.iter().find(|(own, _)| *own == kind).map(|(_, of)| of)
+}
+
+impl Panel {
+    fn seen(&self, numbers: &Numbers) -> Option<Seen> {
+        let page = |at: [f64; 2]| {
+            let [x, y] = [0, 1].map(|axis| (at[axis] - self.origin[axis]) / self.si_per_mm);
+            Point::new(x, -y)
+        };
+        self.places.iter().map(|place| place.at(numbers).map(page)).collect()
+    }
+
+    fn json(&self) -> Value {
+        let shown = [self.shown.x0, self.shown.y0, self.shown.x1, self.shown.y1];
+        json!({
+            "class": self.ink.class,
+            "box": shown,
+            "origin": self.origin,
+            "si_per_mm": self.si_per_mm,
+            "unit": self.unit.si,
+            "unit_symbol": moving::unit(&self.unit.symbol),
+            "places": self.places.iter().map(|place| &place.terms).collect::<Vec<_>>(),
+        })
+    }
+}
+
+impl Placed {
+    fn json(&self, panel: usize) -> Value {
+        let anchors: Vec<Value> = self
+            .anchors
+            .iter()
+            .map(|(frame, own)| match frame {
+                Frame::Fixed => json!([[0], [own.x, own.y]]),
+                Frame::At(a) => json!([[1, a], [own.x, own.y]]),
+                Frame::Rigid(a, b) => json!([[2, a, b], [own.x, own.y]]),
+                Frame::Similar(a, b) => json!([[3, a, b], [own.x, own.y]]),
+            })
+            .collect();
+        // Tenths of a millimetre, each told by its difference from the frame before.
+        #[expect(clippy::cast_possible_truncation, reason = "some millimetres")]
+        let tenths = |x: f64| (10.0 * x).round() as i32;
+        let mut last = [0; 2];
+        let mut by = Vec::with_capacity(2 * self.by.len());
+        for way in &self.by {
+            let now = [tenths(way.x), tenths(way.y)];
+            by.extend([now[0] - last[0], now[1] - last[1]]);
+            last = now;
+        }
+        json!({
+            "panel": panel, "id": self.id, "anchors": anchors, "by": by, "step": self.step, "of": self.of,
+            "point": self.is_of_point,
+        })
+    }
+}
+
+fn panel(
+    index: usize,
+    sketch: Sketch,
+    sweep: &Sweep,
+    drawn: &Drawn,
+    (course, start): (&[Numbers], &Numbers),
+    scales: Scales,
+) -> Option<Panel> {
+    let kind = sketch.kind;
+    let si_per_mm = scales.of(kind.dimension());
+    let own: Vec<&Drawing> =
+        drawn.diagrams.iter().filter_map(|all| all.iter().find(|d| d.kind == kind)).collect();
+    let first = *own.first()?;
+    let mut panel = Panel {
+        kind,
+        title: first.title.clone(),
+        scale_text: of_kind(&drawn.names.scales, kind).cloned().unwrap_or_default(),
+        ink: Group::new(first.ink.class.clone()),
+        shown: Rect::ZERO,
+        si_per_mm,
+        unit: of_kind(&drawn.names.units, kind)?.clone(),
+        origin: sketch.origin,
+        places: sketch.places,
+        moving: Vec::new(),
+        names: Vec::new(),
+    };
+    let seen: Option<Vec<Seen>> = drawn.numbers.iter().map(|numbers| panel.seen(numbers)).collect();
+    let binder = Binder { seen: seen? };
+    let mut spots: Vec<(Name, Vec<(Frame, Vec2)>)> = Vec::new();
+    if kind == DiagramKind::Skeleton {
+        let points = &sketch.points;
+        skeleton(&mut panel, index, (&own, points), &binder, (sweep, course, start), &drawn.names);
+        spots.extend(names_of_skeleton(&own, &binder, &panel));
+    } else {
+        let construction = drawn.constructions.first()?;
+        let polygon = construction.diagram(kind)?;
+        polygon_ink(&mut panel, index, first, polygon, &sketch.labels, &drawn.names);
+        spots.extend(names_of_polygon(polygon, &sketch.labels, &panel, &drawn.names));
+    }
+    panel.shown = shown(&panel, course, start);
+    place_names(&mut panel, index, spots, course, start, sweep.whole_turn);
+    Some(panel)
+}
+
+/// What of the plane is shown: everything over the course, of a polygon as far as its scale counts.
+fn shown(panel: &Panel, course: &[Numbers], start: &Numbers) -> Rect {
+    let mut all = panel.seen(start).into_iter().flatten().fold(Rect::ZERO, |all, at| all.union_pt(at));
+    let most = if panel.kind == DiagramKind::Skeleton { 1e4 } else { POLYGON.0.max(POLYGON.1) * 1.02 };
+    for seen in course.iter().filter_map(|numbers| panel.seen(numbers)) {
+        if seen.iter().all(|at| at.x.is_finite() && at.y.is_finite() && at.to_vec2().hypot() < most) {
+            all = seen.into_iter().fold(all, |all, at| all.union_pt(at));
+        }
+    }
+    let ink = if panel.kind == DiagramKind::Skeleton { panel.ink.bounds().unwrap_or(all) } else { all };
+    all.union(ink).inflate(BORDER, BORDER)
+}
+
+/// Items of the skeleton's ink: the children of its groups, marks each in a group of their own.
+fn items(ink: &Group) -> Vec<(String, Vec<Group>)> {
+    let group = |node: &Node| match node {
+        Node::Group(group) => Some(group.clone()),
+        Node::Mark(mark) => {
+            let mut own = Group::default();
+            own.mark(mark.clone());
+            Some(own)
+        }
+        Node::Text(_) => None,
+    };
+    let of = |node: &Node| match node {
+        Node::Group(all) => Some((all.class.clone(), all.children.iter().filter_map(group).collect())),
+        _ => None,
+    };
+    ink.children.iter().filter_map(of).collect()
+}
+
+fn skeleton(
+    panel: &mut Panel,
+    index: usize,
+    (own, points): (&[&Drawing], &[PointId]),
+    binder: &Binder,
+    (sweep, course, start): (&Sweep, &[Numbers], &Numbers),
+    names: &Names,
+) {
+    let drawn: Vec<Vec<(String, Vec<Group>)>> = own.iter().map(|diagram| items(&diagram.ink)).collect();
+    let mut number = 0;
+    let course = panel_seen(panel, course);
+    for (t, (class, first)) in drawn[0].iter().enumerate() {
+        let mut all = Group::new(class.clone());
+        for (i, item) in first.iter().enumerate() {
+            let same: Vec<&Group> = drawn
+                .iter()
+                .filter_map(|other| {
+                    let (_, others) = other.get(t)?;
+                    if others.len() == first.len() {
+                        return others.get(i);
+                    }
+                    let keyed = !item.data.is_empty() || !item.class.is_empty();
+                    others.iter().find(|o| keyed && o.class == item.class && o.data == item.data)
+                })
+                .collect();
+            let id = |number: &mut usize| {
+                *number += 1;
+                format!("d{index}s{number}")
+            };
+            let quantity = item.data.iter().find(|(name, _)| *name == "quantity").map(|(_, of)| of.clone());
+            let step = item.life.map(|life| life.born.step);
+            let mut add = |item: &Group, by: Move, sense: Option<(usize, bool)>| {
+                let id = id(&mut number);
+                let mut ink = item.clone();
+                ink.id = Some(id.clone());
+                all.group(ink.clone());
+                panel.moving.push(Moving { id, by, quantity: quantity.clone(), sense, step, ink });
+            };
+            if item.class.starts_with("rotation") {
+                let turns = names.rotations.iter().find(|(name, ..)| Some(name) == quantity.as_ref());
+                let Some((_, link, second)) = turns else { continue };
+                let of = if *second { Quantity::Alpha(*link) } else { Quantity::Omega(*link) };
+                let Some(output) = scalar(sweep, of) else { continue };
+                let frame = frame_of_link(sweep, *link, points);
+                let is_positive = start[output].is_some_and(|value| value > 0.0);
+                add(item, Move::Whole(frame), Some((output, is_positive)));
+                add(&mirrored(item), Move::Whole(frame), Some((output, !is_positive)));
+                continue;
+            }
+            if class == "angles" {
+                for (arc, by) in turns(item, binder) {
+                    add(&arc, by, None);
+                }
+                continue;
+            }
+            let mut by = bind(binder, &same);
+            if class == "frame" {
+                if let Move::Whole(Frame::At(rider)) = by {
+                    // The frame stands still: its guide is drawn as far as the rider goes.
+                    for copy in along_the_course(item, rider, &course, binder) {
+                        add(&copy, Move::Whole(Frame::Fixed), None);
+                    }
+                    continue;
+                }
+                by = Move::Whole(Frame::Fixed);
+            }
+            add(item, by, None);
+        }
+        panel.ink.group(all);
+    }
+}
+
+fn panel_seen(panel: &Panel, course: &[Numbers]) -> Vec<Seen> {
+    course.iter().filter_map(|numbers| panel.seen(numbers)).collect()
+}
+
+/// The frame of a link: its first two points, or its only one.
+fn frame_of_link(sweep: &Sweep, link: LinkId, points: &[PointId]) -> Frame {
+    let own = sweep.points_of(link);
+    let mut places = own.iter().filter_map(|point| points.iter().position(|p| p == point));
+    match (places.next(), places.next()) {
+        (Some(a), Some(b)) => Frame::Rigid(a, b),
+        (Some(a), None) => Frame::At(a),
+        _ => Frame::Fixed,
+    }
+}
+
+/// The arc of an angle from the right, and what stands still beside it.
+fn turns(item: &Group, binder: &Binder) -> Vec<(Group, Move)> {
+    let (mut still, mut arc) = (Group::new("axis"), None);
+    item.walk(&mut |node| {
+        if let Node::Mark(mark) = node {
+            match &mark.shape {
+                Shape::Arc { centre, radius, .. } => arc = Some((*centre, *radius)),
+                Shape::Line(..) => still.mark(mark.clone()),
+                _ => {}
+            }
+        }
+    });
+    let mut all = vec![(still, Move::Whole(Frame::Fixed))];
+    let first = binder.seen.first();
+    let place = |centre: Point| first.and_then(|seen| seen.iter().position(|at| at.distance(centre) < 1e-4));
+    if let Some((centre, radius)) = arc
+        && let Some(place) = place(centre)
+    {
+        let mut group = Group::new("turn");
+        item.walk(&mut |node| {
+            if let Node::Mark(mark) = node
+                && !matches!(mark.shape, Shape::Line(..))
+            {
+                group.mark(mark.clone());
+            }
+        });
+        all.push((group, Move::Turn(place, radius)));
+    }
+    all
+}
+
+/// A curved arrow the other way round.
+fn mirrored(item: &Group) -> Group {
+    let mut axis = None;
+    item.walk(&mut |node| {
+        if let Node::Mark(Mark { shape: Shape::Arc { centre, start, sweep, .. }, .. }) = node {
+            axis.get_or_insert((*centre, start + sweep / 2.0));
+        }
+    });
+    let Some((centre, middle)) = axis else { return item.clone() };
+    let (sin, cos) = libm::sincos(2.0 * middle);
+    // About the axis at `middle` through the centre, y down.
+    let flip = |at: Point| {
+        let d = at - centre;
+        centre + Vec2::new(d.x * cos - d.y * sin, -d.x * sin - d.y * cos)
+    };
+    let mut group = Group { children: Vec::new(), ..item.clone() };
+    item.walk(&mut |node| {
+        let Node::Mark(mark) = node else { return };
+        let shape = match &mark.shape {
+            Shape::Arc { centre, radius, start, sweep } => {
+                Shape::Arc { centre: *centre, radius: *radius, start: 2.0 * middle - start, sweep: -sweep }
+            }
+            Shape::Polygon(points) => Shape::Polygon(points.iter().map(|at| flip(*at)).collect()),
+            other => other.clone(),
+        };
+        group.mark(Mark { shape, ..mark.clone() });
+    });
+    group
+}
+
+/// A guide as far as its rider goes: copies one beside the other, each as long as it is drawn.
+fn along_the_course(item: &Group, rider: usize, course: &[Seen], binder: &Binder) -> Vec<Group> {
+    let Some(start) = binder.seen.first().and_then(|seen| seen.get(rider)).copied() else {
+        return vec![item.clone()];
+    };
+    let mut line = None;
+    item.walk(&mut |node| {
+        if let Node::Mark(Mark { shape: Shape::Line(a, b), .. }) = node {
+            line.get_or_insert((*a, *b));
+        }
+    });
+    let Some((a, b)) = line.filter(|(a, b)| a.distance(*b) > 1.0) else { return vec![item.clone()] };
+    let (length, along) = (a.distance(b), (b - a).normalize());
+    let way = |seen: &Seen| seen.get(rider).map(|at| (*at - start).dot(along)).filter(|way| way.abs() < 1e3);
+    let (low, high) =
+        course.iter().filter_map(way).fold((0.0_f64, 0.0_f64), |(l, h), w| (l.min(w), h.max(w)));
+    let mut at = low;
+    let mut copies = Vec::new();
+    loop {
+        let mut copy = item.clone();
+        copy.translate(along * at);
+        copies.push(copy);
+        if at >= high {
+            return copies;
+        }
+        at += length;
+    }
+}
+
+fn polygon_ink(
+    panel: &mut Panel,
+    index: usize,
+    diagram: &Drawing,
+    polygon: &Diagram,
+    labels: &[Label],
+    names: &Names,
+) {
+    let place = |label: Label| labels.iter().position(|own| *own == label);
+    let near = |at: [f64; 2]| {
+        // What a line leads to is an image, by where it is.
+        let image =
+            polygon.images.iter().find(|image| libm::hypot(image.at[0] - at[0], image.at[1] - at[1]) < 1e-9);
+        match image {
+            Some(image) => place(image.label),
+            None if libm::hypot(at[0], at[1]) < 1e-9 => place(Label::Pole),
+            None => None,
+        }
+    };
+    for node in &diagram.ink.children {
+        let Node::Group(own) = node else { continue };
+        let mut own = own.clone();
+        let told =
+            own.id.as_deref().and_then(|id| Some((id.chars().next()?, id.get(1..)?.parse::<usize>().ok()?)));
+        let Some((kind, number)) = told else {
+            panel.ink.group(own);
+            continue;
+        };
+        let image = |point: PointId| {
+            let label = |label: &Label| matches!(label, Label::Image { point: p, .. } if *p == point);
+            labels.iter().position(label).or_else(|| place(Label::Pole))
+        };
+        let by = match kind {
+            'v' => {
+                polygon.vectors.get(number).and_then(|v| Some(Move::Vector([place(v.tail)?, place(v.head)?])))
+            }
+            'r' => match polygon.lines.get(number) {
+                Some(ConstructionLine::Ray { from, to, .. }) => {
+                    near(*from).zip(near(*to)).map(|(from, to)| Move::Ray([from, to]))
+                }
+                _ => None,
+            },
+            'p' => polygon.images.get(number).and_then(|i| Some(Move::Whole(Frame::At(place(i.label)?)))),
+            'l' => polygon.link_images.get(number).and_then(|image_of| {
+                let corners = image_of.corners.iter().map(|(point, _)| image(*point));
+                Some(Move::Outline(corners.collect::<Option<Vec<_>>>()?))
+            }),
+            _ => None,
+        };
+        let quantity = of_kind(&names.quantities, polygon.kind).filter(|_| kind == 'v');
+        let quantity = quantity.and_then(|all| all.get(number)).cloned();
+        let step = own.life.map(|life| life.born.step);
+        let id = format!("d{index}{kind}{number}");
+        own.id = Some(id.clone());
+        panel.ink.group(own.clone());
+        panel.moving.push(Moving {
+            id,
+            by: by.unwrap_or(Move::Still),
+            quantity,
+            sense: None,
+            step,
+            ink: own,
+        });
+    }
+}
+
+/// The names of a skeleton, each with what it hangs on.
+fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<(Name, Vec<(Frame, Vec2)>)> {
+    let arrows: Vec<&Moving> =
+        panel.moving.iter().filter(|m| m.sense.is_some() && m.ink.class.starts_with("rotation")).collect();
+    let mut arrows = arrows.chunks(2).map(|pair| pair[0]);
+    let mut all = Vec::new();
+    for (n, name) in own[0].names.iter().enumerate() {
+        let at = |point: Point, frame: Frame| Some((frame, binder.local(frame, point)?));
+        let ends = |spot: Spot| match spot {
+            Spot::Point(at) => vec![at],
+            Spot::Stroke(from, to) => vec![from, to],
+        };
+        // What an angle says is of one position.
+        if name.class() == "label angle" {
+            continue;
+        }
+        let first = ends(name.spot());
+        let is_of_the_frame = name.class() == "label link-number" && name.of().is_empty();
+        let bound: Option<Vec<(Frame, Vec2)>> = if name.class() == "label rotation-name" {
+            match arrows.next().map(|arrow| &arrow.by) {
+                Some(Move::Whole(frame)) => first.iter().map(|point| at(*point, *frame)).collect(),
+                _ => None,
+            }
+        } else if is_of_the_frame {
+            first.iter().map(|point| at(*point, Frame::Fixed)).collect()
+        } else {
+            let several: Vec<Vec<Point>> =
+                own.iter().filter_map(|d| d.names.get(n)).map(|other| ends(other.spot())).collect();
+            let same = several.len() == own.len() && several.iter().all(|points| points.len() == first.len());
+            let bind = |i: usize| {
+                let points: Vec<Point> = several.iter().map(|points| points[i]).collect();
+                binder.frame(&[points]).and_then(|frame| at(first[i], frame))
+            };
+            if same { (0..first.len()).map(bind).collect() } else { None }
+        };
+        if let Some(bound) = bound {
+            all.push((name.clone(), bound));
+        }
+    }
+    all
+}
+
+fn names_of_polygon(
+    polygon: &Diagram,
+    labels: &[Label],
+    panel: &Panel,
+    names: &Names,
+) -> Vec<(Name, Vec<(Frame, Vec2)>)> {
+    let place = |label: Label| labels.iter().position(|own| *own == label);
+    let mut all = Vec::new();
+    let mut seen: Vec<&Vec<(i8, usize)>> = Vec::new();
+    for (labels, name) in of_kind(&names.images, polygon.kind).into_iter().flatten() {
+        let Some(at) = labels.first().and_then(|label| place(*label)) else { continue };
+        let terms = &panel.places[at].terms;
+        // What is always one point has one name.
+        if !seen.contains(&terms) {
+            seen.push(terms);
+            all.push((name.clone(), vec![(Frame::At(at), Vec2::ZERO)]));
+        }
+    }
+    for (vectors, name) in of_kind(&names.vectors, polygon.kind).into_iter().flatten() {
+        let Some(vector) = vectors.first().and_then(|index| polygon.vectors.get(*index)) else { continue };
+        let (Some(tail), Some(head)) = (place(vector.tail), place(vector.head)) else { continue };
+        all.push((name.clone(), vec![(Frame::At(tail), Vec2::ZERO), (Frame::At(head), Vec2::ZERO)]));
+    }
+    all
+}
+
+fn place_names(
+    panel: &mut Panel,
+    index: usize,
+    spots: Vec<(Name, Vec<(Frame, Vec2)>)>,
+    course: &[Numbers],
+    start: &Numbers,
+    cyclic: bool,
+) {
+    let Some(home) = panel.seen(start) else { return };
+    let frame = |numbers: &Numbers| {
+        let seen = panel.seen(numbers);
+        let mut ink = Group::new("moved");
+        for moving in &panel.moving {
+            let visible = moving.sense.is_none_or(|(output, positive)| {
+                numbers[output].is_some_and(|value| value != 0.0 && (value > 0.0) == positive)
+            });
+            if let (true, Some(seen)) = (visible, &seen)
+                && let Some(moved) = moving.moved(&home, seen)
+            {
+                ink.group(moved);
+            }
+        }
+        let spot = |anchors: &[(Frame, Vec2)]| {
+            let seen = seen.as_ref()?;
+            let points: Option<Vec<Point>> =
+                anchors.iter().map(|(frame, own)| frame.global(*own, seen)).collect();
+            match points?[..] {
+                [at] => Some(Spot::Point(at)),
+                [from, to, ..]
+                    if panel.kind == DiagramKind::Skeleton || from.distance(to) >= SHORTEST_NAMED =>
+                {
+                    Some(Spot::Stroke(from, to))
+                }
+                _ => None,
+            }
+        };
+        moving::Frame { ink, spots: spots.iter().map(|(_, anchors)| spot(anchors)).collect() }
+    };
+    let frames: Vec<moving::Frame> = course.iter().map(frame).collect();
+    let names: Vec<Name> = spots.iter().map(|(name, _)| name.clone()).collect();
+    let ways = moving::along(&names, &frames, cyclic);
+    let mut labels = Group::new("labels");
+    let mut placed = Vec::new();
+    for (number, ((name, anchors), by)) in spots.into_iter().zip(ways).enumerate() {
+        let id = format!("d{index}n{number}");
+        let (mut ink, _) = name.ink();
+        ink.id = Some(id.clone());
+        labels.group(ink);
+        let step = name.life().map(|life| life.born.step);
+        let is_of_point = matches!(name.class(), "label point-name" | "label image-name");
+        placed.push(Placed { id, anchors, by, step, of: name.of().to_vec(), is_of_point });
+    }
+    panel.ink.group(labels);
+    panel.names = placed;
+}

@@ -1,0 +1,317 @@
+//! The page: one file of hypertext with the finished sheet, the diagrams that move, and the script that moves them.
+
+use serde_json::{Value, json};
+
+use super::diagrams::{Diagrams, Panel};
+use super::{Live, LiveError, hash, words};
+use crate::markup::escaped;
+use crate::mechanism::quantity::{Asked, Quantity};
+use crate::render::{number::decimal, svg};
+use crate::scene::Scene;
+use crate::sheet::figure::Figure;
+use crate::sheet::moving::{self, Draughts};
+use crate::sheet::{Language, Part, prompt};
+use crate::solve::Solved;
+
+/// The scripts, in the order in which they are joined.
+const SCRIPTS: [&str; 10] = [
+    include_str!("page/libm.js"),
+    include_str!("page/program.js"),
+    include_str!("page/numbers.js"),
+    include_str!("page/course.js"),
+    include_str!("page/text.js"),
+    include_str!("page/ink.js"),
+    include_str!("page/values.js"),
+    include_str!("page/trace.js"),
+    include_str!("page/drag.js"),
+    include_str!("page/app.js"),
+];
+const STYLE: &str = include_str!("page/page.css");
+const QUESTION: &str = include_str!("page/question.js");
+
+/// Characters that numbers may need besides those of the sheet.
+const ALSO: &str = "0123456789.,;−×∠°()/²³·≡: mcinradsekg";
+
+/// What a page shows besides the drawing itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// The finished sheets, one for each language; the first is shown at first.
+    pub sheets: Vec<(Language, Figure)>,
+    /// Seconds for the whole course when it plays.
+    pub seconds: f64,
+}
+
+/// A page of a scene whose drawing moves; of one that does not, with the reason in English.
+///
+/// # Errors
+/// [`LiveError::Number`] where a number on the way is none.
+pub fn page(
+    scene: &Scene,
+    solved: &Solved,
+    live: Result<&Live<'_>, String>,
+    options: &Options,
+) -> Result<(String, Option<String>), LiveError> {
+    let construction = &solved.solution.construction;
+    let first = options.sheets.first().map_or(Language::English, |(language, _)| *language);
+    let moving = live.and_then(|live| match Diagrams::of(scene, construction, live.sweep(), first) {
+        Ok(diagrams) => Ok((live, diagrams)),
+        Err(why) => Err(why.to_string()),
+    });
+    let languages: Vec<Language> = options.sheets.iter().map(|(language, _)| *language).collect();
+    let still = moving.as_ref().err().cloned();
+    let (mut data, panels) = match &moving {
+        Ok((live, diagrams)) => {
+            let mut data = live.json(first);
+            if let (Some(data), Value::Object(more)) = (data.as_object_mut(), diagrams.json()) {
+                data.extend(more);
+            }
+            (data, panels(&diagrams.panels))
+        }
+        Err(_) => {
+            (json!({ "format": super::FORMAT, "version": super::VERSION, "still": still }), String::new())
+        }
+    };
+    let mut texts = serde_json::Map::new();
+    for language in &languages {
+        let draughts = Draughts::new(scene, construction, *language);
+        let panels = moving.as_ref().map_or(&[][..], |(_, diagrams)| &diagrams.panels);
+        texts.insert(language.words().tag.to_owned(), text(scene, &draughts, *language, panels));
+    }
+    data["texts"] = Value::Object(texts);
+    data["seconds"] = json!(options.seconds);
+    if let Ok((live, _)) = &moving {
+        data["rows"] = json!(rows(live, &scene.mechanism.asked));
+        data["quantities"] = quantities(live);
+    }
+    let script = joined(&SCRIPTS);
+    Ok((document(scene, options, &panels, &script, Some(&data), still.as_deref()), still))
+}
+
+/// The page of a question: what the question sheet shows, and fields for the answers. Nothing of the solution is in it.
+#[must_use]
+pub fn question(scene: &Scene, options: &Options) -> String {
+    let language = options.sheets.first().map_or(Language::English, |(language, _)| *language);
+    let own = words::of(language);
+    let mut fields = format!("<form id=\"answers\"><h2>{}</h2>", escaped(own.answer));
+    for (index, asked) in scene.mechanism.asked.iter().enumerate() {
+        fields.push_str("<fieldset>");
+        for part in parts(asked.quantity) {
+            let unit = match part {
+                Part::Direction => "°".to_owned(),
+                _ => moving::unit(&asked.unit.symbol),
+            };
+            let id = format!("a{index}-{}", part.name());
+            fields.push_str(&format!(
+                "<p><label for=\"{id}\">{}</label> <input id=\"{id}\" inputmode=\"decimal\" autocomplete=\"off\" \
+                 data-name=\"{}\" data-part=\"{}\" data-unit=\"{}\"> <span>{}</span></p>",
+                prompt(scene, asked, *part, language),
+                escaped(&asked.name),
+                part.name(),
+                escaped(&asked.unit.symbol),
+                escaped(&unit),
+            ));
+        }
+        fields.push_str("</fieldset>");
+    }
+    fields.push_str(&format!(
+        "<p><button id=\"save\" type=\"submit\">{}</button> <span id=\"told\" role=\"status\"></span></p>\
+         <textarea id=\"out\" hidden readonly rows=\"8\" aria-label=\"{}\"></textarea></form>",
+        escaped(own.save),
+        escaped(own.denied),
+    ));
+    let script = joined(&[QUESTION]);
+    document(scene, options, &fields, &script, None, None)
+}
+
+/// The numbers that an answer has.
+fn parts(quantity: Quantity) -> &'static [Part] {
+    match kind(quantity) {
+        "place" => &[Part::X, Part::Y],
+        "vector" => &[Part::Magnitude, Part::Direction],
+        _ => &[Part::Value],
+    }
+}
+
+/// How the value of a quantity is told.
+fn kind(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Omega(_)
+        | Quantity::RelativeOmega(..)
+        | Quantity::Alpha(_)
+        | Quantity::RelativeAlpha(..) => "rotation",
+        Quantity::Position(_) | Quantity::Centre(..) => "place",
+        Quantity::Ratio(..)
+        | Quantity::Advantage(..)
+        | Quantity::Rub(..)
+        | Quantity::PathRadius(_)
+        | Quantity::Angle(_)
+        | Quantity::Transmission(..) => "number",
+        _ => "vector",
+    }
+}
+
+/// The scripts as one, in a scope of its own.
+fn joined(scripts: &[&str]) -> String {
+    let all: String = scripts.iter().flat_map(|script| [*script, "\n"]).collect();
+    format!("(() => {{\n'use strict';\n{all}}})();\n")
+}
+
+/// JSON as it may stand inside a script element.
+fn embedded(data: &Value) -> String {
+    data.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
+}
+
+fn panels(all: &[Panel]) -> String {
+    let mut out = String::new();
+    for (index, panel) in all.iter().enumerate() {
+        let shown = panel.shown;
+        let n = |x: f64| decimal(x, 3);
+        out.push_str(&format!(
+            "<figure class=\"panel\" id=\"figure{index}\"><svg id=\"panel{index}\" role=\"img\" \
+             aria-labelledby=\"title{index}\" aria-describedby=\"state\" xmlns=\"http://www.w3.org/2000/svg\" \
+             viewBox=\"{} {} {} {}\" width=\"{}mm\" height=\"{}mm\" font-family=\"{}\" stroke-linejoin=\"round\">{}</svg>\
+             <figcaption><span id=\"title{index}\">{}</span> <bdi id=\"scale{index}\" dir=\"ltr\">{}</bdi></figcaption>\
+             </figure>",
+            n(shown.x0),
+            n(shown.y0),
+            n(shown.width()),
+            n(shown.height()),
+            n(shown.width()),
+            n(shown.height()),
+            escaped(crate::sheet::font::FAMILIES),
+            svg::fragment(&panel.ink),
+            escaped(&panel.title),
+            panel.scale_text,
+        ));
+    }
+    out
+}
+
+fn document(
+    scene: &Scene,
+    options: &Options,
+    panels: &str,
+    script: &str,
+    data: Option<&Value>,
+    still: Option<&str>,
+) -> String {
+    let (language, sheet) = match options.sheets.first() {
+        Some((language, sheet)) => (*language, Some(sheet)),
+        None => (Language::English, None),
+    };
+    let (tag, own) = (language.words().tag, words::of(language));
+    let faces: String = sheet.map(|sheet| svg::faces(sheet, ALSO)).unwrap_or_default();
+    let style = format!("{faces}\n{STYLE}");
+    let policy = format!(
+        "default-src 'none'; script-src {}; style-src {}; font-src data:; img-src data: blob:; base-uri 'none'; \
+         form-action 'none'",
+        hash::source(script),
+        hash::source(&style),
+    );
+    let title = escaped(scene.title.in_language(tag).unwrap_or(language.words().untitled));
+    let direction = if language.words().right_to_left { "rtl" } else { "ltr" };
+    let sheets: String = options
+        .sheets
+        .iter()
+        .enumerate()
+        .map(|(index, (language, figure))| {
+            let hidden = if index == 0 { "" } else { " hidden" };
+            let tag = language.words().tag;
+            // On its own, so that it never interferes with what moves.
+            format!("<div class=\"sheet\" lang=\"{tag}\" dir=\"ltr\"{hidden}>{}</div>", svg::write(figure))
+        })
+        .collect();
+    let still_text = still.map_or(String::new(), |why| {
+        let why = own.still.replace("{why}", why);
+        format!("<p class=\"still\" id=\"still\">{}</p>", escaped(&why))
+    });
+    let data = data.map_or(String::new(), |data| {
+        format!("<script type=\"application/json\" id=\"linkgram-live\">{}</script>\n", embedded(data))
+    });
+    let stage = if data.is_empty() {
+        format!(
+            "<details id=\"sheet\" open><summary>{}</summary>{sheets}</details>{panels}",
+            escaped(own.sheet)
+        )
+    } else {
+        format!(
+            "<div id=\"live\" hidden><div id=\"stage\" dir=\"ltr\">{panels}</div><div id=\"controls\"></div></div>\
+             <details id=\"sheet\" open><summary>{}</summary>{sheets}</details>",
+            escaped(own.sheet)
+        )
+    };
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"{tag}\" dir=\"{direction}\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"referrer\" content=\"no-referrer\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
+         <title>{title}</title>\n<style>{style}</style>\n</head>\n<body>\n<main>\n<h1 id=\"title\">{title}</h1>\n\
+         <noscript><p class=\"still\">{}</p></noscript>{still_text}\n{stage}\n</main>\n{data}<script>{script}</script>\n\
+         </body>\n</html>\n",
+        escaped(own.no_script),
+    )
+}
+
+fn text(scene: &Scene, draughts: &Draughts<'_>, language: Language, panels: &[Panel]) -> Value {
+    let tag = language.words().tag;
+    let titles: Vec<String> = panels.iter().map(|panel| draughts.title(panel.kind)).collect();
+    let symbols: Vec<String> =
+        scene.mechanism.asked.iter().map(|asked| draughts.symbol(asked.quantity)).collect();
+    let steps: Vec<Value> = draughts
+        .said()
+        .into_iter()
+        .map(|said| {
+            json!({
+                "step": said.step, "head": said.head, "equations": said.equations, "sentences": said.sentences,
+            })
+        })
+        .collect();
+    let scale = language.words().scale;
+    json!({
+        "title": scene.title.in_language(tag).unwrap_or(language.words().untitled),
+        "rtl": language.words().right_to_left,
+        "panels": titles,
+        "symbols": symbols,
+        "steps": steps,
+        "scale": scale,
+        "words": words::of(language).json(),
+    })
+}
+
+/// The rows of the table of values: what was asked.
+fn rows(live: &Live<'_>, asked: &[Asked]) -> Vec<Value> {
+    let columns = &live.sweep().columns;
+    asked
+        .iter()
+        .map(|asked| {
+            let of = |axis: Option<usize>| {
+                columns.iter().position(|c| c.asked.quantity == asked.quantity && c.axis == axis)
+            };
+            let outputs: Vec<usize> = match of(None) {
+                Some(scalar) => vec![scalar],
+                None => [of(Some(0)), of(Some(1))].into_iter().flatten().collect(),
+            };
+            json!({
+                "name": asked.name, "kind": kind(asked.quantity), "outputs": outputs,
+                "unit": moving::unit(&asked.unit.symbol), "si": asked.unit.si,
+            })
+        })
+        .collect()
+}
+
+/// Everything that is shown, by the name that the ink calls it.
+fn quantities(live: &Live<'_>) -> Value {
+    let mut all = serde_json::Map::new();
+    for (index, column) in live.sweep().columns.iter().enumerate() {
+        if column.axis == Some(1) {
+            continue;
+        }
+        let outputs: Vec<usize> = if column.axis.is_some() { vec![index, index + 1] } else { vec![index] };
+        let unit = &column.asked.unit;
+        let told = json!({
+            "kind": kind(column.asked.quantity), "outputs": outputs, "unit": moving::unit(&unit.symbol), "si": unit.si,
+        });
+        all.entry(live.name_in_ink(column.asked.quantity)).or_insert(told);
+    }
+    Value::Object(all)
+}

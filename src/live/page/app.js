@@ -1,0 +1,788 @@
+// The page: its state is a position, a step and some choices; everything that is shown follows from these alone.
+
+/** @type {any} */
+const live = JSON.parse(/** @type {HTMLElement} */ (document.getElementById('linkgram-live')).textContent || '{}');
+const languages = Object.keys(live.texts);
+const byId = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
+
+/** What a store keeps is a favour: in a sandboxed frame asking for it throws. */
+const store = {
+  get(/** @type {string} */ key) {
+    try { return sessionStorage.getItem(key); } catch { return null; }
+  },
+  set(/** @type {string} */ key, /** @type {string} */ value) {
+    try { sessionStorage.setItem(key, value); } catch { /* nothing is kept, then */ }
+  },
+};
+
+function refuseVersion() {
+  const told = make('p', { class: 'still' }, live.texts[languages[0]].words.page_version);
+  byId('title').after(told);
+}
+
+function begin() {
+  const course = new Course(live);
+  const track = new Track(course);
+  const panels = live.panels.map((/** @type {any} */ _, /** @type {number} */ i) => new Panel(live, i));
+  const { variable } = live;
+  const calm = window.matchMedia('(prefers-reduced-motion: reduce)');
+  const last = Math.max(0, ...live.texts[languages[0]].steps.map((/** @type {any} */ s) => s.step));
+  const own = course.look(variable.start);
+  if (!own) return;
+  for (const panel of panels) panel.begin(own);
+
+  const state = { at: variable.start, step: last + 1, refit: false, lang: languages[0], keys: true, playing: false, way: 1 };
+  let words = live.texts[state.lang].words;
+  let outputs = own;
+  let queued = 0;
+  let message = '';
+  /** @type {string | null} */
+  let pinned = null;
+  /** @type {string | null} */
+  let hovered = null;
+
+  // --- the controls ---
+  const controls = byId('controls');
+  const bar = make('div', { class: 'bar' });
+  const line = make('div', { class: 'row' });
+  const slideBox = make('div', { id: 'slide' });
+  const slider = /** @type {HTMLInputElement} */ (make('input', { type: 'range', id: 'at', step: 'any', min: String(variable.range[0]), max: String(variable.range[1]), dir: 'ltr' }));
+  const marks = make('div', { class: 'marks', 'aria-hidden': 'true', dir: 'ltr' });
+  slideBox.append(slider, marks);
+  const field = /** @type {HTMLInputElement} */ (make('input', { class: 'number', id: 'exact', inputmode: 'decimal', autocomplete: 'off', dir: 'ltr' }));
+  const unit = make('bdi');
+  const fieldLabel = make('label', { for: 'exact' });
+  const fieldName = make('span');
+  fieldLabel.append(fieldName, field, unit);
+  const playButton = make('button', { type: 'button', id: 'play' });
+  line.append(playButton, slideBox, fieldLabel);
+  const messageLine = make('p', { id: 'message', role: 'status', 'aria-live': 'polite' });
+  const stateLine = make('p', { id: 'state', class: 'unseen' });
+  bar.append(line, messageLine, stateLine);
+
+  const tools = make('div', { class: 'row tools' });
+  const button = (/** @type {string} */ id, /** @type {() => void} */ does) => {
+    const element = make('button', { type: 'button', id });
+    element.addEventListener('click', does);
+    tools.append(element);
+    return element;
+  };
+  const languageBox = /** @type {HTMLSelectElement} */ (make('select', { id: 'language' }));
+  for (const tag of languages) languageBox.append(make('option', { value: tag, lang: tag }, NAMES[tag] || tag));
+  languageBox.addEventListener('change', () => speak(languageBox.value));
+  if (languages.length > 1) tools.append(languageBox);
+  const ownButton = button('own', () => goTo(variable.start));
+  const scaleButton = button('scale', () => { state.refit = !state.refit; draw(); });
+  const themeButton = button('theme', turnTheme);
+  const fullButton = button('full', fill);
+  const copyButton = button('copy', () => give(drawings(), 'text'));
+  const saveButton = button('save', () => give(drawings(), 'drawing.svg', 'image/svg+xml'));
+  const tableButton = button('table', () => give(csv(), 'values.csv', 'text/csv'));
+  const linkButton = button('link', () => give(hereAddress(), 'text'));
+  const printButton = button('print', () => window.print());
+  const helpButton = button('help', () => { if (!help.open) help.showModal(); });
+  const secondsLabel = make('label');
+  const secondsName = make('span');
+  const seconds = /** @type {HTMLInputElement} */ (make('input', { type: 'number', min: '1', max: '120', value: String(live.seconds), class: 'number', dir: 'ltr' }));
+  secondsLabel.append(secondsName, seconds);
+  const pace = make('span', { dir: 'auto' });
+  const eventBox = /** @type {HTMLSelectElement} */ (make('select', { id: 'events' }));
+  const eventLabel = make('label', { for: 'events' });
+  const eventName = make('span');
+  eventLabel.append(eventName, eventBox);
+  const second = make('div', { class: 'row' });
+  second.append(secondsLabel, pace, eventLabel);
+  const takeApart = make('button', { type: 'button', id: 'apart' });
+  takeApart.hidden = true;
+  takeApart.addEventListener('click', () => {
+    if (wishedApart !== null) {
+      state.at = wishedApart;
+      say(filled(words.take_apart, { at: inUnit(state.at) }));
+      wishedApart = null;
+      draw();
+    }
+  });
+  second.append(takeApart);
+  const outField = /** @type {HTMLTextAreaElement} */ (make('textarea', { id: 'out', readonly: '', rows: '6' }));
+  outField.hidden = true;
+  const wide = make('div', { class: 'wide' });
+  const valueBox = make('section');
+  const stepBox = make('section');
+  wide.append(valueBox, stepBox);
+  const more = make('section');
+  controls.append(bar, second, tools, outField, wide, more);
+  const help = /** @type {HTMLDialogElement} */ (make('dialog', { 'aria-labelledby': 'helptitle' }));
+  const helpTitle = make('h2', { id: 'helptitle' }), helpText = make('p'), keyLabel = make('label'), keyName = make('span');
+  const keyBox = /** @type {HTMLInputElement} */ (make('input', { type: 'checkbox', checked: '' }));
+  keyBox.addEventListener('change', () => { state.keys = keyBox.checked; });
+  keyLabel.append(keyBox, keyName);
+  const closeHelp = make('button', { type: 'button' });
+  closeHelp.addEventListener('click', () => help.close());
+  help.append(helpTitle, helpText, keyLabel, make('p'), closeHelp);
+  controls.append(help);
+
+  for (const event of course.events) {
+    const kind = event.kind === 'limit' ? 'limit' : event.kind === 'dead position' ? 'dead' : '';
+    mark(event.at, kind);
+  }
+  mark(variable.start, 'own');
+
+  /** A mark of the slider, by an attribute that is no style. */
+  function mark(/** @type {number} */ at, /** @type {string} */ kind) {
+    const part = (at - variable.range[0]) / (variable.range[1] - variable.range[0]);
+    const one = make('i', { class: kind });
+    one.style.insetInlineStart = `${(100 * part).toFixed(3)}%`;
+    one.style.left = `${(100 * part).toFixed(3)}%`;
+    marks.append(one);
+  }
+
+  // --- values ---
+  const table = make('table', { id: 'values' });
+  const caption = make('caption', { class: 'unseen' });
+  const head = make('tr'), body = make('tbody');
+  const heads = [0, 1, 2].map(() => head.appendChild(make('th', { scope: 'col' })));
+  const thead = make('thead');
+  thead.append(head);
+  table.append(caption, thead, body);
+  const valueHead = make('h2');
+  const scroll = make('div', { class: 'scroll', tabindex: '0', role: 'region' });
+  scroll.append(table);
+  valueBox.append(valueHead, scroll);
+  const rows = live.rows.map((/** @type {any} */ quantity) => {
+    const row = make('tr', { 'data-quantity': quantity.name });
+    const name = make('button', { type: 'button', 'aria-pressed': 'false' });
+    const cell = make('td'), value = make('td'), sense = make('td');
+    cell.append(name);
+    row.append(cell, value, sense);
+    body.append(row);
+    listen(row, quantity.name);
+    name.addEventListener('click', () => pin(quantity.name));
+    return { quantity, row, name, value, sense, last: '' };
+  });
+
+  // --- steps ---
+  const stepHead = make('h2');
+  const stepRow = make('div', { class: 'row' });
+  const backButton = make('button', { type: 'button', id: 'back' }), onButton = make('button', { type: 'button', id: 'on' });
+  const stepSlider = /** @type {HTMLInputElement} */ (make('input', { type: 'range', id: 'step', min: '0', max: String(last + 1), step: '1', dir: 'ltr' }));
+  const stepSlide = make('div', { id: 'slide2' });
+  stepSlide.append(stepSlider);
+  stepRow.append(backButton, stepSlide, onButton);
+  const stepTitle = make('h3'), stepBody = make('div', { class: 'scroll', tabindex: '0', role: 'region' });
+  stepBox.append(stepHead, stepRow, stepTitle, stepBody);
+  backButton.addEventListener('click', () => toStep(state.step - 1));
+  onButton.addEventListener('click', () => toStep(state.step + 1));
+  stepSlider.addEventListener('input', () => toStep(Number(stepSlider.value)));
+
+  /** @type {{quantity: any, value: Element, sense: Element}[]} */
+  let stepCells = [];
+
+  // --- traces and diagram ---
+  const traceHead = make('h2'), traceRow = make('div', { class: 'row traces' });
+  more.append(traceHead, traceRow);
+  for (const panel of panels) {
+    panel.labels.forEach((/** @type {any} */ label) => {
+      const frame = label.anchors[0][0];
+      const isPoint = label.point && label.anchors.length === 1 && frame[0] === 1 && label.of.length > 0;
+      if (!isPoint || !moves(panel, frame[1])) return;
+      const box = make('input', { type: 'checkbox' });
+      const choice = make('label');
+      choice.append(box, make('bdi', {}, label.of.join(', ')));
+      traceRow.append(choice);
+      /** @type {any} */
+      let path = null;
+      box.addEventListener('change', () => {
+        if (!path) {
+          path = makeInk('path', { class: 'trace', d: tracePath(course, panel, frame[1]) });
+          panel.svg.prepend(path);
+        }
+        visible(path, /** @type {any} */ (box).checked);
+      });
+    });
+  }
+  const diagramHead = make('h2'), diagramRow = make('div', { class: 'row diagrams' });
+  const diagramBox = /** @type {HTMLSelectElement} */ (make('select', { id: 'diagram', 'aria-labelledby': 'diagramhead' }));
+  diagramHead.id = 'diagramhead';
+  diagramBox.append(make('option', { value: '' }, '—'));
+  live.rows.forEach((/** @type {any} */ quantity, /** @type {number} */ i) => {
+    const name = plainText(live.texts[state.lang].symbols[i]);
+    if (quantity.kind === 'vector') diagramBox.append(make('option', { value: `${i} -1` }, `|${name}|`));
+    quantity.outputs.forEach((/** @type {number} */ _, /** @type {number} */ axis) => {
+      const suffix = quantity.outputs.length === 2 ? ['.x', '.y'][axis] : '';
+      diagramBox.append(make('option', { value: `${i} ${axis}` }, name + suffix));
+    });
+  });
+  diagramRow.append(diagramBox);
+  const diagramSpan = make('p', { dir: 'ltr' });
+  const diagramPlace = make('div');
+  more.append(diagramHead, diagramRow, diagramSpan, diagramPlace);
+  /** @type {CurveDiagram | null} */
+  let diagram = null;
+  diagramBox.addEventListener('change', showDiagram);
+
+  function showDiagram() {
+    const chosen = diagramBox.value;
+    diagramPlace.hidden = chosen === '';
+    diagramSpan.hidden = chosen === '';
+    if (chosen === '') return;
+    if (!diagram) {
+      diagram = new CurveDiagram(course, (at) => wish(at));
+      diagramPlace.append(diagram.svg);
+    }
+    const [index, axis] = chosen.split(' ').map(Number);
+    const quantity = live.rows[index];
+    const { low, high } = diagram.draw(quantity, axis);
+    const said = [low, high].map((value) => plainText(withPower(value)));
+    diagram.svg.setAttribute('aria-label', `${plainText(live.texts[state.lang].symbols[index])}: ${said[0]} … ${said[1]} ${quantity.unit}`);
+    setText(diagramSpan, `${said[0]} … ${said[1]} ${quantity.unit}`);
+    diagram.show(state.at);
+  }
+
+  // --- grips: every joint that moves ---
+  const skeleton = panels[0];
+  const grips = makeInk('g', { class: 'grips' });
+  skeleton.svg.append(grips);
+  const stop = makeInk('circle', { class: 'stop', r: '3.2' });
+  skeleton.svg.append(stop);
+  skeleton.data.places.forEach((/** @type {any} */ _, /** @type {number} */ place) => {
+    if (!moves(skeleton, place)) return;
+    const grip = makeInk('circle', { class: 'grip', r: '6' });
+    grips.append(grip);
+    skeleton.grips = [...(skeleton.grips || []), { place, grip }];
+    let held = -1;
+    grip.addEventListener('pointerdown', (/** @type {any} */ event) => {
+      if (event.button !== 0 || held !== -1) return;
+      held = event.pointerId;
+      grip.setPointerCapture(held);
+      halt();
+      event.preventDefault();
+    });
+    grip.addEventListener('pointermove', (/** @type {any} */ event) => {
+      if (event.pointerId !== held) return;
+      const matrix = skeleton.svg.getScreenCTM();
+      if (!matrix) return;
+      const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+      const most = variable.kind === 'angle' ? Math.PI / 6 : (variable.range[1] - variable.range[0]) / 12;
+      const found = seekPlace(course, track, skeleton, place, at, state.at, most);
+      state.at = found.at;
+      stopped(found.stopped);
+      queue();
+    });
+    const release = (/** @type {any} */ event) => {
+      if (event.pointerId === held) held = -1;
+    };
+    grip.addEventListener('pointerup', release);
+    grip.addEventListener('pointercancel', release);
+    grip.addEventListener('lostpointercapture', release);
+  });
+
+  /** Whether a place goes anywhere over the course. */
+  function moves(/** @type {Panel} */ panel, /** @type {number} */ place) {
+    const terms = panel.data.places[place];
+    if (!terms || terms.length === 0) return false;
+    const at = [0.2, 0.45, 0.7].map((part) => course.stretches.length && course.stretches[0].from + part * (course.stretches[0].to - course.stretches[0].from));
+    const seen = at.map((x) => {
+      const numbers = course.look(x);
+      return numbers ? panel.seen(numbers)[place] : null;
+    }).filter(Boolean);
+    return seen.length > 1 && seen.some((p) => Math.hypot(p.x - seen[0].x, p.y - seen[0].y) > 1e-6);
+  }
+
+  // --- highlighting ---
+  function listen(/** @type {Element} */ element, /** @type {string} */ quantity) {
+    element.addEventListener('pointerenter', () => { hovered = quantity; light(); });
+    element.addEventListener('pointerleave', () => { hovered = null; light(); });
+    element.addEventListener('focusin', () => { hovered = quantity; light(); });
+    element.addEventListener('focusout', () => { hovered = null; light(); });
+  }
+
+  for (const element of document.querySelectorAll('#stage [data-quantity]')) {
+    const quantity = element.getAttribute('data-quantity') || '';
+    listen(element, quantity);
+    element.addEventListener('click', () => pin(quantity));
+  }
+
+  function pin(/** @type {string} */ quantity) {
+    pinned = pinned === quantity ? null : quantity;
+    light();
+  }
+
+  function light() {
+    const lit = hovered || pinned;
+    for (const element of document.querySelectorAll('#live [data-quantity], #live [data-of]')) {
+      const own = element.getAttribute('data-quantity');
+      const of = (element.getAttribute('data-of') || '').split(' ');
+      element.classList.toggle('lit', lit !== null && (own === lit || of.includes(lit)));
+    }
+    for (const row of rows) row.name.setAttribute('aria-pressed', String(pinned === row.quantity.name));
+  }
+
+  // --- where the input goes ---
+  /** @type {number | null} */
+  let wishedApart = null;
+
+  function say(/** @type {string} */ text) {
+    message = text;
+    setText(messageLine, text);
+  }
+
+  function stopped(/** @type {boolean} */ isStopped) {
+    skeleton.stopped = isStopped;
+    if (isStopped && message !== words.reached_limit) say(words.reached_limit);
+    if (!isStopped && message === words.reached_limit) say('');
+  }
+
+  function wish(/** @type {number} */ at) {
+    const found = track.nearest(state.at, at);
+    const there = track.regionAt(at);
+    wishedApart = found.stopped && there ? at : null;
+    takeApart.hidden = wishedApart === null;
+    if (wishedApart !== null) setText(takeApart, filled(words.take_apart, { at: inUnit(wishedApart) }));
+    state.at = found.at;
+    stopped(found.stopped);
+    if (wishedApart !== null) say(words.apart);
+    queue();
+  }
+
+  function goTo(/** @type {number} */ at) {
+    halt();
+    wish(at);
+  }
+
+  function by(/** @type {number} */ way) {
+    halt();
+    const found = track.go(state.at, way);
+    state.at = found.at;
+    stopped(found.stopped);
+    queue();
+  }
+
+  slider.addEventListener('input', () => { halt(); wish(Number(slider.value)); });
+  field.addEventListener('change', () => {
+    const value = Number(field.value.replace(',', '.').replace('\u2212', '-'));
+    if (field.value.trim() !== '' && Number.isFinite(value)) goTo(home(value * variable.si));
+    draw();
+  });
+
+  /** An angle beyond the range, where the range is a whole turn. */
+  function home(/** @type {number} */ at) {
+    const [from, to] = variable.range;
+    if (!variable.whole_turn || (at >= from && at <= to)) return at;
+    const turn = to - from;
+    return at - turn * Math.floor((at - from) / turn);
+  }
+
+  function inUnit(/** @type {number} */ at) {
+    const value = at / variable.si;
+    const text = plainText(withPower(Number(value.toPrecision(7))));
+    return withUnit(variable.kind === 'angle' ? fixed(value, 1) : text, variable.unit === 'deg' ? '°' : variable.unit);
+  }
+
+  // --- play ---
+  let before = 0, sum = 0;
+
+  function play() {
+    if (state.playing) {
+      halt();
+      return;
+    }
+    state.playing = true;
+    before = 0;
+    sum = 0;
+    say('');
+    speakPlay();
+    requestAnimationFrame(tick);
+  }
+
+  function halt() {
+    if (!state.playing) return;
+    state.playing = false;
+    speakPlay();
+  }
+
+  function tick(/** @type {number} */ now) {
+    if (!state.playing) return;
+    if (before > 0) {
+      const span = variable.range[1] - variable.range[0];
+      const time = Math.min(0.25, (now - before) / 1000);
+      sum += state.way * time * span / Math.max(1, Number(seconds.value) || live.seconds);
+      // With reduced motion it goes in steps.
+      const least = calm.matches ? (variable.kind === 'angle' ? Math.PI / 12 : span / 24) : 0;
+      if (Math.abs(sum) > least) {
+        const found = track.go(state.at, sum);
+        sum = 0;
+        state.at = found.at;
+        if (found.stopped) {
+          state.way = -state.way;
+          say(words.reached_limit);
+        }
+        draw();
+      }
+    }
+    before = now;
+    requestAnimationFrame(tick);
+  }
+  playButton.addEventListener('click', play);
+  seconds.addEventListener('change', speakPlay);
+
+  function speakPlay() {
+    setText(playButton, state.playing ? words.stop : words.play);
+    playButton.setAttribute('aria-pressed', String(state.playing));
+    const shown = (variable.range[1] - variable.range[0]) / Math.max(1, Number(seconds.value) || live.seconds);
+    const ratio = variable.rate === 0 ? 0 : Math.abs(variable.rate) / shown;
+    const times = plainText(withPower(Number((ratio >= 1 ? ratio : 1 / ratio).toPrecision(3))));
+    setText(pace, ratio === 0 ? '' : filled(ratio >= 1 ? words.slower : words.faster, { times }));
+  }
+
+  // --- keys ---
+  document.addEventListener('keydown', (event) => {
+    const target = /** @type {HTMLElement} */ (event.target);
+    const inField = target.matches('input:not([type=checkbox]), select, textarea');
+    if (event.key === 'Escape') {
+      pinned = null;
+      hovered = null;
+      light();
+      document.querySelectorAll('.panel.whole').forEach((panel) => panel.classList.remove('whole'));
+      return;
+    }
+    if (!state.keys || inField || help.open || event.ctrlKey || event.metaKey) return;
+    if (event.key === ' ' && target.matches('button, summary, a')) return;
+    const degree = variable.kind === 'angle' ? Math.PI / 180 : (variable.range[1] - variable.range[0]) / 360;
+    const size = degree * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+    /** @type {Record<string, () => void>} */
+    const does = {
+      ArrowLeft: () => by(-size),
+      ArrowRight: () => by(size),
+      Home: () => goTo(variable.start),
+      PageDown: () => nextEvent(1),
+      PageUp: () => nextEvent(-1),
+      ' ': play,
+      '[': () => toStep(state.step - 1),
+      ']': () => toStep(state.step + 1),
+      s: () => { state.refit = !state.refit; draw(); },
+      d: () => { diagramBox.focus(); },
+      f: fill,
+      '?': () => help.showModal(),
+    };
+    const act = does[event.key] || does[event.key.toLowerCase()];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+
+  function nextEvent(/** @type {number} */ way) {
+    const places = course.events.map((/** @type {any} */ e) => e.at);
+    const beyond = places.filter((/** @type {number} */ at) => (way > 0 ? at > state.at : at < state.at));
+    const next = way > 0 ? Math.min(...beyond) : Math.max(...beyond);
+    if (Number.isFinite(next)) goTo(next);
+  }
+
+  function toStep(/** @type {number} */ step) {
+    state.step = Math.max(0, Math.min(last + 1, step));
+    sayStep();
+    draw();
+  }
+
+  function fill() {
+    const panel = document.querySelector('.panel.whole') || byId('figure0');
+    panel.classList.toggle('whole');
+  }
+
+  function turnTheme() {
+    const root = document.documentElement;
+    const dark = root.dataset.theme ? root.dataset.theme === 'dark' : window.matchMedia('(prefers-color-scheme: dark)').matches;
+    root.dataset.theme = dark ? 'light' : 'dark';
+  }
+
+  // --- out ---
+  function drawings() {
+    return panels.map((/** @type {Panel} */ panel) => {
+      const copy = /** @type {Element} */ (panel.svg.cloneNode(true));
+      copy.querySelectorAll('.grips, .stop, [visibility=hidden]').forEach((own) => own.remove());
+      copy.removeAttribute('aria-describedby');
+      copy.removeAttribute('aria-labelledby');
+      const group = copy.querySelector('g');
+      if (group) {
+        group.setAttribute('data-si-per-mm', String(panel.siPerMm));
+        group.setAttribute('data-at', String(state.at / variable.si));
+      }
+      return new XMLSerializer().serializeToString(copy);
+    }).join('\n');
+  }
+
+  function csv() {
+    const quoted = (/** @type {string} */ text) => `"${text.replace(/"/g, '""')}"`;
+    const lines = [['quantity', 'value', 'sense'].join(',')];
+    rows.forEach((/** @type {any} */ row) => {
+      const said = told(row.quantity, course, outputs, words);
+      lines.push([row.quantity.name, plainText(said.value), plainText(said.sense)].map(quoted).join(','));
+    });
+    return `${lines.join('\r\n')}\r\n`;
+  }
+
+  function hereAddress() {
+    return `${location.href.split('#')[0]}#at=${state.at / variable.si}&step=${state.step}&lang=${state.lang}`;
+  }
+
+  /** Gives text away: by the clipboard or as a file; where both are denied, in a field. */
+  async function give(/** @type {string} */ text, /** @type {string} */ name, /** @type {string} */ kind = '') {
+    outField.hidden = true;
+    try {
+      if (name === 'text') {
+        await navigator.clipboard.writeText(text);
+        say(words.copied);
+        return;
+      }
+      if (window.origin === 'null' && location.protocol !== 'file:') throw new Error('sandboxed');
+      const link = /** @type {HTMLAnchorElement} */ (make('a', { download: name }));
+      link.href = URL.createObjectURL(new Blob([text], { type: kind }));
+      link.click();
+      URL.revokeObjectURL(link.href);
+    } catch {
+      outField.hidden = false;
+      outField.value = text;
+      outField.setAttribute('aria-label', words.denied);
+      say(words.denied);
+      outField.focus();
+      outField.select();
+    }
+  }
+
+  // --- words ---
+  function speak(/** @type {string} */ tag) {
+    if (!live.texts[tag]) return;
+    state.lang = tag;
+    store.set('linkgram-lang', tag);
+    const text = live.texts[tag];
+    words = text.words;
+    document.documentElement.lang = tag;
+    document.documentElement.dir = text.rtl ? 'rtl' : 'ltr';
+    document.title = text.title;
+    setText(byId('title'), text.title);
+    languageBox.value = tag;
+    languageBox.setAttribute('aria-label', words.language);
+    slider.setAttribute('aria-label', words.of_input);
+    setText(fieldName, words.of_input);
+    setText(unit, variable.unit === 'deg' ? '°' : variable.unit);
+    setText(ownButton, words.own_position);
+    setText(themeButton, words.theme);
+    setText(fullButton, words.full);
+    setText(copyButton, words.copy);
+    setText(saveButton, words.save);
+    setText(tableButton, words.save_table);
+    setText(linkButton, words.link_here);
+    setText(printButton, words.print);
+    setText(helpButton, words.help);
+    setText(helpTitle, words.help);
+    setText(helpText, `${words.moving_page} ${words.help_keys}`);
+    setText(keyName, words.keys_off);
+    setText(closeHelp, words.close);
+    setText(secondsName, words.seconds_a_turn);
+    setText(eventName, words.events);
+    setText(valueHead, words.values);
+    setText(caption, `${words.values}, ${words.here}`);
+    scroll.setAttribute('aria-label', words.values);
+    stepBody.setAttribute('aria-label', words.steps);
+    setText(stepHead, words.steps);
+    setText(backButton, words.back);
+    setText(onButton, words.on);
+    stepSlider.setAttribute('aria-label', words.step);
+    setText(traceHead, words.traces);
+    setText(diagramHead, words.diagram);
+    setText(document.querySelector('#sheet > summary') || make('p'), words.sheet);
+    [words.quantity, words.value, words.sense].forEach((word, i) => setText(heads[i], word));
+    text.panels.forEach((/** @type {string} */ title, /** @type {number} */ i) => setText(byId(`title${i}`), title));
+    rows.forEach((/** @type {any} */ row, /** @type {number} */ i) => {
+      setRich(row.name, text.symbols[i]);
+      row.last = '';
+    });
+    for (const sheet of document.querySelectorAll('#sheet .sheet')) /** @type {any} */ (sheet).hidden = sheet.getAttribute('lang') !== tag;
+    eventBox.replaceChildren(make('option', { value: '' }, '—'));
+    course.events.forEach((/** @type {any} */ event, /** @type {number} */ i) => {
+      eventBox.append(make('option', { value: String(i) }, `${inUnit(event.at)}: ${eventText(event)}`));
+    });
+    speakPlay();
+    sayStep();
+    light();
+  }
+
+  function eventText(/** @type {any} */ event) {
+    const links = event.links && event.links.length > 0 ? ` (${filled(words.in_line, { links: event.links.join(', ') })})` : '';
+    switch (event.kind) {
+      case 'limit': return words.limit + links;
+      case 'change point': return words.change_point + links;
+      case 'dead position': return words.dead_position + links;
+      case 'at infinity': return words.at_infinity;
+      default: return filled(event.kind === 'least' ? words.least : words.greatest, { name: event.name });
+    }
+  }
+  eventBox.addEventListener('change', () => {
+    if (eventBox.value !== '') goTo(course.events[Number(eventBox.value)].at);
+  });
+
+  /** What is said of the present step, with the quantities that it draws. */
+  function sayStep() {
+    const all = live.texts[state.lang].steps;
+    const said = all.find((/** @type {any} */ one) => one.step >= state.step) || null;
+    stepBody.replaceChildren();
+    stepCells = [];
+    stepSlider.value = String(state.step);
+    if (!said || state.step > last) {
+      setText(stepTitle, words.all_steps);
+      stepSlider.setAttribute('aria-valuetext', words.all_steps);
+      return;
+    }
+    setRich(stepTitle, said.head);
+    stepSlider.setAttribute('aria-valuetext', plainText(said.head));
+    for (const equation of said.equations) {
+      const own = make('table');
+      for (const cells of equation) {
+        const row = make('tr');
+        for (const text of cells) setRich(row.appendChild(make('td')), text);
+        own.append(row);
+      }
+      stepBody.append(own);
+    }
+    const quantities = [];
+    for (const panel of panels) {
+      for (const ink of panel.ink) {
+        if (ink.step === state.step && ink.quantity && live.quantities[ink.quantity] && !quantities.includes(ink.quantity)) quantities.push(ink.quantity);
+      }
+    }
+    if (quantities.length > 0) {
+      stepBody.append(make('p', {}, `${words.values}, ${words.here}`));
+      const own = make('table');
+      for (const name of quantities) {
+        const row = make('tr', { 'data-quantity': name });
+        const value = make('td'), sense = make('td');
+        row.append(make('th', { scope: 'row' }, name), value, sense);
+        own.append(row);
+        listen(row, name);
+        stepCells.push({ quantity: live.quantities[name], value, sense });
+      }
+      stepBody.append(own);
+    }
+    const sentences = make('details');
+    sentences.append(make('summary', {}, words.at_start_only));
+    const list = make('ol', { class: 'said' });
+    for (const sentence of said.sentences) setRich(list.appendChild(make('li')), sentence);
+    sentences.append(list);
+    if (said.sentences.length > 0) stepBody.append(sentences);
+  }
+
+  // --- drawing ---
+  function queue() {
+    if (queued || state.playing) return;
+    queued = requestAnimationFrame(() => { queued = 0; draw(); });
+  }
+
+  /** The scale of a panel in this position, by the rule for one position. */
+  function refitted(/** @type {Panel} */ panel) {
+    const data = panel.data;
+    if (!state.refit || panel.index === 0) return data.si_per_mm;
+    panel.siPerMm = 1;
+    const seen = panel.seen(outputs).filter(Boolean);
+    const side = (/** @type {'x' | 'y'} */ axis) => Math.max(0, ...seen.map((/** @type {any} */ p) => p[axis])) - Math.min(0, ...seen.map((/** @type {any} */ p) => p[axis]));
+    const [x0, y0, x1, y1] = data.box;
+    const reach = Math.max(...seen.map((/** @type {any} */ p) => Math.max(p.x / (x1 - 13), p.x / (x0 + 13), p.y / (y1 - 13), p.y / (y0 + 13)).valueOf()), 0);
+    const needed = (reach || Math.max(side('x'), side('y')) / 100) / data.unit * 10;
+    if (!(needed > 0) || !Number.isFinite(needed)) return data.si_per_mm;
+    const power = 10 ** Math.floor(Math.log10(needed));
+    const step = [1, 2, 2.5, 5, 10].find((s) => s * power >= needed * (1 - 1e-12)) || 10;
+    return step * power * data.unit / 10;
+  }
+
+  function draw() {
+    const found = course.look(state.at);
+    if (!found) return;
+    outputs = found;
+    const isOwn = Math.abs(state.at - variable.start) <= 1e-12 * (Math.abs(variable.range[0]) + Math.abs(variable.range[1]));
+    const lost = [];
+    for (const panel of panels) {
+      panel.siPerMm = refitted(panel);
+      panel.calm = calm.matches;
+      panel.angle = variable.kind === 'angle' ? state.at : undefined;
+      panel.show(outputs, state.at, state.step, isOwn);
+      const scale = byId(`scale${panel.index}`);
+      if (panel.index > 0) {
+        const value = withUnit(plainText(figures(panel.siPerMm * 10 / panel.data.unit, 6, true).join('')), panel.data.unit_symbol);
+        setText(scale, filled(live.texts[state.lang].scale, { scale: `${value}\u00a0≡\u00a01\u00a0cm` }));
+      }
+      const beyond = panel.index > 0 && panel.now.some((/** @type {any} */ p) => p && (p.x < panel.data.box[0] || p.x > panel.data.box[2] || p.y < panel.data.box[1] || p.y > panel.data.box[3]));
+      byId(`figure${panel.index}`).classList.toggle('beyond', beyond);
+    }
+    for (const { place, grip } of skeleton.grips || []) {
+      const at = skeleton.now[place];
+      if (!at) continue;
+      grip.setAttribute('cx', at.x.toFixed(3));
+      grip.setAttribute('cy', at.y.toFixed(3));
+    }
+    const held = (skeleton.grips || [])[0];
+    visible(stop, Boolean(skeleton.stopped && held));
+    if (held && skeleton.now[held.place]) {
+      stop.setAttribute('cx', skeleton.now[held.place].x.toFixed(3));
+      stop.setAttribute('cy', skeleton.now[held.place].y.toFixed(3));
+    }
+    for (const row of rows) {
+      const said = told(row.quantity, course, outputs, words);
+      const key = `${said.value}|${said.sense}`;
+      if (key === row.last) continue;
+      row.last = key;
+      setRich(row.value, said.value);
+      setRich(row.sense, said.sense);
+      if (said.value === '—') lost.push(said.sense);
+    }
+    for (const { quantity, value, sense } of stepCells) {
+      const said = told(quantity, course, outputs, words);
+      setRich(value, said.value);
+      setRich(sense, said.sense);
+    }
+    if (document.activeElement !== slider) slider.value = String(state.at);
+    if (document.activeElement !== field) field.value = fieldText();
+    slider.setAttribute('aria-valuetext', `${inUnit(state.at)}${pinnedText()}`);
+    setText(scaleButton, `${words.scale}: ${state.refit ? words.refit : words.fixed}`);
+    scaleButton.setAttribute('aria-pressed', String(state.refit));
+    if (diagram) diagram.show(state.at);
+    if (!state.playing) {
+      clearTimeout(resting);
+      resting = setTimeout(() => {
+        setText(stateLine, `${words.position}: ${inUnit(state.at)}${pinnedText()}`);
+        store.set('linkgram-at', String(state.at));
+      }, 500);
+    }
+  }
+  /** @type {any} */
+  let resting = 0;
+
+  function fieldText() {
+    const value = state.at / variable.si;
+    return String(Number(value.toPrecision(10)));
+  }
+
+  function pinnedText() {
+    const row = rows.find((/** @type {any} */ one) => one.quantity.name === pinned);
+    return row ? `; ${row.name.textContent} = ${row.value.textContent} ${row.sense.textContent}` : '';
+  }
+
+  // --- beginning ---
+  const asked = new URLSearchParams(location.hash.slice(1));
+  speak(languages.includes(asked.get('lang') || '') ? /** @type {string} */ (asked.get('lang')) : languages[0]);
+  const wished = Number(asked.get('at') || 'x');
+  if (Number.isFinite(wished)) {
+    const at = home(wished * variable.si);
+    if (track.regionAt(at) && course.stretchAt(at)) state.at = at;
+  }
+  const wishedStep = Number(asked.get('step') || 'x');
+  if (Number.isInteger(wishedStep) && wishedStep >= 0 && wishedStep <= last + 1) state.step = wishedStep;
+  sayStep();
+  diagramPlace.hidden = true;
+  byId('live').hidden = false;
+  byId('sheet').open = false;
+  draw();
+}
+
+/** @type {Record<string, string>} */
+const NAMES = { en: 'English', ar: 'العربية', 'ar-x-ajala': 'العربية (عجلة)', fa: 'فارسی' };
+
+if (live.format !== 'linkgram-live' || live.version !== 1) refuseVersion();
+else if (live.program && live.panels) begin();

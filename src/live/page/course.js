@@ -1,0 +1,34 @@
+// The course: where the input may go, and the numbers at one position.
+
+/** The number of an output as it counts. */
+function counted(/** @type {any} */ output, /** @type {number} */ value) {
+  return output.unsigned && value < 0 ? -value : value;
+}
+
+class Course {
+  /** @param {any} live */
+  constructor(live) {
+    this.live = live;
+    this.program = new Program(live.program);
+    this.stretches = live.course.stretches;
+    this.events = live.course.events;
+  }
+
+  /** The stretch in which a place lies. @param {number} at */
+  stretchAt(at) {
+    return this.stretches.find((/** @type {any} */ s) => at >= s.from && at <= s.to);
+  }
+
+  /** The outputs at a place, `null` where one is not known; nothing where it cannot be assembled. @param {number} at */
+  look(at) {
+    const stretch = this.stretchAt(at);
+    if (!stretch) return null;
+    const { program } = this;
+    program.look(at, stretch.signs);
+    return this.live.outputs.map((/** @type {any} */ output) => {
+      const value = program.value[output.row];
+      const known = Number.isFinite(value) && (output.of_position || program.lost[output.row] === 0);
+      return known ? counted(output, value) : null;
+    });
+  }
+}

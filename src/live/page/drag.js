@@ -1,0 +1,96 @@
+// Where the input goes: along the course, never across a limit, and after a joint that is dragged.
+
+class Track {
+  /** @param {any} course */
+  constructor(course) {
+    this.course = course;
+    const { range, whole_turn: whole } = course.live.variable;
+    [this.from, this.to] = range;
+    /** Ranges that can be gone through without taking anything apart. @type {{from: number, to: number, apart: boolean}[]} */
+    this.regions = [];
+    for (const stretch of course.stretches) {
+      const last = this.regions[this.regions.length - 1];
+      if (last && last.to === stretch.from && last.apart === stretch.apart) last.to = stretch.to;
+      else this.regions.push({ from: stretch.from, to: stretch.to, apart: stretch.apart });
+    }
+    const first = this.regions[0], last = this.regions[this.regions.length - 1];
+    this.round = whole && first && first.from === this.from && last.to === this.to && first.apart === last.apart;
+  }
+
+  /** @param {number} at */
+  regionAt(at) {
+    return this.regions.find((r) => at >= r.from && at <= r.to);
+  }
+
+  /** From a place by a way, as far as it goes. */
+  go(/** @type {number} */ at, /** @type {number} */ by) {
+    let region = this.regionAt(at);
+    if (!region) return { at, stopped: true };
+    let target = at + by;
+    const turn = this.to - this.from;
+    for (let i = 0; i < 400; i++) {
+      if (target > region.to) {
+        if (this.round && region.to === this.to) {
+          target -= turn;
+          region = this.regions[0];
+          continue;
+        }
+        return { at: region.to, stopped: true };
+      }
+      if (target < region.from) {
+        if (this.round && region.from === this.from) {
+          target += turn;
+          region = this.regions[this.regions.length - 1];
+          continue;
+        }
+        return { at: region.from, stopped: true };
+      }
+      return { at: target, stopped: false };
+    }
+    return { at, stopped: true };
+  }
+
+  /** The nearest place to a wish that lies on the same region; and whether it was the wish. */
+  nearest(/** @type {number} */ at, /** @type {number} */ wish) {
+    const region = this.regionAt(at);
+    if (!region) return { at, stopped: true };
+    if (wish >= region.from && wish <= region.to) return { at: wish, stopped: false };
+    const other = this.regionAt(wish);
+    const joined = this.round && other && !other.apart && !region.apart
+      && [region, other].every((r) => r.from === this.from || r.to === this.to);
+    if (joined) return { at: wish, stopped: false };
+    return { at: wish < region.from ? region.from : region.to, stopped: true };
+  }
+}
+
+/** Leads a place of the skeleton as near to a point as the course allows, by at most so much of the input. */
+function seekPlace(/** @type {any} */ course, /** @type {Track} */ track, /** @type {Panel} */ panel, /** @type {number} */ place,
+  /** @type {{x: number, y: number}} */ wish, /** @type {number} */ at, /** @type {number} */ most) {
+  const { program, live } = course;
+  const term = panel.data.places[place][0];
+  const rows = [0, 1].map((axis) => live.outputs[term[1] + axis].row);
+  const steps = program.behind(rows);
+  const cost = (/** @type {number} */ by) => {
+    const to = track.go(at, by).at;
+    const stretch = course.stretchAt(to);
+    if (!stretch) return Infinity;
+    program.run(steps, to, stretch.signs);
+    const [x, y] = rows.map((row, axis) => (program.quick[row] - panel.data.origin[axis]) / panel.siPerMm);
+    return Math.hypot(x - wish.x, -y - wish.y);
+  };
+  // Local descent: from here down, to the first place from which it would go up again.
+  let by = 0, best = cost(0), step = most / 8;
+  for (let i = 0; i < 40 && step > most * 1e-5; i++) {
+    const [down, up] = [by - step, by + step].map((next) => (Math.abs(next) <= most ? cost(next) : Infinity));
+    if (up < best && up <= down) {
+      by += step;
+      best = up;
+    } else if (down < best) {
+      by -= step;
+      best = down;
+    } else {
+      step /= 2.5;
+    }
+  }
+  return track.go(at, by);
+}

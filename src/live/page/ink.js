@@ -1,0 +1,244 @@
+// Ink: where the places of a panel are in one position, and how groups of strokes go with them.
+
+const PAST = 4;
+const NEAR = 0.05;
+
+/** Six decimals of a millimetre. @param {number} x */
+function mm(x) {
+  return String(Math.round(x * 1e6) / 1e6);
+}
+
+/** @param {{x: number, y: number}} p */
+function pair(p) {
+  return `${mm(p.x)} ${mm(p.y)}`;
+}
+
+/** Origin and x-axis of a frame; nothing where its places fall together. */
+function axesOf(/** @type {number[]} */ frame, /** @type {any[]} */ seen) {
+  const [kind, i, j] = frame;
+  if (kind === 0) return { o: { x: 0, y: 0 }, x: { x: 1, y: 0 } };
+  const a = seen[i];
+  if (!a) return null;
+  if (kind === 1) return { o: a, x: { x: 1, y: 0 } };
+  const b = seen[j];
+  if (!b) return null;
+  const d = { x: b.x - a.x, y: b.y - a.y };
+  const length = Math.hypot(d.x, d.y);
+  if (!(length >= NEAR)) return null;
+  return { o: a, x: kind === 2 ? { x: d.x / length, y: d.y / length } : d };
+}
+
+/** A point of a frame on the page. */
+function globalOf(/** @type {number[]} */ frame, /** @type {number[]} */ own, /** @type {any[]} */ seen) {
+  const axes = axesOf(frame, seen);
+  if (!axes) return null;
+  const { o, x } = axes;
+  return { x: o.x + x.x * own[0] - x.y * own[1], y: o.y + x.y * own[0] + x.x * own[1] };
+}
+
+class Panel {
+  /** @param {any} live @param {number} index */
+  constructor(live, index) {
+    this.index = index;
+    this.data = live.panels[index];
+    this.siPerMm = this.data.si_per_mm;
+    this.svg = /** @type {SVGSVGElement} */ (document.getElementById(`panel${index}`));
+    /** @type {any[]} */
+    this.ink = live.ink.filter((/** @type {any} */ ink) => ink.panel === index)
+      .map((/** @type {any} */ ink) => ({ ...ink, element: document.getElementById(ink.id), last: '' }))
+      .filter((/** @type {any} */ ink) => ink.element);
+    /** @type {any[]} */
+    this.labels = live.labels.filter((/** @type {any} */ label) => label.panel === index)
+      .map((/** @type {any} */ label) => {
+        // Each told by its difference from the one before.
+        const by = label.by.slice();
+        for (let i = 2; i < by.length; i++) by[i] += by[i - 2];
+        return { ...label, by, element: document.getElementById(label.id), last: '' };
+      })
+      .filter((/** @type {any} */ label) => label.element);
+    this.frames = live.frames;
+    this.cyclic = live.variable.whole_turn;
+    this.range = live.variable.range;
+  }
+
+  /** Where the places are, mm of the panel; null where one is not known. @param {(number | null)[]} outputs */
+  seen(outputs) {
+    const { origin, places } = this.data;
+    return places.map((/** @type {number[][]} */ terms) => {
+      const at = [0, 0];
+      for (const [sign, output] of terms) {
+        for (let axis = 0; axis < 2; axis++) {
+          const value = outputs[output + axis];
+          if (value === null) return null;
+          at[axis] += sign * value;
+        }
+      }
+      const x = (at[0] - origin[0]) / this.siPerMm, y = -(at[1] - origin[1]) / this.siPerMm;
+      return Number.isFinite(x) && Number.isFinite(y) ? { x, y } : null;
+    });
+  }
+
+  /** What the markup shows: the ink at the scene's own position. @param {(number | null)[]} outputs */
+  begin(outputs) {
+    this.home = this.seen(outputs);
+    for (const ink of this.ink) {
+      if (ink.move === 'strokes') ink.paths = [...ink.element.querySelectorAll('path')];
+      if (ink.move === 'vector') {
+        for (const name of ['shaft', 'head']) {
+          let part = ink.element.querySelector(`.${name}`);
+          if (!part) {
+            part = makeInk('path', { class: name, fill: name === 'head' ? '#000000' : 'none' });
+            if (name === 'shaft') {
+              part.setAttribute('stroke', '#000000');
+              part.setAttribute('stroke-width', '0.25');
+            }
+            ink.element.append(part);
+          }
+          ink[name] = part;
+        }
+        ink.dot = ink.element.querySelector('circle') || ink.element.appendChild(makeInk('circle', { r: '0.55', fill: '#000000' }));
+        ink.width = Number(ink.shaft.getAttribute('stroke-width'));
+      }
+    }
+  }
+
+  /** Moves everything. @param {(number | null)[]} outputs @param {number} at @param {number} step @param {boolean} own */
+  show(outputs, at, step, own) {
+    const seen = this.seen(outputs);
+    this.now = seen;
+    for (const ink of this.ink) {
+      const wanted = this.senseHolds(ink, outputs) && (ink.step === undefined || ink.step <= step) && (ink.move !== 'still' || own);
+      const drawn = wanted && this.move(ink, seen);
+      visible(ink.element, drawn);
+      ink.element.classList.toggle('fresh', drawn && ink.step === step);
+    }
+    this.place(seen, at, step, outputs);
+  }
+
+  /** @param {any} ink @param {(number | null)[]} outputs */
+  senseHolds(ink, outputs) {
+    if (!ink.sense) return true;
+    const value = outputs[ink.sense[0]];
+    return value !== null && value !== 0 && (value > 0) === ink.sense[1];
+  }
+
+  /** Whether the ink could be moved. @param {any} ink @param {any[]} seen */
+  move(ink, seen) {
+    switch (ink.move) {
+      case 'whole': return this.moveWhole(ink, seen);
+      case 'strokes': return ink.at.every((/** @type {any} */ stroke, /** @type {number} */ i) => {
+        const points = stroke[1].map((/** @type {any} */ p) => globalOf(p[0], p[1], seen));
+        if (points.includes(null) || !ink.paths[i]) return false;
+        ink.paths[i].setAttribute('d', `M${points.map(pair).join(' L')}${stroke[0] ? ' Z' : ''}`);
+        return true;
+      });
+      case 'vector': return this.moveVector(ink, seen[ink.at[0]], seen[ink.at[1]]);
+      case 'ray': {
+        const a = seen[ink.at[0]], b = seen[ink.at[1]];
+        if (!a || !b) return false;
+        const d = { x: b.x - a.x, y: b.y - a.y }, length = Math.hypot(d.x, d.y);
+        if (length < NEAR) return false;
+        const end = { x: b.x + d.x / length * PAST, y: b.y + d.y / length * PAST };
+        ink.element.querySelector('path').setAttribute('d', `M${pair(a)} L${pair(end)}`);
+        return true;
+      }
+      case 'outline': {
+        const points = ink.at.map((/** @type {number} */ i) => seen[i]);
+        if (points.includes(null)) return false;
+        ink.element.querySelector('path').setAttribute('d', `M${points.map(pair).join(' L')} Z`);
+        return true;
+      }
+      case 'turn': return this.moveTurn(ink, seen[ink.at[0]]);
+      default: return true;
+    }
+  }
+
+  /** One transform for a group. @param {any} ink @param {any[]} seen */
+  moveWhole(ink, seen) {
+    const from = axesOf(ink.at, this.home || seen), to = axesOf(ink.at, seen);
+    if (!from || !to) return false;
+    const n = from.x.x * from.x.x + from.x.y * from.x.y;
+    const c = (to.x.x * from.x.x + to.x.y * from.x.y) / n, s = (to.x.y * from.x.x - to.x.x * from.x.y) / n;
+    const e = to.o.x - (c * from.o.x - s * from.o.y), f = to.o.y - (s * from.o.x + c * from.o.y);
+    const turned = ink.at[0] !== 1;
+    const text = turned ? `matrix(${[c, s, -s, c].map((x) => mm(x * 1e3) / 1e3 || 0).join(' ')} ${mm(e)} ${mm(f)})` : `translate(${mm(e)} ${mm(f)})`;
+    if (text !== ink.last) ink.element.setAttribute('transform', text);
+    ink.last = text;
+    return true;
+  }
+
+  /** @param {any} ink @param {any} a @param {any} b */
+  moveVector(ink, a, b) {
+    if (!a || !b) return false;
+    const d = { x: b.x - a.x, y: b.y - a.y }, length = Math.hypot(d.x, d.y);
+    const short = length < 1;
+    visible(ink.dot, short);
+    visible(ink.shaft, !short);
+    visible(ink.head, !short);
+    ink.dot.setAttribute('cx', mm(b.x));
+    ink.dot.setAttribute('cy', mm(b.y));
+    const u = { x: d.x / (length || 1), y: d.y / (length || 1) };
+    const head = Math.min(ink.width < 0.5 ? 2.5 : 3, length / 3);
+    const neck = { x: b.x - u.x * head * 0.9, y: b.y - u.y * head * 0.9 };
+    ink.shaft.setAttribute('d', `M${pair(a)} L${pair(neck)}`);
+    ink.shaft.setAttribute('stroke-width', mm(Math.min(ink.width, head / 4)));
+    const back = { x: b.x - u.x * head, y: b.y - u.y * head }, side = { x: -u.y * head / 6, y: u.x * head / 6 };
+    ink.head.setAttribute('d', `M${pair(b)} L${mm(back.x + side.x)} ${mm(back.y + side.y)} L${mm(back.x - side.x)} ${mm(back.y - side.y)} Z`);
+    return true;
+  }
+
+  /** An arc from the right to the angle that is varied. @param {any} ink @param {any} centre */
+  moveTurn(ink, centre) {
+    if (!centre || this.angle === undefined) return false;
+    const radius = ink.at[1];
+    const turn = this.angle - 2 * Math.PI * Math.trunc(this.angle / (2 * Math.PI));
+    if (Math.abs(turn) * radius < 1.5) return false;
+    const paths = ink.element.querySelectorAll('path');
+    const size = Math.min(2.25, radius * Math.abs(turn) / 2), span = size / radius, sign = Math.sign(turn);
+    const at = (/** @type {number} */ angle) => ({ x: centre.x + radius * Math.cos(angle), y: centre.y - radius * Math.sin(angle) });
+    const end = turn - sign * span * 0.8;
+    paths[0].setAttribute('d', `M${pair(at(0))} A${mm(radius)} ${mm(radius)} 0 ${Math.abs(end) > Math.PI ? 1 : 0} ${end < 0 ? 1 : 0} ${pair(at(end))}`);
+    if (paths[1]) {
+      const tip = at(turn), way = turn - sign * span / 2;
+      const u = { x: -Math.sin(way) * sign, y: -Math.cos(way) * sign };
+      const back = { x: tip.x - u.x * size, y: tip.y - u.y * size }, side = { x: -u.y * size / 6, y: u.x * size / 6 };
+      paths[1].setAttribute('d', `M${pair(tip)} L${mm(back.x + side.x)} ${mm(back.y + side.y)} L${mm(back.x - side.x)} ${mm(back.y - side.y)} Z`);
+    }
+    return true;
+  }
+
+  /** Puts the names where they were placed in advance. */
+  place(/** @type {any[]} */ seen, /** @type {number} */ at, /** @type {number} */ step, /** @type {(number | null)[]} */ outputs) {
+    const { frames } = this;
+    // The frames about the place, and how far it is between them.
+    let low = 0, high = frames.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (frames[middle] <= at) low = middle; else high = middle;
+    }
+    const way = frames[high] - frames[low];
+    let part = way > 0 ? Math.min(1, Math.max(0, (at - frames[low]) / way)) : 0;
+    if (this.calm) part = Math.round(part);
+    for (const label of this.labels) {
+      const ends = label.anchors.map((/** @type {any} */ a) => globalOf(a[0], a[1], seen));
+      let shown = !ends.includes(null) && (label.step === null || label.step <= step);
+      if (shown && ends.length === 2 && this.index > 0) {
+        shown = Math.hypot(ends[1].x - ends[0].x, ends[1].y - ends[0].y) >= 4;
+      }
+      visible(label.element, shown);
+      if (!shown) continue;
+      const middle = ends.length === 2 ? { x: (ends[0].x + ends[1].x) / 2, y: (ends[0].y + ends[1].y) / 2 } : ends[0];
+      const by = [0, 1].map((axis) => (label.by[2 * low + axis] * (1 - part) + label.by[2 * high + axis] * part) / 10);
+      const text = `translate(${(middle.x + by[0]).toFixed(3)} ${(middle.y + by[1]).toFixed(3)})`;
+      if (text !== label.last) label.element.setAttribute('transform', text);
+      label.last = text;
+    }
+  }
+}
+
+/** Shows or hides, where that changes anything. @param {Element} element @param {boolean} shown */
+function visible(element, shown) {
+  if ((element.getAttribute('visibility') !== 'hidden') === shown) return;
+  if (shown) element.removeAttribute('visibility');
+  else element.setAttribute('visibility', 'hidden');
+}

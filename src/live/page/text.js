@@ -1,0 +1,51 @@
+// Text of the drawing as nodes: italics, subscripts and superscripts, and nothing else. No markup is ever parsed as such.
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+/** Puts a run of text with <i>, <sub>, <sup> and three entities into an element, in the place of what was there. */
+function setRich(/** @type {Element} */ into, /** @type {string} */ text) {
+  into.replaceChildren();
+  const open = [into];
+  for (const part of text.split(/(<\/?(?:i|b|sub|sup)>)/)) {
+    const tag = /^<(\/?)(i|b|sub|sup)>$/.exec(part);
+    if (!tag) {
+      if (part) open[open.length - 1].append(part.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&'));
+    } else if (tag[1]) {
+      if (open.length > 1) open.pop();
+    } else {
+      const element = document.createElement(tag[2]);
+      open[open.length - 1].append(element);
+      open.push(element);
+    }
+  }
+}
+
+/** The same as plain characters. @param {string} text */
+function plainText(text) {
+  return text.replace(/<\/?(?:i|b|sub|sup)>/g, '').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
+}
+
+/** A sentence with its blanks filled. */
+function filled(/** @type {string} */ template, /** @type {Record<string, string>} */ parts) {
+  return template.replace(/\{(\w+)\}/g, (whole, name) => (name in parts ? parts[name] : whole));
+}
+
+/** Writes text only where it changed. */
+function setText(/** @type {Element} */ element, /** @type {string} */ text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** A new element. */
+function make(/** @type {string} */ name, /** @type {Record<string, string>} */ attributes = {}, /** @type {string} */ text = '') {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  if (text) element.textContent = text;
+  return element;
+}
+
+/** An element of a drawing. */
+function makeInk(/** @type {string} */ name, /** @type {Record<string, string>} */ attributes = {}) {
+  const element = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  return element;
+}

@@ -1,0 +1,118 @@
+// Curves over the course: the paths of places in a panel, and diagrams over the input.
+
+/** So many equal steps over the range. */
+const PLACES = 720;
+
+/** The places of the course at which curves are reckoned: equal steps and every event, each with its stretch. */
+function courseNodes(/** @type {any} */ course) {
+  const [from, to] = course.live.variable.range;
+  const all = [];
+  for (let i = 0; i <= PLACES; i++) all.push(i === PLACES ? to : from * ((PLACES - i) / PLACES) + to * (i / PLACES));
+  for (const event of course.events) all.push(event.at);
+  all.sort((a, b) => a - b);
+  return all;
+}
+
+/** Outputs over the course, one list for each stretch that hangs together: [[at, values], ...]. */
+function curves(/** @type {any} */ course, /** @type {number[]} */ outputs) {
+  const { program, live } = course;
+  const rows = outputs.map((i) => live.outputs[i].row);
+  const steps = program.behind(rows);
+  const runs = [];
+  let run = [], last = null;
+  for (const at of courseNodes(course)) {
+    const stretch = course.stretchAt(at);
+    if (stretch !== last && (!stretch || !last || stretch.from !== last.to || stretch.apart)) {
+      if (run.length > 1) runs.push(run);
+      run = [];
+    }
+    last = stretch;
+    if (!stretch) continue;
+    program.run(steps, at, stretch.signs);
+    const values = rows.map((row, i) => counted(live.outputs[outputs[i]], program.quick[row]));
+    if (values.every(Number.isFinite)) run.push([at, values]);
+    else {
+      if (run.length > 1) runs.push(run);
+      run = [];
+    }
+  }
+  if (run.length > 1) runs.push(run);
+  return runs;
+}
+
+/** The path of a place of a panel over the course. */
+function tracePath(/** @type {any} */ course, /** @type {Panel} */ panel, /** @type {number} */ place) {
+  const terms = panel.data.places[place];
+  const outputs = terms.flatMap((/** @type {number[]} */ term) => [term[1], term[1] + 1]);
+  const [x0, y0, x1, y1] = panel.data.box;
+  let path = '';
+  for (const run of curves(course, outputs)) {
+    let pen = false;
+    for (const [, values] of run) {
+      let x = 0, y = 0;
+      terms.forEach((/** @type {number[]} */ term, /** @type {number} */ i) => {
+        x += term[0] * values[2 * i];
+        y += term[0] * values[2 * i + 1];
+      });
+      const px = (x - panel.data.origin[0]) / panel.siPerMm, py = -(y - panel.data.origin[1]) / panel.siPerMm;
+      const inside = px > x0 && px < x1 && py > y0 && py < y1;
+      if (inside) path += `${pen ? 'L' : 'M'}${px.toFixed(3)} ${py.toFixed(3)}`;
+      pen = inside;
+    }
+  }
+  return path;
+}
+
+/** A diagram of one output over the input, in a box of 1000 by 320. */
+class CurveDiagram {
+  constructor(/** @type {any} */ course, /** @type {(at: number) => void} */ seek) {
+    this.course = course;
+    this.svg = makeInk('svg', { class: 'diagram', viewBox: '0 0 1000 320', preserveAspectRatio: 'none', role: 'img' });
+    this.curve = makeInk('path', { class: 'curve' });
+    this.zero = makeInk('path', { class: 'zero' });
+    this.marks = makeInk('g');
+    this.cursor = makeInk('path', { class: 'cursor' });
+    this.svg.append(this.marks, this.zero, this.curve, this.cursor);
+    const [from, to] = course.live.variable.range;
+    this.xOf = (/** @type {number} */ at) => (at - from) / (to - from) * 1000;
+    const go = (/** @type {PointerEvent} */ event) => {
+      const box = this.svg.getBoundingClientRect();
+      seek(from + (to - from) * Math.min(1, Math.max(0, (event.clientX - box.left) / box.width)));
+    };
+    this.svg.addEventListener('pointerdown', (event) => {
+      this.svg.setPointerCapture(event.pointerId);
+      go(event);
+    });
+    this.svg.addEventListener('pointermove', (event) => {
+      if (event.buttons & 1) go(event);
+    });
+    for (const event of course.events) {
+      const x = this.xOf(event.at).toFixed(1);
+      if (event.kind !== 'least' && event.kind !== 'greatest') this.marks.append(makeInk('path', { class: 'event', d: `M${x} 0 V320` }));
+    }
+  }
+
+  /** @param {any} quantity @param {number} axis */
+  draw(quantity, axis) {
+    const outputs = axis < 0 ? quantity.outputs : [quantity.outputs[axis]];
+    const runs = curves(this.course, outputs).map((run) => run.map(([at, values]) =>
+      [at, (axis < 0 && values.length === 2 ? Math.hypot(values[0], values[1]) : values[0]) / quantity.si]));
+    const sizes = runs.flat().map((node) => node[1]).sort((a, b) => a - b);
+    if (sizes.length === 0) return { low: 0, high: 0 };
+    // Where it grows without end the curve leaves the box.
+    const cut = Math.floor(sizes.length / 50);
+    let low = Math.min(0, sizes[cut]), high = Math.max(0, sizes[sizes.length - 1 - cut]);
+    const room = (high - low || 1) * 0.06;
+    low -= room;
+    high += room;
+    const y = (/** @type {number} */ value) => Math.min(1000, Math.max(-680, 320 - (value - low) / (high - low) * 320)).toFixed(1);
+    this.curve.setAttribute('d', runs.map((run) => run.map((node, i) => `${i ? 'L' : 'M'}${this.xOf(node[0]).toFixed(1)} ${y(node[1])}`).join('')).join(''));
+    this.zero.setAttribute('d', `M0 ${y(0)} H1000`);
+    return { low: low + room, high: high - room };
+  }
+
+  /** @param {number} at */
+  show(at) {
+    this.cursor.setAttribute('d', `M${this.xOf(at).toFixed(1)} 0 V320`);
+  }
+}

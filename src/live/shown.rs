@@ -1,0 +1,47 @@
+//! What the page shows besides what was asked: everything that stands on the paper.
+
+use std::f64::consts::PI;
+
+use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
+use crate::mechanism::{LinkId, PointId};
+use crate::scene::Scene;
+use crate::solve::Solved;
+
+/// Everything that stands on the paper of a solution, as if it had been asked, in the scene's units.
+pub(super) fn besides(scene: &Scene, solved: &Solved) -> Vec<Asked> {
+    let mechanism = &scene.mechanism;
+    let shown = solved.solution.shown.iter().map(|shown| shown.quantity);
+    let construction = &solved.solution.construction;
+    let vectors = construction.diagrams.iter().flat_map(|diagram| &diagram.vectors);
+    let vectors = vectors.map(|vector| vector.quantity);
+    // Which way a link with one joint looks is told by nothing else.
+    let placed = |point: &PointId| construction.space.places[point.0].is_some();
+    let single = |link: &LinkId| mechanism.link(*link).points.iter().filter(|p| placed(p)).count() == 1;
+    let angles = mechanism.moving().filter(single).map(Quantity::Angle);
+    let mut all: Vec<Asked> = Vec::new();
+    for quantity in shown.chain(vectors).chain(angles) {
+        let stands = !matches!(quantity, Quantity::Centre(..));
+        if stands && !all.iter().any(|known| known.quantity == quantity) {
+            let (name, unit) = (quantity.name(mechanism), unit(scene, quantity));
+            all.push(Asked { name, quantity, unit, method: Method::Polygon });
+        }
+    }
+    all
+}
+
+fn unit(scene: &Scene, quantity: Quantity) -> Unit {
+    let (length, time) = (&scene.units.length, &scene.units.time);
+    let per = |what: &str, si: f64, power: i32| match power {
+        0 => Unit { symbol: what.to_owned(), si },
+        1 => Unit { symbol: format!("{what}/{}", time.symbol), si: si / time.si },
+        _ => Unit { symbol: format!("{what}/{}^2", time.symbol), si: si / (time.si * time.si) },
+    };
+    match (quantity, quantity.order()) {
+        (Quantity::Angle(_), _) => Unit { symbol: "deg".to_owned(), si: PI / 180.0 },
+        (Quantity::Omega(_), _) => per("rad", 1.0, 1),
+        (Quantity::Alpha(_), _) => per("rad", 1.0, 2),
+        (_, Order::Position) => per(&length.symbol, length.si, 0),
+        (_, Order::Velocity) => per(&length.symbol, length.si, 1),
+        (_, Order::Acceleration) => per(&length.symbol, length.si, 2),
+    }
+}

@@ -1,0 +1,518 @@
+//! The diagrams taken apart, for whoever moves them: their ink without its names, and the names to be placed along a course.
+//!
+//! Nothing here knows how anything moves. The ink of one diagram is drawn for any position by the same code as on a sheet.
+
+use kurbo::{Point, Rect, Vec2};
+
+use super::feet::told_apart;
+use super::figure::{Group, Life, Mark, Pen, Shape};
+use super::growth::Births;
+use super::labels::{Obstacles, Request, Site};
+use super::notation::Notation;
+use super::panels::{self, Panel};
+use super::rich::Rich;
+use super::steps::{self, Item};
+use super::words::Language;
+use super::{human, polygon, skeleton};
+use crate::graphical::construction::{Construction, Label, Vector};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Quantity, Unit};
+use crate::scene::Scene;
+
+/// A diagram without its names.
+#[derive(Debug, Clone)]
+pub struct Drawing {
+    /// Which.
+    pub kind: DiagramKind,
+    /// Its ink, the first fixed point or the pole at the origin; in a polygon every group tells by its identifier what it
+    /// is (see [`crate::graphical::construction::Diagram`]): `v3` the third vector, `r` a line, `p` an image, `l` a link.
+    pub ink: Group,
+    /// The names of a skeleton; those of a polygon are asked for with [`Draughts::name_of_images`] and
+    /// [`Draughts::name_of_vectors`].
+    pub names: Vec<Name>,
+    /// Its caption, as hypertext.
+    pub title: String,
+}
+
+/// A name that is to be placed.
+#[derive(Debug, Clone)]
+pub struct Name {
+    request: Request,
+}
+
+/// What a name stands by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Spot {
+    /// A point.
+    Point(Point),
+    /// A stroke.
+    Stroke(Point, Point),
+}
+
+impl Spot {
+    /// The point from which the place of the name is told.
+    #[must_use]
+    pub fn anchor(self) -> Point {
+        match self {
+            Self::Point(at) => at,
+            Self::Stroke(from, to) => from.midpoint(to),
+        }
+    }
+}
+
+impl Name {
+    /// What it names, as the `data-` attributes of that ink call it.
+    #[must_use]
+    pub fn of(&self) -> &[String] {
+        &self.request.names
+    }
+
+    /// When it came onto the paper, where that is known.
+    #[must_use]
+    pub fn life(&self) -> Option<Life> {
+        self.request.life
+    }
+
+    /// Its class.
+    #[must_use]
+    pub fn class(&self) -> &'static str {
+        self.request.class
+    }
+
+    /// What it stands by in the diagram that was drawn.
+    #[must_use]
+    pub fn spot(&self) -> Spot {
+        match self.request.sites.first() {
+            Some(Site::Around { at, .. }) => Spot::Point(*at),
+            Some(Site::Along { from, to }) => Spot::Stroke(*from, *to),
+            None => Spot::Point(Point::ORIGIN),
+        }
+    }
+
+    /// Its ink, the middle of it at the origin, and half its width and height.
+    #[must_use]
+    pub fn ink(&self) -> (Group, Vec2) {
+        let line = self.request.text.set(self.request.size);
+        let middle = line.ink.center();
+        let mut group = Group::new("name");
+        if !self.request.names.is_empty() {
+            group = group.data("of", self.request.names.join(" "));
+        }
+        if let Some(radius) = self.request.ring {
+            let circle = Shape::Circle { centre: Point::ORIGIN, radius };
+            group.mark(Mark::stroke(circle, Pen::solid(0.18)).class("ring"));
+        }
+        line.put(&mut group, Point::ORIGIN - middle.to_vec2(), self.request.class);
+        (group, self.half())
+    }
+
+    fn half(&self) -> Vec2 {
+        if let Some(radius) = self.request.ring {
+            return Vec2::new(radius, radius);
+        }
+        let ink = self.request.text.set(self.request.size).ink;
+        Vec2::new(ink.width() / 2.0, ink.height() / 2.0)
+    }
+
+    /// How far what it names reaches around a point.
+    fn radius(&self) -> f64 {
+        match self.request.sites.first() {
+            Some(Site::Around { radius, .. }) => *radius,
+            _ => 0.0,
+        }
+    }
+}
+
+/// What is said of a step, as hypertext.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Said {
+    /// Index of the step; of several under one head the last.
+    pub step: usize,
+    /// Its head.
+    pub head: String,
+    /// Vector equations: the terms, each with what is known of it before the step is drawn.
+    pub equations: Vec<Vec<Vec<String>>>,
+    /// What is said of the scene's own position.
+    pub sentences: Vec<String>,
+}
+
+/// A construction, and how it is drawn.
+#[derive(Debug)]
+pub struct Draughts<'a> {
+    construction: Construction,
+    notation: Notation<'a>,
+}
+
+impl<'a> Draughts<'a> {
+    /// The construction of a scene.
+    #[must_use]
+    pub fn new(scene: &'a Scene, construction: &Construction, language: Language) -> Self {
+        let notation = Notation::new(scene, language.words());
+        Self { construction: told_apart(construction, &notation), notation }
+    }
+
+    /// The diagrams that were drawn.
+    #[must_use]
+    pub fn diagrams(&self) -> Vec<Drawing> {
+        let (construction, notation) = (&self.construction, &self.notation);
+        let births = Births::of(construction, notation.mechanism());
+        let (ink, names) = skeleton::apart(construction, notation, &births);
+        let names = names.into_iter().map(|request| Name { request }).collect();
+        let mut all = vec![Drawing {
+            kind: DiagramKind::Skeleton,
+            ink,
+            names,
+            title: self.title(DiagramKind::Skeleton),
+        }];
+        for diagram in &construction.diagrams {
+            let Some(births) = births.images(diagram.kind) else { continue };
+            let ink = polygon::apart(diagram, notation, births);
+            let title = self.title(diagram.kind);
+            all.push(Drawing { kind: diagram.kind, ink, names: Vec::new(), title });
+        }
+        all
+    }
+
+    /// The name of images that are always one point.
+    #[must_use]
+    pub fn name_of_images(&self, kind: DiagramKind, labels: &[Label]) -> Option<Name> {
+        let polygon = self.construction.diagram(kind)?;
+        Some(Name { request: polygon::name_of_images(labels, polygon, &self.notation) })
+    }
+
+    /// The name of vectors that are always one stroke, by their places in the polygon.
+    #[must_use]
+    pub fn name_of_vectors(&self, kind: DiagramKind, vectors: &[usize]) -> Option<Name> {
+        let polygon = self.construction.diagram(kind)?;
+        let vectors: Vec<&Vector> = vectors.iter().filter_map(|index| polygon.vectors.get(*index)).collect();
+        Some(Name { request: polygon::name_of_vectors(&vectors, polygon, &self.notation) })
+    }
+
+    /// What a diagram is called.
+    #[must_use]
+    pub fn title(&self, kind: DiagramKind) -> String {
+        panels::title(kind, self.notation.words).to_owned()
+    }
+
+    /// A quantity's symbol as hypertext.
+    #[must_use]
+    pub fn symbol(&self, quantity: Quantity) -> String {
+        self.notation.symbol(quantity, false).html()
+    }
+
+    /// A scale as hypertext.
+    #[must_use]
+    pub fn scale(&self, dimension: Dimension, si_per_mm: f64) -> String {
+        let scale = match dimension {
+            Dimension::Length => self.notation.length_scale(si_per_mm),
+            dimension => self.notation.scale(si_per_mm, dimension),
+        };
+        Rich::fill(self.notation.words.scale, &[("scale", scale)]).html()
+    }
+
+    /// The scene's unit of what lengths of a diagram stand for.
+    #[must_use]
+    pub fn unit(&self, dimension: Dimension) -> Unit {
+        self.notation.unit(dimension)
+    }
+
+    /// How quantities of this order are called in the data of the ink.
+    #[must_use]
+    pub fn quantity_name(&self, quantity: Quantity) -> String {
+        self.notation.quantity_name(quantity)
+    }
+
+    /// The steps in words.
+    #[must_use]
+    pub fn said(&self) -> Vec<Said> {
+        let told = steps::by_step(&self.construction, &self.notation);
+        let told = told.into_iter().filter(|told| matches!(told.drawn, None | Some(Panel::Diagram(_))));
+        told.map(|told| {
+            let mut said =
+                Said { step: told.step, head: String::new(), equations: Vec::new(), sentences: Vec::new() };
+            for item in told.items {
+                match item {
+                    Item::Head(text) if said.head.is_empty() => said.head = text.html(),
+                    Item::Head(text) => said.head = format!("{} · {}", said.head, text.html()),
+                    Item::Terms(table) => {
+                        let row = |cells: &[Rich]| cells.iter().map(|cell| ticked(cell)).collect();
+                        let mut rows = vec![row(&table.head)];
+                        rows.extend(table.rows.iter().map(|cells| row(cells)));
+                        said.equations.push(rows);
+                    }
+                    Item::Sentence(text) => said.sentences.push(text.html()),
+                }
+            }
+            said
+        })
+        .collect()
+    }
+}
+
+/// A cell as hypertext, with its tick as a letter.
+fn ticked(cell: &Rich) -> String {
+    if *cell == Rich::tick() { "✓".to_owned() } else { cell.html() }
+}
+
+/// A unit as it is printed.
+#[must_use]
+pub fn unit(symbol: &str) -> String {
+    human::pretty(symbol)
+}
+
+/// One position of a course, as the placement of names sees it.
+#[derive(Debug)]
+pub struct Frame {
+    /// The ink.
+    pub ink: Group,
+    /// What each name stands by; `None` where there is no name now.
+    pub spots: Vec<Option<Spot>>,
+}
+
+/// A change of place by a millimetre costs so much, and by more its square.
+const CHANGE: f64 = 1.2;
+/// However far a name moves, no more.
+const MOST_CHANGE: f64 = 60.0;
+/// Each name is placed anew so often, given the others.
+const PASSES: usize = 3;
+
+/// Where names stand along a course: for each name and frame how far its middle is from its anchor. Each name takes the
+/// sequence of places that costs least over the course, a change of place among the costs; name after name, given the
+/// others. `cyclic` where the last frame comes before the first.
+#[must_use]
+pub fn along(names: &[Name], frames: &[Frame], cyclic: bool) -> Vec<Vec<Vec2>> {
+    let ink: Vec<Obstacles> = frames.iter().map(|frame| Obstacles::of(&frame.ink)).collect();
+    let halves: Vec<Vec2> = names.iter().map(Name::half).collect();
+    // The ink does not change from pass to pass.
+    let priced: Vec<Vec<Vec<(Vec2, f64)>>> = names
+        .iter()
+        .zip(&halves)
+        .enumerate()
+        .map(|(n, (name, half))| {
+            let at = |(frame, ink): (&Frame, &Obstacles)| {
+                let spot = frame.spots[n]?;
+                let anchor = spot.anchor();
+                let places = places(name, *half, spot).into_iter();
+                let price = |(by, taste): (Vec2, f64)| {
+                    let own = Rect::from_center_size(anchor + by, (2.0 * half.x, 2.0 * half.y));
+                    (by, taste + ink.cost_up_to(own, 400.0).min(400.0))
+                };
+                Some(places.map(price).collect::<Vec<_>>())
+            };
+            frames.iter().zip(&ink).map(|pair| at(pair).unwrap_or_default()).collect()
+        })
+        .collect();
+    let mut chosen: Vec<Vec<Option<usize>>> = vec![vec![None; frames.len()]; names.len()];
+    for _ in 0..PASSES {
+        for n in 0..names.len() {
+            let cost = |frame: usize, place: usize| {
+                let (by, own) = priced[n][frame][place];
+                let anchor = |m: usize| frames[frame].spots[m].map(Spot::anchor);
+                let Some(at) = anchor(n).map(|at| at + by) else { return own };
+                let others = (0..names.len()).filter(|m| *m != n).filter_map(|m| {
+                    let (place, at) = (chosen[m][frame]?, anchor(m)?);
+                    Some((at + priced[m][frame][place].0, halves[m]))
+                });
+                own + others.map(|(other, half)| beside(at - other, halves[n] + half)).sum::<f64>()
+            };
+            chosen[n] = least(&priced[n], cost, cyclic);
+        }
+    }
+    chosen.iter().enumerate().map(|(n, chosen)| gliding(&priced[n], chosen, cyclic)).collect()
+}
+
+/// A name glides from place to place by no more than this from frame to frame, mm.
+const GLIDE: f64 = 2.0;
+
+/// The way of a name through its places: before and after a change it glides.
+fn gliding(priced: &[Vec<(Vec2, f64)>], chosen: &[Option<usize>], cyclic: bool) -> Vec<Vec2> {
+    let count = chosen.len();
+    let by = |frame: usize, place: usize| priced[frame].get(place).map(|(by, _)| *by);
+    let mut last = Vec2::ZERO;
+    let mut way: Vec<Vec2> = Vec::with_capacity(count);
+    for (frame, place) in chosen.iter().enumerate() {
+        last = place.and_then(|place| by(frame, place)).unwrap_or(last);
+        way.push(last);
+    }
+    let pairs = (1..count).map(|next| (next - 1, next)).chain(cyclic.then_some((count.max(1) - 1, 0)));
+    for (before, next) in pairs {
+        let (Some(Some(from)), Some(Some(to))) = (chosen.get(before), chosen.get(next)) else { continue };
+        let (Some(a), Some(b)) = (by(before, *from), by(next, *to)) else { continue };
+        if from == to {
+            continue;
+        }
+        let half = ((b - a).hypot() / (2.0 * GLIDE)).ceil().clamp(1.0, 8.0);
+        for step in 0..2 * half as usize {
+            let weight = (step as f64 + 0.5) / (2.0 * half);
+            let frame = next as isize - half as isize + step as isize;
+            let frame = match frame.rem_euclid(count as isize) {
+                home if home == frame || cyclic => home as usize,
+                _ => continue,
+            };
+            if let (Some(a), Some(b)) = (by(frame, *from), by(frame, *to)) {
+                way[frame] = a.lerp(b, weight);
+            }
+        }
+    }
+    way
+}
+
+/// What two boxes cost each other, by the way between their middles and the sum of their halves.
+fn beside(way: Vec2, halves: Vec2) -> f64 {
+    /// Clear space between names.
+    const CLEAR: f64 = 0.8;
+    let (x, y) = (halves.x - way.x.abs(), halves.y - way.y.abs());
+    if x > 0.0 && y > 0.0 {
+        300.0 + 100.0 * x.min(y)
+    } else if x > -CLEAR && y > -CLEAR {
+        15.0
+    } else {
+        0.0
+    }
+}
+
+/// Where a name may stand, from its anchor, with what that costs as a matter of taste. The order is the same in every
+/// frame of a name.
+fn places(name: &Name, half: Vec2, spot: Spot) -> Vec<(Vec2, f64)> {
+    const WAYS: u32 = 16;
+    let around = |radius: f64, gaps: &[f64], dear: f64| {
+        let mut all = Vec::new();
+        for (ring, gap) in gaps.iter().enumerate() {
+            for k in 0..WAYS {
+                let (sin, cos) = libm::sincos(f64::from(k) * (std::f64::consts::TAU / f64::from(WAYS)));
+                let side = |half: f64, c: f64| half * (c * std::f64::consts::SQRT_2).clamp(-1.0, 1.0);
+                let reach = radius + gap;
+                let by = Vec2::new(reach * cos + side(half.x, cos), -reach * sin - side(half.y, sin));
+                all.push((by, dear + 3.0 * ring as f64 + 0.6 * (1.0 - libm::cos(f64::from(k) - 2.0))));
+            }
+        }
+        all
+    };
+    match spot {
+        Spot::Point(_) => around(name.radius(), &[0.7, 1.8, 3.4], 0.0),
+        Spot::Stroke(from, to) => {
+            let d = to - from;
+            let length = d.hypot();
+            if length < 1e-6 {
+                return around(0.5, &[0.7, 1.8, 3.4], 0.0);
+            }
+            let normal = Vec2::new(d.y, -d.x) / length;
+            let reach = (normal.x * half.x).abs() + (normal.y * half.y).abs();
+            let reach = if name.request.ring.is_some() { half.x } else { reach };
+            let mut all = Vec::new();
+            for (i, t) in [0.0, -0.12, 0.12, -0.25, 0.25].into_iter().enumerate() {
+                for side in [1.0, -1.0] {
+                    for (ring, gap) in [0.9, 2.4].into_iter().enumerate() {
+                        let by = d * t + normal * (side * (reach + gap));
+                        all.push((by, 0.8 * i as f64 + 3.0 * ring as f64));
+                    }
+                }
+            }
+            // Where the stroke is short or crowded.
+            all.extend(around(0.5, &[3.0, 5.5], 8.0));
+            all
+        }
+    }
+}
+
+/// The sequence of places that costs least, by dynamic programming; a cyclic one begins where it ends.
+fn least(
+    priced: &[Vec<(Vec2, f64)>],
+    cost: impl Fn(usize, usize) -> f64,
+    cyclic: bool,
+) -> Vec<Option<usize>> {
+    // Frames in which there is no such name part the course.
+    let mut chosen: Vec<Option<usize>> = vec![None; priced.len()];
+    let whole = priced.iter().all(|places| !places.is_empty());
+    let mut from = 0;
+    while from < priced.len() {
+        if priced[from].is_empty() {
+            from += 1;
+            continue;
+        }
+        let to = (from..priced.len()).find(|f| priced[*f].is_empty()).unwrap_or(priced.len());
+        let first = sequence(priced, from..to, &cost, None);
+        let run = match (cyclic && whole, first.len()) {
+            // Once more round: from where the middle of the course stands.
+            (true, length) if length > 2 => {
+                let half = length / 2;
+                let turned: Vec<usize> = (0..=length).map(|i| (i + half) % length).collect();
+                let held = first[half];
+                let round = path(priced, &turned, &cost, Some((held, held)));
+                let mut run = vec![0; length];
+                for (frame, place) in turned.iter().zip(&round).take(length) {
+                    run[*frame] = *place;
+                }
+                run
+            }
+            _ => first,
+        };
+        for (frame, place) in (from..to).zip(run) {
+            chosen[frame] = Some(place);
+        }
+        from = to;
+    }
+    chosen
+}
+
+fn sequence(
+    priced: &[Vec<(Vec2, f64)>],
+    frames: std::ops::Range<usize>,
+    cost: &impl Fn(usize, usize) -> f64,
+    held: Option<(usize, usize)>,
+) -> Vec<usize> {
+    path(priced, &frames.collect::<Vec<_>>(), cost, held)
+}
+
+/// The cheapest way through these frames; `held`: the places in the first and in the last of them.
+fn path(
+    priced: &[Vec<(Vec2, f64)>],
+    frames: &[usize],
+    cost: &impl Fn(usize, usize) -> f64,
+    held: Option<(usize, usize)>,
+) -> Vec<usize> {
+    let mut sums: Vec<f64> = Vec::new();
+    let mut back: Vec<Vec<usize>> = Vec::with_capacity(frames.len());
+    for (i, &frame) in frames.iter().enumerate() {
+        let places = &priced[frame];
+        let own: Vec<f64> = (0..places.len()).map(|place| cost(frame, place)).collect();
+        if i == 0 {
+            sums = own;
+            if let Some((first, _)) = held {
+                sums.iter_mut()
+                    .enumerate()
+                    .filter(|(p, _)| *p != first)
+                    .for_each(|(_, sum)| *sum = f64::INFINITY);
+            }
+            back.push(vec![0; places.len()]);
+            continue;
+        }
+        let before = &priced[frames[i - 1]];
+        let (mut next, mut from) = (Vec::with_capacity(places.len()), Vec::with_capacity(places.len()));
+        for (place, (by, _)) in places.iter().enumerate() {
+            // Of one place in two frames only the ink has moved: no change.
+            let change = |other: usize| {
+                if other == place {
+                    0.0
+                } else {
+                    (CHANGE * (*by - before[other].0).hypot2()).min(MOST_CHANGE)
+                }
+            };
+            let best = (0..before.len())
+                .map(|other| (other, sums[other] + change(other)))
+                .min_by(|a, b| a.1.total_cmp(&b.1))
+                .unwrap_or((0, 0.0));
+            next.push(best.1 + own[place]);
+            from.push(best.0);
+        }
+        sums = next;
+        back.push(from);
+    }
+    let cheapest = sums.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(place, _)| place);
+    let mut at = held.map_or(cheapest, |(_, last)| last);
+    let mut run = vec![0; frames.len()];
+    for i in (0..frames.len()).rev() {
+        run[i] = at;
+        at = back[i].get(at).copied().unwrap_or(0);
+    }
+    run
+}

@@ -1,0 +1,142 @@
+//! The page's bytes: its policy, what strangers wrote into it, what a question keeps to itself, and how its scripts speak.
+
+use std::fs;
+
+use linkgram::drawing::{self, Kind, Wish};
+use linkgram::live::{self, Live, Options};
+use linkgram::plan::Extent;
+use linkgram::scene::Scene;
+use linkgram::sheet::{self, Language};
+use linkgram::solve::{self, Solved};
+use linkgram::sweep::Over;
+use serde_json::Value;
+
+use crate::common;
+
+fn solved(scene: &Scene) -> Solved {
+    solve::solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap()
+}
+
+fn options(scene: &Scene, kind: Kind) -> Options {
+    let wish = Wish { kind, ..Wish::default() };
+    Options { sheets: vec![(Language::English, drawing::figure(scene, &wish).unwrap())], seconds: 6.0 }
+}
+
+fn kind(name: &str) -> &'static str {
+    linkgram::catalogue::KINDS.iter().find(|kind| kind.name == name).unwrap().scene
+}
+
+fn between<'t>(text: &'t str, from: &str, to: &str) -> &'t str {
+    text.split_once(from).unwrap().1.split_once(to).unwrap().0
+}
+
+#[test]
+fn a_page_holds_one_script_and_what_strangers_wrote_is_text() {
+    let text = kind("slider-crank");
+    let hostile = "</script><script>alert(1)</script><!-- \" ' \u{2028} & <b>";
+    let mut json: Value = serde_json::from_str(text).unwrap();
+    json["title"] = Value::from(hostile);
+    let scene = common::read(&json.to_string());
+    let solved = solved(&scene);
+    let live = Live::of_solved(&scene, &solved, Over::Input, None).unwrap();
+    let (page, still) = live::page(&scene, &solved, Ok(&live), &options(&scene, Kind::Solution)).unwrap();
+    assert_eq!(still, None);
+    assert!(!page.contains("<script>alert") && !page.contains("<b>") && !page.contains("\u{2028}\""));
+    assert_eq!(page.matches("<script").count(), 2, "the data and the script");
+    assert_eq!(page.matches("</script>").count(), 2);
+    assert_eq!(page.matches("<style").count(), 1);
+    assert!(!page.contains(" style=\"") && !page.contains("http-equiv=\"refresh\""));
+    // Nothing is fetched: the only addresses are names of XML.
+    for part in page.split("http").skip(1) {
+        assert!(
+            part.starts_with("://www.w3.org/")
+                || part.starts_with("s://www.w3.org/")
+                || part.starts_with("-equiv"),
+            "{}",
+            &part[..40]
+        );
+    }
+    let data: Value = serde_json::from_str(between(&page, "id=\"linkgram-live\">", "</script>")).unwrap();
+    assert_eq!(data["texts"]["en"]["title"], Value::from(hostile));
+    assert_eq!((data["format"].as_str(), data["version"].as_u64()), (Some("linkgram-live"), Some(1)));
+    // The same scene, the same bytes.
+    let again = live::page(&scene, &solved, Ok(&live), &options(&scene, Kind::Solution)).unwrap().0;
+    assert_eq!(page, again);
+    // Every group that moves is in the markup once, and what moves is not still.
+    let ink = data["ink"].as_array().unwrap();
+    assert!(ink.len() > 20);
+    for one in ink.iter().chain(data["labels"].as_array().unwrap()) {
+        let id = format!("id=\"{}\"", one["id"].as_str().unwrap());
+        assert_eq!(page.matches(&id).count(), 1, "{id}");
+    }
+    assert!(ink.iter().all(|one| one["move"] != "still"), "all of a slider-crank's ink moves");
+}
+
+#[test]
+fn a_question_gives_nothing_away() {
+    let scene = common::example("s000-ch3a-1");
+    let solved = solved(&scene);
+    let page = live::question(&scene, &options(&scene, Kind::Question));
+    assert!(!page.contains("linkgram-live") && !page.contains("class Program"));
+    for (asked, reading) in scene.mechanism.asked.iter().zip(&solved.solution.construction.answers) {
+        use linkgram::mechanism::quantity::Answer;
+        let values = match &reading.answer {
+            Answer::Scalar { value, .. } => vec![*value],
+            Answer::Vector { value: [x, y], .. } => vec![*x, *y, libm::hypot(*x, *y)],
+            _ => continue,
+        };
+        for value in values {
+            let told = (value / asked.unit.si).abs();
+            for figures in 3..=6_usize {
+                let short = format!("{told:.*e}", figures - 1);
+                let plain: f64 = short.parse().unwrap();
+                let text = plain.to_string();
+                // What three figures say by chance is no answer told; glyph data is not text.
+                if text.len() > 4 {
+                    let visible: String = page
+                        .split("base64,")
+                        .map(|part| part.split_once(')').map_or(part, |(_, rest)| rest))
+                        .collect();
+                    assert!(!visible.contains(&format!(">{text}<")), "{} = {text}", asked.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn no_script_knows_a_mechanism() {
+    let folder = common::root().join("src/live/page");
+    let words = [
+        "crank",
+        "coupler",
+        "rocker",
+        "slider-",
+        "dyad",
+        "four-bar",
+        "gear",
+        "piston",
+        "cosine rule",
+        "Freudenstein",
+        "Rrr",
+        "loop closure",
+    ];
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let text = fs::read_to_string(&path).unwrap();
+        for word in words {
+            assert!(!text.to_lowercase().contains(&word.to_lowercase()), "{}: {word}", path.display());
+        }
+        for forbidden in [
+            "innerHTML",
+            "eval(",
+            "outerHTML",
+            "document.write",
+            "insertAdjacentHTML",
+            "localStorage",
+            "fetch(",
+        ] {
+            assert!(!text.contains(forbidden), "{}: {forbidden}", path.display());
+        }
+    }
+}
