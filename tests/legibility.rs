@@ -49,7 +49,9 @@ fn all() -> Vec<(String, Figure)> {
         let chain = chains().new_tree(&mut runner).unwrap().current();
         (format!("chain {i}"), common::read(&chain.text))
     });
-    let scenes: Vec<(String, Scene)> = examples.chain(kinds).chain(random).collect();
+    let constructions = ["klein", "inflection", "two-positions"]
+        .map(|name| (format!("constructions/{name}"), common::example(&format!("constructions/{name}"))));
+    let scenes: Vec<(String, Scene)> = examples.chain(kinds).chain(random).chain(constructions).collect();
     scenes.iter().filter_map(|(name, scene)| Some((name.clone(), solution(scene)?))).collect()
 }
 

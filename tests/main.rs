@@ -16,6 +16,7 @@ mod centres;
 mod chains;
 mod cli;
 mod confirmed;
+mod equations;
 mod exam;
 mod examiner;
 #[path = "extremes/main.rs"]

@@ -514,10 +514,13 @@ impl Draughtsman<'_> {
                         let line = Reference::Points(other, centre);
                         if second {
                             let claim = TermDirection::Claim(Claim::Parallel(line));
-                            for normal in [Quantity::Normal(centre), Quantity::RelativeNormal(centre, other)]
-                            {
-                                drawn.extend(self.laid_off(order, normal, claim));
-                            }
+                            // The same point may have another normal part, about another link's pivot.
+                            let normal = if self.mechanism.is_fixed(other) {
+                                Quantity::Normal(centre)
+                            } else {
+                                Quantity::RelativeNormal(centre, other)
+                            };
+                            drawn.extend(self.laid_off(order, normal, claim));
                         }
                         Claim::Perpendicular(line)
                     }

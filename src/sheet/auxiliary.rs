@@ -429,11 +429,13 @@ impl Teller<'_> {
             AuxiliaryAct::ReadImage { quantity, tail, head, mm, si_per_mm } => {
                 let order = quantity.order();
                 let unit = n.unit(order.dimension());
-                let reading = human::millimetres(mm)
+                let (factor, written) = human::factor(si_per_mm / unit.si);
+                let [reading, amount] = human::reading(mm, written, mm * si_per_mm / unit.si);
+                let reading = reading
                     .up("\u{a0}×\u{a0}")
-                    .then(&human::number(si_per_mm / unit.si))
+                    .then(&factor)
                     .up("\u{a0}=\u{a0}")
-                    .then(&human::quantity(mm * si_per_mm, &unit));
+                    .then(&human::with_unit(&amount, &unit.symbol));
                 let parts = [
                     ("vector", n.symbol(quantity, false)),
                     ("image", n.image_line(tail, head, order.diagram())),
@@ -599,7 +601,9 @@ impl Teller<'_> {
 
     /// A scale that follows from another: 15.7 cm/s ≡ 1 cm.
     fn scale(&self, si_per_mm: f64, dimension: Dimension) -> Rich {
-        human::quantity(si_per_mm * 10.0, &self.notation.unit(dimension)).up("\u{a0}≡\u{a0}1\u{a0}cm")
+        let unit = self.notation.unit(dimension);
+        let (number, _) = human::factor(si_per_mm * 10.0 / unit.si);
+        human::with_unit(&number, &unit.symbol).up("\u{a0}≡\u{a0}1\u{a0}cm")
     }
 }
 

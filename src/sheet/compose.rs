@@ -43,6 +43,8 @@ const TALLEST_BESIDE: f64 = 112.0;
 const BELOW_ROW: f64 = 6.0;
 /// A column of the steps is no narrower, except in a pair.
 const NARROWEST_COLUMN: f64 = 82.0;
+/// Nor is either of a pair narrower than this: equations and their tables would have no room.
+const NARROWEST_OF_PAIR: f64 = 68.0;
 /// Rows of panels are moved apart by this at most.
 const MOST_SPREAD: f64 = 7.0;
 /// So much blank below the panels of a page is filled with steps.
@@ -666,16 +668,29 @@ fn split(chunks: &[Vec<Strip>], height: f64, must: bool, columns: usize) -> Vec<
     (0..columns).map(fill).collect()
 }
 
-/// An equation's table in one line, with type a little smaller if need be, or else in two lines.
+/// An equation's table in one line, with type a little smaller if need be, or else in as many lines as it takes.
 fn terms_in(table: &Table, width: f64) -> Vec<Table> {
-    let fitted = table.clone().fitted(width);
-    if fitted.size > 0.84 * table.size {
-        return vec![fitted];
+    let mut lines = Vec::new();
+    let mut rest = table.clone();
+    loop {
+        let fitted = rest.clone().fitted(width);
+        if fitted.size > 0.84 * rest.size {
+            lines.push(fitted);
+            return lines;
+        }
+        // The longest first line that fits; the next begins with a sign. Signs stand between the terms, and after the labels
+        // of a line that goes on.
+        let first_sign = 2 + lines.len().min(1);
+        let signs = (first_sign..rest.columns.len()).step_by(2).rev();
+        let split = signs.map(|column| rest.split(column)).find(|(first, _)| first.fits(width));
+        let Some((first, second)) = split.filter(|(_, second)| second.columns.len() < rest.columns.len())
+        else {
+            lines.push(fitted);
+            return lines;
+        };
+        lines.push(first);
+        rest = second;
     }
-    // The longest first line that fits; the second begins with a sign.
-    let signs = (2..table.columns.len()).step_by(2).rev();
-    let split = signs.map(|column| table.split(column)).find(|(first, _)| first.fits(width));
-    split.map_or(vec![fitted], |(first, second)| vec![first, second.fitted(width)])
 }
 
 /// The items of the steps as strips of this width, their lines so near to each other.
@@ -774,9 +789,10 @@ impl Pager {
         self.paper.0 - 2.0 * MARGIN
     }
 
-    /// Columns of the steps: two, and more on paper that would make their lines too long.
+    /// Columns of the steps: two, more on paper that would make their lines too long, one on paper that would break them.
     fn column_count(&self) -> usize {
-        ((self.width() + GUTTER) / (NARROWEST_COLUMN + GUTTER)).floor().max(2.0) as usize
+        let least = if self.width() - GUTTER < 2.0 * NARROWEST_OF_PAIR { 1.0 } else { 2.0 };
+        ((self.width() + GUTTER) / (NARROWEST_COLUMN + GUTTER)).floor().max(least) as usize
     }
 
     fn column(&self) -> f64 {

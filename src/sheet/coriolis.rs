@@ -3,6 +3,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::compose::free_paper;
 use super::figure::{Group, Mark, Pen, Shape, on_circle};
 use super::growth::Images;
 use super::ink::{FINE, SMALL, THIN, arc_arrow, arrow, dot, page};
@@ -11,6 +12,7 @@ use super::notation::Notation;
 use crate::graphical::construction::{Act, Calculation, Diagram, Step, VectorKind};
 use crate::mechanism::LinkId;
 use crate::mechanism::quantity::Quantity;
+use crate::scene::Scene;
 
 /// Length of both arrows.
 const ARM: f64 = 9.0;
@@ -22,6 +24,10 @@ const BLANK: f64 = 1.4;
 const STEP: f64 = 1.5;
 /// A millimetre of width is dearer than one of height: panels share rows.
 const WIDTH_COST: f64 = 3.0;
+/// What a millimetre costs by which a drawing outgrows its page.
+const BEYOND: f64 = 30.0;
+/// Height of a page that is not a drawing's: margins, headings and the caption, mm.
+const NOT_DRAWN: f64 = 43.0;
 
 /// Adds one small figure for each Coriolis vector that is long enough to be seen, where the drawing
 /// leaves room, else where it makes the drawing grow least.
@@ -44,7 +50,7 @@ pub fn add_insets(
         let mut inset = inset(d.normalize(), vector.quantity, (link, slip, omega), notation);
         let middle = page(vector.from).midpoint(page(vector.to));
         let size = inset.bounds().unwrap_or(Rect::ZERO);
-        let at = free_place(group, size, middle);
+        let at = free_place(group, size, middle, tallest(notation.scene));
         inset.translate(at - size.origin());
         group.group(inset.lived(births.and_then(|b| b.vectors.get(index)).map(|life| life.born)));
     }
@@ -100,8 +106,14 @@ fn inset(
     own
 }
 
-/// Where a box of this size disturbs least: inside the drawing's own box if there is room, near `wish`.
-pub(super) fn free_place(group: &Group, size: Rect, wish: Point) -> Point {
+/// How tall a drawing with all that stands beside it may be, mm.
+pub(super) fn tallest(scene: &Scene) -> f64 {
+    free_paper(scene).1 - NOT_DRAWN
+}
+
+/// Where a box of this size disturbs least: inside the drawing's own box if there is room, near `wish`; beside the drawing
+/// rather than above or below it where that would outgrow `tallest`.
+pub(super) fn free_place(group: &Group, size: Rect, wish: Point, tallest: f64) -> Point {
     let ink = group.bounds().unwrap_or(Rect::ZERO);
     let obstacles = Obstacles::of(group);
     let (w, h) = (size.width(), size.height());
@@ -116,7 +128,8 @@ pub(super) fn free_place(group: &Group, size: Rect, wish: Point) -> Point {
             let own = Rect::new(x, y, x + w, y + h);
             let both = ink.union(own);
             let growth = WIDTH_COST * (both.width() - ink.width()) + (both.height() - ink.height());
-            let cost = growth + 0.05 * own.center().distance(wish);
+            let beyond = (both.height() - tallest.max(ink.height())).max(0.0);
+            let cost = growth + 0.05 * own.center().distance(wish) + BEYOND * beyond;
             if cost < best.0 && obstacles.cost(own.inflate(BLANK, BLANK)).0 == 0.0 {
                 best = (cost, own.origin());
             }

@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Rect};
 
-use super::coriolis::free_place;
+use super::coriolis::{free_place, tallest};
 use super::figure::{Group, Mark, Moment, Pen, Shape, Tone};
 use super::growth::Images;
 use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THICK_HEAD, THIN, dot, head, page};
@@ -152,7 +152,7 @@ pub(super) fn add(
         let letter = letter(index, spots.len());
         let mut own = draw(spot, letter.as_ref(), polygon, notation).lived(born(spot, births));
         let size = own.bounds().unwrap_or(Rect::ZERO);
-        let at = free_place(group, size, spot.centre);
+        let at = free_place(group, size, spot.centre, tallest(notation.scene));
         own.translate(at - size.origin());
         group.group(own);
     }

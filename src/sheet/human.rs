@@ -78,6 +78,13 @@ pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {
     [with_unit(&Rich::upright(fixed(mm, 2)), "mm"), finer(read * factor, 1).0]
 }
 
+/// A scale that follows from another and is multiplied with readings: as many of its figures as it needs, at most five; and
+/// the number that then stands there.
+pub fn factor(value: f64) -> (Rich, f64) {
+    let written = format!("{value:.4e}").parse().unwrap_or(value);
+    (figures(value, 5, true), written)
+}
+
 /// A stated number: as many of its figures as it needs, at most six.
 #[must_use]
 pub fn stated(value: f64) -> Rich {

@@ -349,11 +349,31 @@ impl Rich {
         words
     }
 
-    /// A word too long for any line, cut between its characters where it has no formula in it.
+    /// A word too long for any line, cut where it has no formula in it: before a sign of equality, before another sign, at
+    /// any other blank that holds it together, and only then between its characters.
     fn cut(&self, size: f64, width: f64) -> Vec<Self> {
         let [Item { piece: Piece::Run(text, face), .. }] = &self.items[..] else { return vec![self.clone()] };
         if face.advance(text, size) <= width {
             return vec![self.clone()];
+        }
+        const HOLDS: char = '\u{a0}';
+        let before = |sign: char| -> Vec<&str> {
+            let mut parts = Vec::new();
+            let mut begin = 0;
+            for (at, _) in text.match_indices(HOLDS).filter(|(at, _)| {
+                let after = &text[at + HOLDS.len_utf8()..];
+                after.starts_with(sign)
+            }) {
+                parts.push(&text[begin..at]);
+                begin = at + HOLDS.len_utf8();
+            }
+            parts.push(&text[begin..]);
+            parts
+        };
+        let fits = |parts: &[&str]| parts.iter().all(|part| face.advance(part, size) <= width);
+        let ways = [before('='), before('×'), text.split(HOLDS).collect()];
+        if let Some(parts) = ways.into_iter().find(|parts| parts.len() > 1 && fits(parts)) {
+            return parts.into_iter().map(|part| Self::default().with(part, *face)).collect();
         }
         let mut parts = vec![String::new()];
         for c in text.chars() {

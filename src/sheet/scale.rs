@@ -39,6 +39,8 @@ const PER_NAME: f64 = 110.0;
 const ROW: f64 = 168.0;
 /// Width that the names beside a polygon need.
 const NAMES: f64 = 13.0;
+/// Height of a page beside a diagram's points: headings, names and the caption.
+const AROUND_DRAWN: f64 = 58.0;
 /// Width of a caption.
 const CAPTION: f64 = 70.0;
 
@@ -255,7 +257,7 @@ impl Choices<'_> {
     fn scales(&self, rooms: &[Room]) -> Chosen {
         let stretched = |room: (f64, f64)| (room.0 * self.stretch.0, room.1 * self.stretch.1);
         // Never higher than the page, whatever its form.
-        let below = |room: (f64, f64)| (room.0, room.1.min(self.paper.1 - 45.0));
+        let below = |room: (f64, f64)| (room.0, room.1.min(self.paper.1 - AROUND_DRAWN));
         let [w, h] = self.all[0].size;
         let fit = |room| choose_length(w, h, below(stretched(room)));
         let skeleton = match rooms[0] {
