@@ -81,17 +81,21 @@ fn told(quantity: Quantity) -> Option<(Of, u8)> {
     })
 }
 
+/// Panels over one axis, each with the order of what it shows; and whose motion they tell.
+struct Stack {
+    of: Option<Of>,
+    panels: Vec<(u8, Panel)>,
+}
+
 /// The panels of what was asked, in stacks over one axis each. `looks` gives columns at places over the whole range.
 pub(super) fn stacks(sweep: &Sweep, looks: impl Fn(&[usize]) -> Vec<Vec<Option<Dual>>>) -> Vec<Vec<Panel>> {
-    let mut all: Vec<(Option<(Of, u8)>, Vec<(u8, Panel)>)> = Vec::new();
+    let mut all: Vec<Stack> = Vec::new();
     let mut single: Vec<(usize, Panel)> = Vec::new();
-    let stacked = |all: &mut Vec<(Option<(Of, u8)>, Vec<(u8, Panel)>)>, quantity, panel: Panel| {
-        let own = told(quantity);
-        let under = all.iter_mut().find(|(of, _)| of.zip(own).is_some_and(|((a, _), (b, _))| a == b));
-        let order = own.map_or(0, |(_, order)| order);
-        match under {
-            Some((_, stack)) => stack.push((order, panel)),
-            None => all.push((own, vec![(order, panel)])),
+    let stacked = |all: &mut Vec<Stack>, quantity, panel: Panel| {
+        let (of, order) = told(quantity).map_or((None, 0), |(of, order)| (Some(of), order));
+        match all.iter_mut().find(|stack| stack.of.is_some() && stack.of == of) {
+            Some(stack) => stack.panels.push((order, panel)),
+            None => all.push(Stack { of, panels: vec![(order, panel)] }),
         }
     };
     for (c, column) in sweep.columns.iter().enumerate().filter(|(_, column)| !column.watched) {
@@ -127,7 +131,7 @@ pub(super) fn stacks(sweep: &Sweep, looks: impl Fn(&[usize]) -> Vec<Vec<Option<D
     // Each where it was first asked for; a stack in the order of its derivatives.
     let mut single = single.into_iter().peekable();
     let mut stacks = Vec::new();
-    for (index, (_, mut stack)) in all.into_iter().enumerate() {
+    for (index, Stack { panels: mut stack, .. }) in all.into_iter().enumerate() {
         while let Some((_, panel)) = single.next_if(|(before, _)| *before <= index) {
             stacks.push(vec![panel]);
         }
