@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::check::{Unconfirmed, confirm};
 use crate::graphical::construction::Construction;
-use crate::mechanism::quantity::Dimension;
+use crate::mechanism::quantity::{Dimension, Quantity};
 use crate::parallel;
 use crate::plan::{Auxiliary, Extent};
 use crate::render::theme::Theme;
@@ -16,6 +16,14 @@ use crate::solve::{Settings, SolveError, Solved, solve_with};
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
 const LARGEST_SHEET: f64 = 100_000.0;
+
+/// What is said of a scene that asks for forces.
+pub(crate) const NO_SHEETS_OF_FORCES: &str = "this version draws no sheets of forces yet (free bodies and force polygons); `linkgram solve` and `linkgram sweep` answer this scene";
+
+/// Whether a scene asks for a force.
+pub(crate) fn asks_forces(scene: &Scene) -> bool {
+    scene.mechanism.asked.iter().any(|asked| matches!(asked.quantity, Quantity::Force(..)))
+}
 
 /// What is drawn of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -258,6 +266,9 @@ impl Wish {
             Kind::Steps => sheet::scale::for_steps,
             Kind::Solution => sheet::scale::for_scene,
         };
+        if asks_forces(scene) {
+            return Err(NoFigure::Wish(NO_SHEETS_OF_FORCES.to_owned()));
+        }
         let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
         let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
         let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());

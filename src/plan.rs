@@ -7,6 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use crate::mechanism::engine::Engine;
+use crate::mechanism::force::{
+    Action, Force, Heaviness, Inertia, LoadKind, Mass, Pointing, Share, SpringKind,
+};
 use crate::mechanism::quantity::{Asked, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial, TrialDriver, Unknown};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
@@ -144,6 +147,19 @@ pub struct Plan {
     pub centres: CentrePlan,
     /// The constructions on the skeleton.
     pub auxiliary: Vec<Auxiliary>,
+    /// The balance of forces.
+    pub forces: ForcePlan,
+}
+
+/// Of what the balance of forces is drawn.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ForcePlan {
+    /// The groups whose balance is needed, in order of transmission; it is drawn from the last to the first.
+    pub groups: BTreeSet<usize>,
+    /// Their links.
+    pub links: BTreeSet<LinkId>,
+    /// Which parts of the forces are asked.
+    pub shares: Vec<Share>,
 }
 
 /// The steps of one diagram.
@@ -212,7 +228,14 @@ impl Plan {
         auxiliary: &[Auxiliary],
         left_out: &BTreeSet<usize>,
     ) -> Self {
-        let fresh = || Wanted { mechanism, structure, source, steps: BTreeMap::new(), auxiliary: Vec::new() };
+        let fresh = || Wanted {
+            mechanism,
+            structure,
+            source,
+            steps: BTreeMap::new(),
+            auxiliary: Vec::new(),
+            forces: ForcePlan::default(),
+        };
         // Whether something can be had without those groups.
         let open = |want: &dyn Fn(&mut Wanted<'_>)| {
             if left_out.is_empty() {
@@ -263,6 +286,7 @@ impl Plan {
             diagrams: all.into_iter().filter(|diagram| !diagram.steps.is_empty()).collect(),
             centres,
             auxiliary: wanted.auxiliary,
+            forces: wanted.forces,
         }
     }
 
@@ -375,9 +399,178 @@ struct Wanted<'a> {
     source: CentreSource,
     steps: BTreeMap<(Order, usize), BTreeSet<(LinkId, PointId)>>,
     auxiliary: Vec<Auxiliary>,
+    forces: ForcePlan,
 }
 
 impl Wanted<'_> {
+    /// The balance that leads to a force, and the motion that its loads hang on.
+    fn force(&mut self, force: Force, share: Share) {
+        let mechanism = self.mechanism;
+        let moving = |links: Vec<LinkId>| -> Vec<LinkId> {
+            links.into_iter().filter(|link| *link != LinkId::FRAME).collect()
+        };
+        let all = || mechanism.moving().collect::<Vec<_>>();
+        let of_action = |action: Action| match action {
+            Action::Pair { by, on } => {
+                let mut links = vec![by, on];
+                // At a pin of several links a force is what the others leave.
+                for pin in (0..mechanism.points.len()).map(PointId) {
+                    let parties = mechanism.parties_at(pin);
+                    if parties.len() > 2 && parties.contains(&by) && parties.contains(&on) {
+                        links.extend(parties);
+                    }
+                }
+                moving(links)
+            }
+            Action::OfPin(pin, _) | Action::OnPin(_, pin) => moving(mechanism.parties_at(pin)),
+            Action::Load(index) if mechanism.forces.loads[index].is_sought() => all(),
+            Action::Inertia(_) | Action::Shaking | Action::Load(_) => Vec::new(),
+            Action::OnFrame => all(),
+        };
+        let mut balanced = match force {
+            Force::Vector(action) | Force::Moment(action, _) | Force::Arm(action, _) => of_action(action),
+            Force::Along { by, on, .. } | Force::Across { by, on, .. } => of_action(Action::Pair { by, on }),
+            Force::Torque(_) | Force::Drive(_) => all(),
+            Force::LoadTorque(index) if mechanism.forces.loads[index].is_sought() => all(),
+            Force::Pull(index) if mechanism.forces.springs[index].is_sought() => all(),
+            Force::LoadTorque(_)
+            | Force::Pull(_)
+            | Force::Twist(_)
+            | Force::InertiaTorque(_)
+            | Force::Offset(_) => Vec::new(),
+        };
+        // What is sought elsewhere than at an input is felt by everything.
+        if !balanced.is_empty() && !mechanism.named_sought().is_empty() {
+            balanced = all();
+        }
+        let mut groups: BTreeSet<usize> =
+            balanced.iter().filter_map(|link| self.structure.group_of(*link)).collect();
+        // A pin that rides in a bare slot may be found by a group without links.
+        for (index, group) in self.structure.groups.iter().enumerate() {
+            let drives = matches!(group.kind, GroupKind::DrivenSlide { .. });
+            if group.after.iter().any(|before| groups.contains(before))
+                || (drives && balanced.len() == mechanism.links.len() - 1)
+            {
+                groups.insert(index);
+            }
+        }
+        let mut links: BTreeSet<LinkId> = BTreeSet::new();
+        for &group in &groups {
+            links.extend(self.structure.groups[group].links.iter().copied());
+        }
+        match force {
+            Force::Vector(Action::Shaking)
+            | Force::Moment(Action::Shaking, _)
+            | Force::Arm(Action::Shaking, _) => {
+                for mass in mechanism.forces.masses.clone() {
+                    self.mass(&mass, share);
+                    self.point(mass.centre, Order::Position);
+                }
+            }
+            Force::Vector(Action::Inertia(link))
+            | Force::Moment(Action::Inertia(link), _)
+            | Force::Arm(Action::Inertia(link), _)
+            | Force::InertiaTorque(link)
+            | Force::Offset(link) => {
+                if let Some(mass) = mechanism.forces.mass(link).copied() {
+                    self.mass(&mass, share);
+                    self.point(mass.centre, Order::Position);
+                }
+            }
+            _ => {}
+        }
+        let (points, _) = force.about();
+        for point in points.into_iter().flatten() {
+            self.point(point, Order::Position);
+        }
+        if let Force::Vector(Action::Load(index))
+        | Force::Moment(Action::Load(index), _)
+        | Force::Arm(Action::Load(index), _)
+        | Force::LoadTorque(index) = force
+        {
+            self.load(index);
+        }
+        if let Force::Pull(index) = force {
+            self.spring(index);
+        }
+        for &link in &links {
+            self.link(link, Order::Position);
+            for point in mechanism.link(link).points.clone() {
+                if mechanism.is_pin(point) {
+                    self.point(point, Order::Position);
+                }
+            }
+            if let Some(mass) = mechanism.forces.mass(link).copied() {
+                self.point(mass.centre, Order::Position);
+                self.mass(&mass, share);
+            }
+        }
+        for &group in &groups {
+            self.group(group, Order::Position);
+        }
+        for (index, load) in mechanism.forces.loads.iter().enumerate() {
+            if links.contains(&load.link) {
+                self.load(index);
+            }
+        }
+        for (index, spring) in mechanism.forces.springs.iter().enumerate() {
+            if let SpringKind::Pull(ends) = spring.kind
+                && ends.iter().any(|(link, _)| links.contains(link))
+            {
+                self.spring(index);
+            }
+        }
+        self.forces.groups.extend(groups);
+        self.forces.links.extend(links);
+        if !self.forces.shares.contains(&share) {
+            self.forces.shares.push(share);
+        }
+    }
+
+    /// The accelerations of a mass.
+    fn mass(&mut self, mass: &Mass, share: Share) {
+        if share == Share::Static {
+            return;
+        }
+        if !self.mechanism.is_fixed(mass.centre) && mass.heaviness != Heaviness::None {
+            self.point(mass.centre, Order::Acceleration);
+        }
+        if mass.inertia != Inertia::Point {
+            self.link(mass.link, Order::Acceleration);
+        }
+    }
+
+    fn load(&mut self, index: usize) {
+        let load = &self.mechanism.forces.loads[index];
+        let order = if load.follows_motion() { Order::Velocity } else { Order::Position };
+        self.link(load.link, order);
+        if let Some(at) = load.at() {
+            self.point(at, order);
+        }
+        if let LoadKind::Force { pointing, .. } = load.kind {
+            match pointing {
+                Pointing::Between { from, to, .. } => {
+                    self.point(from, Order::Position);
+                    self.point(to, Order::Position);
+                }
+                Pointing::Own { link, .. } => self.link(link, Order::Position),
+                Pointing::World(_) | Pointing::Motion { .. } => {}
+            }
+        }
+        if let LoadKind::Vector { of, .. } = load.kind {
+            self.link(of, Order::Position);
+        }
+    }
+
+    fn spring(&mut self, index: usize) {
+        if let SpringKind::Pull(ends) = self.mechanism.forces.springs[index].kind {
+            for (link, point) in ends {
+                self.link(link, Order::Position);
+                self.point(point, Order::Position);
+            }
+        }
+    }
+
     /// Klein's construction needs the skeleton and no polygon.
     fn klein(&mut self, quantity: &Quantity) {
         if let Some(crank) = Engine::with(self.mechanism, self.structure, quantity) {
@@ -423,6 +616,7 @@ impl Wanted<'_> {
     fn quantity(&mut self, quantity: &Quantity) {
         let order = quantity.order();
         match *quantity {
+            Quantity::Force(force, share) => self.force(force, share),
             Quantity::Velocity(p)
             | Quantity::Acceleration(p)
             | Quantity::Normal(p)
@@ -558,6 +752,7 @@ impl Wanted<'_> {
             wanted.extend(links.iter().filter(|link| **link != input).map(|link| chord(input, *link)));
         }
         let mut way = Wanted {
+            forces: ForcePlan::default(),
             mechanism: self.mechanism,
             structure: self.structure,
             source: self.source,

@@ -10,8 +10,8 @@ use std::process::Command;
 use linkgram::scene::{self, QUANTITIES};
 use serde_json::Value;
 
-const TOPICS: [&str; 9] =
-    ["scene", "quantities", "formats", "grading", "exams", "sweeps", "live", "golden", "accuracy"];
+const TOPICS: [&str; 10] =
+    ["scene", "quantities", "forces", "formats", "grading", "exams", "sweeps", "live", "golden", "accuracy"];
 
 /// A folder that goes away with the test, with the examples in it.
 struct Folder(PathBuf);
@@ -137,6 +137,7 @@ fn run_all(name: &str, text: &str, scene_is: &str) {
 fn the_examples_of_scene_and_quantities() {
     run_all("scene", &text_of("scene"), "scene.json");
     run_all("quantities", &text_of("quantities"), "scene.json");
+    run_all("forces", &text_of("forces"), "scene.json");
 }
 
 #[test]

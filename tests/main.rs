@@ -21,6 +21,7 @@ mod exam;
 mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
+mod forces;
 mod formats;
 #[path = "goldens/main.rs"]
 mod goldens;

@@ -243,7 +243,7 @@ pub(super) fn entry_error(
         .map(|(leaf, c)| match leaf {
             Leaf::Pose(at) => c.abs() * pose_error[*at],
             Leaf::Param(at) => c.abs() * params[*at].error,
-            Leaf::Rate(_) | Leaf::Accel(_) => 0.0,
+            Leaf::Rate(_) | Leaf::Accel(_) | Leaf::Force(_) => 0.0,
         })
         .sum();
     spread + linear.rounding + 4.0 * U * linear.value.abs()

@@ -25,6 +25,7 @@
 mod assembly;
 mod constraints;
 mod figure;
+mod forces;
 mod linear;
 mod model;
 mod motion;
@@ -32,6 +33,7 @@ mod ordering;
 mod quantities;
 mod slopes;
 mod state;
+mod statics;
 mod tape;
 #[cfg(test)]
 mod tests;
@@ -41,6 +43,7 @@ use thiserror::Error;
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::{Order, Quantity};
 
+pub use forces::Power;
 pub use state::{Spot, State};
 
 /// Why a mechanism has no solution.
@@ -108,6 +111,12 @@ pub fn solve(mechanism: &Mechanism, order: Order) -> Result<State, AnalyticError
 /// See [`solve`], of the groups that are needed.
 pub fn solve_for(mechanism: &Mechanism, quantities: &[Quantity]) -> Result<State, AnalyticError> {
     let order = quantities.iter().map(Quantity::order).max().unwrap_or(Order::Position);
+    let order = if quantities.iter().any(|q| matches!(q, Quantity::Force(..))) {
+        // The balance of powers needs velocities, whatever the forces hang on.
+        order.max(mechanism.forces.order()).max(Order::Velocity)
+    } else {
+        order
+    };
     State::new(mechanism, order, 0.0, Some(quantities))
 }
 

@@ -101,6 +101,19 @@ pub(super) enum Contact {
     Line { centre: Site, line: Straight },
 }
 
+/// Of which pair an equation is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Tie {
+    /// What meets at a pin, bare slots included.
+    Pin(PointId),
+    /// What slides, block or link, and its guide.
+    Slide(usize),
+    /// Two bodies that roll on each other.
+    Roll(usize),
+    /// A direction without meaning, of a point that is a body of its own.
+    Nothing,
+}
+
 /// The power of two next to a positive number.
 fn power_of_two(x: f64) -> f64 {
     if x.is_finite() && x > 0.0 { libm::ldexp(1.0, libm::ilogb(x).clamp(-500, 500)) } else { 1.0 }
@@ -361,7 +374,7 @@ impl Model {
         Num::Param(self.params.len() - 1)
     }
 
-    fn given(&mut self, given: Given, unit: f64) -> Num {
+    pub(super) fn given(&mut self, given: Given, unit: f64) -> Num {
         self.param(given.value / unit, given.error / unit)
     }
 
@@ -499,6 +512,19 @@ impl Model {
         index: usize,
         link: &crate::mechanism::Link,
     ) -> Result<Vec<[Num; 2]>, AnalyticError> {
+        let mut own = self.own_of_form(index, link)?;
+        if !link.extra.is_empty() {
+            let first = first_joint(&link.form);
+            own.extend(link.extra.iter().map(|p| [0, 1].map(|i| self.given_from(first[i], p[i]))));
+        }
+        Ok(own)
+    }
+
+    fn own_of_form(
+        &mut self,
+        index: usize,
+        link: &crate::mechanism::Link,
+    ) -> Result<Vec<[Num; 2]>, AnalyticError> {
         let zero = Num::Exact(0.0);
         let origin = [zero; 2];
         if index == 0 || matches!(link.form, Form::Placed) {
@@ -539,7 +565,7 @@ impl Model {
                 let first = first_joint(&link.form);
                 points.iter().map(|p| [0, 1].map(|i| self.given_from(first[i], p[i]))).collect()
             }
-            Form::Placed | Form::Single => vec![origin; link.points.len()],
+            Form::Placed | Form::Single => vec![origin; link.points.len() - link.extra.len()],
         })
     }
 
@@ -662,7 +688,7 @@ impl Model {
     }
 
     /// The rider's point in a body other than the guide's.
-    fn rider_site(&self, rider: &Rider, guide: LinkId) -> Result<Site, AnalyticError> {
+    pub(super) fn rider_site(&self, rider: &Rider, guide: LinkId) -> Result<Site, AnalyticError> {
         let found = match rider {
             Rider::Pin { point, block } => {
                 let sites = &self.sites[point.0];
@@ -713,7 +739,16 @@ impl Model {
     /// frame and riders that ride as placed have no equation of direction.
     fn slide_rows(&mut self, placed: bool) -> Result<Vec<Row>, AnalyticError> {
         let mut rows = Vec::new();
-        for (index, slide) in self.mechanism.slides.clone().into_iter().enumerate() {
+        for index in 0..self.mechanism.slides.len() {
+            rows.extend(self.rows_of_slide(index, placed)?);
+        }
+        Ok(rows)
+    }
+
+    fn rows_of_slide(&mut self, index: usize, placed: bool) -> Result<Vec<Row>, AnalyticError> {
+        let mut rows = Vec::new();
+        {
+            let slide = self.mechanism.slides[index];
             let site = if placed {
                 self.placed_rider(&slide.rider, slide.guide.link)?
             } else {
@@ -964,6 +999,36 @@ impl Model {
         let missing = (3 * (self.bodies - 1)).saturating_sub(rows.len());
         for roll in self.contacts(missing) {
             rows.push(self.touch_row(roll, false)?);
+        }
+        Ok(rows)
+    }
+
+    /// The equations of all pairs, without those of inputs, each with its pair.
+    pub(super) fn pair_rows(&mut self) -> Result<Vec<(Row, Tie)>, AnalyticError> {
+        let mut rows = Vec::new();
+        for pin in self.mechanism.pins.clone() {
+            let [a, b] = pin.links;
+            let ends = [self.point_site(a, pin.point)?, self.point_site(b, pin.point)?];
+            rows.extend([0, 1].map(|axis| (Row::Coincide(ends[0], ends[1], axis), Tie::Pin(pin.point))));
+        }
+        for (point, [alone, link]) in self.lone_pins() {
+            let tie = Tie::Pin(PointId(point));
+            rows.extend([0, 1].map(|axis| (Row::Coincide(alone, link, axis), tie)));
+        }
+        for index in 0..self.mechanism.slides.len() {
+            let tie = match self.mechanism.slides[index].rider {
+                Rider::Pin { point, block: None } => Tie::Pin(point),
+                Rider::Pin { .. } | Rider::Link { .. } => Tie::Slide(index),
+            };
+            rows.extend(self.rows_of_slide(index, false)?.into_iter().map(|row| (row, tie)));
+        }
+        rows.extend(self.floating().map(|body| (Row::Hold(3 * body + 2), Tie::Nothing)));
+        for roll in 0..self.mechanism.rolls.len() {
+            rows.push((self.roll_row(roll)?, Tie::Roll(roll)));
+        }
+        let known = rows.len() + self.mechanism.inputs.len();
+        for roll in self.contacts((3 * (self.bodies - 1)).saturating_sub(known)) {
+            rows.push((self.touch_row(roll, false)?, Tie::Roll(roll)));
         }
         Ok(rows)
     }

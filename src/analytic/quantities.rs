@@ -96,6 +96,7 @@ impl State {
             Quantity::Position(p) => self.position(p),
             Quantity::Angle(link) => self.scalar(0, 1.0, |s| s.angle(link.0).v.wrapped()),
             Quantity::Transmission(coupler, output) => self.transmission(coupler, output),
+            Quantity::Force(force, share) => self.force(force, share).and_then(finite),
         }
     }
 

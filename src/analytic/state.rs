@@ -6,7 +6,9 @@ use super::constraints::{Motion, Scope};
 use super::figure;
 use super::model::Model;
 use super::motion::{Located, Solved, error_of, locate, param_error, singular_values, solve_motion};
+use super::statics::{Balance, Burden, balance};
 use super::tape::{Leaf, Tape, Var};
+use crate::mechanism::force::Share;
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{Mechanism, PointId};
 
@@ -35,6 +37,10 @@ pub struct State {
     pub(super) solved: Option<Solved>,
     /// The motion under a unit rate of the only input, where that input rests: centres need no speed.
     pub(super) unit: Option<Solved>,
+    /// What acts on the bodies; `None` where no force was asked.
+    pub(super) burden: Option<Burden>,
+    /// The balance of each share that was asked.
+    pub(super) balances: Vec<(Share, Balance)>,
 }
 
 /// A number in scaled units with its bound.
@@ -55,12 +61,19 @@ impl State {
     ) -> Result<Self, AnalyticError> {
         let standing = figure::standing(mechanism)?;
         let mut model = Model::new(&standing)?;
-        if let Some(quantities) = only {
+        let mut shares: Vec<Share> = match only {
+            Some(quantities) => quantities.iter().filter_map(share_of).collect(),
+            None => Vec::new(),
+        };
+        let burden = if shares.is_empty() { None } else { Some(Burden::new(&mut model)?) };
+        // Everything may act on everything: with forces nothing is left out.
+        if let (Some(quantities), None) = (only, &burden) {
             model.narrow(quantities, order >= Order::Velocity)?;
         }
         let assembly = assemble(&model, tolerance)?;
         let located = locate(&model, assembly)?;
-        let mut state = Self { model, located, order, solved: None, unit: None };
+        let mut state =
+            Self { model, located, order, solved: None, unit: None, burden, balances: Vec::new() };
         if order >= Order::Velocity {
             let (model, located) = (&state.model, &state.located);
             let accelerations = order >= Order::Acceleration;
@@ -72,7 +85,35 @@ impl State {
             state.solved = Some(solved);
             state.unit = unit;
         }
+        if let Some(burden) = &state.burden {
+            // The balance of powers is that of all that acts.
+            shares.push(Share::Total);
+            for share in [Share::Total, Share::Static, Share::Inertia] {
+                if shares.contains(&share) {
+                    let solved = state.solved.as_ref();
+                    state
+                        .balances
+                        .push((share, balance(&state.model, burden, &state.located, solved, share)?));
+                }
+            }
+        }
         Ok(state)
+    }
+
+    /// The highest derivative that is known of the motion.
+    pub(super) fn motion_order(&self) -> u8 {
+        match &self.solved {
+            None => 0,
+            Some(solved) if solved.accel.is_empty() => 1,
+            Some(_) => 2,
+        }
+    }
+
+    /// The motion as far as this derivative.
+    pub(super) fn motion_here(&self, order: u8) -> Motion<'_> {
+        let solved = self.solved.as_ref().filter(|_| order >= 1);
+        let (rate, accel): (&[f64], &[f64]) = solved.map_or((&[], &[]), |s| (&s.rate, &s.accel));
+        Motion { pose: &self.located.pose, rate, accel, params: &self.model.params }
     }
 
     /// Place of a point, metres. A fixed or placed point is where the scene puts it.
@@ -122,7 +163,7 @@ impl State {
         }
         let mut measured = [Measured::default(); N];
         for (slot, var) in measured.iter_mut().zip(out) {
-            *slot = self.measure(&tape, var, solved)?;
+            *slot = self.measure(&tape, var, solved, None)?;
         }
         Ok(measured)
     }
@@ -136,13 +177,22 @@ impl State {
         Indeterminate::Undefined { why: format!("only {solved} were solved") }
     }
 
-    fn measure(&self, tape: &Tape, var: Var<'_>, solved: Option<&Solved>) -> Result<Measured, Indeterminate> {
+    /// A number on a record with its bound.
+    pub(super) fn measure(
+        &self,
+        tape: &Tape,
+        var: Var<'_>,
+        solved: Option<&Solved>,
+        balance: Option<&Balance>,
+    ) -> Result<Measured, Indeterminate> {
         let linear = tape.sweep(var);
         let n = self.model.unknowns();
         let mut gradients = [vec![0.0; n], vec![0.0; n], vec![0.0; n]];
+        let mut forces = vec![0.0; balance.map_or(0, |balance| balance.x.len())];
         let mut by_param = vec![0.0; self.model.params.len()];
         for (leaf, c) in &linear.terms {
             match leaf {
+                Leaf::Force(at) => forces[*at] += c,
                 Leaf::Pose(at) => gradients[0][*at] += c,
                 Leaf::Rate(at) => gradients[1][*at] += c,
                 Leaf::Accel(at) => gradients[2][*at] += c,
@@ -150,6 +200,23 @@ impl State {
             }
         }
         let mut error = linear.rounding;
+        if let Some(balance) = balance {
+            if forces.iter().zip(&balance.undetermined).any(|(g, lost)| *lost && *g != 0.0) {
+                return Err(Indeterminate::Singular);
+            }
+            let multipliers = balance.system.adjoint(forces);
+            error += error_of(&multipliers, &balance.rows, &mut by_param);
+            for (row, weight) in &multipliers.rows {
+                for (leaf, c) in &balance.rows[*row].terms {
+                    match leaf {
+                        Leaf::Pose(at) => gradients[0][*at] -= weight * c,
+                        Leaf::Rate(at) => gradients[1][*at] -= weight * c,
+                        Leaf::Accel(at) => gradients[2][*at] -= weight * c,
+                        Leaf::Param(_) | Leaf::Force(_) => {}
+                    }
+                }
+            }
+        }
         let [mut poses, mut rates, accels] = gradients;
         if let Some(solved) = solved {
             let lost = |gradient: &[f64]| {
@@ -157,7 +224,7 @@ impl State {
             };
             let flat = linear.flat.iter().any(|leaf| match leaf {
                 Leaf::Rate(at) | Leaf::Accel(at) => solved.undetermined[*at],
-                Leaf::Pose(_) | Leaf::Param(_) => false,
+                Leaf::Pose(_) | Leaf::Param(_) | Leaf::Force(_) => false,
             });
             if lost(&rates) || lost(&accels) || flat {
                 return Err(Indeterminate::Singular);
@@ -169,7 +236,7 @@ impl State {
                     match leaf {
                         Leaf::Pose(at) => poses[*at] -= weight * c,
                         Leaf::Rate(at) => rates[*at] -= weight * c,
-                        Leaf::Accel(_) | Leaf::Param(_) => {}
+                        Leaf::Accel(_) | Leaf::Param(_) | Leaf::Force(_) => {}
                     }
                 }
             }
@@ -192,5 +259,13 @@ impl State {
         } else {
             Err(Indeterminate::Singular)
         }
+    }
+}
+
+/// The share of a force.
+fn share_of(quantity: &Quantity) -> Option<Share> {
+    match quantity {
+        Quantity::Force(_, share) => Some(*share),
+        _ => None,
     }
 }

@@ -31,6 +31,8 @@ pub(super) enum Leaf {
     Accel(usize),
     /// A parameter of the model.
     Param(usize),
+    /// A multiplier of a pair equation, or an effort that is sought.
+    Force(usize),
 }
 
 #[derive(Debug, Clone, Copy)]

@@ -82,6 +82,8 @@ pub struct Agreement {
     pub elsewhere: Option<Disagreement>,
     /// The analytic solver's refusal, if it refused.
     pub refused: Option<String>,
+    /// The balance of powers, where a force was asked and it is determined here.
+    pub power: Option<crate::analytic::Power>,
 }
 
 impl Agreement {
@@ -94,7 +96,10 @@ impl Agreement {
     /// Everything agrees.
     #[must_use]
     pub fn ok(&self) -> bool {
-        self.refused.is_none() && self.elsewhere.is_none() && self.compared.iter().all(Compared::agrees)
+        self.refused.is_none()
+            && self.elsewhere.is_none()
+            && self.compared.iter().all(Compared::agrees)
+            && self.power.is_none_or(|power| power.balances())
     }
 
     /// The quantities on which they do not agree, in the order in which they were asked.
@@ -159,7 +164,7 @@ pub fn agreement(
                     difference: None,
                 })
                 .collect();
-            Agreement { compared, elsewhere: None, refused: Some(error.to_string()) }
+            Agreement { compared, elsewhere: None, refused: Some(error.to_string()), power: None }
         }
     }
 }
@@ -179,7 +184,7 @@ fn agreement_by(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
             Compared { asked: asked.clone(), graphical: reading.clone(), analytic, difference }
         })
         .collect();
-    Agreement { compared, elsewhere: elsewhere(scene, solved, state), refused: None }
+    Agreement { compared, elsewhere: elsewhere(scene, solved, state), refused: None, power: state.power() }
 }
 
 /// The first point that stands in another place by the one solver than by the other. What the independent solver was

@@ -67,7 +67,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     }
     let source = match exam {
         Some(exam) => Source::Exam(exam),
-        None => Source::Scene(Box::new(read_scene(&job.scene)?.1)),
+        None => {
+            let scene = read_scene(&job.scene)?.1;
+            super::without_forces(&scene)?;
+            Source::Scene(Box::new(scene))
+        }
     };
     if let (true, Source::Scene(scene)) = (answers.is_empty(), &source) {
         return tolerances(job, scene, &settings);

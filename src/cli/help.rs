@@ -10,6 +10,7 @@ use super::{Arguments, Ending, Failure, print};
 const TOPICS: [(&str, &str); 9] = [
     ("scene", include_str!("../../docs/scene.md")),
     ("quantities", include_str!("../../docs/quantities.md")),
+    ("forces", include_str!("../../docs/forces.md")),
     ("formats", include_str!("../../docs/formats.md")),
     ("grading", include_str!("../../docs/grading.md")),
     ("exams", include_str!("../../docs/exams.md")),

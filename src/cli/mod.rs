@@ -654,6 +654,14 @@ fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
     Ok((file, scene))
 }
 
+/// Refuses to set or to mark what has no sheets yet.
+fn without_forces(scene: &Scene) -> Result<(), Failure> {
+    if crate::drawing::asks_forces(scene) {
+        return Err(Failure(crate::drawing::NO_SHEETS_OF_FORCES.to_owned()));
+    }
+    Ok(())
+}
+
 /// An error of a later room, at the place in the file that it is about.
 fn failure(scene: &Scene, error: &crate::solve::SolveError) -> Failure {
     crate::report::diagnose(scene, error).into()

@@ -197,6 +197,9 @@ fn is_place(quantity: &Quantity) -> bool {
 
 /// Whether a scalar turns, ccw or cw.
 fn has_sense(quantity: &Quantity) -> bool {
+    if let Quantity::Force(force, _) = quantity {
+        return force.turns();
+    }
     matches!(
         quantity,
         Quantity::Omega(_) | Quantity::RelativeOmega(..) | Quantity::Alpha(_) | Quantity::RelativeAlpha(..)
@@ -221,6 +224,13 @@ pub(super) fn verdict(agreement: &Agreement) -> String {
             "graphical and analytic DO NOT AGREE, they stand in different assemblies: {elsewhere}"
         );
     }
+    if let Some(power) = agreement.power.filter(|power| !power.balances()) {
+        return format!(
+            "the powers DO NOT BALANCE: {} W are left, more than their bound of {} W",
+            short(power.residual),
+            short(power.bound)
+        );
+    }
     let worst = short(agreement.worst_ratio());
     let wrong = agreement.disagreements();
     if wrong.is_empty() {
@@ -240,7 +250,8 @@ fn object(
     agreement: &Agreement,
     by_hand: &[HandError],
 ) -> Value {
-    let mut quantities: Vec<Value> = agreement.compared.iter().map(quantity).collect();
+    let mut quantities: Vec<Value> =
+        agreement.compared.iter().map(|compared| quantity(compared, scene.units.length.si)).collect();
     for ((value, compared), error) in quantities.iter_mut().zip(&agreement.compared).zip(by_hand) {
         if let (Some(map), None) = (value.as_object_mut(), compared.indeterminate()) {
             map.insert("hand".to_owned(), hand_object(&compared.asked, error));
@@ -250,16 +261,33 @@ fn object(
     if let (false, Some(map)) = (agreement.ok(), verdict_of.as_object_mut()) {
         map.insert("why".to_owned(), json!(verdict(agreement)));
     }
-    json!({
+    let mut object = json!({
         "scene": scene.title.in_language("en").unwrap_or(file),
         "degrees_of_freedom": solved.structure.mobility.freedoms,
         "mobility": solved.structure.mobility.to_string(),
         "quantities": quantities,
         "agreement": verdict_of,
-    })
+    });
+    if let (Some(power), Some(map)) = (&agreement.power, object.as_object_mut()) {
+        let unit = &scene.units.power;
+        let watts = |x: f64| json!(x / unit.si);
+        let told = json!({
+            "unit": unit.symbol,
+            "effort": watts(power.effort),
+            "loads": watts(power.loads),
+            "weights": watts(power.weights),
+            "springs": watts(power.springs),
+            "inertia": watts(power.inertia),
+            "friction": watts(power.friction),
+            "residual": watts(power.residual),
+            "bound": watts(power.bound),
+        });
+        map.insert("power".to_owned(), told);
+    }
+    object
 }
 
-fn quantity(compared: &Compared) -> Value {
+fn quantity(compared: &Compared, length: f64) -> Value {
     let asked = &compared.asked;
     let mut map = Map::new();
     map.insert("name".to_owned(), json!(asked.name));
@@ -300,6 +328,9 @@ fn quantity(compared: &Compared) -> Value {
     }
     if let Some(mm) = compared.graphical.drawn_mm {
         map.insert("drawn_mm".to_owned(), json!(mm));
+    }
+    if let Some(place) = compared.graphical.through {
+        map.insert("through".to_owned(), json!(place.map(|c| c / length)));
     }
     Value::Object(map)
 }

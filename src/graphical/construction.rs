@@ -53,6 +53,8 @@ pub struct Reading {
     pub fine: Option<Fine>,
     /// The length of its vector on the paper, for quantities that are a vector of a polygon.
     pub drawn_mm: Option<f64>,
+    /// A point of the line of a force, metres in the world.
+    pub through: Option<[f64; 2]>,
 }
 
 /// A value to more digits than a double has.

@@ -1,6 +1,7 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
 use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
+use crate::mechanism::force::{Heaviness, LoadKind, Share, Size};
 use crate::mechanism::quantity::{Indeterminate, Order, Quantity};
 use crate::mechanism::structure::{Structure, Target, TrialDriver, Unknown};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
@@ -13,6 +14,7 @@ use super::construction::{
     Image, Label, LinkImage, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
 use super::departure::Departure;
+use super::forces::Balance;
 use super::missing::Missing;
 use super::page::SHORTEST_VECTOR;
 use super::pose::Pose;
@@ -72,6 +74,10 @@ pub(super) struct Draughtsman<'m> {
     pub(super) structure: &'m Structure,
     pub(super) board: Board,
     pub(super) scales: Scales,
+    /// Newtons per millimetre of the force paper: a power of two.
+    pub(super) per_newton: f64,
+    /// The balance of forces, for each part that is asked.
+    pub(super) balances: Vec<(Share, Balance)>,
     /// Millimetres of the skeleton here for one of the page, for what is drawn to be looked at.
     pub(super) per_page: f64,
     /// Places on the skeleton, by point.
@@ -147,6 +153,25 @@ fn translating(mechanism: &Mechanism) -> Vec<bool> {
     translates
 }
 
+/// Newtons per millimetre at which the paper numbers of the given forces are of order 100: a power of two, so that no
+/// digit depends on it.
+fn newtons_per_mm(mechanism: &Mechanism) -> f64 {
+    let forces = &mechanism.forces;
+    let loads = forces.loads.iter().flat_map(|load| match load.kind {
+        LoadKind::Force { size: Size::Given(size), .. } => vec![size.value],
+        LoadKind::Vector { parts, .. } => parts.map(|part| part.value).to_vec(),
+        _ => Vec::new(),
+    });
+    let masses = forces.masses.iter().map(|mass| match mass.heaviness {
+        Heaviness::Mass(mass) => mass.value * forces.gravity.g.value,
+        Heaviness::Weight(weight) => weight.value,
+        Heaviness::None => 0.0,
+    });
+    let largest = loads.chain(masses).fold(0.0_f64, |most, force| most.max(force.abs()));
+    let scale = largest / 100.0;
+    if scale.is_normal() { libm::ldexp(1.0, libm::ilogb(scale)) } else { 1.0 }
+}
+
 /// The own axes of a link that stands so.
 fn axes(pose: &Pose) -> Axes {
     let ([own_x, own_y], [x, y]) = (pose.own_along.value(), pose.along.value());
@@ -170,6 +195,8 @@ impl<'m> Draughtsman<'m> {
             structure,
             board,
             scales,
+            per_newton: newtons_per_mm(mechanism),
+            balances: Vec::new(),
             per_page: 1.0,
             places: vec![None; points],
             pricked: vec![None; points],

@@ -94,6 +94,11 @@ impl Draughtsman<'_> {
             // Its points stand in the world as given: see `own`.
             Form::Placed => Vec::new(),
         };
+        let mut points = points;
+        for own in &self.mechanism.link(link).extra {
+            let [x, y] = own.map(|given| mm(board, given));
+            points.push(board.prick(x, y));
+        }
         self.board.purpose(before);
         self.figures[link.0] = Some(points.clone());
         points
@@ -176,6 +181,7 @@ impl Draughtsman<'_> {
 
     /// Whether the link is straight by its form, so that its images are divided, not constructed.
     pub(super) fn is_straight(&self, link: LinkId) -> bool {
-        matches!(self.mechanism.link(link).form, Form::Line(_) | Form::Length(_))
+        let link = self.mechanism.link(link);
+        matches!(link.form, Form::Line(_) | Form::Length(_)) && link.extra.is_empty()
     }
 }

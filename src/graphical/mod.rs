@@ -14,6 +14,7 @@ mod departure;
 mod draughtsman;
 mod dyad;
 mod figure;
+mod forces;
 mod link_figure;
 mod loci;
 mod missing;
@@ -407,6 +408,9 @@ fn drawn_by<'m>(mut draughtsman: Draughtsman<'m>, plan: &Plan) -> Result<Draught
     }
     if !plan.centres.wanted.is_empty() && !plan.centres.feeds {
         centres::draw(&mut draughtsman, plan);
+    }
+    if !plan.forces.shares.is_empty() {
+        forces::draw(&mut draughtsman, plan);
     }
     Ok(draughtsman)
 }

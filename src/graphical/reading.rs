@@ -2,6 +2,7 @@
 
 use crate::board::{Amount, Angle, Arithmetic, Direction, Line, Location, Point, Real, TOO_LARGE, Tape};
 use crate::double_double::DoubleDouble;
+use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::{Auxiliary, chord, home, transmission_points};
@@ -10,6 +11,7 @@ use super::auxiliary::KleinAnswer;
 use super::centres::{FromCentres, NO_INPUT};
 use super::construction::{Act, Calculation, Fine, Label, Reading, Vector, VectorKind};
 use super::draughtsman::Draughtsman;
+use super::forces::ForceRead;
 use super::missing::Missing;
 use super::shown::Standing;
 
@@ -30,6 +32,8 @@ pub(super) struct ReadOff {
     pub(super) toward: Option<[f64; 2]>,
     /// How long it was drawn.
     drawn_mm: Option<f64>,
+    /// A point of the line of a force.
+    through: Option<[f64; 2]>,
 }
 
 /// Marks and values of a read quantity, or why there are none.
@@ -43,7 +47,7 @@ pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) 
         .map(|read| {
             slots.push(read.numbers.iter().flatten().map(|(mark, _)| *mark).collect());
             let (answer, fine) = d.answer(&read);
-            Reading { answer, fine, drawn_mm: read.drawn_mm }
+            Reading { answer, fine, drawn_mm: read.drawn_mm, through: read.through }
         })
         .collect();
     (readings, slots)
@@ -96,7 +100,11 @@ impl Draughtsman<'_> {
         let of_polygon = asked.method != Method::Klein;
         let drawn_mm = of_polygon.then(|| self.drawn_length(&asked.quantity)).flatten();
         let (numbers, toward) = read.numbers();
-        ReadOff { numbers, toward, drawn_mm }
+        let through = match asked.quantity {
+            Quantity::Force(Force::Vector(action), share) => self.line_through(action, share),
+            _ => None,
+        };
+        ReadOff { numbers, toward, drawn_mm, through }
     }
 
     /// What stands on the paper for a quantity.
@@ -247,6 +255,16 @@ impl Draughtsman<'_> {
             | Quantity::CoincidentNormal(_, link)
             | Quantity::CoincidentTangential(_, link) => self.read_part(Order::Acceleration, quantity, link),
             Quantity::Centre(i, j) => self.read_centre(i, j),
+            Quantity::Force(force, share) => match self.read_force(force, share) {
+                ForceRead::Vector(components) => Read::Vector(components),
+                ForceRead::Scalar(amount) => Read::Scalar(amount),
+                ForceRead::AtInfinity => {
+                    let right = self.board.rightward();
+                    let angle = self.board.measure_angle(right);
+                    Read::Toward(right, angle)
+                }
+                ForceRead::Undefined(why) => Read::Undefined(why),
+            },
         }
     }
 

@@ -7,6 +7,7 @@
 //! **Architecture Invariant:** nothing here knows a file format, paper or a solver.
 
 pub mod engine;
+pub mod force;
 pub mod group;
 pub mod quantity;
 pub mod report;
@@ -15,6 +16,7 @@ pub mod statement;
 pub mod structure;
 
 pub use crate::given::Given;
+use force::Forces;
 use quantity::Asked;
 use statement::Statement;
 
@@ -132,6 +134,21 @@ pub enum Form {
     Single,
 }
 
+impl Form {
+    /// How many points of the link it gives; none where their places are given instead.
+    #[must_use]
+    pub fn count(&self) -> Option<usize> {
+        match self {
+            Self::Length(_) => Some(2),
+            Self::Line(positions) => Some(positions.len()),
+            Self::Sides { .. } | Self::Arms { .. } => Some(3),
+            Self::Shape(points) => Some(points.len()),
+            Self::Placed => None,
+            Self::Single => Some(1),
+        }
+    }
+}
+
 /// A rigid link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Link {
@@ -141,6 +158,8 @@ pub struct Link {
     pub points: Vec<PointId>,
     /// How its geometry is given.
     pub form: Form,
+    /// Own coordinates of points that the form does not know: the last of [`Link::points`], such as a mass centre.
+    pub extra: Vec<GivenPoint>,
     /// A block: it was named by `block` in a sliding pair and has that pin as its only joint.
     pub block: bool,
 }
@@ -331,8 +350,18 @@ pub struct Mechanism {
     pub statements: Vec<Statement>,
     /// The inputs.
     pub inputs: Vec<Input>,
+    /// What acts on the links besides their pairs.
+    pub forces: Forces,
     /// What is asked, in order.
     pub asked: Vec<Asked>,
+}
+
+impl Link {
+    /// Own coordinates of a point that the form does not know, by its index in [`Link::points`].
+    #[must_use]
+    pub fn extra_at(&self, index: usize) -> Option<GivenPoint> {
+        self.extra.get(index.checked_sub(self.form.count()?)?).copied()
+    }
 }
 
 impl Mechanism {

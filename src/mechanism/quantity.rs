@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::force::{Force, Share};
 use super::{LinkId, Mechanism, PointId};
 
 /// A quantity by its meaning. "Relative to" reads from the second operand to the first.
@@ -69,6 +70,8 @@ pub enum Quantity {
     Angle(LinkId),
     /// `transmission(3/4)`: angle between coupler 3 and output 4 at their pin, 0 to π. Scalar.
     Transmission(LinkId, LinkId),
+    /// `F(2,3)`, `T(2)`, `h(3)` and the like: a force, a torque, an arm.
+    Force(Force, Share),
 }
 
 /// Whether a quantity needs positions only, velocities, or accelerations.
@@ -183,6 +186,7 @@ impl Quantity {
             Self::ContactNormal(p, i, j) => ([Some(p), None], [Some(i), Some(j)]),
             // The pin is on both links, and only their turning counts.
             Self::Rub(p, i, j) => ([Some(p), None], [Some(i), Some(j)]),
+            Self::Force(force, _) => force.about(),
         }
     }
 
@@ -222,14 +226,16 @@ impl Quantity {
             Self::Position(a) => format!("x({})", p(a)),
             Self::Angle(a) => format!("angle({})", l(a)),
             Self::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),
+            Self::Force(force, share) => force.name(mechanism) + share.suffix(),
         }
     }
 
-    /// What has to be solved for this quantity.
+    /// What has to be solved for this quantity. Of a force that says its loads: see
+    /// [`Forces::order`](super::force::Forces::order).
     #[must_use]
     pub fn order(&self) -> Order {
         match self {
-            Self::Position(_) | Self::Angle(_) | Self::Transmission(..) => Order::Position,
+            Self::Position(_) | Self::Angle(_) | Self::Transmission(..) | Self::Force(..) => Order::Position,
             Self::Velocity(_)
             | Self::RelativeVelocity(..)
             | Self::Omega(_)

@@ -2,9 +2,11 @@
 
 use super::diagnostic::{Fault, Res, list};
 use super::draft::{Draft, is_straight};
+use super::force_names::{self, FORCES};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::{Measure, Scale, Scales};
+use crate::mechanism::force::{Force, Share};
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 
@@ -18,7 +20,7 @@ pub struct Named {
 }
 
 /// Every name that a scene may ask for.
-pub const QUANTITIES: [Named; 19] = [
+pub const QUANTITIES: [Named; 32] = [
     Named {
         head: "v",
         forms: &[
@@ -99,6 +101,19 @@ pub const QUANTITIES: [Named; 19] = [
             "angle between coupler 3 and output 4 at their pin, 0 to 180 degrees",
         )],
     },
+    FORCES[0],
+    FORCES[1],
+    FORCES[2],
+    FORCES[3],
+    FORCES[4],
+    FORCES[5],
+    FORCES[6],
+    FORCES[7],
+    FORCES[8],
+    FORCES[9],
+    FORCES[10],
+    FORCES[11],
+    FORCES[12],
 ];
 
 /// The forms of a name, for messages.
@@ -224,6 +239,19 @@ pub(crate) fn measure(quantity: &Quantity) -> Measure {
         Quantity::Ratio(..) | Quantity::Advantage(..) => Measure::Number,
         Quantity::Centre(..) | Quantity::Position(_) | Quantity::PathRadius(_) => Measure::Length,
         Quantity::Angle(_) | Quantity::Transmission(..) => Measure::Angle,
+        Quantity::Force(force, _) => match force {
+            Force::Vector(_)
+            | Force::Along { .. }
+            | Force::Across { .. }
+            | Force::Drive(_)
+            | Force::Pull(_) => Measure::Force,
+            Force::Torque(_)
+            | Force::LoadTorque(_)
+            | Force::Twist(_)
+            | Force::InertiaTorque(_)
+            | Force::Moment(..) => Measure::Torque,
+            Force::Offset(_) | Force::Arm(..) => Measure::Length,
+        },
     }
 }
 
@@ -246,6 +274,12 @@ fn everything(draft: &Draft<'_>) -> Vec<Asked> {
     let mut ask = |name: String, quantity: Quantity| {
         asked.push(Asked { name, quantity, unit: unit(measure(&quantity)), method: Method::default() });
     };
+    if !mechanism.forces.is_empty() {
+        for force in force_names::everything(draft) {
+            ask(force.name(mechanism), Quantity::Force(force, Share::Total));
+        }
+        return asked;
+    }
     for &point in &points {
         ask(format!("v({})", draft.say_point(point)), Quantity::Velocity(point));
     }
@@ -285,6 +319,9 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
             None => fault.known(head, heads()),
         }
     };
+    if let Some(force) = force_names::parse(name, at, draft)? {
+        return Ok(force);
+    }
     let (head, inside) = name.split_once('(').ok_or_else(|| unknown(name.trim()))?;
     let head = head.trim();
     let inside = inside.trim_end().strip_suffix(')').ok_or_else(|| unknown(head))?.trim();

@@ -7,6 +7,7 @@ use super::diagnostic::{Fault, Res};
 use super::json::{MOST, Value};
 use super::source::Anchors;
 use super::units::Scales;
+use crate::mechanism::force::Forces;
 use crate::mechanism::{
     Form, Given, Guide, Input, Link, LinkId, Mechanism, Path, Place, Point, PointId, Rider,
 };
@@ -19,6 +20,8 @@ pub(super) struct Draft<'s> {
     pub(super) input_units: Vec<InputUnits>,
     /// The stated room of each placed point, metres; 0 where none is stated.
     pub(super) rooms: Vec<f64>,
+    /// The points that stand for own coordinates in masses, loads and springs, by where these stand in the file.
+    pub(super) spots: HashMap<usize, PointId>,
     points: HashMap<String, PointId>,
     links: HashMap<u32, LinkId>,
 }
@@ -26,7 +29,8 @@ pub(super) struct Draft<'s> {
 impl<'s> Draft<'s> {
     /// The frame alone.
     pub(super) fn new(scales: &'s Scales, root: usize) -> Self {
-        let frame = Link { number: 1, points: Vec::new(), form: Form::Placed, block: false };
+        let frame =
+            Link { number: 1, points: Vec::new(), form: Form::Placed, extra: Vec::new(), block: false };
         Self {
             scales,
             mechanism: Mechanism {
@@ -38,11 +42,13 @@ impl<'s> Draft<'s> {
                 contacts: Vec::new(),
                 statements: Vec::new(),
                 inputs: Vec::new(),
+                forces: Forces::default(),
                 asked: Vec::new(),
             },
             anchors: Anchors::new(root),
             input_units: Vec::new(),
             rooms: Vec::new(),
+            spots: HashMap::new(),
             points: HashMap::new(),
             links: HashMap::from([(1, LinkId::FRAME)]),
         }
@@ -62,7 +68,13 @@ impl<'s> Draft<'s> {
             return Err(Fault::new(at, format!("more than {MOST} links")));
         }
         self.links.insert(number, id);
-        self.mechanism.links.push(Link { number, points: Vec::new(), form: Form::Single, block: false });
+        self.mechanism.links.push(Link {
+            number,
+            points: Vec::new(),
+            form: Form::Single,
+            extra: Vec::new(),
+            block: false,
+        });
         self.anchors.add_link(at);
         Ok(id)
     }

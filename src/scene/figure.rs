@@ -380,7 +380,7 @@ fn link_bond(point: PointId, link: LinkId, known: &[bool], draft: &Draft<'_>) ->
     }
     let &other = of.points.iter().find(|p| **p != point && known[p.0])?;
     Some(match of.form {
-        Form::Length(radius) => Bond::Locus(Locus::Circle { centre: other, radius }),
+        Form::Length(radius) if of.extra.is_empty() => Bond::Locus(Locus::Circle { centre: other, radius }),
         _ => Bond::Derived,
     })
 }

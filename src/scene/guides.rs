@@ -208,14 +208,13 @@ fn guide_point(value: &Value<'_>, link: LinkId, named: Named, draft: &Draft<'_>)
 
 /// Own coordinates of a point of a link, where they are stated.
 fn own_of(point: PointId, link: LinkId, draft: &Draft<'_>) -> Option<[f64; 2]> {
-    let form = &draft.link(link).form;
-    if *form == Form::Placed {
+    if draft.link(link).form == Form::Placed {
         return match draft.mechanism.point(point).place {
             Place::Fixed(p) | Place::Placed(p) => Some([p[0].value, p[1].value]),
             Place::Stated(_) | Place::Near(_) | Place::Unknown => None,
         };
     }
-    own_coordinates(form, index_of(draft, link, point)?).map(|(place, _)| place)
+    own_coordinates(draft.link(link), index_of(draft, link, point)?).map(|(place, _)| place)
 }
 
 fn own_place(point: GuidePoint, link: LinkId, draft: &Draft<'_>) -> Option<[f64; 2]> {

@@ -105,7 +105,7 @@ fn link_input(fields: &Fields<'_, '_>, value: &Value<'_>, draft: &Draft<'_>) -> 
     let angle = fields.get("angle").map(|a| draft.scales.given(a, Measure::Angle)).transpose()?;
     let points = &draft.link(link).points;
     if draft.link(link).form != Form::Single {
-        let own = |index| own_coordinates(&draft.link(link).form, index).map(|(place, _)| place);
+        let own = |index| own_coordinates(draft.link(link), index).map(|(place, _)| place);
         let exact = |index: usize| points.get(index).and_then(|p| draft.mechanism.point(*p).place.exact());
         let same = match (own(0), own(1), exact(0), exact(1)) {
             (Some(one), Some(other), ..) => one == other,
@@ -152,7 +152,7 @@ fn point_speed(value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<(Point
         let names: Vec<&str> = points.iter().skip(1).map(|p| draft.say_point(*p)).collect();
         return Err(Fault::new(entry.at, what).known(&entry.key, names));
     };
-    let own = |index| own_coordinates(&draft.link(link).form, index).map(|(place, _)| place);
+    let own = |index| own_coordinates(draft.link(link), index).map(|(place, _)| place);
     if index == 0 || own(index).is_some_and(|place| Some(place) == own(0)) {
         let what = format!("{} is where {} turns and has no speed about it", entry.key, draft.say(link));
         return Err(Fault::new(entry.at, what).mend("name another point of the link"));

@@ -22,20 +22,34 @@ pub(super) const SCENE: &[&str] = &[
     "expect",
     "sheet",
     "vary",
+    "gravity",
+    "masses",
+    "loads",
+    "springs",
+    "spin",
+    "cycle",
 ];
-pub(super) const UNITS: &[&str] = &["length", "angle", "time"];
+pub(super) const UNITS: &[&str] =
+    &["length", "angle", "time", "force", "mass", "torque", "inertia", "stiffness", "pressure", "power"];
+pub(super) const GRAVITY: &[&str] = &["g", "direction", "acts"];
+pub(super) const MASS: &[&str] = &["mass", "weight", "at", "inertia", "about", "gyration"];
+pub(super) const LOAD: &[&str] =
+    &["name", "on", "at", "force", "direction", "in", "torque", "pressure", "area", "bore", "rod"];
+pub(super) const POINTING: &[&str] = &["from", "to", "turned", "link", "angle"];
+pub(super) const SPRING: &[&str] = &["name", "between", "links", "stiffness", "free", "force"];
+pub(super) const SPRING_END: &[&str] = &["link", "at"];
 pub(super) const PLACED: &[&str] = &["at", "within"];
 pub(super) const LOCUS: &[&str] = &["from", "distance", "direction", "square_to", "sees", "at", "on"];
 pub(super) const LINK: &[&str] = &["joins", "length", "line", "sides", "turn", "shape", "arms"];
-pub(super) const SLIDE: &[&str] = &["pin", "block", "link", "turned", "on"];
+pub(super) const SLIDE: &[&str] = &["pin", "block", "link", "turned", "on", "f", "drag"];
 pub(super) const GUIDE: &[&str] =
     &["link", "through", "angle", "toward", "turned", "offset", "centre", "radius"];
 pub(super) const ROLL: &[&str] =
-    &["links", "centres", "radii", "teeth", "module", "internal", "line", "centre", "radius"];
+    &["links", "centres", "radii", "teeth", "module", "internal", "line", "centre", "radius", "pressure"];
 pub(super) const INPUT: &[&str] =
     &["link", "angle", "omega", "alpha", "speed", "slide", "at", "velocity", "acceleration"];
 pub(super) const FIND: &[&str] = &["name", "unit", "method"];
-pub(super) const PIN: &[&str] = &["radius", "diameter"];
+pub(super) const PIN: &[&str] = &["radius", "diameter", "f", "circle", "carrier"];
 pub(super) const PUBLISHED: &[&str] = &["value", "within", "why"];
 pub(super) const SHEET: &[&str] = &[
     "paper",

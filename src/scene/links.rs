@@ -7,7 +7,7 @@ use super::draft::Draft;
 use super::json::{Entry, Fields, Kind, Value};
 use super::keys;
 use super::units::Measure;
-use crate::mechanism::{Form, Given, LinkId, Place, PointId, Sense};
+use crate::mechanism::{Form, Given, Link, LinkId, Place, PointId, Sense};
 
 /// The keys that give a link its dimensions; a link takes one of them.
 const DIMENSIONS: [&str; 5] = ["length", "line", "sides", "shape", "arms"];
@@ -189,6 +189,17 @@ fn pins(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     for Entry { at, key, value } in pins.object("journals of pins, by name")? {
         let point = draft.point_named(key, *at)?;
         let fields = Fields::of(value, keys::PIN, "a journal: {\"radius\": …}")?;
+        if let Some(carrier) = fields.get("carrier") {
+            let link = draft.link_at(carrier)?;
+            if !draft.stands_in(point, link) {
+                let what = format!("{} does not stand in {}", draft.say_point(point), draft.say(link));
+                return Err(Fault::new(carrier.at, what));
+            }
+            draft.mechanism.forces.carriers.push((point, link));
+            if fields.get("radius").or(fields.get("diameter")).is_none() {
+                continue;
+            }
+        }
         let journal = match (fields.get("radius"), fields.entry("diameter")) {
             (Some(radius), None) => draft.scales.positive(radius, "the radius")?,
             (None, Some(diameter)) => {
@@ -365,8 +376,11 @@ fn shape(value: &Value<'_>, id: LinkId, draft: &Draft<'_>) -> Res<Form> {
 
 /// A point's own coordinates in a link that has them from its dimensions, with their error; `None` for
 /// the frame and for links dimensioned by placement, whose own coordinates are the world's.
-pub(super) fn own_coordinates(form: &Form, index: usize) -> Option<([f64; 2], f64)> {
-    match form {
+pub(super) fn own_coordinates(link: &Link, index: usize) -> Option<([f64; 2], f64)> {
+    if let Some(own) = link.extra_at(index) {
+        return Some((own.map(|c| c.value), own[0].error + own[1].error));
+    }
+    match &link.form {
         Form::Length(length) if index == 0 => Some(([0.0, 0.0], length.error * 0.0)),
         Form::Length(length) => Some(([length.value, 0.0], length.error)),
         Form::Line(positions) => positions.get(index).map(|p| ([p.value, 0.0], p.error)),

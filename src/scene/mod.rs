@@ -7,6 +7,8 @@ pub(crate) mod asked;
 pub(crate) mod diagnostic;
 mod draft;
 mod figure;
+mod force_names;
+mod forces;
 mod guides;
 mod inputs;
 pub(crate) mod json;
@@ -33,7 +35,7 @@ pub use units::si_of;
 /// The unit of this scene in which a quantity is told where nobody says in which.
 pub(crate) fn unit_of(quantity: &Quantity, scene: &Scene) -> Unit {
     use units::Measure;
-    let Units { length, angle, time } = &scene.units;
+    let Units { length, angle, time, .. } = &scene.units;
     let per = |symbol: &str, si: f64, squared: bool| {
         let (power, times) = if squared { ("^2", time.si * time.si) } else { ("", time.si) };
         Unit { symbol: format!("{symbol}/{}{power}", time.symbol), si: si / times }
@@ -46,6 +48,15 @@ pub(crate) fn unit_of(quantity: &Quantity, scene: &Scene) -> Unit {
         Measure::AngularVelocity => per("rad", 1.0, false),
         Measure::AngularAcceleration => per("rad", 1.0, true),
         Measure::Number => Unit { symbol: String::new(), si: 1.0 },
+        Measure::Force => scene.units.force.clone(),
+        Measure::Torque => scene.units.torque.clone(),
+        Measure::Mass => scene.units.mass.clone(),
+        Measure::Inertia => scene.units.inertia.clone(),
+        Measure::Stiffness => scene.units.stiffness.clone(),
+        Measure::Pressure => scene.units.pressure.clone(),
+        Measure::Power => scene.units.power.clone(),
+        Measure::TurningStiffness => Unit { symbol: "N*m/rad".to_owned(), si: 1.0 },
+        Measure::Area => Unit { symbol: "m^2".to_owned(), si: 1.0 },
     }
 }
 
@@ -99,7 +110,9 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let title = sheet::title(fields.get("title"))?;
     let scales = units::Scales::read(fields.get("units"), None)?;
     let mut draft = Draft::new(&scales, root.at);
+    forces::not_yet(&fields)?;
     links::read(&fields, &mut draft)?;
+    forces::spots(&fields, &mut draft)?;
     if draft.mechanism.moving().next().is_none() {
         return Err(Fault::new(root.at, "nothing moves: the scene has no links")
             .mend("list them in `links`; `linkgram new four-bar` writes a ready scene"));
@@ -110,6 +123,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     placing::settle(&mut draft)?;
     figure::read(&fields, &mut draft)?;
     placing::directed_by_places(&mut draft);
+    forces::read(&fields, &mut draft)?;
     asked::read(fields.get("find"), &mut draft)?;
     let published = published::read(fields.get("published"), &mut draft)?;
     let errata = published::errata(fields.get("errata"), &published)?;
@@ -197,6 +211,20 @@ pub struct Units {
     pub angle: Unit,
     /// Unit of time.
     pub time: Unit,
+    /// Unit of forces.
+    pub force: Unit,
+    /// Unit of masses.
+    pub mass: Unit,
+    /// Unit of torques, and of works.
+    pub torque: Unit,
+    /// Unit of moments of inertia.
+    pub inertia: Unit,
+    /// Unit of the stiffness of a spring.
+    pub stiffness: Unit,
+    /// Unit of pressures.
+    pub pressure: Unit,
+    /// Unit of powers.
+    pub power: Unit,
 }
 
 /// How an input's motion is stated.
@@ -235,6 +263,10 @@ pub enum Refusal {
     Indeterminate,
     /// Two assemblies and nothing to choose by.
     Ambiguous,
+    /// With friction no balance exists.
+    Locked,
+    /// A contact would have to pull, or the like.
+    NoEquilibrium,
 }
 
 /// How to draw the sheet.

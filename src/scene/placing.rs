@@ -279,7 +279,7 @@ impl<'b, 's> Board<'b, 's> {
 
     /// A point's own coordinates in a link with dimensions of its own.
     fn own(&self, link: LinkId, point: PointId) -> Option<(Xy, f64)> {
-        own_coordinates(self.form(link), index_of(self.draft, link, point)?)
+        own_coordinates(self.draft.link(link), index_of(self.draft, link, point)?)
     }
 
     /// The known points of a link with their own coordinates, `but` one.
@@ -288,7 +288,7 @@ impl<'b, 's> Board<'b, 's> {
         points
             .filter(|(_, p)| Some(**p) != but)
             .filter_map(|(index, &p)| {
-                let (own, error) = own_coordinates(self.form(link), index)?;
+                let (own, error) = own_coordinates(self.draft.link(link), index)?;
                 Some((p, self.spot(p)?, own, error))
             })
             .take(ENOUGH)
@@ -300,8 +300,8 @@ impl<'b, 's> Board<'b, 's> {
         if *self.form(link) == Form::Single {
             return Some([1.0, 0.0]);
         }
-        let (first, _) = own_coordinates(self.form(link), 0)?;
-        let (second, _) = own_coordinates(self.form(link), 1)?;
+        let (first, _) = own_coordinates(self.draft.link(link), 0)?;
+        let (second, _) = own_coordinates(self.draft.link(link), 1)?;
         unit(minus(second, first))
     }
 
@@ -787,8 +787,8 @@ fn size(draft: &Draft<'_>) -> f64 {
     }
     let mut size = if low[0] <= high[0] { length(minus(high, low)) } else { 0.0 };
     for link in &mechanism.links {
-        let own = (0..link.points.len()).filter_map(|i| own_coordinates(&link.form, i));
-        let first = own_coordinates(&link.form, 0).map(|(place, _)| place);
+        let own = (0..link.points.len()).filter_map(|i| own_coordinates(link, i));
+        let first = own_coordinates(link, 0).map(|(place, _)| place);
         for (place, _) in own {
             size = size.max(first.map_or(0.0, |first| length(minus(place, first))));
         }

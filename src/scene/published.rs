@@ -77,10 +77,12 @@ pub(super) fn errata(value: Option<&Value<'_>>, published: &[Published]) -> Res<
 
 /// Reads `expect`.
 pub(super) fn expect(value: Option<&Value<'_>>) -> Res<Option<Refusal>> {
-    const REFUSALS: [(&str, Refusal); 3] = [
+    const REFUSALS: [(&str, Refusal); 5] = [
         ("cannot-assemble", Refusal::CannotAssemble),
         ("indeterminate", Refusal::Indeterminate),
         ("ambiguous", Refusal::Ambiguous),
+        ("locked", Refusal::Locked),
+        ("no-equilibrium", Refusal::NoEquilibrium),
     ];
     let Some(value) = value else { return Ok(None) };
     let name = value.text("the name of a refusal")?;

@@ -97,7 +97,16 @@ fn scene() -> Value {
                 "type": "array", "items": reference("find"),
                 "description": "Asked quantities; without it, all velocities, accelerations, ω and α.",
             },
-            "pins": by_point("Journals of pins, for rubbing speeds.", &reference("pin")),
+            "pins": by_point("Journals of pins, for rubbing speeds, and who holds a pin of several links.", &reference("pin")),
+            "gravity": reference("gravity"),
+            "masses": {
+                "type": "object", "description": "Masses and moments of inertia, by number of the link or block.",
+                "propertyNames": { "pattern": "^([2-9]|[1-9][0-9]+)$" }, "additionalProperties": reference("mass"),
+            },
+            "loads": { "type": "array", "description": "Forces and torques on links, given or sought.", "items": reference("load") },
+            "springs": { "type": "array", "description": "Springs.", "items": reference("spring") },
+            "spin": { "description": "Governors. This version does not read it." },
+            "cycle": { "description": "The turning-moment diagram. This version does not read it." },
             "published": {
                 "type": "object", "propertyNames": reference("quantity"), "additionalProperties": reference("published"),
                 "description": "What somebody printed, by name of the quantity. Never used in the solution.",
@@ -107,7 +116,7 @@ fn scene() -> Value {
                 "description": "Names in `published` known to be wrong: the check must find exactly these.",
             },
             "expect": {
-                "enum": ["cannot-assemble", "indeterminate", "ambiguous"],
+                "enum": ["cannot-assemble", "indeterminate", "ambiguous", "locked", "no-equilibrium"],
                 "description": "The refusal that this scene must get.",
             },
             "sheet": reference("sheet"),
@@ -131,7 +140,7 @@ fn scene() -> Value {
 
 fn definitions() -> serde_json::Map<String, Value> {
     let mut all = serde_json::Map::new();
-    let parts = [values(), links(), pairs(), motion(), results(), sheet()];
+    let parts = [values(), links(), pairs(), motion(), forces(), results(), sheet()];
     for part in parts {
         if let Value::Object(part) = part {
             all.extend(part);
@@ -182,6 +191,13 @@ fn values() -> Value {
             "length": { "enum": ["nm", "um", "mm", "cm", "m", "km", "in", "ft"], "default": "m", "description": "Unit of lengths." },
             "angle": { "enum": ["deg", "rad", "rev"], "default": "deg", "description": "Unit of angles; ω and α are in rad whatever it is." },
             "time": { "enum": ["ms", "s", "min"], "default": "s", "description": "Unit of time." },
+            "force": { "type": "string", "default": "N", "description": "Unit of forces." },
+            "mass": { "type": "string", "default": "kg", "description": "Unit of masses." },
+            "torque": { "type": "string", "default": "N*m", "description": "Unit of torques and works." },
+            "inertia": { "type": "string", "default": "kg*m^2", "description": "Unit of moments of inertia." },
+            "stiffness": { "type": "string", "default": "N/m", "description": "Unit of the stiffness of a spring." },
+            "pressure": { "type": "string", "default": "Pa", "description": "Unit of pressures." },
+            "power": { "type": "string", "default": "W", "description": "Unit of powers." },
         })),
     })
 }
@@ -273,6 +289,8 @@ fn pairs() -> Value {
             "link": described("movingLink", "The link that slides; its first joint is on the guide."),
             "turned": described("angle", "Angle from the guide to the sliding link's own x-axis."),
             "on": described("guide", "The guide."),
+            "f": { "description": "Coefficient of friction. This version does not read it." },
+            "drag": { "description": "A constant force against sliding. This version does not read it." },
         }),
     );
     slide["oneOf"] = json!([{ "required": ["pin"] }, { "required": ["link"] }]);
@@ -293,6 +311,7 @@ fn pairs() -> Value {
             "line": described("guide", "The straight line of a rack or plane; its `link` may be left out."),
             "centre": described("point", "The centre of the wheel on a `line`."),
             "radius": described("length", "The radius of the wheel on a `line`."),
+            "pressure": { "description": "Pressure angle of the teeth. This version does not read it." },
         }),
     );
     roll["oneOf"] = json!([{ "required": ["centres"] }, { "required": ["line", "centre"] }]);
@@ -329,6 +348,108 @@ fn motion() -> Value {
     json!({ "input": input })
 }
 
+/// What acts on the links besides their pairs.
+fn forces() -> Value {
+    let text_or_number = |description: &str, examples: Value| {
+        json!({
+            "oneOf": [{ "type": "number" }, { "type": "string" }],
+            "description": format!("{description} A bare number is in the scene's unit; text carries its own."),
+            "examples": examples,
+        })
+    };
+    let spot = |description: &str| json!({ "oneOf": [reference("point"), reference("place")], "description": description });
+    let sought = |description: &str, examples: Value| {
+        text_or_number(&format!("{description} \"?\" seeks it."), examples)
+    };
+    let gravity = object(
+        "The field of gravity; weights act where it stands, and {} is 9.81 m/s² downwards.",
+        &[],
+        json!({
+            "g": described("acceleration", "Its size; 9.81 m/s² where it is left out."),
+            "direction": described("angle", "Its direction from +x; -90° where it is left out."),
+            "acts": { "type": "boolean", "default": true, "description": "Whether weights act; otherwise g only makes weights masses." },
+        }),
+    );
+    let mass = object(
+        "The mass of a link.",
+        &[],
+        json!({
+            "mass": text_or_number("Its mass.", json!([2.5, "3 kg"])),
+            "weight": text_or_number("Its weight, mass times g.", json!(["20 N", "4 lbf"])),
+            "at": spot("Its mass centre: a point of the link, or own coordinates; left out for a link of one joint."),
+            "inertia": text_or_number("Its moment of inertia about the mass centre.", json!([0.02, "33 kg*m^2"])),
+            "about": spot("Another point about which `inertia` is given."),
+            "gyration": described("length", "Radius of gyration about the mass centre, in the place of `inertia`."),
+        }),
+    );
+    let pointing = object(
+        "Where a force points.",
+        &[],
+        json!({
+            "from": described("point", "From this point"),
+            "to": described("point", "to this one,"),
+            "turned": described("angle", "turned counter-clockwise by this."),
+            "link": described("linkNumber", "In the own coordinates of this link"),
+            "angle": described("angle", "at this angle from its x-axis."),
+        }),
+    );
+    let load = object(
+        "A force or a torque on a link.",
+        &["on"],
+        json!({
+            "name": { "type": "string", "description": "Its name.", "examples": ["P"] },
+            "on": described("movingLink", "The loaded link or block."),
+            "at": spot("Where on it; left out for a block: its pin."),
+            "force": {
+                "oneOf": [
+                    { "type": "number" }, { "type": "string" },
+                    { "type": "array", "items": { "oneOf": [{ "type": "number" }, { "type": "string" }] }, "minItems": 2, "maxItems": 2 },
+                ],
+                "description": "Size of a force, or its components [x, y]; \"?\" seeks it.", "examples": ["400 N", "?", [0, -20]],
+            },
+            "direction": {
+                "oneOf": [reference("angle"), reference("pointing"), { "enum": ["against", "with"] }],
+                "description": "Where a force points, 0 where it is left out; against or with the motion.",
+            },
+            "in": described("linkNumber", "In whose own coordinates the components are; the world's where it is left out."),
+            "torque": sought("Size of a torque, counter-clockwise positive.", json!(["12 N*m cw", "?"])),
+            "pressure": text_or_number("A pressure on `area` or `bore`.", json!(["28 bar"])),
+            "area": text_or_number("The area.", json!(["80 cm^2"])),
+            "bore": described("length", "Diameter of the piston."),
+            "rod": described("length", "Diameter of its rod."),
+        }),
+    );
+    let end = object(
+        "A place on a link.",
+        &["link", "at"],
+        json!({
+            "link": described("linkNumber", "The link."),
+            "at": spot("A point of it, or own coordinates."),
+        }),
+    );
+    let spring = object(
+        "A spring.",
+        &[],
+        json!({
+            "name": { "type": "string", "description": "Its name.", "examples": ["S"] },
+            "between": {
+                "type": "array", "items": reference("springEnd"), "minItems": 2, "maxItems": 2,
+                "description": "The two places between which it pulls.",
+            },
+            "links": {
+                "type": "array", "items": reference("linkNumber"), "minItems": 2, "maxItems": 2,
+                "description": "The two links between which a torsion spring acts. This version does not read it.",
+            },
+            "stiffness": sought("Force for a unit of length.", json!(["2 kN/m"])),
+            "free": described("length", "Its length without load."),
+            "force": sought("Its pull now.", json!(["40 N", "?"])),
+        }),
+    );
+    json!({
+        "gravity": gravity, "mass": mass, "load": load, "pointing": pointing, "springEnd": end, "spring": spring,
+    })
+}
+
 fn results() -> Value {
     let mut pin = object(
         "A pin's journal.",
@@ -336,9 +457,14 @@ fn results() -> Value {
         json!({
             "radius": described("length", "Radius of the journal."),
             "diameter": described("length", "Diameter of the journal."),
+            "carrier": described("linkNumber", "The link that holds a pin of several links."),
+            "f": { "description": "Coefficient of friction. This version does not read it." },
+            "circle": { "description": "Radius of the friction circle. This version does not read it." },
         }),
     );
-    pin["oneOf"] = json!([{ "required": ["radius"] }, { "required": ["diameter"] }]);
+    pin["anyOf"] =
+        json!([{ "required": ["radius"] }, { "required": ["diameter"] }, { "required": ["carrier"] }]);
+    pin["not"] = json!({ "required": ["radius", "diameter"] });
     let number = json!({ "oneOf": [{ "type": "number" }, { "type": "string" }] });
     let published = object(
         "A printed value with an allowed deviation.",
@@ -362,7 +488,7 @@ fn results() -> Value {
     json!({
         "quantity": {
             "type": "string",
-            "pattern": format!(r"^\s*({})\s*\(.+\)\s*$", heads.join("|")),
+            "pattern": format!(r"^\s*(FS|({})\s*\(.+\))(\.static|\.inertia)?\s*$", heads.join("|")),
             "description": format!("Name of a quantity; `/` reads \"relative to\", `@` \"on\". {}.", meanings.join("; ")),
             "examples": examples,
         },
@@ -448,7 +574,7 @@ mod tests {
     #[test]
     fn same_keys_as_the_reader() {
         let schema = schema();
-        let tables: [(&str, &[&str]); 15] = [
+        let tables: [(&str, &[&str]); 21] = [
             ("", keys::SCENE),
             ("/$defs/units", keys::UNITS),
             ("/$defs/placeWithin", keys::PLACED),
@@ -464,6 +590,12 @@ mod tests {
             ("/$defs/sheet", keys::SHEET),
             ("/$defs/scales", keys::SCALES),
             ("/$defs/range", keys::RANGE),
+            ("/$defs/gravity", keys::GRAVITY),
+            ("/$defs/mass", keys::MASS),
+            ("/$defs/load", keys::LOAD),
+            ("/$defs/pointing", keys::POINTING),
+            ("/$defs/spring", keys::SPRING),
+            ("/$defs/springEnd", keys::SPRING_END),
         ];
         for (place, keys) in tables {
             let object = schema.pointer(place).unwrap();

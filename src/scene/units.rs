@@ -17,10 +17,11 @@ const LARGEST: f64 = 1e60;
 /// No mechanism is smaller or slower, unless it is zero.
 const SMALLEST: f64 = 1e-60;
 
-/// Exponents of length, time and angle. Angles count as a dimension of their own, so that a frequency
+/// Exponents of mass, length, time and angle. Angles count as a dimension of their own, so that a frequency
 /// or a length cannot pass for one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Dimension {
+    mass: i8,
     length: i8,
     time: i8,
     angle: i8,
@@ -28,7 +29,12 @@ pub(crate) struct Dimension {
 
 impl Dimension {
     const fn new(length: i8, time: i8, angle: i8) -> Self {
-        Self { length, time, angle }
+        Self { mass: 0, length, time, angle }
+    }
+
+    /// One mass with these.
+    const fn heavy(length: i8, time: i8, angle: i8) -> Self {
+        Self { mass: 1, length, time, angle }
     }
 
     /// With its article.
@@ -55,10 +61,21 @@ pub(crate) enum Measure {
     AngularAcceleration,
     /// A pure number.
     Number,
+    Force,
+    Mass,
+    /// A torque, a work.
+    Torque,
+    Inertia,
+    Stiffness,
+    /// Of a torsion spring.
+    TurningStiffness,
+    Pressure,
+    Power,
+    Area,
 }
 
 impl Measure {
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 16] = [
         Self::Length,
         Self::Angle,
         Self::Velocity,
@@ -66,6 +83,15 @@ impl Measure {
         Self::AngularVelocity,
         Self::AngularAcceleration,
         Self::Number,
+        Self::Force,
+        Self::Mass,
+        Self::Torque,
+        Self::Inertia,
+        Self::Stiffness,
+        Self::TurningStiffness,
+        Self::Pressure,
+        Self::Power,
+        Self::Area,
     ];
 
     pub(crate) const fn dimension(self) -> Dimension {
@@ -77,6 +103,15 @@ impl Measure {
             Self::AngularVelocity => Dimension::new(0, -1, 1),
             Self::AngularAcceleration => Dimension::new(0, -2, 1),
             Self::Number => Dimension::new(0, 0, 0),
+            Self::Force => Dimension::heavy(1, -2, 0),
+            Self::Mass => Dimension::heavy(0, 0, 0),
+            Self::Torque => Dimension::heavy(2, -2, 0),
+            Self::Inertia => Dimension::heavy(2, 0, 0),
+            Self::Stiffness => Dimension::heavy(0, -2, 0),
+            Self::TurningStiffness => Dimension::heavy(2, -2, -1),
+            Self::Pressure => Dimension::heavy(-1, -2, 0),
+            Self::Power => Dimension::heavy(2, -3, 0),
+            Self::Area => Dimension::new(2, 0, 0),
         }
     }
 
@@ -89,6 +124,15 @@ impl Measure {
             Self::AngularVelocity => "an angular velocity",
             Self::AngularAcceleration => "an angular acceleration",
             Self::Number => "a number without unit",
+            Self::Force => "a force",
+            Self::Mass => "a mass",
+            Self::Torque => "a torque",
+            Self::Inertia => "a moment of inertia",
+            Self::Stiffness => "a stiffness",
+            Self::TurningStiffness => "the stiffness of a torsion spring",
+            Self::Pressure => "a pressure",
+            Self::Power => "a power",
+            Self::Area => "an area",
         }
     }
 
@@ -102,12 +146,21 @@ impl Measure {
             Self::AngularVelocity => "rad/s",
             Self::AngularAcceleration => "rad/s^2",
             Self::Number => "",
+            Self::Force => "N",
+            Self::Mass => "kg",
+            Self::Torque => "N*m",
+            Self::Inertia => "kg*m^2",
+            Self::Stiffness => "N/m",
+            Self::TurningStiffness => "N*m/rad",
+            Self::Pressure => "bar",
+            Self::Power => "W",
+            Self::Area => "mm^2",
         }
     }
 
     /// Whether `cw` and `ccw` say something about it anywhere.
     pub(crate) const fn turns(self) -> bool {
-        matches!(self, Self::Angle | Self::AngularVelocity | Self::AngularAcceleration)
+        matches!(self, Self::Angle | Self::AngularVelocity | Self::AngularAcceleration | Self::Torque)
     }
 }
 
@@ -136,7 +189,16 @@ const LENGTH: Dimension = Measure::Length.dimension();
 const TIME: Dimension = Dimension::new(0, 1, 0);
 const ANGLE: Dimension = Measure::Angle.dimension();
 
-const TABLE: [Row; 15] = [
+const FORCE: Dimension = Measure::Force.dimension();
+const MASS: Dimension = Measure::Mass.dimension();
+const WORK: Dimension = Measure::Torque.dimension();
+const POWER: Dimension = Measure::Power.dimension();
+const PRESSURE: Dimension = Measure::Pressure.dimension();
+
+/// A pound-force is this over 10¹³ newtons, exactly.
+const POUND_FORCE: f64 = 44_482_216_152_605.0;
+
+const TABLE: [Row; 37] = [
     ("nm", LENGTH, 1.0, 1e9, 0.0),
     ("um", LENGTH, 1.0, 1e6, 0.0),
     ("mm", LENGTH, 1.0, 1e3, 0.0),
@@ -152,6 +214,30 @@ const TABLE: [Row; 15] = [
     ("rad", ANGLE, 1.0, 1.0, 0.0),
     ("rev", ANGLE, 2.0 * PI, 1.0, HALF_ULP),
     ("rpm", Measure::AngularVelocity.dimension(), PI, 30.0, HALF_ULP),
+    ("mN", FORCE, 1.0, 1e3, 0.0),
+    ("N", FORCE, 1.0, 1.0, 0.0),
+    ("kN", FORCE, 1e3, 1.0, 0.0),
+    ("MN", FORCE, 1e6, 1.0, 0.0),
+    ("lbf", FORCE, POUND_FORCE, 1e13, 0.0),
+    ("kgf", FORCE, 980_665.0, 1e5, 0.0),
+    ("g", MASS, 1.0, 1e3, 0.0),
+    ("kg", MASS, 1.0, 1.0, 0.0),
+    ("t", MASS, 1e3, 1.0, 0.0),
+    ("lb", MASS, 45_359_237.0, 1e8, 0.0),
+    ("slug", MASS, POUND_FORCE, 3.048e12, 0.0),
+    ("J", WORK, 1.0, 1.0, 0.0),
+    ("kJ", WORK, 1e3, 1.0, 0.0),
+    ("W", POWER, 1.0, 1.0, 0.0),
+    ("kW", POWER, 1e3, 1.0, 0.0),
+    // 550 ft lbf/s.
+    ("hp", POWER, POUND_FORCE / 5.0 * 4191.0, 5e13, HALF_ULP),
+    ("Pa", PRESSURE, 1.0, 1.0, 0.0),
+    ("kPa", PRESSURE, 1e3, 1.0, 0.0),
+    ("MPa", PRESSURE, 1e6, 1.0, 0.0),
+    ("GPa", PRESSURE, 1e9, 1.0, 0.0),
+    ("bar", PRESSURE, 1e5, 1.0, 0.0),
+    // lbf/in².
+    ("psi", PRESSURE, POUND_FORCE, 6_451_600_000.0, 0.0),
 ];
 
 /// Every unit name.
@@ -172,12 +258,13 @@ impl Scale {
             "rev" => Some(1.0),
             _ => None,
         };
-        let of_pi = match symbol {
+        let beyond_a_double = match symbol {
             "deg" | "rpm" => Some(DoubleDouble::PI),
             "rev" => Some(DoubleDouble::PI * DoubleDouble::of(2.0)),
+            "hp" => Some(DoubleDouble::of(POUND_FORCE / 5.0) * DoubleDouble::of(4191.0)),
             _ => None,
         };
-        let fine = of_pi.unwrap_or(DoubleDouble::of(numerator)) / DoubleDouble::of(denominator);
+        let fine = beyond_a_double.unwrap_or(DoubleDouble::of(numerator)) / DoubleDouble::of(denominator);
         Some(Self {
             symbol: symbol.to_owned(),
             dimension,
@@ -224,6 +311,7 @@ impl Scale {
         Some(Self {
             symbol: String::new(),
             dimension: Dimension {
+                mass: add(self.dimension.mass, other.dimension.mass)?,
                 length: add(self.dimension.length, other.dimension.length)?,
                 time: add(self.dimension.time, other.dimension.time)?,
                 angle: add(self.dimension.angle, other.dimension.angle)?,
@@ -295,6 +383,14 @@ impl Scale {
             return Ok(self);
         }
         let (symbol, is) = (&self.symbol, self.dimension.noun());
+        if measure == Measure::Force && self.dimension == MASS {
+            let what = format!("`{symbol}` measures a mass, and a force is expected here");
+            return Err(Fault::new(at, what).mend("take a unit of force such as `N`, `lbf` or `kgf`"));
+        }
+        if measure == Measure::Mass && self.dimension == FORCE {
+            let what = format!("`{symbol}` measures a force, and a mass is expected here");
+            return Err(Fault::new(at, what).mend("give it as `weight`, or take a unit such as `kg`"));
+        }
         let what = format!("`{symbol}` measures {is}, but {} is expected here", measure.noun());
         Err(Fault::new(at, what).mend(format!("take a unit such as `{}`", measure.example())))
     }
@@ -394,6 +490,15 @@ pub(crate) struct Scales {
     angular_acceleration: Scale,
     number: Scale,
     time: Scale,
+    force: Scale,
+    mass: Scale,
+    torque: Scale,
+    inertia: Scale,
+    stiffness: Scale,
+    turning_stiffness: Scale,
+    pressure: Scale,
+    power: Scale,
+    area: Scale,
 }
 
 /// A number with its unit, as stated.
@@ -427,6 +532,15 @@ impl Scales {
         let length = choose("length", default(|u| &u.length, "m"), LENGTH)?;
         let angle = choose("angle", default(|u| &u.angle, "deg"), ANGLE)?;
         let time = choose("time", default(|u| &u.time, "s"), TIME)?;
+        // A unit that may be a product of others.
+        let compound = |key: &str, default: &str, measure: Measure| -> Res<Scale> {
+            match fields.as_ref().and_then(|f| f.get(key)) {
+                Some(value) => {
+                    Scale::parse(value.text("the name of a unit")?, value.at)?.must_be(measure, value.at)
+                }
+                None => Scale::parse(default, 0),
+            }
+        };
         let rad = Scale::base("rad").unwrap_or_else(Scale::one);
         let rate = |of: &Scale, order: u8| {
             let mut scale = of.clone();
@@ -444,6 +558,15 @@ impl Scales {
             angular_velocity: rate(&rad, 1),
             angular_acceleration: rate(&rad, 2),
             number: Scale::one(),
+            force: compound("force", default(|u| &u.force, "N"), Measure::Force)?,
+            mass: compound("mass", default(|u| &u.mass, "kg"), Measure::Mass)?,
+            torque: compound("torque", default(|u| &u.torque, "N*m"), Measure::Torque)?,
+            inertia: compound("inertia", default(|u| &u.inertia, "kg*m^2"), Measure::Inertia)?,
+            stiffness: compound("stiffness", default(|u| &u.stiffness, "N/m"), Measure::Stiffness)?,
+            turning_stiffness: Scale::parse("N*m/rad", 0)?,
+            pressure: compound("pressure", default(|u| &u.pressure, "Pa"), Measure::Pressure)?,
+            power: compound("power", default(|u| &u.power, "W"), Measure::Power)?,
+            area: Scale::parse("m^2", 0)?,
             length,
             angle,
             time,
@@ -460,11 +583,31 @@ impl Scales {
             Measure::AngularVelocity => &self.angular_velocity,
             Measure::AngularAcceleration => &self.angular_acceleration,
             Measure::Number => &self.number,
+            Measure::Force => &self.force,
+            Measure::Mass => &self.mass,
+            Measure::Torque => &self.torque,
+            Measure::Inertia => &self.inertia,
+            Measure::Stiffness => &self.stiffness,
+            Measure::TurningStiffness => &self.turning_stiffness,
+            Measure::Pressure => &self.pressure,
+            Measure::Power => &self.power,
+            Measure::Area => &self.area,
         }
     }
 
     pub(crate) fn units(&self) -> Units {
-        Units { length: self.length.unit(), angle: self.angle.unit(), time: self.time.unit() }
+        Units {
+            length: self.length.unit(),
+            angle: self.angle.unit(),
+            time: self.time.unit(),
+            force: self.force.unit(),
+            mass: self.mass.unit(),
+            torque: self.torque.unit(),
+            inertia: self.inertia.unit(),
+            stiffness: self.stiffness.unit(),
+            pressure: self.pressure.unit(),
+            power: self.power.unit(),
+        }
     }
 
     /// A number without a sense of rotation, unless its measure has one.

@@ -19,6 +19,7 @@ mod dimensions;
 mod feet;
 pub mod figure;
 pub mod font;
+mod force_names;
 mod given;
 mod grid;
 mod growth;

@@ -224,6 +224,7 @@ impl<'a> Notation<'a> {
             Quantity::Position(p) => self.point(p),
             Quantity::Angle(l) => Rich::italic("θ").sub(&self.number(l)),
             Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
+            Quantity::Force(force, share) => super::force_names::symbol(self, force, share),
         }
     }
 

@@ -100,6 +100,8 @@ impl<'a> Pose<'a> {
             }
             Form::Single => vec![[0.0, 0.0]],
         };
+        let extra = link.extra.iter().map(|own| own.map(|c| c.value));
+        let own = own.into_iter().chain(extra).collect();
         Some(own)
     }
 

@@ -19,7 +19,8 @@ pub(super) fn number(value: f64) -> Given {
 
 impl Bench {
     pub(super) fn new() -> Self {
-        let frame = Link { number: 1, points: Vec::new(), form: Form::Placed, block: false };
+        let frame =
+            Link { number: 1, points: Vec::new(), form: Form::Placed, extra: Vec::new(), block: false };
         Self {
             m: Mechanism {
                 links: vec![frame],
@@ -30,6 +31,7 @@ impl Bench {
                 contacts: Vec::new(),
                 statements: Vec::new(),
                 inputs: Vec::new(),
+                forces: crate::mechanism::force::Forces::default(),
                 asked: Vec::new(),
             },
         }
@@ -75,7 +77,7 @@ impl Bench {
 
     pub(super) fn link(mut self, n: u32, joins: &[&str], form: Form) -> Self {
         let points = joins.iter().map(|name| self.point(name)).collect();
-        self.m.links.push(Link { number: n, points, form, block: false });
+        self.m.links.push(Link { number: n, points, form, extra: Vec::new(), block: false });
         self
     }
 
@@ -120,7 +122,13 @@ impl Bench {
     ) -> Self {
         let point = self.point(pin);
         let block = block.map(|n| {
-            self.m.links.push(Link { number: n, points: vec![point], form: Form::Single, block: true });
+            self.m.links.push(Link {
+                number: n,
+                points: vec![point],
+                form: Form::Single,
+                extra: Vec::new(),
+                block: true,
+            });
             LinkId(self.m.links.len() - 1)
         });
         let guide = guide(&self);

@@ -1,0 +1,340 @@
+//! Every asked force as a formula over the multipliers and the motion.
+
+use super::constraints::{Formulas, Row, Scope, Site};
+use super::model::Tie;
+use super::state::{Measured, State};
+use super::statics::{Acting, HeavyBody};
+use super::tape::{Tape, Var};
+use crate::mechanism::force::{Action, Force, Share, Sought, Through};
+use crate::mechanism::quantity::{Answer, Indeterminate};
+use crate::mechanism::{LinkId, PointId};
+
+/// A force whose bound passes a quarter of it counts as zero: it has no line.
+const ZERO: f64 = 4.0;
+
+type Read = Result<Answer, Indeterminate>;
+
+fn undefined<T>(why: impl Into<String>) -> Result<T, Indeterminate> {
+    Err(Indeterminate::Undefined { why: why.into() })
+}
+
+/// Powers at this instant, watts; they add up to the residual, which is zero within the bound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Power {
+    /// Of all that is sought.
+    pub effort: f64,
+    /// Of given loads.
+    pub loads: f64,
+    /// Of weights.
+    pub weights: f64,
+    /// Of springs.
+    pub springs: f64,
+    /// Of inertia.
+    pub inertia: f64,
+    /// Of friction.
+    pub friction: f64,
+    /// Their sum.
+    pub residual: f64,
+    /// How far from zero the sum may be.
+    pub bound: f64,
+}
+
+impl Power {
+    /// The sum is zero within its bound.
+    #[must_use]
+    pub fn balances(&self) -> bool {
+        self.residual.abs() <= self.bound
+    }
+}
+
+/// Which pair equations make up a force, on which body they are read, and with which sign.
+struct Part {
+    pair: Through,
+    body: usize,
+    sign: f64,
+}
+
+impl State {
+    /// The powers of everything that acts, from the motion and the loads; `None` where no forces were solved or they are
+    /// not determined here.
+    #[must_use]
+    pub fn power(&self) -> Option<Power> {
+        let p = self.act(Share::Total, |s| s.powers()).ok()?;
+        let unit = self.force_unit() * self.model.length / self.model.time;
+        let [effort, loads, weights, springs, inertia, residual] = p.map(|m| m.value * unit);
+        Some(Power {
+            effort,
+            loads,
+            weights,
+            springs,
+            inertia,
+            friction: 0.0,
+            residual,
+            bound: p[5].bound * unit,
+        })
+    }
+
+    fn force_unit(&self) -> f64 {
+        self.model.length / (self.model.time * self.model.time)
+    }
+
+    /// Numbers by a formula over multipliers and motion.
+    fn act<const N: usize>(
+        &self,
+        share: Share,
+        formula: impl for<'t> Fn(&Acting<'t>) -> [Var<'t>; N],
+    ) -> Result<[Measured; N], Indeterminate> {
+        let Some(burden) = &self.burden else {
+            return undefined("forces were not solved");
+        };
+        let Some((_, balance)) = self.balances.iter().find(|(of, _)| *of == share) else {
+            return undefined("this part of the forces was not solved");
+        };
+        let (order, solved) = (self.motion_order(), self.solved.as_ref());
+        let moves = order >= 2;
+        let tape = Tape::new(order.max(1));
+        let scope = Scope { tape: &tape, motion: self.motion_here(order) };
+        let acting = Acting::new(scope, &self.model, burden, &balance.x, share, moves);
+        let out = formula(&acting);
+        if tape.broken() {
+            return undefined("it divides by a length of zero");
+        }
+        let mut measured = [Measured::default(); N];
+        for (slot, var) in measured.iter_mut().zip(out) {
+            *slot = self.measure(&tape, var, solved, Some(balance))?;
+        }
+        Ok(measured)
+    }
+
+    /// An asked force.
+    pub(super) fn force(&self, force: Force, share: Share) -> Read {
+        let (newton, metre) = (self.force_unit(), self.model.length);
+        match force {
+            Force::Vector(action) => self.vector_force(
+                share,
+                |s| {
+                    let zero = s.real.tape.constant(0.0);
+                    let [x, y, _] = self.action(s, action, [zero; 2]);
+                    [x, y]
+                },
+                action,
+            ),
+            Force::Along { by, on, from } | Force::Across { by, on, from } => {
+                let along = matches!(force, Force::Along { .. });
+                let action = Action::Pair { by, on };
+                let Some(pin) = self.model.mechanism.meeting_point(by, on) else {
+                    return undefined("the two links have no pin");
+                };
+                let (pin, from) = (self.place_site(pin)?, self.place_site(from)?);
+                self.vector_force(
+                    share,
+                    |s| {
+                        let zero = s.real.tape.constant(0.0);
+                        let [x, y, _] = self.action(s, action, [zero; 2]);
+                        let (a, b) = (s.real.site(&from), s.real.site(&pin));
+                        let line = [b[0].v - a[0].v, b[1].v - a[1].v];
+                        let square = line[0] * line[0] + line[1] * line[1];
+                        let part = (x * line[0] + y * line[1]) / square;
+                        let parts = [line[0] * part, line[1] * part];
+                        if along { parts } else { [x - parts[0], y - parts[1]] }
+                    },
+                    action,
+                )
+            }
+            Force::Torque(input) => self.sought(share, Sought::Effort(input), newton * metre),
+            Force::Drive(input) => self.sought(share, Sought::Effort(input), newton),
+            Force::LoadTorque(index) => {
+                let [m] = self.act(share, |s| [s.load(&s.burden.loads[index])[2]])?;
+                Ok(scalar(m, newton * metre))
+            }
+            Force::Pull(index) => {
+                let [m] = self.act(share, |s| [s.pull(&s.burden.springs[index])])?;
+                Ok(scalar(m, newton))
+            }
+            Force::Twist(_) => undefined("torsion springs are not solved"),
+            Force::InertiaTorque(link) => {
+                let [m] = self.act(share, |s| match self.heavy(s, link) {
+                    Some(heavy) if share != Share::Static => [s.inertial(heavy).1],
+                    _ => [s.real.tape.constant(0.0)],
+                })?;
+                Ok(scalar(m, newton * metre))
+            }
+            Force::Offset(link) => {
+                let about = self.model.mechanism.forces.mass(link).map(|mass| mass.centre);
+                let Some(about) = about else { return undefined("the link has no mass") };
+                if self.model.mechanism.is_fixed(about) {
+                    return Ok(Answer::AtInfinity { direction: [1.0, 0.0], bound: 0.0 });
+                }
+                self.arm(share, Action::Inertia(link), about)
+            }
+            Force::Moment(action, about) => {
+                let site = self.place_site(about)?;
+                self.determined(action)?;
+                let [m] = self.act(share, |s| {
+                    let place = s.real.site(&site).map(|c| c.v);
+                    [self.action(s, action, place)[2]]
+                })?;
+                Ok(scalar(m, newton * metre))
+            }
+            Force::Arm(action, about) => self.arm(share, action, about),
+        }
+    }
+
+    fn arm(&self, share: Share, action: Action, about: PointId) -> Read {
+        let site = self.place_site(about)?;
+        self.determined(action)?;
+        let [square] = self.act(share, |s| {
+            let zero = s.real.tape.constant(0.0);
+            let [x, y, _] = self.action(s, action, [zero; 2]);
+            [x * x + y * y]
+        })?;
+        if square.value <= ZERO * square.bound {
+            return undefined("the force is zero and has no line");
+        }
+        let [m] = self.act(share, |s| {
+            let place = s.real.site(&site).map(|c| c.v);
+            let [x, y, moment] = self.action(s, action, place);
+            [(moment / (x * x + y * y).sqrt()).abs()]
+        })?;
+        Ok(scalar(m, self.model.length))
+    }
+
+    fn sought(&self, share: Share, sought: Sought, unit: f64) -> Read {
+        let place = self.burden.as_ref().and_then(|b| b.sought.iter().position(|s| *s == sought));
+        let Some(place) = place else { return undefined("it is not sought here") };
+        let [m] = self.act(share, |s| [s.effort(place)])?;
+        Ok(scalar(m, unit))
+    }
+
+    fn vector_force(
+        &self,
+        share: Share,
+        formula: impl for<'t> Fn(&Acting<'t>) -> [Var<'t>; 2],
+        action: Action,
+    ) -> Read {
+        self.determined(action)?;
+        let m = self.act(share, formula)?;
+        let unit = self.force_unit();
+        Ok(Answer::Vector {
+            value: m.map(|c| c.value * unit),
+            bound: libm::hypot(m[0].bound, m[1].bound) * unit,
+        })
+    }
+
+    fn heavy<'t>(&self, s: &Acting<'t>, link: LinkId) -> Option<&'t HeavyBody> {
+        s.burden.masses.iter().find(|heavy| heavy.link == link)
+    }
+
+    /// A point as a site of a body, for its place.
+    fn place_site(&self, point: PointId) -> Result<Site, Indeterminate> {
+        if let Some(own) = self.model.places[point.0] {
+            return Ok(Site { body: 0, own });
+        }
+        match self.model.sites[point.0].first() {
+            Some(site) => Ok(*site),
+            None => undefined("a point is in no link"),
+        }
+    }
+
+    /// Refuses a force that balance does not fix, at a pin of several links about which nothing is said.
+    fn determined(&self, action: Action) -> Result<(), Indeterminate> {
+        let m = &self.model.mechanism;
+        let (by, on) = match action {
+            Action::Pair { by, on } => (by, on),
+            // Balance fixes every other one.
+            _ => return Ok(()),
+        };
+        for pair in m.pairs_between(by, on) {
+            let Through::Pin(pin) = pair else { continue };
+            if m.parties_at(pin).len() > 2 && ![Some(by), Some(on)].contains(&m.carrier(pin)) {
+                let name = &m.points[pin.0].name;
+                return undefined(format!(
+                    "balance does not say how links {} and {} share the pin {name}: name its `carrier` in `pins`, or ask for F({name},{})",
+                    m.link(by).number,
+                    m.link(on).number,
+                    m.link(on).number
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// The pair equations of a force between two links.
+    fn parts(&self, by: LinkId, on: LinkId) -> Vec<Part> {
+        let m = &self.model.mechanism;
+        let pairs = m.pairs_between(by, on).into_iter();
+        pairs
+            .map(|pair| {
+                let held_by_on = match pair {
+                    Through::Pin(pin) if m.parties_at(pin).len() > 2 => m.carrier(pin) == Some(on),
+                    _ => on == LinkId::FRAME,
+                };
+                let (body, sign) = if held_by_on { (by.0, -1.0) } else { (on.0, 1.0) };
+                Part { pair, body, sign }
+            })
+            .collect()
+    }
+
+    /// A force and its moment about a place.
+    fn action<'t>(&self, s: &Acting<'t>, action: Action, about: [Var<'t>; 2]) -> [Var<'t>; 3] {
+        let tape = s.real.tape;
+        let zero = tape.constant(0.0);
+        let add = |sum: [Var<'t>; 3], more: [Var<'t>; 3], sign: f64| -> [Var<'t>; 3] {
+            let sign = tape.constant(sign);
+            [0, 1, 2].map(|i| sum[i] + more[i] * sign)
+        };
+        let of_tie = |pair: Through| {
+            move |_: &Row, tie: Tie| match pair {
+                Through::Pin(pin) => tie == Tie::Pin(pin),
+                Through::Slide(index) => tie == Tie::Slide(index),
+                Through::Roll(index) => tie == Tie::Roll(index),
+            }
+        };
+        let inertial = |heavy: &HeavyBody| {
+            let (force, couple) = s.inertial(heavy);
+            let centre = s.real.site(&heavy.centre).map(|c| c.v);
+            let arm = [centre[0] - about[0], centre[1] - about[1]];
+            [force[0], force[1], couple + (arm[0] * force[1] - arm[1] * force[0])]
+        };
+        match action {
+            Action::Pair { by, on } => {
+                let parts = self.parts(by, on);
+                parts.iter().fold([zero; 3], |sum, part| {
+                    add(sum, s.wrench(of_tie(part.pair), part.body, about), part.sign)
+                })
+            }
+            Action::OfPin(pin, link) | Action::OnPin(link, pin) => {
+                let sign = if matches!(action, Action::OnPin(..)) { -1.0 } else { 1.0 };
+                let pair = Through::Pin(pin);
+                if link != LinkId::FRAME {
+                    return add([zero; 3], s.wrench(of_tie(pair), link.0, about), sign);
+                }
+                let bodies = 1..self.model.bodies;
+                bodies.fold([zero; 3], |sum, body| add(sum, s.wrench(of_tie(pair), body, about), -sign))
+            }
+            Action::Inertia(link) => self.heavy(s, link).map_or([zero; 3], inertial),
+            Action::Shaking => s.burden.masses.iter().fold([zero; 3], |sum, h| add(sum, inertial(h), 1.0)),
+            Action::OnFrame => {
+                let bodies = 1..self.model.bodies;
+                let on_frame = |row: &Row, _: Tie| row.bodies().contains(&0);
+                bodies.fold([zero; 3], |sum, body| add(sum, s.wrench(on_frame, body, about), -1.0))
+            }
+            Action::Load(index) => {
+                let load = &s.burden.loads[index];
+                let [x, y, torque] = s.load(load);
+                let moment = match &load.at {
+                    Some(at) => {
+                        let at = s.real.site(at).map(|c| c.v);
+                        (at[0] - about[0]) * y - (at[1] - about[1]) * x
+                    }
+                    None => torque,
+                };
+                [x, y, moment]
+            }
+        }
+    }
+}
+
+fn scalar(m: Measured, unit: f64) -> Answer {
+    Answer::Scalar { value: m.value * unit, bound: m.bound * unit }
+}

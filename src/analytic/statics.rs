@@ -1,0 +1,722 @@
+//! Reactions and efforts: the multipliers of the pair constraints, for all links at once.
+//!
+//! By d'Alembert and Lagrange, for a unit virtual rate of each coordinate of each body: the work of the multipliers in
+//! the pair equations, of the sought efforts, of loads, weights and springs, less that of M A and I ε, is zero.
+//! Virtual rates are the `d` of the same jets of which the equations are made, so that there is no second
+//! formula of any pair, and no free body, arm or group. Each balance is recorded, and its sensitivities to
+//! multipliers, poses, rates, accelerations and given numbers come from the record.
+
+use std::collections::HashMap;
+
+use super::AnalyticError;
+use super::constraints::{Drive, Formulas, Motion, Num, Row, Scope, Site};
+use super::linear::System;
+use super::model::{Model, Tie, Track};
+use super::motion::{Located, Solved};
+use super::ordering::{Ordering, order};
+use super::tape::{Calculus, Jet, Leaf, Linear, Tape, U, Var, dot, minus};
+use crate::mechanism::force::{
+    Area, Heaviness, Inertia, LoadKind, Pointing, Share, Size, Sought, SpringKind, SpringLaw,
+};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId};
+
+/// Rounds of iterative refinement.
+const REFINEMENTS: usize = 3;
+
+/// What acts on the bodies, in the scaled numbers of a model. Forces are counted in kg·length/time², so that masses stay
+/// kilograms.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Burden {
+    /// g and its direction, where weights act.
+    gravity: Option<[Num; 2]>,
+    pub(super) masses: Vec<HeavyBody>,
+    pub(super) loads: Vec<BodyLoad>,
+    pub(super) springs: Vec<BodySpring>,
+    /// The equations of the pairs, without those of inputs.
+    pub(super) pairs: Vec<(Row, Tie)>,
+    /// What is sought, in the order of the unknowns after the pairs.
+    pub(super) sought: Vec<Sought>,
+}
+
+/// A mass.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct HeavyBody {
+    pub(super) link: LinkId,
+    /// Where its mass centre is.
+    pub(super) centre: Site,
+    heaviness: Heavy,
+    inertia: Turning,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Heavy {
+    Mass(Num),
+    /// Weight and g.
+    Weight([Num; 2]),
+    None,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Turning {
+    Point,
+    Central(Num),
+    /// About this place of the body.
+    About([Num; 2], Num),
+    Gyration(Num),
+}
+
+/// A load.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BodyLoad {
+    pub(super) body: usize,
+    /// Where a force acts; none for a torque.
+    pub(super) at: Option<Site>,
+    size: LoadSize,
+    pointing: Toward,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum LoadSize {
+    One(Num),
+    Pair([Num; 2]),
+    Pressure(Num, [Num; 2]),
+    PressureOn(Num, Num),
+    Sought(usize),
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Toward {
+    World(Num),
+    /// Components or an angle in a body.
+    Own(usize, Num),
+    Between([Site; 2], Num),
+    /// With the motion: +1, against it: −1.
+    Motion(f64),
+}
+
+/// A spring between two points.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BodySpring {
+    ends: [Site; 2],
+    law: BodyLaw,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum BodyLaw {
+    Stiffness(Num, Num),
+    StiffnessSought(usize, Num),
+    Force(Num),
+    ForceSought(usize),
+}
+
+/// Balance of one share of what acts.
+#[derive(Debug, Clone)]
+pub(super) struct Balance {
+    /// Multipliers of the pairs, then what is sought.
+    pub(super) x: Vec<f64>,
+    /// The equations of balance at the solution.
+    pub(super) rows: Vec<Linear>,
+    /// Their matrix.
+    pub(super) system: System,
+    /// Unknowns that balance does not fix.
+    pub(super) undetermined: Vec<bool>,
+}
+
+/// A scope in which one coordinate has a unit virtual rate.
+struct Virtual<'t> {
+    tape: &'t Tape,
+    motion: Motion<'t>,
+    column: usize,
+}
+
+impl<'t> Formulas for Virtual<'t> {
+    type Number = Jet<'t>;
+
+    fn num(&self, num: Num) -> Jet<'t> {
+        self.tape.steady(match num {
+            Num::Exact(value) => self.tape.constant(value),
+            Num::Param(index) => self.tape.leaf(Leaf::Param(index), self.motion.params[index].value),
+        })
+    }
+
+    fn exact(&self, value: f64) -> Jet<'t> {
+        self.tape.number(value)
+    }
+
+    fn coordinate(&self, body: usize, axis: usize) -> Jet<'t> {
+        if body == 0 {
+            return self.tape.number(0.0);
+        }
+        let at = 3 * body + axis;
+        Jet {
+            v: self.tape.leaf(Leaf::Pose(at), self.motion.pose[at]),
+            d: self.tape.constant(if at == self.column { 1.0 } else { 0.0 }),
+            a: self.tape.constant(0.0),
+        }
+    }
+
+    fn drive(&self, drive: &Drive) -> Jet<'t> {
+        self.num(drive.value)
+    }
+}
+
+/// Formulas over the motion and the multipliers.
+pub(super) struct Acting<'t> {
+    pub(super) real: Scope<'t>,
+    pub(super) burden: &'t Burden,
+    pub(super) model: &'t Model,
+    x: &'t [f64],
+    share: Share,
+    /// Whether accelerations are known.
+    moves: bool,
+}
+
+impl<'t> Acting<'t> {
+    pub(super) fn new(
+        real: Scope<'t>,
+        model: &'t Model,
+        burden: &'t Burden,
+        x: &'t [f64],
+        share: Share,
+        moves: bool,
+    ) -> Self {
+        Self { real, burden, model, x, share, moves }
+    }
+
+    fn tape(&self) -> &'t Tape {
+        self.real.tape
+    }
+
+    /// A multiplier, or what is sought.
+    pub(super) fn unknown(&self, index: usize) -> Var<'t> {
+        self.tape().leaf(Leaf::Force(index), self.x[index])
+    }
+
+    /// The unknown that stands for what is sought, by its place in [`Burden::sought`].
+    pub(super) fn effort(&self, index: usize) -> Var<'t> {
+        self.unknown(self.burden.pairs.len() + index)
+    }
+
+    fn virtually(&self, column: usize) -> Virtual<'t> {
+        Virtual { tape: self.tape(), motion: self.real.motion, column }
+    }
+
+    /// The generalised force of a pair equation, for a unit multiplier, on a coordinate.
+    fn slope(&self, row: &Row, column: usize) -> Var<'t> {
+        if row.hangs_on(column / 3) { self.virtually(column).row(row).d } else { self.tape().constant(0.0) }
+    }
+
+    /// The force that chosen pair equations exert on a body, and its moment about a place.
+    pub(super) fn wrench(
+        &self,
+        chosen: impl Fn(&Row, Tie) -> bool,
+        body: usize,
+        about: [Var<'t>; 2],
+    ) -> [Var<'t>; 3] {
+        let zero = self.tape().constant(0.0);
+        let mut sum = [zero; 3];
+        for (index, (row, tie)) in self.burden.pairs.iter().enumerate() {
+            if !chosen(row, *tie) || !row.hangs_on(body) {
+                continue;
+            }
+            let size = self.unknown(index);
+            for (axis, part) in sum.iter_mut().enumerate() {
+                *part = *part + self.slope(row, 3 * body + axis) * size;
+            }
+        }
+        let [x, y, turning] = sum;
+        let origin = self.real.origin(body).map(|c| c.v);
+        let arm = [origin[0] - about[0], origin[1] - about[1]];
+        [x, y, turning + (arm[0] * y - arm[1] * x)]
+    }
+
+    /// The mass of a body.
+    fn mass(&self, heavy: &HeavyBody) -> Var<'t> {
+        match heavy.heaviness {
+            Heavy::Mass(mass) => self.real.num(mass).v,
+            Heavy::Weight([weight, g]) => self.real.num(weight).v / self.real.num(g).v,
+            Heavy::None => self.tape().constant(0.0),
+        }
+    }
+
+    /// The moment of inertia of a body about its mass centre.
+    fn inertia(&self, heavy: &HeavyBody) -> Var<'t> {
+        match heavy.inertia {
+            Turning::Point => self.tape().constant(0.0),
+            Turning::Central(inertia) => self.real.num(inertia).v,
+            Turning::Gyration(radius) => {
+                let radius = self.real.num(radius).v;
+                self.mass(heavy) * (radius * radius)
+            }
+            Turning::About(place, inertia) => {
+                let away = minus(self.real.pair(place), self.real.pair(heavy.centre.own));
+                self.real.num(inertia).v - self.mass(heavy) * dot(away, away).v
+            }
+        }
+    }
+
+    /// −M A_G and −I ε of a body.
+    pub(super) fn inertial(&self, heavy: &HeavyBody) -> ([Var<'t>; 2], Var<'t>) {
+        let mass = -self.mass(heavy);
+        let acceleration = self.real.site(&heavy.centre).map(|jet| jet.a);
+        let turning = -(self.inertia(heavy) * self.real.angle(heavy.centre.body).a);
+        (acceleration.map(|a| a * mass), turning)
+    }
+
+    fn weight(&self, heavy: &HeavyBody) -> Option<[Var<'t>; 2]> {
+        let [g, direction] = self.burden.gravity?;
+        let weight = match heavy.heaviness {
+            Heavy::Weight([weight, _]) => self.real.num(weight).v,
+            _ => self.mass(heavy) * self.real.num(g).v,
+        };
+        let along = self.real.num(direction).cos_sin();
+        Some(along.map(|c| c.v * weight))
+    }
+
+    /// The force of a load, or its torque in the first place of the three: x, y, torque.
+    pub(super) fn load(&self, load: &BodyLoad) -> [Var<'t>; 3] {
+        let zero = self.tape().constant(0.0);
+        let s = &self.real;
+        let size = match load.size {
+            LoadSize::One(size) => s.num(size).v,
+            LoadSize::Sought(index) => self.effort(index),
+            LoadSize::PressureOn(pressure, area) => s.num(pressure).v * s.num(area).v,
+            LoadSize::Pressure(pressure, [bore, rod]) => {
+                let (bore, rod) = (s.num(bore).v, s.num(rod).v);
+                let quarter_pi = s.tape.rounded(std::f64::consts::FRAC_PI_4, U);
+                s.num(pressure).v * quarter_pi * (bore * bore - rod * rod)
+            }
+            LoadSize::Pair([x, y]) => {
+                let parts = [s.num(x), s.num(y)];
+                let Toward::Own(body, _) = load.pointing else { return [parts[0].v, parts[1].v, zero] };
+                let turned = super::tape::turned(parts, s.angle(body));
+                return [turned[0].v, turned[1].v, zero];
+            }
+        };
+        let Some(at) = &load.at else {
+            let torque = match load.pointing {
+                Toward::Motion(sign) => {
+                    let omega = s.angle(load.body).d;
+                    let sense = if omega.value < 0.0 { -sign } else { sign };
+                    size * s.tape.constant(sense)
+                }
+                _ => size,
+            };
+            return [zero, zero, torque];
+        };
+        let direction = match load.pointing {
+            Toward::World(angle) => s.num(angle).cos_sin().map(|c| c.v),
+            Toward::Own(body, angle) => (s.angle(body) + s.num(angle)).cos_sin().map(|c| c.v),
+            Toward::Between([from, to], turned) => {
+                let along = minus(s.site(&to), s.site(&from));
+                let length = dot(along, along).sqrt();
+                let unit = [along[0] / length, along[1] / length];
+                super::tape::turned(unit, s.num(turned)).map(|c| c.v)
+            }
+            Toward::Motion(sign) => {
+                let velocity = s.site(at).map(|c| c.d);
+                let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
+                velocity.map(|c| c / speed * s.tape.constant(sign))
+            }
+        };
+        [direction[0] * size, direction[1] * size, zero]
+    }
+
+    /// The pull of a spring, given its length.
+    fn pull_of(&self, spring: &BodySpring, length: Var<'t>) -> Var<'t> {
+        let num = |num: Num| self.real.num(num).v;
+        match spring.law {
+            BodyLaw::Stiffness(stiffness, free) => num(stiffness) * (length - num(free)),
+            BodyLaw::StiffnessSought(index, free) => self.effort(index) * (length - num(free)),
+            BodyLaw::Force(force) => num(force),
+            BodyLaw::ForceSought(index) => self.effort(index),
+        }
+    }
+
+    fn length<S: Formulas>(scope: &S, spring: &BodySpring) -> S::Number {
+        let along = minus(scope.site(&spring.ends[1]), scope.site(&spring.ends[0]));
+        dot(along, along).sqrt()
+    }
+
+    /// The pull of a spring.
+    pub(super) fn pull(&self, spring: &BodySpring) -> Var<'t> {
+        self.pull_of(spring, Self::length(&self.real, spring).v)
+    }
+
+    fn statical(&self) -> bool {
+        self.share != Share::Inertia
+    }
+
+    fn inertial_too(&self) -> bool {
+        self.share != Share::Static && self.moves
+    }
+
+    /// The balance on one coordinate, with the terms that hang on each unknown.
+    fn balance(&self, column: usize) -> (Var<'t>, Vec<(usize, Var<'t>)>) {
+        let (body, axis) = (column / 3, column % 3);
+        let zero = self.tape().constant(0.0);
+        let virtually = self.virtually(column);
+        let mut slopes = Vec::new();
+        for (index, (row, _)) in self.burden.pairs.iter().enumerate() {
+            if row.hangs_on(body) {
+                slopes.push((index, virtually.row(row).d));
+            }
+        }
+        let work = |force: [Var<'t>; 2], site: &Site| {
+            let moved = virtually.site(site).map(|c| c.d);
+            force[0] * moved[0] + force[1] * moved[1]
+        };
+        let turned = virtually.angle(body).d;
+        let pairs = self.burden.pairs.len();
+        for (index, sought) in self.burden.sought.iter().enumerate() {
+            let Sought::Effort(input) = *sought else { continue };
+            let slope = match self.model.effort_row(input) {
+                Some(row) if row.hangs_on(body) => virtually.row(&row).d,
+                _ => continue,
+            };
+            slopes.push((pairs + index, slope));
+        }
+        let mut sum = zero;
+        // What is sought is a load for a unit of it: it stands among the unknowns, not in the sum.
+        for load in self.burden.loads.iter().filter(|load| load.body == body) {
+            let unit = |index: usize| {
+                let alone = BodyLoad { size: LoadSize::One(Num::Exact(1.0)), ..*load };
+                (pairs + index, alone)
+            };
+            let of = |load: &BodyLoad| {
+                let [x, y, torque] = self.load(load);
+                match &load.at {
+                    Some(at) => work([x, y], at),
+                    None => torque * turned,
+                }
+            };
+            match load.size {
+                LoadSize::Sought(index) => {
+                    let (index, alone) = unit(index);
+                    slopes.push((index, of(&alone)));
+                }
+                _ if self.statical() => sum = sum + of(load),
+                _ => {}
+            }
+        }
+        for spring in &self.burden.springs {
+            if !spring.ends.iter().any(|end| end.body == body) {
+                continue;
+            }
+            let length = Self::length(&virtually, spring);
+            let stretch = -length.d;
+            match spring.law {
+                BodyLaw::StiffnessSought(index, free) => {
+                    let longer = length.v - self.real.num(free).v;
+                    slopes.push((pairs + index, stretch * longer));
+                }
+                BodyLaw::ForceSought(index) => slopes.push((pairs + index, stretch)),
+                _ if self.statical() => sum = sum + stretch * self.pull_of(spring, length.v),
+                _ => {}
+            }
+        }
+        for heavy in self.burden.masses.iter().filter(|heavy| heavy.centre.body == body) {
+            if self.statical()
+                && let Some(weight) = self.weight(heavy)
+            {
+                sum = sum + work(weight, &heavy.centre);
+            }
+            if self.inertial_too() {
+                let (force, couple) = self.inertial(heavy);
+                sum = sum + work(force, &heavy.centre);
+                if axis == 2 {
+                    sum = sum + couple;
+                }
+            }
+        }
+        for (index, slope) in &slopes {
+            sum = sum + *slope * self.unknown(*index);
+        }
+        (sum, slopes)
+    }
+
+    /// The powers of everything that acts: efforts, loads, weights, springs, inertia, and their sum.
+    pub(super) fn powers(&self) -> [Var<'t>; 6] {
+        let zero = self.tape().constant(0.0);
+        let s = &self.real;
+        let [mut efforts, mut loads, mut weights, mut springs, mut inertia] = [zero; 5];
+        for (index, sought) in self.burden.sought.iter().enumerate() {
+            if let Sought::Effort(input) = *sought
+                && let Some(row) = self.model.effort_row(input)
+            {
+                // The rate of the input's own equation, whose driving function rests.
+                efforts = efforts + self.effort(index) * s.row(&row).d;
+            }
+        }
+        let power = |force: [Var<'t>; 2], site: &Site| {
+            let velocity = s.site(site).map(|c| c.d);
+            force[0] * velocity[0] + force[1] * velocity[1]
+        };
+        for load in &self.burden.loads {
+            let [x, y, torque] = self.load(load);
+            let of = match &load.at {
+                Some(at) => power([x, y], at),
+                None => torque * s.angle(load.body).d,
+            };
+            match load.size {
+                LoadSize::Sought(_) => efforts = efforts + of,
+                _ => loads = loads + of,
+            }
+        }
+        for spring in &self.burden.springs {
+            let length = Self::length(s, spring);
+            let of = -(self.pull_of(spring, length.v) * length.d);
+            match spring.law {
+                BodyLaw::StiffnessSought(..) | BodyLaw::ForceSought(_) => efforts = efforts + of,
+                _ => springs = springs + of,
+            }
+        }
+        for heavy in &self.burden.masses {
+            if let Some(weight) = self.weight(heavy) {
+                weights = weights + power(weight, &heavy.centre);
+            }
+            if self.moves {
+                let (force, couple) = self.inertial(heavy);
+                inertia = inertia + power(force, &heavy.centre) + couple * s.angle(heavy.centre.body).d;
+            }
+        }
+        let sum = efforts + loads + weights + springs + inertia;
+        [efforts, loads, weights, springs, inertia, sum]
+    }
+}
+
+impl Burden {
+    /// Compiles what acts on a mechanism.
+    pub(super) fn new(model: &mut Model) -> Result<Self, AnalyticError> {
+        let mechanism = std::sync::Arc::clone(&model.mechanism);
+        let forces = &mechanism.forces;
+        let (length, time) = (model.length, model.time);
+        let force = length / (time * time);
+        let torque = force * length;
+        let g = model.given(forces.gravity.g, force);
+        let direction = model.given(forces.gravity.direction, 1.0);
+        let sought = mechanism.sought();
+        // Asked only of what is sought.
+        let place = |wanted: Sought| sought.iter().take_while(|s| **s != wanted).count();
+        let mut burden = Self { gravity: forces.gravity.acts.then_some([g, direction]), ..Self::default() };
+        for mass in &forces.masses {
+            let centre = site_in(model, mass.centre, mass.link)?;
+            let heaviness = match mass.heaviness {
+                Heaviness::Mass(mass) => Heavy::Mass(model.given(mass, 1.0)),
+                Heaviness::Weight(weight) => Heavy::Weight([model.given(weight, force), g]),
+                Heaviness::None => Heavy::None,
+            };
+            let square = length * length;
+            let inertia = match mass.inertia {
+                Inertia::Point => Turning::Point,
+                Inertia::Central(inertia) => Turning::Central(model.given(inertia, square)),
+                Inertia::About(point, inertia) => {
+                    Turning::About(site_in(model, point, mass.link)?.own, model.given(inertia, square))
+                }
+                Inertia::Gyration(radius) => Turning::Gyration(model.given(radius, length)),
+            };
+            burden.masses.push(HeavyBody { link: mass.link, centre, heaviness, inertia });
+        }
+        for (index, load) in forces.loads.iter().enumerate() {
+            burden.loads.push(match load.kind {
+                LoadKind::Torque { size, with_motion } => BodyLoad {
+                    body: load.link.0,
+                    at: None,
+                    size: load_size(model, size, torque, place(Sought::Load(index))),
+                    pointing: match with_motion {
+                        Some(with) => Toward::Motion(if with { 1.0 } else { -1.0 }),
+                        None => Toward::World(Num::Exact(0.0)),
+                    },
+                },
+                LoadKind::Vector { at, parts, of } => BodyLoad {
+                    body: load.link.0,
+                    at: Some(site_in(model, at, load.link)?),
+                    size: LoadSize::Pair(parts.map(|part| model.given(part, force))),
+                    pointing: Toward::Own(of.0, Num::Exact(0.0)),
+                },
+                LoadKind::Force { at, size, pointing } => BodyLoad {
+                    body: load.link.0,
+                    at: Some(site_in(model, at, load.link)?),
+                    size: load_size(model, size, force, place(Sought::Load(index))),
+                    pointing: match pointing {
+                        Pointing::World(angle) => Toward::World(model.given(angle, 1.0)),
+                        Pointing::Own { link, angle } => Toward::Own(link.0, model.given(angle, 1.0)),
+                        Pointing::Between { from, to, turned } => {
+                            let ends = [any_site(model, from)?, any_site(model, to)?];
+                            Toward::Between(ends, model.given(turned, 1.0))
+                        }
+                        Pointing::Motion { with } => Toward::Motion(if with { 1.0 } else { -1.0 }),
+                    },
+                },
+            });
+        }
+        for (index, spring) in forces.springs.iter().enumerate() {
+            let SpringKind::Pull([first, second]) = spring.kind else { continue };
+            let ends = [site_in(model, first.1, first.0)?, site_in(model, second.1, second.0)?];
+            let index = place(Sought::Spring(index));
+            let law = match spring.law {
+                SpringLaw::Stiffness { stiffness: Size::Given(stiffness), free } => {
+                    let stiffness = model.given(stiffness, force / length);
+                    BodyLaw::Stiffness(stiffness, model.given(free, length))
+                }
+                SpringLaw::Stiffness { free, .. } => {
+                    BodyLaw::StiffnessSought(index, model.given(free, length))
+                }
+                SpringLaw::Force(Size::Given(pull)) => BodyLaw::Force(model.given(pull, force)),
+                SpringLaw::Force(_) => BodyLaw::ForceSought(index),
+            };
+            burden.springs.push(BodySpring { ends, law });
+        }
+        burden.pairs = model.pair_rows()?;
+        burden.sought = sought;
+        Ok(burden)
+    }
+
+    fn unknowns(&self) -> usize {
+        self.pairs.len() + self.sought.len()
+    }
+}
+
+fn load_size(model: &mut Model, size: Size, unit: f64, sought: usize) -> LoadSize {
+    let (length, pressure_unit) = (model.length, unit / (model.length * model.length));
+    match size {
+        Size::Given(given) => LoadSize::One(model.given(given, unit)),
+        Size::Sought => LoadSize::Sought(sought),
+        Size::Pressure { pressure, area: Area::Given(area) } => {
+            LoadSize::PressureOn(model.given(pressure, pressure_unit), model.given(area, length * length))
+        }
+        Size::Pressure { pressure, area: Area::Bore { bore, rod } } => LoadSize::Pressure(
+            model.given(pressure, pressure_unit),
+            [model.given(bore, length), rod.map_or(Num::Exact(0.0), |rod| model.given(rod, length))],
+        ),
+    }
+}
+
+/// A point in a link of its own.
+fn site_in(model: &Model, point: PointId, link: LinkId) -> Result<Site, AnalyticError> {
+    let sites = &model.sites[point.0];
+    sites.iter().find(|site| site.body == link.0).copied().ok_or_else(|| AnalyticError::Malformed {
+        what: format!("{} is not in its link", model.mechanism.points[point.0].name),
+    })
+}
+
+fn any_site(model: &Model, point: PointId) -> Result<Site, AnalyticError> {
+    model.sites[point.0].first().copied().ok_or_else(|| AnalyticError::Malformed {
+        what: format!("{} is in no link", model.mechanism.points[point.0].name),
+    })
+}
+
+/// Which balances hang on which unknowns, and how far off their slopes may be.
+#[derive(Default)]
+struct Slopes {
+    errors: HashMap<(usize, usize), f64>,
+    pattern: Vec<Vec<usize>>,
+}
+
+/// Solves the balance of one share of what acts.
+pub(super) fn balance(
+    model: &Model,
+    burden: &Burden,
+    located: &Located,
+    solved: Option<&Solved>,
+    share: Share,
+) -> Result<Balance, AnalyticError> {
+    let n = burden.unknowns();
+    let moves = solved.is_some_and(|solved| !solved.accel.is_empty());
+    let (rate, accel): (&[f64], &[f64]) = solved.map_or((&[], &[]), |s| (&s.rate, &s.accel));
+    let motion = Motion { pose: &located.pose, rate, accel, params: &model.params };
+    let columns = 3..3 * model.bodies;
+    let mut known = Slopes::default();
+    let evaluate = |x: &[f64], mut first: Option<&mut Slopes>| -> Result<Vec<Linear>, AnalyticError> {
+        columns
+            .clone()
+            .map(|column| {
+                let tape = Tape::new(if moves { 2 } else { 1 });
+                let acting = Acting::new(Scope { tape: &tape, motion }, model, burden, x, share, moves);
+                let (sum, slopes) = acting.balance(column);
+                if let Some(first) = first.as_deref_mut() {
+                    let mut used = Vec::new();
+                    for (index, slope) in slopes {
+                        let linear = tape.sweep(slope);
+                        let steady = linear.terms.is_empty() && linear.rounding == 0.0;
+                        if steady && linear.value == 0.0 {
+                            continue;
+                        }
+                        used.push(index);
+                        let spread = linear.terms.iter().map(|(leaf, c)| match leaf {
+                            Leaf::Pose(at) => c.abs() * located.error[*at],
+                            Leaf::Param(at) => c.abs() * model.params[*at].error,
+                            Leaf::Rate(_) | Leaf::Accel(_) | Leaf::Force(_) => 0.0,
+                        });
+                        let error = spread.filter(|e| *e > 0.0).sum::<f64>() + linear.rounding;
+                        *first.errors.entry((column - 3, index)).or_default() += error;
+                    }
+                    used.sort_unstable();
+                    used.dedup();
+                    first.pattern.push(used);
+                }
+                let linear = tape.sweep(sum);
+                let sound = !tape.broken() && linear.value.is_finite() && linear.rounding.is_finite();
+                sound.then_some(linear).ok_or_else(|| AnalyticError::Malformed {
+                    what: "a force points along a line without length".into(),
+                })
+            })
+            .collect()
+    };
+    let mut x = vec![0.0; n];
+    let mut rows = evaluate(&x, Some(&mut known))?;
+    let Ordering { groups, free, .. } = order(&known.pattern, n);
+    let mut system = System::new(groups, &rows, n, |leaf| match leaf {
+        Leaf::Force(at) => Some(at),
+        _ => None,
+    });
+    let mut undetermined = vec![false; n];
+    for column in &free {
+        undetermined[*column] = true;
+    }
+    for index in 0..system.blocks.len() {
+        let error = |row: usize, column: usize| match known.errors.get(&(row, column)) {
+            Some(error) => *error,
+            // A balance that does not hang on the unknown.
+            None => 0.0,
+        };
+        if !system.judge(index, error) || system.uses(index, &undetermined) {
+            for column in &system.blocks[index].group.columns {
+                undetermined[*column] = true;
+            }
+        }
+    }
+    for _ in 0..=REFINEMENTS {
+        let residuals: Vec<f64> = rows.iter().map(|linear| -linear.value).collect();
+        let correction = system.solve(&residuals, &undetermined);
+        if correction.iter().all(|d| *d == 0.0) {
+            break;
+        }
+        for (x, d) in x.iter_mut().zip(correction) {
+            *x += d;
+        }
+        rows = evaluate(&x, None)?;
+    }
+    Ok(Balance { x, rows, system, undetermined })
+}
+
+/// The equations of pairs, each with the pair of which it is.
+impl Model {
+    /// The equation whose multiplier is the effort at an input; the driving function rests.
+    pub(super) fn effort_row(&self, input: usize) -> Option<Row> {
+        let zero = Num::Exact(0.0);
+        let drive = Drive { value: zero, rate: zero, arm: None, second: zero };
+        let mechanism: &Mechanism = &self.mechanism;
+        match mechanism.inputs.get(input)? {
+            Input::Angle { link, .. } | Input::Speed { link, .. } => Some(Row::Turn(link.0, None, drive)),
+            Input::Slide { slide, .. } => {
+                let pair = &mechanism.slides[*slide];
+                let site = self.rider_site(&pair.rider, pair.guide.link).ok()?;
+                match self.track(*slide)? {
+                    Track::Line(line) => Some(Row::Push(site, *line, drive)),
+                    Track::Arc(_) => None,
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,496 @@
+//! The balance of each kind of group.
+
+use crate::board::{Amount, Direction, Line, Point};
+use crate::mechanism::force::{Party, Sought};
+use crate::mechanism::structure::{Drive, Group, GroupKind};
+use crate::mechanism::{LinkId, PointId};
+
+use super::super::draughtsman::Draughtsman;
+use super::super::pose::Track;
+use super::{Balance, Item, Pull, SlideForce, pulls};
+
+/// Finds the forces of a group in its pairs, and gives them to the bodies on which it hangs.
+pub(super) fn solve(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) {
+    let before = d.board.purpose("balance of a group");
+    match group.kind {
+        GroupKind::Driver { base, input } => driver(d, group, base, input, balance),
+        GroupKind::DrivenSlide { slide, input } => driven_slide(d, slide, input, balance),
+        GroupKind::Rrr { links, bases, pin } => rrr(d, links, bases, pin, balance),
+        GroupKind::Rrp { rod, base, pin, slide, rider } => rrp(d, (rod, base), pin, (slide, rider), balance),
+        GroupKind::Rpr { lever, base, pin, slide, rod } => rpr(d, (lever, base), pin, (slide, rod), balance),
+        GroupKind::Prp { pin, slides, riders } => prp(d, pin, slides, riders, balance),
+        GroupKind::Rpp { link, point, lever, base, ride, slot } => {
+            rpp(d, (link, point), (lever, base), [ride, slot], balance);
+        }
+        GroupKind::Yoke { link, ride, pin, slot } => yoke(d, link, ride, (pin, slot), balance),
+        GroupKind::DrivenBar { .. }
+        | GroupKind::Wheel { .. }
+        | GroupKind::Rack { .. }
+        | GroupKind::DrivenWheel { .. }
+        | GroupKind::Rolling { .. }
+        | GroupKind::PinnedRack { .. }
+        | GroupKind::Higher { .. }
+        | GroupKind::Other => balance.refused = Some("this version has no balance of forces for this group"),
+    }
+    d.board.purpose(before);
+}
+
+/// What slides in a pair of a group, if it is a link of its own, and the party on the other side.
+struct Sliding {
+    /// The block, or the link that slides without turning; none where the pin itself rides.
+    inner: Option<LinkId>,
+    /// Who is on the other side.
+    outer: Party,
+    /// The inner side is what the pair calls its rider.
+    inner_rides: bool,
+}
+
+impl Draughtsman<'_> {
+    /// The sides of a sliding pair in which `pin` rides, itself or with a link of the group.
+    fn sliding(&self, slide: usize, link: Option<LinkId>) -> Sliding {
+        let pair = self.mechanism.slides[slide];
+        let rider = self.mechanism.party_of(&pair.rider);
+        let guide = pair.guide.link;
+        match (link, rider) {
+            // The link carries the guide, and the other one rides.
+            (Some(link), rider) if link == guide => {
+                Sliding { inner: Some(link), outer: rider, inner_rides: false }
+            }
+            (_, Party::Link(block)) => {
+                Sliding { inner: Some(block), outer: Party::Link(guide), inner_rides: true }
+            }
+            (_, Party::Pin(_)) => Sliding { inner: None, outer: Party::Link(guide), inner_rides: true },
+        }
+    }
+
+    /// The direction of a guide under a point, and square to it.
+    fn guide_at(&mut self, slide: usize, at: Point) -> (Direction, Direction) {
+        match self.track(slide, None) {
+            Track::Straight(line) => {
+                let normal = self.board.quarter_turn(line.along);
+                (line.along, normal)
+            }
+            Track::Arc(circle) => {
+                let guide = self.mechanism.slides[slide].guide.link;
+                let reason = self.reason(&[guide]);
+                let (inward, _) = self.board.toward(at, circle.centre, reason);
+                let along = self.board.quarter_turn(inward);
+                (along, inward)
+            }
+        }
+    }
+
+    fn is_arc(&mut self, slide: usize) -> bool {
+        matches!(self.mechanism.slides[slide].guide.path, crate::mechanism::Path::Arc { .. })
+    }
+
+    /// Notes the force of a sliding pair on its inner side, and lays it off on the outer one.
+    fn note_slide(
+        &mut self,
+        balance: &mut Balance,
+        slide: usize,
+        sliding: &Sliding,
+        pin: PointId,
+        on_inner: SlideForce,
+    ) {
+        let reaction = SlideForce {
+            pull: Self::opposite(on_inner.pull),
+            at: on_inner.at,
+            couple: on_inner.couple.map(|couple| self.board.opposite(couple)),
+        };
+        balance.slides.insert(slide, if sliding.inner_rides { on_inner } else { reaction });
+        if let (None, Party::Link(guide)) = (sliding.inner, sliding.outer) {
+            // The pin itself rides: its slot is one of the parties at the pin.
+            balance.of_pins.insert((pin.0, guide.0), reaction.pull);
+        }
+        balance.push_on(sliding.outer, reaction.item());
+    }
+
+    /// Notes the force of a pin on a link of the group, and lays it off on whoever holds the pin.
+    fn note_pin(&mut self, balance: &mut Balance, pin: PointId, link: LinkId, on_link: Pull) {
+        balance.of_pins.insert((pin.0, link.0), on_link);
+        let at = self.at(pin);
+        balance.push_on_pin(self, pin, Item { pull: Some(Self::opposite(on_link)), at, couple: None });
+    }
+
+    /// Notes the force of a pin between two links of one group: on the one of them that does not hold it.
+    fn note_inner_pin(&mut self, balance: &mut Balance, pin: PointId, of: [(LinkId, Pull); 2]) {
+        let holder = self.holder(pin);
+        for (link, pull) in of {
+            if holder != super::Holder::Link(link) {
+                balance.of_pins.insert((pin.0, link.0), pull);
+            }
+        }
+    }
+
+    /// −M of a body about a pin: the couple with which its guide keeps it from turning.
+    fn keeping(&mut self, items: &[Item], about: Point) -> Option<Amount> {
+        let moment = self.moments(items, about)?;
+        Some(self.board.opposite(moment))
+    }
+
+    /// The two sizes of forces along two lines that close a polygon: from the head of what is known along the first
+    /// direction, and from there along the second one to the pole.
+    fn two_lines(&mut self, known: &[Pull], [first, second]: [Direction; 2], links: &[LinkId]) -> [Pull; 2] {
+        if known.is_empty() {
+            let none = self.no_pull();
+            return [none, none];
+        }
+        let tail = self.chained(known);
+        let pole = self.board.origin();
+        let reason = self.reason(links);
+        let meet = self.board.meet_lines(
+            Line { through: tail, along: first },
+            Line { through: pole, along: second },
+            reason,
+        );
+        [Pull { tail, head: meet.at }, Pull { tail: meet.at, head: pole }]
+    }
+}
+
+/// Moments about the pin give the effort at the input.
+fn driver(d: &mut Draughtsman<'_>, group: &Group, base: PointId, input: Drive, balance: &mut Balance) {
+    let Some(&link) = group.links.iter().find(|link| !d.mechanism.link(**link).block) else {
+        balance.refused = Some("a driven group has no link");
+        return;
+    };
+    let items = balance.on(link);
+    let about = d.at(base);
+    let moments = d.moments(&items, about);
+    let torque = match moments {
+        Some(moments) => d.board.opposite(moments),
+        None => d.rest(),
+    };
+    if let Drive::Input(input) = input {
+        balance.efforts.push((Sought::Effort(input), torque));
+    }
+    let reaction = d.closing(&pulls(&items));
+    d.note_pin(balance, base, link, reaction);
+}
+
+/// The polygon of what rides, with the line of the guide and the line square to it.
+fn driven_slide(d: &mut Draughtsman<'_>, slide: usize, input: Drive, balance: &mut Balance) {
+    let pair = d.mechanism.slides[slide];
+    let sliding = Sliding {
+        inner: match d.mechanism.party_of(&pair.rider) {
+            Party::Link(link) => Some(link),
+            Party::Pin(_) => None,
+        },
+        outer: Party::Link(pair.guide.link),
+        inner_rides: true,
+    };
+    let Some(pin) = d.riding_pin(slide) else {
+        balance.refused = Some("a sliding link has no joint");
+        return;
+    };
+    let items = match sliding.inner {
+        Some(link) => balance.on(link),
+        None => match d.holder(pin) {
+            super::Holder::Link(link) => balance.on(link),
+            super::Holder::Pin => balance.on_pin(pin),
+        },
+    };
+    let at = d.at(pin);
+    let (along, normal) = d.guide_at(slide, at);
+    let [across, drive] = d.two_lines(&pulls(&items), [normal, along], &[pair.guide.link]);
+    let couple = if sliding.inner.is_some() { d.keeping(&items, at) } else { None };
+    let [dx, dy] = d.board.between(drive.tail, drive.head);
+    let scale = d.force_scale();
+    let (x, y) = (d.board.read(dx, scale), d.board.read(dy, scale));
+    let unit = d.board.amount(crate::given::Given::exact(1.0));
+    let [ax, ay] = d.board.components(along, unit);
+    let (px, py) = (d.board.product(x, ax), d.board.product(y, ay));
+    let effort = d.board.sum(px, py);
+    if let Drive::Input(input) = input {
+        balance.efforts.push((Sought::Effort(input), effort));
+    }
+    // The drive stands between rider and carrier as well, and is no force of the pair.
+    balance.push_on(sliding.outer, Item { pull: Some(Draughtsman::opposite(drive)), at, couple: None });
+    d.note_slide(balance, slide, &sliding, pin, SlideForce { pull: across, at, couple });
+}
+
+/// Components at the inner pin; the links with nothing on them first, so that the line of their force is that of
+/// their pins.
+fn rrr(
+    d: &mut Draughtsman<'_>,
+    links: [LinkId; 2],
+    bases: [PointId; 2],
+    pin: PointId,
+    balance: &mut Balance,
+) {
+    let items = links.map(|link| balance.on(link));
+    let order = if items[1].is_empty() || !items[0].is_empty() { [0, 1] } else { [1, 0] };
+    let [(a, base_a, on_a), (b, base_b, on_b)] = order.map(|i| (links[i], bases[i], items[i].clone()));
+    let (at_a, at_b, at) = (d.at(base_a), d.at(base_b), d.at(pin));
+    let reason = d.reason(&[a, b]);
+    let (along, _) = d.board.toward(at_b, at, reason);
+    let across = d.board.quarter_turn(along);
+    // Moments of one link about its base give the part across it.
+    let moments = d.moments(&on_b, at_b);
+    let tangential = moments.map(|moments| {
+        let line = Line { through: at, along: across };
+        d.balancing(Some(moments), line, at_b, &[b])
+    });
+    // Moments of the other one about its base give the part along the first.
+    let mut turning = d.moments(&on_a, at_a);
+    if let Some(size) = tangential {
+        let arm = d.arm_of(Line { through: at, along: across }, at_a);
+        let moment = d.board.product(size, arm);
+        let back = d.board.opposite(moment);
+        turning = d.both(turning, Some(back));
+    }
+    let line = Line { through: at, along };
+    let size = d.balancing(turning, line, at_a, &[a, b]);
+    let normal = d.board.opposite(size);
+    let normal = d.pull_along(along, normal);
+    let mut parts = Vec::new();
+    if let Some(size) = tangential {
+        parts.push(d.pull_along(across, size));
+    }
+    parts.push(normal);
+    let head = d.chained(&parts);
+    let on_b_at_pin = Pull { tail: d.board.origin(), head };
+    let on_a_at_pin = Draughtsman::opposite(on_b_at_pin);
+    d.note_inner_pin(balance, pin, [(a, on_a_at_pin), (b, on_b_at_pin)]);
+    for (link, base, items, at_pin) in [(b, base_b, on_b, on_b_at_pin), (a, base_a, on_a, on_a_at_pin)] {
+        let mut all = pulls(&items);
+        all.push(at_pin);
+        let reaction = d.closing(&all);
+        d.note_pin(balance, base, link, reaction);
+    }
+}
+
+/// A rod and what slides: moments of both about the rod's pin give the force of the guide.
+fn rrp(
+    d: &mut Draughtsman<'_>,
+    (rod, base): (LinkId, PointId),
+    pin: PointId,
+    (slide, rider): (usize, Option<LinkId>),
+    balance: &mut Balance,
+) {
+    let sliding = d.sliding(slide, rider);
+    let on_rod = balance.on(rod);
+    let on_rider = balance.on_some(sliding.inner);
+    let (at_base, at) = (d.at(base), d.at(pin));
+    let (_, normal) = d.guide_at(slide, at);
+    let couple = d.keeping(&on_rider, at);
+    if couple.is_some() && d.is_arc(slide) && on_rider.iter().any(|item| item.couple.is_some()) {
+        balance.refused = Some("this version does not draw a couple on a block that slides on an arc");
+        return;
+    }
+    let rod_moments = d.moments(&on_rod, at_base);
+    let of_guide = if rod_moments.is_none() && sliding.inner.is_some() {
+        // A member of two forces: its line is that of its pins.
+        let reason = d.reason(&[rod]);
+        let (along, _) = d.board.toward(at_base, at, reason);
+        let [guide, _] = d.two_lines(&pulls(&on_rider), [normal, along], &[rod]);
+        guide
+    } else {
+        let rider_force = pulls(&on_rider);
+        let mut moments = rod_moments;
+        if !rider_force.is_empty() {
+            let head = d.chained(&rider_force);
+            let tail = d.board.origin();
+            let of_rider = d.moment_of(Pull { tail, head }, at, at_base);
+            moments = d.both(moments, Some(of_rider));
+        }
+        let size = d.balancing(moments, Line { through: at, along: normal }, at_base, &[rod]);
+        d.pull_along(normal, size)
+    };
+    let on_inner = SlideForce { pull: of_guide, at, couple };
+    d.note_slide(balance, slide, &sliding, pin, on_inner);
+    let mut on_rod_forces = pulls(&on_rod);
+    if let Some(rider) = sliding.inner {
+        let mut all = pulls(&on_rider);
+        all.push(of_guide);
+        let on_rider_at_pin = d.closing(&all);
+        let on_rod_at_pin = Draughtsman::opposite(on_rider_at_pin);
+        d.note_inner_pin(balance, pin, [(rod, on_rod_at_pin), (rider, on_rider_at_pin)]);
+        on_rod_forces.push(on_rod_at_pin);
+    } else {
+        on_rod_forces.push(of_guide);
+    }
+    let reaction = d.closing(&on_rod_forces);
+    d.note_pin(balance, base, rod, reaction);
+}
+
+/// A lever and what slides in it: moments of the lever about its pin give the force square to the slot.
+fn rpr(
+    d: &mut Draughtsman<'_>,
+    (lever, base): (LinkId, PointId),
+    pin: PointId,
+    (slide, rod): (usize, Option<LinkId>),
+    balance: &mut Balance,
+) {
+    let sliding = d.sliding(slide, rod);
+    let on_lever = balance.on(lever);
+    let inner = sliding.inner.map(|link| (link, balance.on(link)));
+    let (at_base, at) = (d.at(base), d.at(pin));
+    let (_, normal) = d.guide_at(slide, at);
+    let on_inner = balance.on_some(sliding.inner);
+    // What would turn the inner body is kept by the lever, which feels it.
+    let couple = d.keeping(&on_inner, at);
+    let turned = d.moments(&on_inner, at);
+    let moments = d.moments(&on_lever, at_base);
+    let moments = d.both(moments, turned);
+    let size = d.balancing(moments, Line { through: at, along: normal }, at_base, &[lever]);
+    let on_lever_force = d.pull_along(normal, size);
+    let on_inner_force = Draughtsman::opposite(on_lever_force);
+    let item = SlideForce { pull: on_inner_force, at, couple };
+    d.note_slide(balance, slide, &sliding, pin, item);
+    let at_pin = match inner {
+        Some((link, items)) => {
+            let mut all = pulls(&items);
+            all.push(on_inner_force);
+            let of_pin = d.closing(&all);
+            d.note_pin(balance, pin, link, of_pin);
+            None
+        }
+        None => Some(on_lever_force),
+    };
+    if let Some(force) = at_pin {
+        // The pin itself rides: what the slot does to it, whoever holds the pin feels.
+        let reaction = Item { pull: Some(Draughtsman::opposite(force)), at, couple: None };
+        balance.push_on_pin(d, pin, reaction);
+    }
+    let mut all = pulls(&on_lever);
+    all.push(on_lever_force);
+    let reaction = d.closing(&all);
+    d.note_pin(balance, base, lever, reaction);
+}
+
+/// A pin on two guides: a polygon with two known lines.
+fn prp(
+    d: &mut Draughtsman<'_>,
+    pin: PointId,
+    slides: [usize; 2],
+    riders: [Option<LinkId>; 2],
+    balance: &mut Balance,
+) {
+    let at = d.at(pin);
+    let sides = [0, 1].map(|i| d.sliding(slides[i], riders[i]));
+    let mut bodies: Vec<LinkId> = sides.iter().filter_map(|side| side.inner).collect();
+    bodies.dedup();
+    let mut all = pulls(&balance.on_pin(pin));
+    for body in &bodies {
+        all.extend(pulls(&balance.on(*body)));
+    }
+    let normals = slides.map(|slide| d.guide_at(slide, at).1);
+    let guides = sides.each_ref().map(|side| match side.outer {
+        Party::Link(link) => link,
+        Party::Pin(_) => LinkId::FRAME,
+    });
+    let forces = d.two_lines(&all, normals, &guides);
+    let one_body = sides[0].inner == sides[1].inner && sides[0].inner.is_some();
+    for i in 0..2 {
+        let items = balance.on_some(sides[i].inner);
+        let couple = if one_body && i == 1 { None } else { d.keeping(&items, at) };
+        let on_inner = SlideForce { pull: forces[i], at, couple };
+        d.note_slide(balance, slides[i], &sides[i], pin, on_inner);
+        if let (Some(link), false) = (sides[i].inner, one_body) {
+            let mut of_body = pulls(&items);
+            of_body.push(forces[i]);
+            let of_pin = d.closing(&of_body);
+            if d.holder(pin) != super::Holder::Link(link) {
+                balance.of_pins.insert((pin.0, link.0), of_pin);
+            }
+        }
+    }
+}
+
+/// A link between two sliding pairs and a pinned one: the polygon of the link has two known lines.
+fn rpp(
+    d: &mut Draughtsman<'_>,
+    (link, point): (LinkId, PointId),
+    (lever, base): (LinkId, PointId),
+    [ride, slot]: [usize; 2],
+    balance: &mut Balance,
+) {
+    let (on_link, on_lever) = (balance.on(link), balance.on(lever));
+    let (at, at_base) = (d.at(point), d.at(base));
+    let (_, of_ride) = d.guide_at(ride, at);
+    let (_, of_slot) = d.guide_at(slot, at_base);
+    // The force of the slot is told through the lever's pin: what is left of moments there is its couple.
+    let on_lever_couple = d.keeping(&on_lever, at_base);
+    let all = [pulls(&on_link), pulls(&on_lever)];
+    // The lever passes only what is along the normal of the slot; the rest goes to its pin.
+    let [of_slot_on_link, of_ride_on_link] = d.two_lines(&all[0], [of_slot, of_ride], &[link]);
+    let on_lever_force = Draughtsman::opposite(of_slot_on_link);
+    let side = |d: &Draughtsman<'_>, slide: usize| {
+        let pair = d.mechanism.slides[slide];
+        let rides = d.mechanism.party_of(&pair.rider) == Party::Link(link);
+        let outer = if rides { Party::Link(pair.guide.link) } else { d.mechanism.party_of(&pair.rider) };
+        Sliding { inner: Some(link), outer, inner_rides: rides }
+    };
+    let slot_side = side(d, slot);
+    let on_link_couple = on_lever_couple.map(|couple| d.board.opposite(couple));
+    let slot_item = SlideForce { pull: of_slot_on_link, at: at_base, couple: on_link_couple };
+    d.note_slide(balance, slot, &slot_side, base, slot_item);
+    let mut about_point = on_link.clone();
+    about_point.push(slot_item.item());
+    let couple = d.keeping(&about_point, at);
+    let ride_side = side(d, ride);
+    let ride_item = SlideForce { pull: of_ride_on_link, at, couple };
+    d.note_slide(balance, ride, &ride_side, point, ride_item);
+    let mut of_lever = all[1].clone();
+    of_lever.push(on_lever_force);
+    let reaction = d.closing(&of_lever);
+    d.note_pin(balance, base, lever, reaction);
+}
+
+/// A link that slides on one body and carries a slot for the pin of another: a polygon with two known lines.
+fn yoke(
+    d: &mut Draughtsman<'_>,
+    link: LinkId,
+    ride: usize,
+    (pin, slot): (PointId, usize),
+    balance: &mut Balance,
+) {
+    let sliding = d.sliding(slot, None);
+    let on_link = balance.on(link);
+    let on_block = balance.on_some(sliding.inner);
+    let at_pin = d.at(pin);
+    let Some(&first) = d.mechanism.link(link).points.first() else {
+        balance.refused = Some("a sliding link has no joint");
+        return;
+    };
+    let at = d.at(first);
+    let (_, of_slot) = d.guide_at(slot, at_pin);
+    let (_, of_ride) = d.guide_at(ride, at);
+    let [slot_force, ride_force] = d.two_lines(&pulls(&on_link), [of_slot, of_ride], &[link]);
+    // The slot's force on the yoke is that of the block, or of the pin, turned round.
+    let on_inner = Draughtsman::opposite(slot_force);
+    let block_couple = d.keeping(&on_block, at_pin);
+    let mut about = on_link.clone();
+    let felt = block_couple.map(|couple| d.board.opposite(couple));
+    about.push(Item { pull: Some(slot_force), at: at_pin, couple: felt });
+    let couple = d.keeping(&about, at);
+    let item = SlideForce { pull: on_inner, at: at_pin, couple: block_couple };
+    d.note_slide(balance, slot, &sliding, pin, item);
+    match sliding.inner {
+        Some(block) => {
+            let mut all = pulls(&on_block);
+            all.push(on_inner);
+            let of_pin = d.closing(&all);
+            d.note_pin(balance, pin, block, of_pin);
+        }
+        None => {
+            balance.push_on_pin(d, pin, Item { pull: Some(on_inner), at: at_pin, couple: None });
+        }
+    }
+    let pair = d.mechanism.slides[ride];
+    let rides = d.mechanism.party_of(&pair.rider) == Party::Link(link);
+    let outer = if rides { Party::Link(pair.guide.link) } else { d.mechanism.party_of(&pair.rider) };
+    let side = Sliding { inner: Some(link), outer, inner_rides: rides };
+    d.note_slide(balance, ride, &side, first, SlideForce { pull: ride_force, at, couple });
+}
+
+impl Draughtsman<'_> {
+    /// The pin that rides in a sliding pair, or the first joint of the link that does.
+    pub(super) fn riding_pin(&self, slide: usize) -> Option<PointId> {
+        match self.mechanism.slides[slide].rider {
+            crate::mechanism::Rider::Pin { point, .. } => Some(point),
+            crate::mechanism::Rider::Link { link, .. } => self.mechanism.link(link).points.first().copied(),
+        }
+    }
+}

@@ -1,0 +1,280 @@
+//! What is given, laid off: loads, weights, inertia, springs.
+
+use crate::board::{Amount, Direction};
+use crate::given::Given;
+use crate::mechanism::force::{
+    Area, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Share, Size, Sought, SpringKind, SpringLaw,
+};
+use crate::mechanism::quantity::Order;
+use crate::mechanism::{LinkId, PointId};
+use crate::plan::Plan;
+
+use super::super::draughtsman::Draughtsman;
+use super::{Balance, Item, Pull};
+
+/// Lays off everything that acts on the links of a plan.
+pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balance: &mut Balance) {
+    let forces = d.mechanism.forces.clone();
+    let drawn = |link: LinkId| plan.forces.links.contains(&link);
+    for (index, load) in forces.loads.iter().enumerate().filter(|(_, load)| drawn(load.link)) {
+        if load.is_sought() || share != Share::Inertia {
+            let assumed = balance.assumed.iter().find(|(s, _)| *s == Sought::Load(index)).map(|(_, a)| *a);
+            if load.is_sought() && assumed.is_none() {
+                continue;
+            }
+            let item = d.load(load, assumed);
+            balance.known[load.link.0].push(item);
+        }
+    }
+    for (index, spring) in forces.springs.iter().enumerate() {
+        let SpringKind::Pull(ends) = spring.kind else { continue };
+        if share == Share::Inertia && !spring.is_sought() {
+            continue;
+        }
+        if !ends.iter().any(|(link, _)| drawn(*link)) {
+            continue;
+        }
+        let assumed = balance.assumed.iter().find(|(s, _)| *s == Sought::Spring(index)).map(|(_, a)| *a);
+        let pull = d.spring_pull(index, spring.law, ends.map(|(_, point)| point), assumed);
+        let [first, second] = ends.map(|(_, point)| d.at(point));
+        let reason = d.reason(&ends.map(|(link, _)| link));
+        let (toward, _) = d.board.toward(first, second, reason);
+        let on_first = d.pull_along(toward, pull);
+        let items = [(first, on_first), (second, Draughtsman::opposite(on_first))];
+        for ((link, _), (at, pull)) in ends.into_iter().zip(items) {
+            balance.known[link.0].push(Item { pull: Some(pull), at, couple: None });
+        }
+    }
+    for mass in forces.masses.iter().filter(|mass| drawn(mass.link)) {
+        let at = d.at(mass.centre);
+        if share != Share::Inertia
+            && let Some(pull) = d.weight(mass)
+        {
+            balance.known[mass.link.0].push(Item { pull: Some(pull), at, couple: None });
+        }
+        if share != Share::Static {
+            let (pull, couple) = (d.inertia_force(mass), d.inertia_torque(mass));
+            if pull.is_some() || couple.is_some() {
+                balance.known[mass.link.0].push(Item { pull, at, couple });
+            }
+        }
+    }
+}
+
+impl Draughtsman<'_> {
+    /// The mass of a link; none of a flywheel.
+    fn mass(&mut self, mass: &Mass) -> Option<Amount> {
+        match mass.heaviness {
+            Heaviness::Mass(given) => Some(self.board.amount(given)),
+            Heaviness::Weight(weight) => {
+                let weight = self.board.amount(weight);
+                let g = self.board.amount(self.mechanism.forces.gravity.g);
+                let reason = self.reason(&[mass.link]);
+                Some(self.board.quotient(weight, g, reason))
+            }
+            Heaviness::None => None,
+        }
+    }
+
+    fn weight(&mut self, mass: &Mass) -> Option<Pull> {
+        let gravity = self.mechanism.forces.gravity;
+        if !gravity.acts {
+            return None;
+        }
+        let size = match mass.heaviness {
+            Heaviness::Weight(weight) => self.board.amount(weight),
+            Heaviness::Mass(given) => {
+                let (mass, g) = (self.board.amount(given), self.board.amount(gravity.g));
+                self.board.product(mass, g)
+            }
+            Heaviness::None => return None,
+        };
+        let angle = self.board.angle(gravity.direction);
+        let down = self.board.protractor(angle);
+        Some(self.pull_along(down, size))
+    }
+
+    /// −M A_G, laid off against o′g′; none where the mass centre is fixed or there is no mass.
+    pub(super) fn inertia_force(&mut self, mass: &Mass) -> Option<Pull> {
+        if self.mechanism.is_fixed(mass.centre) {
+            return None;
+        }
+        let kilograms = self.mass(mass)?;
+        let image = self.image(Order::Acceleration, mass.centre);
+        let pole = self.board.origin();
+        let (from, to) = (self.polygon_scale(Order::Acceleration), self.force_scale());
+        let against = self.board.between(image, pole);
+        let by = against.map(|part| {
+            let part = self.board.read(part, from);
+            let part = self.board.product(part, kilograms);
+            self.board.to_paper(part, to)
+        });
+        Some(Pull { tail: pole, head: self.board.moved(pole, by) })
+    }
+
+    /// The moment of inertia about the mass centre; none of a point mass.
+    fn central_inertia(&mut self, mass: &Mass) -> Option<Amount> {
+        match mass.inertia {
+            Inertia::Point => None,
+            Inertia::Central(given) => Some(self.board.amount(given)),
+            Inertia::Gyration(radius) => {
+                let radius = self.board.amount(radius);
+                let square = self.board.product(radius, radius);
+                let kilograms = self.mass(mass)?;
+                Some(self.board.product(kilograms, square))
+            }
+            Inertia::About(point, given) => {
+                let about = self.board.amount(given);
+                let Some(kilograms) = self.mass(mass) else { return Some(about) };
+                if point == mass.centre {
+                    return Some(about);
+                }
+                let (a, b) = (self.own(mass.link, mass.centre), self.own(mass.link, point));
+                let mm = self.board.distance(a, b);
+                let scale = self.length_scale();
+                let away = self.board.read(mm, scale);
+                let square = self.board.product(away, away);
+                let moved = self.board.product(kilograms, square);
+                Some(self.board.difference(about, moved))
+            }
+        }
+    }
+
+    /// −I ε; none where the link cannot turn or has no moment of inertia.
+    pub(super) fn inertia_torque(&mut self, mass: &Mass) -> Option<Amount> {
+        if self.translates[mass.link.0] {
+            return None;
+        }
+        let inertia = self.central_inertia(mass)?;
+        let alpha = self.rate(Order::Acceleration, mass.link);
+        let torque = self.board.product(inertia, alpha);
+        Some(self.board.opposite(torque))
+    }
+
+    fn size(&mut self, size: Size, assumed: Option<Amount>) -> Amount {
+        match size {
+            Size::Given(given) => self.board.amount(given),
+            Size::Sought => assumed.unwrap_or_else(|| self.rest()),
+            Size::Pressure { pressure, area } => {
+                let pressure = self.board.amount(pressure);
+                let area = self.area(area);
+                self.board.product(pressure, area)
+            }
+        }
+    }
+
+    fn area(&mut self, area: Area) -> Amount {
+        let (bore, rod) = match area {
+            Area::Given(given) => return self.board.amount(given),
+            Area::Bore { bore, rod } => (bore, rod),
+        };
+        let square = |d: &mut Self, given: Given| {
+            let length = d.board.amount(given);
+            d.board.product(length, length)
+        };
+        let mut sum = square(self, bore);
+        if let Some(rod) = rod {
+            let less = square(self, rod);
+            sum = self.board.difference(sum, less);
+        }
+        let pi = crate::double_double::DoubleDouble::PI;
+        let quarter = Given::fine(pi * crate::double_double::DoubleDouble::of(0.25), 1e-32);
+        let quarter = self.board.amount(quarter);
+        self.board.product(quarter, sum)
+    }
+
+    /// A load as it acts on its link.
+    pub(super) fn load(&mut self, load: &Load, assumed: Option<Amount>) -> Item {
+        match load.kind {
+            LoadKind::Torque { size, with_motion } => {
+                let mut torque = self.size(size, assumed);
+                if let Some(with) = with_motion {
+                    let omega = self.rate(Order::Velocity, load.link);
+                    if (omega.value() < 0.0) == with {
+                        torque = self.board.opposite(torque);
+                    }
+                }
+                let at = self.board.origin();
+                Item { pull: None, at, couple: Some(torque) }
+            }
+            LoadKind::Vector { at, parts, of } => {
+                let scale = self.force_scale();
+                let [x, y] = parts.map(|given| {
+                    let amount = self.board.amount(given);
+                    self.board.to_paper(amount, scale)
+                });
+                let tail = self.board.origin();
+                let head = if of == LinkId::FRAME {
+                    self.board.prick(x, y)
+                } else {
+                    let right = self.board.rightward();
+                    let own_x = self.carried(of, right);
+                    let own_y = self.board.quarter_turn(own_x);
+                    let foot = self.board.lay_off(tail, own_x, x);
+                    self.board.lay_off(foot, own_y, y)
+                };
+                Item { pull: Some(Pull { tail, head }), at: self.at(at), couple: None }
+            }
+            LoadKind::Force { at, size, pointing } => {
+                let size = self.size(size, assumed);
+                let along = self.pointing(pointing, at, load.link);
+                let pull = self.pull_along(along, size);
+                Item { pull: Some(pull), at: self.at(at), couple: None }
+            }
+        }
+    }
+
+    fn pointing(&mut self, pointing: Pointing, at: PointId, on: LinkId) -> Direction {
+        match pointing {
+            Pointing::World(angle) => {
+                let angle = self.board.angle(angle);
+                self.board.protractor(angle)
+            }
+            Pointing::Between { from, to, turned } => {
+                let (a, b) = (self.at(from), self.at(to));
+                let reason = self.reason(&[on]);
+                let (along, _) = self.board.toward(a, b, reason);
+                if turned == Given::exact(0.0) {
+                    return along;
+                }
+                let by = self.board.angle(turned);
+                self.board.turned(along, by)
+            }
+            Pointing::Own { link, angle } => {
+                let angle = self.board.angle(angle);
+                let own = self.board.protractor(angle);
+                if link == LinkId::FRAME { own } else { self.carried(link, own) }
+            }
+            Pointing::Motion { with } => {
+                let image = self.image(Order::Velocity, at);
+                let pole = self.board.origin();
+                let reason = self.reason(&[on]);
+                let (along, _) = self.board.toward(pole, image, reason);
+                if with { along } else { self.board.reverse(along) }
+            }
+        }
+    }
+
+    /// The pull of a spring between two points.
+    pub(super) fn spring_pull(
+        &mut self,
+        _index: usize,
+        law: SpringLaw,
+        ends: [PointId; 2],
+        assumed: Option<Amount>,
+    ) -> Amount {
+        match law {
+            SpringLaw::Force(size) => self.size(size, assumed),
+            SpringLaw::Stiffness { stiffness, free } => {
+                let [first, second] = ends.map(|point| self.at(point));
+                let mm = self.board.distance(first, second);
+                let scale = self.length_scale();
+                let length = self.board.read(mm, scale);
+                let free = self.board.amount(free);
+                let longer = self.board.difference(length, free);
+                let stiffness = self.size(stiffness, assumed);
+                self.board.product(stiffness, longer)
+            }
+        }
+    }
+}

@@ -1,0 +1,296 @@
+//! Forces: loads, weights and inertia laid off, and the balance of group after group, from the output back to the input.
+//!
+//! Each unknown is found as a textbook finds it: moments about a point through which all other unknowns pass give one
+//! size, as a quotient of moments by a measured arm; a polygon with two lines gives two. What is left closes a
+//! polygon. A force is a stroke of the force paper from its tail to its head; its place is a point of the skeleton.
+
+mod groups;
+mod loads;
+mod read;
+
+pub(super) use read::ForceRead;
+
+use std::collections::BTreeMap;
+
+use crate::board::{Amount, Direction, Line, Point, Scale};
+use crate::mechanism::force::{Party, Share, Sought};
+use crate::mechanism::{LinkId, PointId};
+use crate::plan::Plan;
+
+use super::draughtsman::Draughtsman;
+
+/// A force as drawn.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pull {
+    pub(super) tail: Point,
+    pub(super) head: Point,
+}
+
+/// Something known that acts on a body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Item {
+    /// The force; none of a couple alone.
+    pub(super) pull: Option<Pull>,
+    /// A point of its line, on the skeleton.
+    pub(super) at: Point,
+    /// A couple beside it, ccw positive.
+    pub(super) couple: Option<Amount>,
+}
+
+/// The force of a guide on what rides, through its pin or first joint.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SlideForce {
+    pub(super) pull: Pull,
+    pub(super) at: Point,
+    pub(super) couple: Option<Amount>,
+}
+
+impl SlideForce {
+    fn item(self) -> Item {
+        Item { pull: Some(self.pull), at: self.at, couple: self.couple }
+    }
+}
+
+/// The balance of one share of what acts, as far as it is drawn.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Balance {
+    /// What is known to act on each link, by link; the frame first.
+    known: Vec<Vec<Item>>,
+    /// What is known to act on a pin that no solved link holds.
+    on_free_pins: BTreeMap<usize, Vec<Item>>,
+    /// The force of a pin on a link that does not hold it.
+    pub(super) of_pins: BTreeMap<(usize, usize), Pull>,
+    /// By index of the sliding pair.
+    pub(super) slides: BTreeMap<usize, SlideForce>,
+    /// What was sought.
+    pub(super) efforts: Vec<(Sought, Amount)>,
+    /// Sizes that are tried for what is sought elsewhere than at the input.
+    assumed: Vec<(Sought, Amount)>,
+    /// What could not be drawn, and why.
+    pub(super) refused: Option<&'static str>,
+}
+
+/// Who holds a pin: the link on which every force on the pin is laid off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Holder {
+    Link(LinkId),
+    /// The pin itself, before any link that has it is solved.
+    Pin,
+}
+
+/// The unit of force in which trials are made.
+const TRIAL: f64 = 1.0;
+
+impl Draughtsman<'_> {
+    /// The scale of the force paper.
+    pub(super) fn force_scale(&self) -> Scale {
+        Scale { si_per_mm: self.per_newton }
+    }
+
+    /// A force of no size.
+    pub(super) fn no_pull(&mut self) -> Pull {
+        let pole = self.board.origin();
+        Pull { tail: pole, head: pole }
+    }
+
+    /// A force of this size along a direction.
+    pub(super) fn pull_along(&mut self, along: Direction, size: Amount) -> Pull {
+        let tail = self.board.origin();
+        let scale = self.force_scale();
+        let mm = self.board.to_paper(size, scale);
+        Pull { tail, head: self.board.lay_off(tail, along, mm) }
+    }
+
+    /// The opposite force.
+    pub(super) fn opposite(pull: Pull) -> Pull {
+        Pull { tail: pull.head, head: pull.tail }
+    }
+
+    /// Forces laid off head to tail from the pole: where the last one ends.
+    pub(super) fn chained(&mut self, pulls: &[Pull]) -> Point {
+        let mut head = self.board.origin();
+        for pull in pulls {
+            let by = self.board.between(pull.tail, pull.head);
+            head = self.board.moved(head, by);
+        }
+        head
+    }
+
+    /// The force that closes the polygon of others.
+    pub(super) fn closing(&mut self, pulls: &[Pull]) -> Pull {
+        let tail = self.chained(pulls);
+        Pull { tail, head: self.board.origin() }
+    }
+
+    /// The components of a force, read off.
+    pub(super) fn components_of(&mut self, pull: Pull) -> [Amount; 2] {
+        let scale = self.force_scale();
+        let [x, y] = self.board.between(pull.tail, pull.head);
+        [self.board.read(x, scale), self.board.read(y, scale)]
+    }
+
+    /// The moment of a force about a point: of its two components, each by its arm.
+    pub(super) fn moment_of(&mut self, pull: Pull, at: Point, about: Point) -> Amount {
+        let scale = self.length_scale();
+        let [x, y] = self.board.between(about, at);
+        let (x, y) = (self.board.read(x, scale), self.board.read(y, scale));
+        let [fx, fy] = self.components_of(pull);
+        let (ccw, cw) = (self.board.product(x, fy), self.board.product(y, fx));
+        self.board.difference(ccw, cw)
+    }
+
+    /// The sum of moments of what acts about a point; `None` where nothing acts.
+    pub(super) fn moments(&mut self, items: &[Item], about: Point) -> Option<Amount> {
+        let mut sum: Option<Amount> = None;
+        for item in items {
+            let of_force = item.pull.map(|pull| self.moment_of(pull, item.at, about));
+            for part in [of_force, item.couple].into_iter().flatten() {
+                sum = Some(match sum {
+                    Some(sum) => self.board.sum(sum, part),
+                    None => part,
+                });
+            }
+        }
+        sum
+    }
+
+    /// The arm of a line from a point, positive where a force along the line turns ccw about the point.
+    pub(super) fn arm_of(&mut self, line: Line, about: Point) -> Amount {
+        let scale = self.length_scale();
+        let [_, across] = self.board.square_off(line, about);
+        self.board.read(across, scale)
+    }
+
+    /// The sum of two moments that may be absent.
+    pub(super) fn both(&mut self, a: Option<Amount>, b: Option<Amount>) -> Option<Amount> {
+        match (a, b) {
+            (Some(a), Some(b)) => Some(self.board.sum(a, b)),
+            (one, other) => one.or(other),
+        }
+    }
+
+    /// The size of a force along a line that balances moments about a point: −ΣM / arm.
+    pub(super) fn balancing(
+        &mut self,
+        moments: Option<Amount>,
+        line: Line,
+        about: Point,
+        links: &[LinkId],
+    ) -> Amount {
+        let Some(moments) = moments else {
+            // Nothing acts: there is nothing to balance.
+            return self.rest();
+        };
+        let arm = self.arm_of(line, about);
+        let reason = self.reason(links);
+        let size = self.board.quotient(moments, arm, reason);
+        self.board.opposite(size)
+    }
+
+    /// Who holds a pin.
+    pub(super) fn holder(&self, pin: PointId) -> Holder {
+        let m = self.mechanism;
+        if m.is_fixed(pin) {
+            return Holder::Link(LinkId::FRAME);
+        }
+        let links = m.point(pin).links.iter().copied();
+        let first = links.filter_map(|l| self.structure.group_of(l).map(|g| (g, l))).min();
+        let found = self.structure.groups.iter().position(|group| group.points.contains(&pin));
+        match (first, found) {
+            (Some((group, _)), Some(found)) if found < group => Holder::Pin,
+            (Some((_, link)), _) => Holder::Link(link),
+            (None, _) => Holder::Pin,
+        }
+    }
+}
+
+/// Draws the balance of what the plan needs.
+pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
+    for &share in &plan.forces.shares {
+        let balance = whole(d, plan, share);
+        d.balances.push((share, balance));
+    }
+}
+
+/// The balance of one share; what is sought elsewhere than at the input is found by two trials and proportion.
+fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Balance {
+    let named = d.mechanism.named_sought();
+    match named[..] {
+        [] => one(d, plan, share, Vec::new()),
+        [only] if d.mechanism.inputs.len() == 1 => {
+            let rest = d.rest();
+            let effort = |balance: &Balance| {
+                let of = |(sought, _): &&(Sought, Amount)| *sought == Sought::Effort(0);
+                balance.efforts.iter().find(of).map(|(_, size)| *size)
+            };
+            let without = one(d, plan, share, vec![(only, rest)]);
+            let unit = d.board.amount(crate::given::Given::exact(TRIAL));
+            let with = one(d, plan, share, vec![(only, unit)]);
+            let (Some(without_effort), Some(with_effort)) = (effort(&without), effort(&with)) else {
+                return without;
+            };
+            let change = d.board.difference(with_effort, without_effort);
+            let links = d.mechanism.driven_link(0);
+            let reason = d.reason(links.as_slice());
+            let part = d.board.quotient(without_effort, change, reason);
+            let size = d.board.opposite(part);
+            let mut balance = one(d, plan, share, vec![(only, size)]);
+            balance.efforts = vec![(only, size)];
+            balance
+        }
+        _ => Balance {
+            refused: Some("this version does not draw several unknown loads at once"),
+            ..Balance::default()
+        },
+    }
+}
+
+/// One pass through the groups, with these sizes for what is sought elsewhere than at an input.
+fn one(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, assumed: Vec<(Sought, Amount)>) -> Balance {
+    let mut balance =
+        Balance { known: vec![Vec::new(); d.mechanism.links.len()], assumed, ..Balance::default() };
+    loads::lay_off(d, plan, share, &mut balance);
+    for &group in plan.forces.groups.iter().rev() {
+        let group = d.structure.groups[group].clone();
+        groups::solve(d, &group, &mut balance);
+        if balance.refused.is_some() {
+            break;
+        }
+    }
+    balance
+}
+
+impl Balance {
+    /// What acts on whoever holds a pin.
+    fn push_on_pin(&mut self, d: &Draughtsman<'_>, pin: PointId, item: Item) {
+        match d.holder(pin) {
+            Holder::Link(link) => self.known[link.0].push(item),
+            Holder::Pin => self.on_free_pins.entry(pin.0).or_default().push(item),
+        }
+    }
+
+    fn push_on(&mut self, party: Party, item: Item) {
+        match party {
+            Party::Link(link) => self.known[link.0].push(item),
+            Party::Pin(pin) => self.on_free_pins.entry(pin.0).or_default().push(item),
+        }
+    }
+
+    fn on(&self, link: LinkId) -> Vec<Item> {
+        self.known[link.0].clone()
+    }
+
+    /// What acts on a link, if there is one.
+    fn on_some(&self, link: Option<LinkId>) -> Vec<Item> {
+        link.into_iter().flat_map(|link| self.on(link)).collect()
+    }
+
+    fn on_pin(&self, pin: PointId) -> Vec<Item> {
+        self.on_free_pins.get(&pin.0).into_iter().flatten().copied().collect()
+    }
+}
+
+/// The forces among what acts.
+fn pulls(items: &[Item]) -> Vec<Pull> {
+    items.iter().filter_map(|item| item.pull).collect()
+}

@@ -1,0 +1,291 @@
+//! Reads the asked forces off the balance.
+
+use crate::board::{Amount, Line, Point};
+use crate::mechanism::force::{Action, Force, Share, Sought, Through};
+use crate::mechanism::{LinkId, PointId};
+
+use super::super::draughtsman::Draughtsman;
+use super::{Balance, Item, Pull};
+
+/// What stands for a force on the board.
+pub(in super::super) enum ForceRead {
+    Vector([Amount; 2]),
+    Scalar(Amount),
+    /// A distance beyond all bounds.
+    AtInfinity,
+    Undefined(&'static str),
+}
+
+const NOT_DRAWN: &str = "no polygon of the drawing leads to this force";
+const NO_CARRIER: &str = "balance does not say how these links share their pin: name its `carrier` in `pins`, or ask for the force of the pin";
+const NO_LINE: &str = "the force is zero and has no line";
+
+type Found<T> = Result<T, &'static str>;
+
+impl Draughtsman<'_> {
+    /// An asked force.
+    pub(in super::super) fn read_force(&mut self, force: Force, share: Share) -> ForceRead {
+        self.find_force(force, share).unwrap_or_else(ForceRead::Undefined)
+    }
+
+    fn balance_of(&self, share: Share) -> Found<Balance> {
+        let found = self.balances.iter().find(|(of, _)| *of == share).map(|(_, balance)| balance.clone());
+        let balance = found.ok_or(NOT_DRAWN)?;
+        match balance.refused {
+            Some(why) => Err(why),
+            None => Ok(balance),
+        }
+    }
+
+    fn find_force(&mut self, force: Force, share: Share) -> Found<ForceRead> {
+        Ok(match force {
+            Force::Vector(action) => {
+                let items = self.items_of(action, share)?;
+                let sum = self.sum_of(&items);
+                ForceRead::Vector(self.components_of(sum))
+            }
+            Force::Along { by, on, from } | Force::Across { by, on, from } => {
+                let items = self.items_of(Action::Pair { by, on }, share)?;
+                let sum = self.sum_of(&items);
+                let pin = self.mechanism.meeting_point(by, on).ok_or(NOT_DRAWN)?;
+                let (a, b) = (self.at(from), self.at(pin));
+                let reason = self.reason(&[by, on]);
+                let (along, _) = self.board.toward(a, b, reason);
+                // The foot of the force's head on the line through its tail.
+                let [size, _] = self.board.square_off(Line { through: sum.tail, along }, sum.head);
+                let foot = self.board.step_off(sum.tail, along, size);
+                let part = if matches!(force, Force::Along { .. }) {
+                    Pull { tail: sum.tail, head: foot }
+                } else {
+                    Pull { tail: foot, head: sum.head }
+                };
+                ForceRead::Vector(self.components_of(part))
+            }
+            Force::Torque(input) | Force::Drive(input) => {
+                ForceRead::Scalar(self.effort_of(Sought::Effort(input), share)?)
+            }
+            Force::LoadTorque(index) => match self.mechanism.forces.loads[index].is_sought() {
+                true => ForceRead::Scalar(self.effort_of(Sought::Load(index), share)?),
+                false => {
+                    let load = self.mechanism.forces.loads[index].clone();
+                    let item = self.load(&load, None);
+                    ForceRead::Scalar(item.couple.ok_or(NOT_DRAWN)?)
+                }
+            },
+            Force::Pull(index) => {
+                let spring = self.mechanism.forces.springs[index].clone();
+                let crate::mechanism::force::SpringKind::Pull(ends) = spring.kind else {
+                    return Err("torsion springs are not drawn");
+                };
+                let assumed = match spring.is_sought() {
+                    true => Some(self.effort_of(Sought::Spring(index), share)?),
+                    false => None,
+                };
+                ForceRead::Scalar(self.spring_pull(index, spring.law, ends.map(|(_, p)| p), assumed))
+            }
+            Force::Twist(_) => return Err("torsion springs are not drawn"),
+            Force::InertiaTorque(link) => {
+                let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
+                let torque = if share == Share::Static { None } else { self.inertia_torque(&mass) };
+                let rest = self.rest();
+                ForceRead::Scalar(torque.unwrap_or(rest))
+            }
+            Force::Offset(link) => {
+                let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
+                if self.mechanism.is_fixed(mass.centre) {
+                    return Ok(ForceRead::AtInfinity);
+                }
+                self.find_force(Force::Arm(Action::Inertia(link), mass.centre), share)?
+            }
+            Force::Moment(action, about) => {
+                let items = self.items_of(action, share)?;
+                let about = self.at(about);
+                let rest = self.rest();
+                ForceRead::Scalar(self.moments(&items, about).unwrap_or(rest))
+            }
+            Force::Arm(action, about) => {
+                let items = self.items_of(action, share)?;
+                let about = self.at(about);
+                let sum = self.sum_of(&items);
+                let rest = self.rest();
+                let moment = self.moments(&items, about).unwrap_or(rest);
+                let mm = self.board.distance(sum.tail, sum.head);
+                let scale = self.force_scale();
+                if mm.value() == 0.0 {
+                    return Err(NO_LINE);
+                }
+                let size = self.board.read(mm, scale);
+                let reason = self.reason(&[]);
+                let arm = self.board.quotient(moment, size, reason);
+                ForceRead::Scalar(self.board.magnitude(arm))
+            }
+        })
+    }
+
+    fn effort_of(&mut self, sought: Sought, share: Share) -> Found<Amount> {
+        let balance = self.balance_of(share)?;
+        balance.efforts.iter().find(|(of, _)| *of == sought).map(|(_, size)| *size).ok_or(NOT_DRAWN)
+    }
+
+    fn sum_of(&mut self, items: &[Item]) -> Pull {
+        match super::pulls(items)[..] {
+            [only] => only,
+            ref several => {
+                let head = self.chained(several);
+                Pull { tail: self.board.origin(), head }
+            }
+        }
+    }
+
+    /// The forces of which an action is the sum, each at its place.
+    pub(in super::super) fn items_of(&mut self, action: Action, share: Share) -> Found<Vec<Item>> {
+        match action {
+            Action::Inertia(link) => {
+                let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
+                Ok(self.inertia_items(&mass, share))
+            }
+            Action::Shaking => {
+                let masses = self.mechanism.forces.masses.clone();
+                Ok(masses.iter().flat_map(|mass| self.inertia_items(mass, share)).collect())
+            }
+            Action::Load(index) => {
+                let load = self.mechanism.forces.loads[index].clone();
+                let assumed = match load.is_sought() {
+                    true => Some(self.effort_of(Sought::Load(index), share)?),
+                    false if share == Share::Inertia => return Ok(Vec::new()),
+                    false => None,
+                };
+                Ok(vec![self.load(&load, assumed)])
+            }
+            Action::Pair { by, on } => {
+                let balance = self.balance_of(share)?;
+                let mut items = Vec::new();
+                for pair in self.mechanism.pairs_between(by, on) {
+                    items.push(self.through(&balance, pair, by, on)?);
+                }
+                Ok(items)
+            }
+            Action::OfPin(pin, link) => {
+                let balance = self.balance_of(share)?;
+                Ok(vec![self.of_pin(&balance, pin, link)?])
+            }
+            Action::OnPin(link, pin) => {
+                let balance = self.balance_of(share)?;
+                let item = self.of_pin(&balance, pin, link)?;
+                Ok(vec![self.reversed(item)])
+            }
+            Action::OnFrame => {
+                let balance = self.balance_of(share)?;
+                self.on_frame(&balance)
+            }
+        }
+    }
+
+    fn inertia_items(&mut self, mass: &crate::mechanism::force::Mass, share: Share) -> Vec<Item> {
+        if share == Share::Static {
+            return Vec::new();
+        }
+        let at = self.at(mass.centre);
+        let (pull, couple) = (self.inertia_force(mass), self.inertia_torque(mass));
+        if pull.is_none() && couple.is_none() { Vec::new() } else { vec![Item { pull, at, couple }] }
+    }
+
+    fn reversed(&mut self, item: Item) -> Item {
+        Item {
+            pull: item.pull.map(Self::opposite),
+            at: item.at,
+            couple: item.couple.map(|couple| self.board.opposite(couple)),
+        }
+    }
+
+    /// The force of one link on another through a pair.
+    fn through(&mut self, balance: &Balance, pair: Through, by: LinkId, on: LinkId) -> Found<Item> {
+        match pair {
+            Through::Pin(pin) => {
+                if self.mechanism.parties_at(pin).len() > 2 {
+                    let carrier = self.mechanism.carrier(pin);
+                    if carrier == Some(by) {
+                        return self.of_pin(balance, pin, on);
+                    }
+                    if carrier != Some(on) {
+                        return Err(NO_CARRIER);
+                    }
+                    let item = self.of_pin(balance, pin, by)?;
+                    return Ok(self.reversed(item));
+                }
+                self.of_pin(balance, pin, on)
+            }
+            Through::Slide(index) => {
+                let force = balance.slides.get(&index).ok_or(NOT_DRAWN)?;
+                let item = Item { pull: Some(force.pull), at: force.at, couple: force.couple };
+                let guide = self.mechanism.slides[index].guide.link;
+                Ok(if on == guide { self.reversed(item) } else { item })
+            }
+            Through::Roll(_) => Err("this version does not draw forces in rolling pairs"),
+        }
+    }
+
+    /// The force of a pin on a link: as it was found, or what all others at the pin leave.
+    fn of_pin(&mut self, balance: &Balance, pin: PointId, link: LinkId) -> Found<Item> {
+        let at = self.at(pin);
+        if let Some(pull) = balance.of_pins.get(&(pin.0, link.0)) {
+            return Ok(Item { pull: Some(*pull), at, couple: None });
+        }
+        let parties = self.mechanism.parties_at(pin);
+        let mut others = Vec::new();
+        for other in parties.into_iter().filter(|other| *other != link) {
+            others.push(*balance.of_pins.get(&(pin.0, other.0)).ok_or(NOT_DRAWN)?);
+        }
+        let pull = match others[..] {
+            [only] => Self::opposite(only),
+            _ => self.closing(&others),
+        };
+        Ok(Item { pull: Some(pull), at, couple: None })
+    }
+
+    /// What moving links exert on the frame, pair by pair.
+    fn on_frame(&mut self, balance: &Balance) -> Found<Vec<Item>> {
+        let mut items = Vec::new();
+        let frame = LinkId::FRAME;
+        for pin in (0..self.mechanism.points.len()).map(PointId) {
+            let parties = self.mechanism.parties_at(pin);
+            if parties.len() > 1 && parties.contains(&frame) {
+                items.push(self.of_pin(balance, pin, frame)?);
+            }
+        }
+        for (index, slide) in self.mechanism.slides.clone().into_iter().enumerate() {
+            let block =
+                matches!(self.mechanism.party_of(&slide.rider), crate::mechanism::force::Party::Link(_));
+            if block && slide.guide.link == frame {
+                let force = balance.slides.get(&index).ok_or(NOT_DRAWN)?;
+                let item = Item { pull: Some(force.pull), at: force.at, couple: force.couple };
+                items.push(self.reversed(item));
+            } else if self.mechanism.party_of(&slide.rider) == crate::mechanism::force::Party::Link(frame) {
+                let force = balance.slides.get(&index).ok_or(NOT_DRAWN)?;
+                items.push(Item { pull: Some(force.pull), at: force.at, couple: force.couple });
+            }
+        }
+        Ok(items)
+    }
+
+    /// A point of the line of an action, metres in the world: where it acts, shifted by its couple; none where it has
+    /// no size.
+    pub(in super::super) fn line_through(&mut self, action: Action, share: Share) -> Option<[f64; 2]> {
+        let items = self.items_of(action, share).ok()?;
+        let first = items.first()?;
+        let near: Point = first.at;
+        let sum = self.sum_of(&items);
+        let [fx, fy] = self.components_of(sum).map(|c| c.value());
+        let square = fx * fx + fy * fy;
+        let alone = items.len() == 1 && first.couple.is_none();
+        let shift = match self.moments(&items, near) {
+            Some(moment) if !alone && square > 0.0 => moment.value() / square,
+            _ => 0.0,
+        };
+        let per_mm = self.length_scale().si_per_mm;
+        let origin = self.origin_of_space().map(|given| given.value);
+        let [x, y] = near.value();
+        // The foot of the point on the line: r with r × F = M, square to F.
+        Some([origin[0] + x * per_mm - fy * shift, origin[1] + y * per_mm + fx * shift])
+    }
+}

@@ -1,0 +1,630 @@
+//! What acts on the links besides their pairs: weights, loads, springs, and what is sought of them.
+//!
+//! As everywhere in this room the numbers stand as they were given: a weight stays a weight, a moment of inertia about
+//! a pin stays that. Forces are in newtons, masses in kilograms, torques in newton metres, ccw positive.
+
+use super::quantity::Order;
+use super::{Given, Input, LinkId, Mechanism, PointId, Rider};
+
+/// Everything that a scene says of forces; empty where it says nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Forces {
+    /// The field of gravity.
+    pub gravity: Gravity,
+    /// Masses and moments of inertia, at most one entry for each link, in the order of the links.
+    pub masses: Vec<Mass>,
+    /// Loads, in the order of the scene.
+    pub loads: Vec<Load>,
+    /// Springs, in the order of the scene.
+    pub springs: Vec<Spring>,
+    /// The link that holds a pin of several links, where the scene names it.
+    pub carriers: Vec<(PointId, LinkId)>,
+}
+
+impl Default for Forces {
+    fn default() -> Self {
+        let gravity = Gravity { g: Gravity::USUAL, direction: Gravity::DOWN, acts: false };
+        Self { gravity, masses: Vec::new(), loads: Vec::new(), springs: Vec::new(), carriers: Vec::new() }
+    }
+}
+
+/// The field of gravity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gravity {
+    /// m/s², positive; weights become masses with it.
+    pub g: Given,
+    /// Its direction from +x, ccw, radians.
+    pub direction: Given,
+    /// Whether weights act; otherwise `g` only says how a weight becomes a mass.
+    pub acts: bool,
+}
+
+impl Gravity {
+    /// 9.81 m/s².
+    pub const USUAL: Given = Given {
+        value: 9.81,
+        error: 9.81 * (f64::EPSILON / 2.0),
+        low: 0.0,
+        low_error: 9.81 * (f64::EPSILON / 2.0),
+    };
+    /// −90°.
+    pub const DOWN: Given = Given {
+        value: -std::f64::consts::FRAC_PI_2,
+        error: f64::EPSILON / 2.0,
+        low: 0.0,
+        low_error: f64::EPSILON / 2.0,
+    };
+}
+
+/// A link's mass as the scene states it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Heaviness {
+    /// Kilograms.
+    Mass(Given),
+    /// Newtons; the mass is this over g.
+    Weight(Given),
+    /// A flywheel: a moment of inertia alone.
+    None,
+}
+
+/// A link's moment of inertia as the scene states it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Inertia {
+    /// A point mass.
+    Point,
+    /// About the mass centre, kg m².
+    Central(Given),
+    /// About another point of the link, kg m².
+    About(PointId, Given),
+    /// Radius of gyration about the mass centre, metres.
+    Gyration(Given),
+}
+
+/// The mass of a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mass {
+    /// The link.
+    pub link: LinkId,
+    /// How heavy it is.
+    pub heaviness: Heaviness,
+    /// Its mass centre, a point of the link.
+    pub centre: PointId,
+    /// Its moment of inertia.
+    pub inertia: Inertia,
+}
+
+/// A number that is given or sought.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Size {
+    /// Given.
+    Given(Given),
+    /// A pressure on an area, Pa and m².
+    Pressure {
+        /// The pressure.
+        pressure: Given,
+        /// On what.
+        area: Area,
+    },
+    /// To be found.
+    Sought,
+}
+
+/// What a pressure acts on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Area {
+    /// m².
+    Given(Given),
+    /// A piston, less its rod; diameters in metres.
+    Bore {
+        /// Diameter of the piston.
+        bore: Given,
+        /// Diameter of the rod.
+        rod: Option<Given>,
+    },
+}
+
+/// Where a force points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pointing {
+    /// An angle from +x of the world, radians.
+    World(Given),
+    /// From one point to another, turned ccw by radians.
+    Between {
+        /// The first point.
+        from: PointId,
+        /// The second point.
+        to: PointId,
+        /// Radians.
+        turned: Given,
+    },
+    /// An angle in the own coordinates of a link, radians.
+    Own {
+        /// The link.
+        link: LinkId,
+        /// Radians.
+        angle: Given,
+    },
+    /// With the velocity of the loaded point, or against it.
+    Motion {
+        /// With it, not against it.
+        with: bool,
+    },
+}
+
+/// What a load is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LoadKind {
+    /// A size and a direction.
+    Force {
+        /// The loaded point, of the link.
+        at: PointId,
+        /// Newtons along the direction.
+        size: Size,
+        /// Where it points.
+        pointing: Pointing,
+    },
+    /// Components.
+    Vector {
+        /// The loaded point, of the link.
+        at: PointId,
+        /// Newtons.
+        parts: [Given; 2],
+        /// In whose own coordinates; the frame's are the world's.
+        of: LinkId,
+    },
+    /// A torque, ccw positive.
+    Torque {
+        /// Newton metres.
+        size: Size,
+        /// With (or against) the link's ω instead of ccw.
+        with_motion: Option<bool>,
+    },
+}
+
+/// A load on a link.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// Its name, given or made up: `P`, `load 2`.
+    pub name: String,
+    /// The loaded link.
+    pub link: LinkId,
+    /// What it is.
+    pub kind: LoadKind,
+}
+
+impl Load {
+    /// Whether it is to be found.
+    #[must_use]
+    pub fn is_sought(&self) -> bool {
+        matches!(
+            self.kind,
+            LoadKind::Force { size: Size::Sought, .. } | LoadKind::Torque { size: Size::Sought, .. }
+        )
+    }
+
+    /// Whether it is a torque, without a point or a direction.
+    #[must_use]
+    pub fn is_torque(&self) -> bool {
+        matches!(self.kind, LoadKind::Torque { .. })
+    }
+
+    /// The loaded point; none of a torque.
+    #[must_use]
+    pub fn at(&self) -> Option<PointId> {
+        match self.kind {
+            LoadKind::Force { at, .. } | LoadKind::Vector { at, .. } => Some(at),
+            LoadKind::Torque { .. } => None,
+        }
+    }
+
+    /// Whether its direction is that of a motion.
+    #[must_use]
+    pub fn follows_motion(&self) -> bool {
+        matches!(
+            self.kind,
+            LoadKind::Force { pointing: Pointing::Motion { .. }, .. }
+                | LoadKind::Torque { with_motion: Some(_), .. }
+        )
+    }
+}
+
+/// How hard a spring pulls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SpringLaw {
+    /// Stiffness times what it is longer (or further turned) than free.
+    Stiffness {
+        /// N/m, or N m/rad.
+        stiffness: Size,
+        /// Free length, metres, or free angle of the second link against the first, radians.
+        free: Given,
+    },
+    /// Its pull now: newtons, or newton metres on the second link.
+    Force(Size),
+}
+
+/// Between what a spring acts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SpringKind {
+    /// Between two points of two links; pull positive.
+    Pull([(LinkId, PointId); 2]),
+    /// Between two links that turn against each other.
+    Torsion([LinkId; 2]),
+}
+
+/// A spring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spring {
+    /// Its name, given or made up.
+    pub name: String,
+    /// Between what it acts.
+    pub kind: SpringKind,
+    /// How hard it pulls.
+    pub law: SpringLaw,
+}
+
+impl Spring {
+    /// Whether its force or its stiffness is to be found.
+    #[must_use]
+    pub fn is_sought(&self) -> bool {
+        matches!(
+            self.law,
+            SpringLaw::Force(Size::Sought) | SpringLaw::Stiffness { stiffness: Size::Sought, .. }
+        )
+    }
+}
+
+/// What balance has to find besides the reactions: as many as there are freedoms.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Sought {
+    /// The effort at an input, by its index: the torque of the surroundings on a driven link, the force along the
+    /// guide between rider and carrier of a driven slide.
+    Effort(usize),
+    /// A load, by its index.
+    Load(usize),
+    /// A spring, by its index.
+    Spring(usize),
+}
+
+impl Forces {
+    /// Whether the scene says anything of forces.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.masses.is_empty() && self.loads.is_empty() && self.springs.is_empty()
+    }
+
+    /// The motion that the forces hang on: inertia on accelerations, a load against a motion on its velocity.
+    #[must_use]
+    pub fn order(&self) -> Order {
+        if !self.masses.is_empty() {
+            Order::Acceleration
+        } else if self.loads.iter().any(Load::follows_motion) {
+            Order::Velocity
+        } else {
+            Order::Position
+        }
+    }
+
+    /// The mass of a link.
+    #[must_use]
+    pub fn mass(&self, link: LinkId) -> Option<&Mass> {
+        self.masses.iter().find(|mass| mass.link == link)
+    }
+}
+
+impl Mechanism {
+    /// What balance has to find besides the reactions: what the scene seeks, or else the effort at every input.
+    #[must_use]
+    pub fn sought(&self) -> Vec<Sought> {
+        let named = self.named_sought();
+        if named.is_empty() { (0..self.inputs.len()).map(Sought::Effort).collect() } else { named }
+    }
+
+    /// What the scene seeks by name.
+    #[must_use]
+    pub fn named_sought(&self) -> Vec<Sought> {
+        let loads = self.forces.loads.iter().enumerate().filter(|(_, load)| load.is_sought());
+        let springs = self.forces.springs.iter().enumerate().filter(|(_, spring)| spring.is_sought());
+        let loads = loads.map(|(index, _)| Sought::Load(index));
+        loads.chain(springs.map(|(index, _)| Sought::Spring(index))).collect()
+    }
+
+    /// The link or the pin that rides in a sliding pair.
+    #[must_use]
+    pub fn party_of(&self, rider: &Rider) -> Party {
+        match *rider {
+            Rider::Link { link, .. } | Rider::Pin { block: Some(link), .. } => Party::Link(link),
+            Rider::Pin { point, block: None } => Party::Pin(point),
+        }
+    }
+
+    /// The links and sliding pairs that meet at a pin as bodies of their own: its links, and the carriers of bare slots
+    /// in which it rides.
+    #[must_use]
+    pub fn parties_at(&self, pin: PointId) -> Vec<LinkId> {
+        let mut links = self.point(pin).links.clone();
+        for slide in &self.slides {
+            if self.party_of(&slide.rider) == Party::Pin(pin) {
+                links.push(slide.guide.link);
+            }
+        }
+        links.sort_unstable();
+        links.dedup();
+        links
+    }
+
+    /// The link that holds a pin: the one that the scene names, the frame where it is one of the pin's links, or the
+    /// only link in which the pin stands. None at a pin of several links about which nothing is said.
+    #[must_use]
+    pub fn carrier(&self, pin: PointId) -> Option<LinkId> {
+        let links = &self.point(pin).links;
+        let named = self.forces.carriers.iter().find(|(point, _)| *point == pin).map(|(_, link)| *link);
+        named.or_else(|| links.contains(&LinkId::FRAME).then_some(LinkId::FRAME)).or(match links[..] {
+            [only] => Some(only),
+            _ => None,
+        })
+    }
+
+    /// The pairs through which one link acts on another.
+    #[must_use]
+    pub fn pairs_between(&self, one: LinkId, other: LinkId) -> Vec<Through> {
+        let mut pairs = Vec::new();
+        for pin in (0..self.points.len()).map(PointId) {
+            let parties = self.parties_at(pin);
+            if parties.contains(&one) && parties.contains(&other) && self.is_pin(pin) {
+                pairs.push(Through::Pin(pin));
+            }
+        }
+        for (index, slide) in self.slides.iter().enumerate() {
+            if let Party::Link(rider) = self.party_of(&slide.rider)
+                && [[one, other], [other, one]].contains(&[rider, slide.guide.link])
+            {
+                pairs.push(Through::Slide(index));
+            }
+        }
+        for (index, roll) in self.rolls.iter().enumerate() {
+            if [[one, other], [other, one]].contains(&roll.bodies()) {
+                pairs.push(Through::Roll(index));
+            }
+        }
+        pairs
+    }
+
+    /// The pin at which two links act on each other: that between them, or that of the block that slides.
+    #[must_use]
+    pub fn meeting_point(&self, one: LinkId, other: LinkId) -> Option<PointId> {
+        self.pairs_between(one, other).into_iter().find_map(|pair| match pair {
+            Through::Pin(pin) => Some(pin),
+            Through::Slide(index) => match self.slides[index].rider {
+                Rider::Pin { point, .. } => Some(point),
+                Rider::Link { link, .. } => self.link(link).points.first().copied(),
+            },
+            Through::Roll(_) => None,
+        })
+    }
+
+    /// Whether forces pass from one body to another at a point.
+    #[must_use]
+    pub fn is_pin(&self, point: PointId) -> bool {
+        self.parties_at(point).len() > 1
+    }
+
+    /// The link that an input drives by its angle.
+    #[must_use]
+    pub fn driven_link(&self, input: usize) -> Option<LinkId> {
+        match self.inputs.get(input)? {
+            Input::Angle { link, .. } | Input::Speed { link, .. } => Some(*link),
+            Input::Slide { .. } => None,
+        }
+    }
+}
+
+/// What rides in a sliding pair.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Party {
+    /// A link or a block.
+    Link(LinkId),
+    /// A pin in a bare slot.
+    Pin(PointId),
+}
+
+/// A pair through which two links act on each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Through {
+    /// At a pin.
+    Pin(PointId),
+    /// In a sliding pair, by index.
+    Slide(usize),
+    /// At a rolling contact, by index.
+    Roll(usize),
+}
+
+/// A force with a line of action, as a scene may ask for it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Action {
+    /// `F(2,3)`: of the first link on the second through their pair.
+    Pair {
+        /// The link that acts.
+        by: LinkId,
+        /// The link on which it acts.
+        on: LinkId,
+    },
+    /// `F(B,4)`: of a pin on a link.
+    OfPin(PointId, LinkId),
+    /// `F(4,B)`: of a link on a pin.
+    OnPin(LinkId, PointId),
+    /// `Fin(3)`: −M A_G of a link, with its couple.
+    Inertia(LinkId),
+    /// `FS`: the sum of all inertia forces.
+    Shaking,
+    /// `F(frame)`: all that moving links exert on the frame through pairs.
+    OnFrame,
+    /// `load(P)`: a load that is a force, by its index.
+    Load(usize),
+}
+
+/// A quantity of the forces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Force {
+    /// A force. Vector.
+    Vector(Action),
+    /// `Fn(3,4/O4)`: the part of F(3,4) along the line from a point to their pin. Vector.
+    Along {
+        /// The link that acts.
+        by: LinkId,
+        /// The link on which it acts.
+        on: LinkId,
+        /// The point.
+        from: PointId,
+    },
+    /// `Ft(3,4/O4)`: the part of F(3,4) across that line. Vector.
+    Across {
+        /// The link that acts.
+        by: LinkId,
+        /// The link on which it acts.
+        on: LinkId,
+        /// The point.
+        from: PointId,
+    },
+    /// `T(2)`: the torque of the surroundings at an input that drives a link, by index of the input. Signed scalar.
+    Torque(usize),
+    /// `drive(D)`: the force along the guide at a driven slide, by index of the input. Signed scalar.
+    Drive(usize),
+    /// `load(P)`: a load that is a torque, by its index. Signed scalar.
+    LoadTorque(usize),
+    /// `spring(S)`: the pull of a spring, by its index. Signed scalar.
+    Pull(usize),
+    /// `spring(S)`: the torque of a torsion spring on its second link, by its index. Signed scalar.
+    Twist(usize),
+    /// `Tin(3)`: −I_G ε of a link. Signed scalar.
+    InertiaTorque(LinkId),
+    /// `h(3)`: |Tin| / |Fin|. Scalar, not negative, or at infinity.
+    Offset(LinkId),
+    /// `moment(X,P)`: of a force about a point, with its couple. Signed scalar.
+    Moment(Action, PointId),
+    /// `arm(X,P)`: distance of its line from a point. Scalar, not negative.
+    Arm(Action, PointId),
+}
+
+/// Which part of a force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Share {
+    /// All of it.
+    #[default]
+    Total,
+    /// From loads, weights and springs alone.
+    Static,
+    /// From inertia alone.
+    Inertia,
+}
+
+impl Share {
+    /// What stands after a name in a scene.
+    #[must_use]
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Self::Total => "",
+            Self::Static => ".static",
+            Self::Inertia => ".inertia",
+        }
+    }
+}
+
+impl Action {
+    /// As a scene names it.
+    #[must_use]
+    pub fn name(self, mechanism: &Mechanism) -> String {
+        let p = |point: PointId| mechanism.point(point).name.as_str();
+        let l = |link: LinkId| mechanism.link(link).number;
+        match self {
+            Self::Pair { by, on } => format!("F({},{})", l(by), l(on)),
+            Self::OfPin(pin, link) => format!("F({},{})", p(pin), l(link)),
+            Self::OnPin(link, pin) => format!("F({},{})", l(link), p(pin)),
+            Self::Inertia(link) => format!("Fin({})", l(link)),
+            Self::Shaking => "FS".to_owned(),
+            Self::OnFrame => "F(frame)".to_owned(),
+            Self::Load(index) => format!("load({})", mechanism.forces.loads[index].name),
+        }
+    }
+
+    /// The points and links that it names.
+    #[must_use]
+    pub fn about(self) -> ([Option<PointId>; 2], [Option<LinkId>; 2]) {
+        match self {
+            Self::Pair { by, on } => ([None; 2], [Some(by), Some(on)]),
+            Self::OfPin(pin, link) | Self::OnPin(link, pin) => ([Some(pin), None], [Some(link), None]),
+            Self::Inertia(link) => ([None; 2], [Some(link), None]),
+            Self::Shaking | Self::OnFrame | Self::Load(_) => ([None; 2], [None; 2]),
+        }
+    }
+}
+
+impl Force {
+    /// As a scene names it.
+    #[must_use]
+    pub fn name(self, mechanism: &Mechanism) -> String {
+        let p = |point: PointId| mechanism.point(point).name.as_str();
+        let l = |link: LinkId| mechanism.link(link).number;
+        match self {
+            Self::Vector(action) => action.name(mechanism),
+            Self::Along { by, on, from } => format!("Fn({},{}/{})", l(by), l(on), p(from)),
+            Self::Across { by, on, from } => format!("Ft({},{}/{})", l(by), l(on), p(from)),
+            Self::Torque(input) => {
+                let link = mechanism.driven_link(input).map_or(0, l);
+                format!("T({link})")
+            }
+            Self::Drive(input) => match mechanism.inputs.get(input) {
+                Some(Input::Slide { slide, .. }) => match mechanism.slides[*slide].rider {
+                    Rider::Pin { point, .. } => format!("drive({})", p(point)),
+                    Rider::Link { link, .. } => format!("drive({})", l(link)),
+                },
+                _ => "drive".to_owned(),
+            },
+            Self::LoadTorque(index) => format!("load({})", mechanism.forces.loads[index].name),
+            Self::Pull(index) | Self::Twist(index) => {
+                format!("spring({})", mechanism.forces.springs[index].name)
+            }
+            Self::InertiaTorque(link) => format!("Tin({})", l(link)),
+            Self::Offset(link) => format!("h({})", l(link)),
+            Self::Moment(action, about) => format!("moment({},{})", action.name(mechanism), p(about)),
+            Self::Arm(action, about) => format!("arm({},{})", action.name(mechanism), p(about)),
+        }
+    }
+
+    /// The points and links that it names.
+    #[must_use]
+    pub fn about(self) -> ([Option<PointId>; 2], [Option<LinkId>; 2]) {
+        match self {
+            Self::Vector(action) => action.about(),
+            Self::Along { by, on, from } | Self::Across { by, on, from } => {
+                ([Some(from), None], [Some(by), Some(on)])
+            }
+            Self::InertiaTorque(link) | Self::Offset(link) => ([None; 2], [Some(link), None]),
+            Self::Moment(action, about) | Self::Arm(action, about) => {
+                let ([pin, _], links) = action.about();
+                ([pin, Some(about)], links)
+            }
+            Self::Torque(_) | Self::Drive(_) | Self::LoadTorque(_) | Self::Pull(_) | Self::Twist(_) => {
+                ([None; 2], [None; 2])
+            }
+        }
+    }
+
+    /// Whether it is a vector.
+    #[must_use]
+    pub fn is_vector(self) -> bool {
+        matches!(self, Self::Vector(_) | Self::Along { .. } | Self::Across { .. })
+    }
+
+    /// Whether its sign is a sense of rotation.
+    #[must_use]
+    pub fn turns(self) -> bool {
+        matches!(
+            self,
+            Self::Torque(_)
+                | Self::LoadTorque(_)
+                | Self::Twist(_)
+                | Self::InertiaTorque(_)
+                | Self::Moment(..)
+        )
+    }
+}

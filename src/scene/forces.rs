@@ -1,0 +1,522 @@
+//! What acts on the links besides their pairs: `gravity`, `masses`, `loads`, `springs`.
+
+use super::diagnostic::{Fault, Res};
+use super::draft::Draft;
+use super::json::{Entry, Fields, Kind, Value};
+use super::keys;
+use super::units::Measure;
+use crate::mechanism::force::{
+    Area, Gravity, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Size, Spring, SpringKind, SpringLaw,
+};
+use crate::mechanism::{Form, Given, Input, LinkId, Place, PointId};
+
+/// What is written where a number is to be found.
+const SOUGHT: &str = "?";
+
+/// A key whose meaning is fixed, and of which this version makes nothing yet.
+fn undone(entry: &Entry<'_>, what: &str) -> Fault {
+    Fault::new(entry.at, format!("`{}`: this version does not do {what} yet", entry.key))
+        .mend(format!("leave `{}` out", entry.key))
+}
+
+/// Refuses what is not built yet, so that no answer leaves it out unsaid.
+pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
+    for (key, what) in [("spin", "governors"), ("cycle", "turning-moment diagrams")] {
+        if let Some(entry) = scene.entry(key) {
+            return Err(undone(entry, what));
+        }
+    }
+    let inside = |list: Option<&Value<'_>>, wanted: &[(&str, &str)]| -> Res<()> {
+        let items: Vec<&Value<'_>> = match list.map(|list| (&list.kind, list)) {
+            Some((Kind::List(items), _)) => items.iter().collect(),
+            Some((Kind::Object(entries), _)) => entries.iter().map(|entry| &entry.value).collect(),
+            _ => Vec::new(),
+        };
+        for item in items {
+            let Kind::Object(entries) = &item.kind else { continue };
+            for (key, what) in wanted {
+                if let Some(entry) = entries.iter().find(|entry| entry.key == *key) {
+                    return Err(undone(entry, what));
+                }
+            }
+        }
+        Ok(())
+    };
+    inside(scene.get("slides"), &[("f", "friction"), ("drag", "friction")])?;
+    inside(scene.get("pins"), &[("f", "friction"), ("circle", "friction")])?;
+    inside(scene.get("rolls"), &[("pressure", "forces in rolling pairs")])
+}
+
+/// Gives a point of its link to every pair of own coordinates in `masses`, `loads` and `springs`.
+pub(super) fn spots(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
+    if let Some(masses) = scene.get("masses") {
+        for Entry { key, value, .. } in masses.object("masses, by number of the link")? {
+            let Ok(fields) = Fields::of(value, keys::MASS, "a mass") else { continue };
+            let Some(link) = key.parse().ok().and_then(|n| draft.link_of(n, value.at).ok()) else { continue };
+            for place in ["at", "about"] {
+                spot(fields.get(place), link, &format!("G{key}"), draft)?;
+            }
+        }
+    }
+    let list =
+        |key: &str| scene.get(key).map(|v| v.list("a list")).transpose().map(Option::unwrap_or_default);
+    for (index, item) in list("loads")?.iter().enumerate() {
+        let Ok(fields) = Fields::of(item, keys::LOAD, "a load") else { continue };
+        let Some(link) = fields.get("on").and_then(|on| draft.link_at(on).ok()) else { continue };
+        spot(fields.get("at"), link, &format!("L{}", index + 1), draft)?;
+    }
+    for (index, item) in list("springs")?.iter().enumerate() {
+        let Ok(fields) = Fields::of(item, keys::SPRING, "a spring") else { continue };
+        let Some(Kind::List(ends)) = fields.get("between").map(|ends| &ends.kind) else { continue };
+        for (end, name) in ends.iter().zip(["K", "K′"]) {
+            let Ok(fields) = Fields::of(end, keys::SPRING_END, "an end") else { continue };
+            let Some(link) = fields.get("link").and_then(|link| draft.link_at(link).ok()) else { continue };
+            spot(fields.get("at"), link, &format!("{name}{}", index + 1), draft)?;
+        }
+    }
+    Ok(())
+}
+
+/// A point for own coordinates, by this name where nobody has it.
+fn spot(value: Option<&Value<'_>>, link: LinkId, name: &str, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(value) = value.filter(|value| matches!(value.kind, Kind::List(_))) else { return Ok(()) };
+    let own = draft.scales.place(value)?;
+    let form = draft.link(link).form.clone();
+    let worldly = link == LinkId::FRAME || form == Form::Placed;
+    if form == Form::Single && !worldly {
+        let only = draft.link(link).points[0];
+        if own.iter().all(|c| c.value == 0.0) {
+            draft.spots.insert(value.at, only);
+            return Ok(());
+        }
+        let what =
+            format!("this version does not do own coordinates of {}, which has one joint", draft.say(link));
+        return Err(Fault::new(value.at, what).mend(format!("name its joint, {}", draft.say_point(only))));
+    }
+    let mut free = name.to_owned();
+    while draft.point_named(&free, value.at).is_ok() {
+        free.push('′');
+    }
+    let point = draft.mention(&free, value.at)?;
+    draft.join(link, point);
+    if draft.anchors.places.is_empty() {
+        draft.anchors.places = vec![None; draft.mechanism.points.len() - 1];
+    }
+    draft.anchors.places.resize(draft.mechanism.points.len(), None);
+    draft.rooms.resize(draft.mechanism.points.len(), 0.0);
+    if link == LinkId::FRAME {
+        draft.mechanism.points[point.0].place = Place::Fixed(own);
+    } else if worldly {
+        draft.mechanism.points[point.0].place = Place::Placed(own);
+    } else {
+        draft.mechanism.links[link.0].extra.push(own);
+    }
+    draft.spots.insert(value.at, point);
+    Ok(())
+}
+
+/// A point of a link, by name or by own coordinates.
+fn place(value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<PointId> {
+    match (&value.kind, draft.spots.get(&value.at)) {
+        (_, Some(point)) => Ok(*point),
+        (Kind::Text(_), None) => draft.point_in(value, link),
+        _ => Err(value.unexpected("a point of the link or own coordinates [x, y]")),
+    }
+}
+
+/// Reads `gravity`, `masses`, `loads` and `springs`.
+pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
+    gravity(scene.get("gravity"), draft)?;
+    masses(scene.get("masses"), draft)?;
+    loads(scene.get("loads"), draft)?;
+    springs(scene.get("springs"), draft)?;
+    if draft.mechanism.forces.is_empty() {
+        return Ok(());
+    }
+    if let Some(entry) = scene.entry("rolls") {
+        return Err(
+            undone(entry, "forces in rolling pairs").mend("leave out `masses`, `loads` and `springs`")
+        );
+    }
+    let sought = draft.mechanism.named_sought().len();
+    let freedoms = draft.mechanism.inputs.len();
+    if sought > 0 && sought != freedoms {
+        let at = scene.entry("loads").or(scene.entry("springs")).map_or(0, |entry| entry.at);
+        let plural = if freedoms == 1 { "" } else { "s" };
+        let what =
+            format!("{sought} unknowns `?` are sought, but the mechanism has {freedoms} input{plural}");
+        return Err(Fault::new(at, what).mend(
+            "seek as many as there are degrees of freedom, or none: then the effort at every input is sought",
+        ));
+    }
+    Ok(())
+}
+
+fn gravity(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(value) = value else { return Ok(()) };
+    let fields = Fields::of(value, keys::GRAVITY, "gravity: {}, or {\"g\": …, \"direction\": …}")?;
+    let g = match fields.get("g") {
+        Some(g) => positive(g, Measure::Acceleration, "g", draft)?,
+        None => Gravity::USUAL,
+    };
+    let direction = fields.get("direction").map(|d| draft.scales.given(d, Measure::Angle)).transpose()?;
+    let acts = fields.get("acts").map(Value::bool).transpose()?.unwrap_or(true);
+    draft.mechanism.forces.gravity = Gravity { g, direction: direction.unwrap_or(Gravity::DOWN), acts };
+    Ok(())
+}
+
+/// A number greater than zero.
+fn positive(value: &Value<'_>, measure: Measure, what: &str, draft: &Draft<'_>) -> Res<Given> {
+    let given = draft.scales.given(value, measure)?;
+    if given.value > 0.0 {
+        return Ok(given);
+    }
+    Err(Fault::new(value.at, format!("{what} must be greater than zero")))
+}
+
+fn masses(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(value) = value else { return Ok(()) };
+    let mut masses = Vec::new();
+    for Entry { at, key, value } in value.object("masses, by number of the link")? {
+        let number = key.parse::<u32>().ok().filter(|n| n.to_string() == *key);
+        let number = number.ok_or_else(|| Fault::new(*at, format!("`{key}` is not the number of a link")))?;
+        let link = draft.link_of(number, *at)?;
+        if link == LinkId::FRAME {
+            return Err(Fault::new(*at, "link 1 is the frame: its mass changes nothing").mend("leave it out"));
+        }
+        masses.push(mass(value, link, draft)?);
+    }
+    masses.sort_by_key(|mass| mass.link);
+    draft.mechanism.forces.masses = masses;
+    Ok(())
+}
+
+fn mass(value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<Mass> {
+    let fields = Fields::of(value, keys::MASS, "a mass: {\"weight\": …, \"at\": …}")?;
+    let heaviness = match (fields.get("mass"), fields.entry("weight")) {
+        (Some(mass), None) => Heaviness::Mass(positive(mass, Measure::Mass, "a mass", draft)?),
+        (None, Some(weight)) => {
+            Heaviness::Weight(positive(&weight.value, Measure::Force, "a weight", draft)?)
+        }
+        (Some(_), Some(weight)) => {
+            return Err(Fault::new(weight.at, "a link has a `mass` or a `weight`, not both"));
+        }
+        (None, None) => Heaviness::None,
+    };
+    let inertia = match (fields.get("inertia"), fields.entry("gyration")) {
+        (Some(inertia), None) => {
+            let given = positive(inertia, Measure::Inertia, "a moment of inertia", draft)?;
+            match fields.get("about") {
+                Some(about) => Inertia::About(place(about, link, draft)?, given),
+                None => Inertia::Central(given),
+            }
+        }
+        (None, gyration) => {
+            fields.refuse(&["about"], "it says about which point `inertia` is given")?;
+            match gyration {
+                Some(radius) => Inertia::Gyration(positive(
+                    &radius.value,
+                    Measure::Length,
+                    "a radius of gyration",
+                    draft,
+                )?),
+                None => Inertia::Point,
+            }
+        }
+        (Some(_), Some(gyration)) => {
+            return Err(Fault::new(gyration.at, "a link has `inertia` or `gyration`, not both"));
+        }
+    };
+    if heaviness == Heaviness::None && !matches!(inertia, Inertia::Central(_) | Inertia::About(..)) {
+        return Err(
+            Fault::new(value.at, "`mass` or `weight` is missing").mend("`inertia` alone would be a flywheel")
+        );
+    }
+    let points = &draft.link(link).points;
+    let centre = match (fields.get("at"), &points[..]) {
+        (Some(at), _) => place(at, link, draft)?,
+        (None, [only]) => *only,
+        // A flywheel turns about whatever point it likes.
+        (None, [first, ..]) if heaviness == Heaviness::None => *first,
+        _ => {
+            let what = format!("the mass centre of {} is missing", draft.say(link));
+            return Err(Fault::new(value.at, what)
+                .mend("name it in `at`: a point of the link, or own coordinates [x, y]"));
+        }
+    };
+    Ok(Mass { link, heaviness, centre, inertia })
+}
+
+/// A number, or `"?"`.
+fn size(value: &Value<'_>, measure: Measure, draft: &Draft<'_>) -> Res<Size> {
+    match &value.kind {
+        Kind::Text(text) if text.trim() == SOUGHT => Ok(Size::Sought),
+        Kind::Object(_) => {
+            Err(Fault::new(value.at, "this version does not do loads over the input's angle yet")
+                .mend("give the number at this instant"))
+        }
+        _ => Ok(Size::Given(draft.scales.given(value, measure)?)),
+    }
+}
+
+fn loads(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(value) = value else { return Ok(()) };
+    let mut loads: Vec<Load> = Vec::new();
+    for (index, item) in value.list("a list of loads")?.iter().enumerate() {
+        let fields = Fields::of(item, keys::LOAD, "a load: {\"on\": 4, \"at\": \"C\", \"force\": …}")?;
+        let name = name(&fields, &format!("load {}", index + 1), draft)?;
+        if loads.iter().any(|other| other.name == name) {
+            return Err(Fault::new(item.at, format!("there is a load `{name}` already")));
+        }
+        let on = fields.need("on", "the number of the loaded link")?;
+        let link = draft.link_at(on)?;
+        if link == LinkId::FRAME {
+            return Err(Fault::new(on.at, "link 1 is the frame: a load on it changes nothing")
+                .mend("name the link on which it acts"));
+        }
+        let kind = load(&fields, link, draft)?;
+        loads.push(Load { name, link, kind });
+    }
+    draft.mechanism.forces.loads = loads;
+    Ok(())
+}
+
+fn name(fields: &Fields<'_, '_>, otherwise: &str, draft: &Draft<'_>) -> Res<String> {
+    let Some(value) = fields.get("name") else { return Ok(otherwise.to_owned()) };
+    let name = value.text("a name")?.trim();
+    let fine = |c: char| !c.is_whitespace() && !c.is_control() && !"/,()\"`@.".contains(c);
+    let letter = name.chars().next().is_some_and(char::is_alphabetic);
+    if !letter || !name.chars().all(fine) || name.len() > 64 {
+        return Err(Fault::new(value.at, format!("`{}` cannot name a load", name.escape_debug())).mend(
+            "a name begins with a letter and has no blank, slash, comma, stop or parenthesis, such as `P`",
+        ));
+    }
+    let _ = draft;
+    Ok(name.to_owned())
+}
+
+fn load(fields: &Fields<'_, '_>, link: LinkId, draft: &Draft<'_>) -> Res<LoadKind> {
+    let keys = ["force", "torque", "pressure"];
+    let given: Vec<&Entry<'_>> = keys.iter().filter_map(|key| fields.entry(key)).collect();
+    let entry = match given[..] {
+        [one] => one,
+        [_, other, ..] => {
+            return Err(Fault::new(other.at, format!("`{}` is one size too many", other.key))
+                .mend("a load is one of `force`, `torque` and `pressure`"));
+        }
+        [] => {
+            return Err(Fault::new(fields.at, "the size of the load is missing")
+                .mend("give `force`, `torque`, or `pressure` with `area` or `bore`"));
+        }
+    };
+    if entry.key != "pressure" {
+        fields.refuse(&["area", "bore", "rod"], "it goes with `pressure`")?;
+    }
+    if entry.key == "torque" {
+        fields.refuse(&["at", "in"], "a torque acts on the whole link")?;
+        let with_motion = match fields.get("direction") {
+            None => None,
+            Some(direction) => match direction.text("\"with\" or \"against\"")? {
+                "with" => Some(true),
+                "against" => Some(false),
+                other => {
+                    return Err(Fault::new(direction.at, format!("`{other}` is no direction of a torque"))
+                        .known(other, ["with", "against"]));
+                }
+            },
+        };
+        return Ok(LoadKind::Torque { size: size(&entry.value, Measure::Torque, draft)?, with_motion });
+    }
+    let at = match fields.get("at") {
+        Some(at) => place(at, link, draft)?,
+        None => match draft.link(link).points[..] {
+            [only] => only,
+            _ => {
+                return Err(Fault::new(
+                    fields.at,
+                    format!("where on {} the load acts is missing", draft.say(link)),
+                )
+                .mend("name the point in `at`, or give own coordinates [x, y]"));
+            }
+        },
+    };
+    if let (Kind::List(parts), "force") = (&entry.value.kind, entry.key.as_str()) {
+        fields.refuse(&["direction"], "components say where a force points")?;
+        let [x, y] = &parts[..] else {
+            return Err(Fault::new(
+                entry.value.at,
+                format!("expected two components, found {}", parts.len()),
+            ));
+        };
+        let parts = [draft.scales.given(x, Measure::Force)?, draft.scales.given(y, Measure::Force)?];
+        let of = fields.get("in").map_or(Ok(LinkId::FRAME), |link| draft.link_at(link))?;
+        return Ok(LoadKind::Vector { at, parts, of });
+    }
+    fields.refuse(&["in"], "it says in whose coordinates the components [x, y] of a force are")?;
+    let size = match entry.key.as_str() {
+        "pressure" => {
+            let pressure = match size(&entry.value, Measure::Pressure, draft)? {
+                Size::Given(pressure) => pressure,
+                _ => {
+                    return Err(
+                        Fault::new(entry.value.at, "a pressure cannot be sought").mend("seek a `force`")
+                    );
+                }
+            };
+            Size::Pressure { pressure, area: area(fields, draft)? }
+        }
+        _ => size(&entry.value, Measure::Force, draft)?,
+    };
+    let pointing = match fields.get("direction") {
+        None => Pointing::World(Given::exact(0.0)),
+        Some(value) => pointing(value, draft)?,
+    };
+    if size == Size::Sought && matches!(pointing, Pointing::Motion { .. }) {
+        let value = fields.get("direction").map_or(fields.at, |value| value.at);
+        return Err(Fault::new(value, "a sought force has a stated line, not that of a motion")
+            .mend("give `direction` as an angle or between two points"));
+    }
+    Ok(LoadKind::Force { at, size, pointing })
+}
+
+fn area(fields: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<Area> {
+    match (fields.get("area"), fields.entry("bore")) {
+        (Some(area), None) => {
+            fields.refuse(&["rod"], "it goes with `bore`")?;
+            Ok(Area::Given(positive(area, Measure::Area, "an area", draft)?))
+        }
+        (None, Some(bore)) => {
+            let bore_size = draft.scales.positive(&bore.value, "a bore")?;
+            let rod = fields.get("rod").map(|rod| draft.scales.positive(rod, "a rod")).transpose()?;
+            if rod.is_some_and(|rod| rod.value >= bore_size.value) {
+                return Err(Fault::new(bore.at, "the rod is as thick as the bore"));
+            }
+            Ok(Area::Bore { bore: bore_size, rod })
+        }
+        (Some(_), Some(bore)) => {
+            Err(Fault::new(bore.at, "a pressure acts on an `area` or a `bore`, not both"))
+        }
+        (None, None) => Err(Fault::new(fields.at, "on what the pressure acts is missing")
+            .mend("give `area`, or `bore` (with `rod`)")),
+    }
+}
+
+fn pointing(value: &Value<'_>, draft: &Draft<'_>) -> Res<Pointing> {
+    match &value.kind {
+        Kind::Text(text) if text.trim() == "against" => Ok(Pointing::Motion { with: false }),
+        Kind::Text(text) if text.trim() == "with" => Ok(Pointing::Motion { with: true }),
+        Kind::Object(_) => {
+            let fields = Fields::of(value, keys::POINTING, "a direction: {\"from\": …, \"to\": …}")?;
+            let angle = |key: &str| -> Res<Given> {
+                fields.get(key).map_or(Ok(Given::exact(0.0)), |v| draft.scales.given(v, Measure::Angle))
+            };
+            if let Some(link) = fields.get("link") {
+                fields.refuse(&["from", "to", "turned"], "`link` and `angle` say the direction already")?;
+                return Ok(Pointing::Own { link: draft.link_at(link)?, angle: angle("angle")? });
+            }
+            fields.refuse(&["angle"], "it goes with `link`; between two points a direction is `turned`")?;
+            let from = draft.point(fields.need("from", "the point from which it points")?)?;
+            let end = fields.need("to", "the point towards which it points")?;
+            let to = draft.point(end)?;
+            if from == to {
+                return Err(Fault::new(end.at, "the two points are one"));
+            }
+            Ok(Pointing::Between { from, to, turned: angle("turned")? })
+        }
+        _ => Ok(Pointing::World(draft.scales.given(value, Measure::Angle)?)),
+    }
+}
+
+fn springs(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(value) = value else { return Ok(()) };
+    let mut springs: Vec<Spring> = Vec::new();
+    for (index, item) in value.list("a list of springs")?.iter().enumerate() {
+        let fields = Fields::of(item, keys::SPRING, "a spring: {\"between\": […], \"stiffness\": …}")?;
+        let name = name(&fields, &format!("spring {}", index + 1), draft)?;
+        if springs.iter().any(|other| other.name == name) {
+            return Err(Fault::new(item.at, format!("there is a spring `{name}` already")));
+        }
+        let kind = match (fields.get("between"), fields.entry("links")) {
+            (Some(between), None) => SpringKind::Pull(ends(between, draft)?),
+            (None, Some(links)) => {
+                let expected = "the numbers of two links, such as [1, 4]";
+                match links.value.list(expected)? {
+                    [one, other] => {
+                        let pair = [draft.link_at(one)?, draft.link_at(other)?];
+                        if pair[0] == pair[1] {
+                            return Err(Fault::new(other.at, "the two links are one"));
+                        }
+                        SpringKind::Torsion(pair)
+                    }
+                    _ => return Err(links.value.unexpected(expected)),
+                }
+            }
+            (Some(_), Some(links)) => {
+                return Err(Fault::new(links.at, "a spring has `between` or `links`, not both"));
+            }
+            (None, None) => {
+                return Err(Fault::new(item.at, "between what the spring acts is missing")
+                    .mend("give `between` with two places, or `links` for a torsion spring"));
+            }
+        };
+        let turning = matches!(kind, SpringKind::Torsion(_));
+        if turning {
+            return Err(Fault::new(item.at, "this version does not do torsion springs yet")
+                .mend("give the torque as a load"));
+        }
+        let law = match (fields.get("stiffness"), fields.entry("force")) {
+            (Some(stiffness), None) => {
+                let measure = if turning { Measure::TurningStiffness } else { Measure::Stiffness };
+                let stiffness = size(stiffness, measure, draft)?;
+                let free = fields.need("free", "the length of the spring without load")?;
+                let measure = if turning { Measure::Angle } else { Measure::Length };
+                SpringLaw::Stiffness { stiffness, free: draft.scales.given(free, measure)? }
+            }
+            (None, Some(force)) => {
+                fields.refuse(&["free"], "`force` says how hard it pulls now")?;
+                let measure = if turning { Measure::Torque } else { Measure::Force };
+                SpringLaw::Force(size(&force.value, measure, draft)?)
+            }
+            (Some(_), Some(force)) => {
+                return Err(Fault::new(
+                    force.at,
+                    "a spring has `stiffness` and `free`, or `force`, not both",
+                ));
+            }
+            (None, None) => {
+                return Err(Fault::new(item.at, "how hard the spring pulls is missing")
+                    .mend("give `stiffness` and `free`, or `force`"));
+            }
+        };
+        springs.push(Spring { name, kind, law });
+    }
+    draft.mechanism.forces.springs = springs;
+    Ok(())
+}
+
+fn ends(value: &Value<'_>, draft: &Draft<'_>) -> Res<[(LinkId, PointId); 2]> {
+    let expected = "two places: [{\"link\": 4, \"at\": \"C\"}, {\"link\": 1, \"at\": [300, 200]}]";
+    let [first, second] = value.list(expected)? else { return Err(value.unexpected(expected)) };
+    let end = |value: &Value<'_>| -> Res<(LinkId, PointId)> {
+        let fields = Fields::of(value, keys::SPRING_END, "a place: {\"link\": 4, \"at\": \"C\"}")?;
+        let link = draft.link_at(fields.need("link", "the number of the link")?)?;
+        let at = fields.need("at", "the point of the link, or own coordinates [x, y]")?;
+        Ok((link, place(at, link, draft)?))
+    };
+    let ends = [end(first)?, end(second)?];
+    if ends[0].0 == ends[1].0 || ends[0].1 == ends[1].1 {
+        return Err(Fault::new(second.at, "a spring acts between two points of two links"));
+    }
+    Ok(ends)
+}
+
+/// The input that drives this link by its angle.
+pub(super) fn effort_of_link(link: LinkId, draft: &Draft<'_>) -> Option<usize> {
+    (0..draft.mechanism.inputs.len()).find(|input| draft.mechanism.driven_link(*input) == Some(link))
+}
+
+/// The input that drives this sliding pair.
+pub(super) fn effort_of_slide(pair: usize, draft: &Draft<'_>) -> Option<usize> {
+    let drives = |input: &Input| matches!(input, Input::Slide { slide, .. } if *slide == pair);
+    draft.mechanism.inputs.iter().position(drives)
+}

@@ -1,0 +1,78 @@
+//! The symbols of forces: F₂₃, T₂, F₃ⁱⁿ, h₃, F_S.
+
+use super::font::Face;
+use super::notation::Notation;
+use super::rich::Rich;
+use crate::mechanism::force::{Action, Force, Share, SpringKind};
+use crate::mechanism::{Input, Rider};
+
+/// The mark of inertia.
+const INERTIA: &str = "in";
+
+/// The symbol of a force, with the mark of the part that is meant.
+pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Rich {
+    let mechanism = notation.mechanism();
+    let part = match share {
+        Share::Total => "",
+        Share::Static => "s",
+        Share::Inertia => "d",
+    };
+    let two = |a: String, b: String| {
+        let comma = if a.chars().count() > 1 || b.chars().count() > 1 { "," } else { "" };
+        format!("{a}{comma}{b}")
+    };
+    let marked = |letter: &str, sup: &str, sub: &str| {
+        let sup = format!("{sup}{part}");
+        Rich::italic(letter).scripts(&sup, Face::Upright, sub)
+    };
+    let action = |action: Action| match action {
+        Action::Pair { by, on } => marked("F", "", &two(notation.number(by), notation.number(on))),
+        Action::OfPin(pin, link) => {
+            marked("F", "", &format!("{},{}", notation.index(pin), notation.number(link)))
+        }
+        Action::OnPin(link, pin) => {
+            marked("F", "", &format!("{},{}", notation.number(link), notation.index(pin)))
+        }
+        Action::Inertia(link) => marked("F", INERTIA, &notation.number(link)),
+        Action::Shaking => marked("F", "", "S"),
+        Action::OnFrame => marked("F", "", "1"),
+        Action::Load(index) => Rich::italic(&mechanism.forces.loads[index].name),
+    };
+    match force {
+        Force::Vector(of) => action(of),
+        Force::Along { by, on, .. } => {
+            marked("F", notation.profile.normal, &two(notation.number(by), notation.number(on)))
+        }
+        Force::Across { by, on, .. } => {
+            marked("F", notation.profile.tangential, &two(notation.number(by), notation.number(on)))
+        }
+        Force::Torque(input) => {
+            let link = mechanism.driven_link(input).map(|link| notation.number(link)).unwrap_or_default();
+            marked("T", "", &link)
+        }
+        Force::Drive(input) => {
+            let of = match mechanism.inputs.get(input) {
+                Some(Input::Slide { slide, .. }) => match mechanism.slides[*slide].rider {
+                    Rider::Pin { point, .. } => notation.index(point),
+                    Rider::Link { link, .. } => notation.number(link),
+                },
+                _ => String::new(),
+            };
+            marked("F", "", &of)
+        }
+        Force::LoadTorque(index) => Rich::italic(&mechanism.forces.loads[index].name),
+        Force::Pull(index) | Force::Twist(index) => {
+            let spring = &mechanism.forces.springs[index];
+            let letter = if matches!(spring.kind, SpringKind::Pull(_)) { "F" } else { "T" };
+            marked(letter, "", &spring.name)
+        }
+        Force::InertiaTorque(link) => marked("T", INERTIA, &notation.number(link)),
+        Force::Offset(link) => marked("h", "", &notation.number(link)),
+        Force::Moment(of, about) => {
+            Rich::italic("M").sub(&notation.index(about)).up("(").then(&action(of)).up(")")
+        }
+        Force::Arm(of, about) => {
+            Rich::italic("a").sub(&notation.index(about)).up("(").then(&action(of)).up(")")
+        }
+    }
+}
