@@ -18,7 +18,7 @@ use crate::solve::{Settings, SolveError, Solved, solve_with};
 const LARGEST_SHEET: f64 = 100_000.0;
 
 /// What is said of a scene that asks for forces.
-pub(crate) const NO_SHEETS_OF_FORCES: &str = "this version draws no sheets of forces yet (free bodies and force polygons); `linkgram solve` and `linkgram sweep` answer this scene";
+pub(crate) const NO_QUESTIONS_ON_FORCES: &str = "this version sets and marks no questions on forces yet; `linkgram solve`, `draw` and `sweep` answer this scene";
 
 /// Whether a scene asks for a force.
 pub(crate) fn asks_forces(scene: &Scene) -> bool {
@@ -266,9 +266,6 @@ impl Wish {
             Kind::Steps => sheet::scale::for_steps,
             Kind::Solution => sheet::scale::for_scene,
         };
-        if asks_forces(scene) {
-            return Err(NoFigure::Wish(NO_SHEETS_OF_FORCES.to_owned()));
-        }
         let centres = names.iter().any(|name| ["centres", "circle"].contains(name));
         let extent = if centres { Extent::AllCentres } else { Extent::WholeSkeleton };
         let wanted = names.iter().filter_map(|name| sheet::auxiliary(name, scene).transpose());

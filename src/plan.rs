@@ -425,6 +425,8 @@ impl Wanted<'_> {
             Action::OfPin(pin, _) | Action::OnPin(_, pin) => moving(mechanism.parties_at(pin)),
             Action::Load(index) if mechanism.forces.loads[index].is_sought() => all(),
             Action::Inertia(_) | Action::Shaking | Action::Load(_) => Vec::new(),
+            // Drawn beside what is asked.
+            Action::Weight(_) | Action::Spring { .. } | Action::Drive(_) => Vec::new(),
             Action::OnFrame => all(),
         };
         let mut balanced = match force {

@@ -319,6 +319,29 @@ impl State {
                 let on_frame = |row: &Row, _: Tie| row.bodies().contains(&0);
                 bodies.fold([zero; 3], |sum, body| add(sum, s.wrench(on_frame, body, about), -1.0))
             }
+            Action::Weight(link) => {
+                let weight = self.heavy(s, link).and_then(|heavy| Some((heavy, s.weight(heavy)?)));
+                weight.map_or([zero; 3], |(heavy, [x, y])| {
+                    let at = s.real.site(&heavy.centre).map(|c| c.v);
+                    [x, y, (at[0] - about[0]) * y - (at[1] - about[1]) * x]
+                })
+            }
+            Action::Spring { index, end } => {
+                let ([x, y], at) = s.spring_on(&s.burden.springs[index], end);
+                [x, y, (at[0] - about[0]) * y - (at[1] - about[1]) * x]
+            }
+            Action::Drive(input) => {
+                let place = s.burden.sought.iter().position(|sought| *sought == Sought::Effort(input));
+                match place.zip(self.model.effort_line(input)) {
+                    Some((place, (site, line))) => {
+                        let effort = s.effort(place);
+                        let [x, y] = s.real.direction(&line).map(|c| c.v * effort);
+                        let at = s.real.site(&site).map(|c| c.v);
+                        [x, y, (at[0] - about[0]) * y - (at[1] - about[1]) * x]
+                    }
+                    None => [zero; 3],
+                }
+            }
             Action::Load(index) => {
                 let load = &s.burden.loads[index];
                 let [x, y, torque] = s.load(load);

@@ -9,7 +9,7 @@
 use std::collections::HashMap;
 
 use super::AnalyticError;
-use super::constraints::{Drive, Formulas, Motion, Num, Row, Scope, Site};
+use super::constraints::{Drive, Formulas, Motion, Num, Row, Scope, Site, Straight};
 use super::linear::System;
 use super::model::{Model, Tie, Track};
 use super::motion::{Located, Solved};
@@ -263,7 +263,7 @@ impl<'t> Acting<'t> {
         (acceleration.map(|a| a * mass), turning)
     }
 
-    fn weight(&self, heavy: &HeavyBody) -> Option<[Var<'t>; 2]> {
+    pub(super) fn weight(&self, heavy: &HeavyBody) -> Option<[Var<'t>; 2]> {
         let [g, direction] = self.burden.gravity?;
         let weight = match heavy.heaviness {
             Heavy::Weight([weight, _]) => self.real.num(weight).v,
@@ -341,6 +341,14 @@ impl<'t> Acting<'t> {
     /// The pull of a spring.
     pub(super) fn pull(&self, spring: &BodySpring) -> Var<'t> {
         self.pull_of(spring, Self::length(&self.real, spring).v)
+    }
+
+    /// The pull of a spring on one of its ends, and where that is.
+    pub(super) fn spring_on(&self, spring: &BodySpring, end: usize) -> ([Var<'t>; 2], [Var<'t>; 2]) {
+        let (own, other) = (self.real.site(&spring.ends[end]), self.real.site(&spring.ends[1 - end]));
+        let (length, pull) = (Self::length(&self.real, spring).v, self.pull(spring));
+        let along = minus(other, own);
+        (along.map(|c| c.v / length * pull), own.map(|c| c.v))
     }
 
     fn statical(&self) -> bool {
@@ -709,14 +717,22 @@ impl Model {
         let mechanism: &Mechanism = &self.mechanism;
         match mechanism.inputs.get(input)? {
             Input::Angle { link, .. } | Input::Speed { link, .. } => Some(Row::Turn(link.0, None, drive)),
-            Input::Slide { slide, .. } => {
-                let pair = &mechanism.slides[*slide];
-                let site = self.rider_site(&pair.rider, pair.guide.link).ok()?;
-                match self.track(*slide)? {
-                    Track::Line(line) => Some(Row::Push(site, *line, drive)),
-                    Track::Arc(_) => None,
-                }
+            Input::Slide { .. } => {
+                let (site, line) = self.effort_line(input)?;
+                Some(Row::Push(site, line, drive))
             }
+        }
+    }
+
+    /// Where the effort at a driven slide acts, and along which line.
+    pub(super) fn effort_line(&self, input: usize) -> Option<(Site, Straight)> {
+        let mechanism: &Mechanism = &self.mechanism;
+        let Input::Slide { slide, .. } = mechanism.inputs.get(input)? else { return None };
+        let pair = &mechanism.slides[*slide];
+        let site = self.rider_site(&pair.rider, pair.guide.link).ok()?;
+        match self.track(*slide)? {
+            Track::Line(line) => Some((site, *line)),
+            Track::Arc(_) => None,
         }
     }
 }

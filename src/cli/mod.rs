@@ -657,7 +657,7 @@ fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
 /// Refuses to set or to mark what has no sheets yet.
 fn without_forces(scene: &Scene) -> Result<(), Failure> {
     if crate::drawing::asks_forces(scene) {
-        return Err(Failure(crate::drawing::NO_SHEETS_OF_FORCES.to_owned()));
+        return Err(Failure(crate::drawing::NO_QUESTIONS_ON_FORCES.to_owned()));
     }
     Ok(())
 }

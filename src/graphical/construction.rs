@@ -7,6 +7,7 @@
 use std::fmt;
 
 use crate::double_double::DoubleDouble;
+use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::{Answer, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, Mechanism, PointId};
@@ -26,6 +27,8 @@ pub struct Construction {
     pub diagrams: Vec<Diagram>,
     /// The circle diagram, if any instant centre is wanted.
     pub circle: Option<CircleDiagram>,
+    /// The balance of forces, if any asked quantity needs it.
+    pub forces: Option<ForceSheet>,
     /// The other constructions on the skeleton, in the order of the plan.
     pub auxiliary: Vec<AuxiliaryDrawing>,
     /// Other positions of the mechanism that the skeleton shows, in the order in which they were wished.
@@ -55,6 +58,55 @@ pub struct Reading {
     pub drawn_mm: Option<f64>,
     /// A point of the line of a force, metres in the world.
     pub through: Option<[f64; 2]>,
+}
+
+/// The free bodies and force polygons, in newtons and metres from the skeleton's origin: they are drawn to a scale of their
+/// own.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ForceSheet {
+    /// The bodies in the order of solution.
+    pub bodies: Vec<FreeBody>,
+    /// Everything that acts on the mechanism from outside; empty where not all of it was needed.
+    pub whole: Vec<Acting>,
+    /// The inertia forces, whose sum shakes the frame; empty where not all were needed.
+    pub inertia: Vec<Acting>,
+}
+
+/// A link cut free.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FreeBody {
+    /// The link.
+    pub link: LinkId,
+    /// The forces on it: first what is known, as they are laid off.
+    pub acting: Vec<Acting>,
+    /// Torques on it, ccw positive, N m.
+    pub torques: Vec<(Force, f64)>,
+}
+
+/// A force on a free body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Acting {
+    /// Which.
+    pub action: Action,
+    /// Where it acts, metres from the skeleton's origin.
+    pub at: Mm2,
+    /// A point of its line; elsewhere where a couple shifts it.
+    pub through: Mm2,
+    /// Its components, newtons.
+    pub force: [f64; 2],
+    /// What was known of it when its body was balanced.
+    pub known: Knowledge,
+}
+
+/// What is known of a force before a body is balanced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Knowledge {
+    /// Size, line and sense.
+    Full,
+    /// Its line.
+    Line,
+    /// Nothing but where it acts.
+    Nothing,
 }
 
 /// A value to more digits than a double has.

@@ -11,7 +11,7 @@ use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, Klein, NamedPoint, Stroke
 use super::centres::{Centres, FromCentres, Why};
 use super::construction::{
     Act, Axes, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Diagram, Equation,
-    Image, Label, LinkImage, Reading, Space, Step, Transfer, Vector, VectorKind,
+    ForceSheet, Image, Label, LinkImage, Reading, Space, Step, Transfer, Vector, VectorKind,
 };
 use super::departure::Departure;
 use super::forces::Balance;
@@ -238,6 +238,7 @@ impl<'m> Draughtsman<'m> {
                 },
                 diagrams: Vec::new(),
                 circle: None,
+                forces: None,
                 auxiliary: Vec::new(),
                 others: Vec::new(),
                 steps: Vec::new(),
@@ -248,6 +249,11 @@ impl<'m> Draughtsman<'m> {
 
     pub(super) fn record(&self) -> &Construction {
         &self.record
+    }
+
+    /// Notes the free bodies.
+    pub(super) fn note_forces(&mut self, sheet: Option<ForceSheet>) {
+        self.record.forces = sheet;
     }
 
     pub(super) fn finish(mut self, answers: Vec<Reading>) -> (Construction, Tape) {

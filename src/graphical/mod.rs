@@ -318,6 +318,8 @@ pub fn solution(
 fn finish(mut draughtsman: Draughtsman<'_>, plan: &Plan) -> Solution {
     auxiliary::draw(&mut draughtsman, plan);
     let (answers, slots) = reading::answers(&mut draughtsman);
+    let sheet = forces::record(&mut draughtsman, plan);
+    draughtsman.note_forces(sheet);
     let shown = shown::all(&mut draughtsman);
     let (mut construction, mut tape) = draughtsman.finish(answers);
     settle::settle(&mut construction, &settle::zeros(&shown, &mut tape));

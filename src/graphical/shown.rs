@@ -8,6 +8,7 @@ use crate::mechanism::{LinkId, PointId};
 
 use super::construction::{Label, Vector};
 use super::draughtsman::{Draughtsman, Motion};
+use super::forces;
 
 /// A quantity that stands on the paper.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +93,8 @@ pub(super) fn all(d: &mut Draughtsman<'_>) -> Vec<Shown> {
             shown.push(of(Quantity::Position(point), None, &numbers));
         }
     }
-    for quantity in d.standing() {
+    let forces = d.record().forces.as_ref().map(forces::quantities);
+    for quantity in d.standing().into_iter().chain(forces.into_iter().flatten()) {
         if let (Ok(numbers), toward) = d.read_standing(&quantity) {
             shown.push(of(quantity, toward, &numbers));
         }

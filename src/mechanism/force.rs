@@ -460,6 +460,17 @@ pub enum Action {
     OnFrame,
     /// `load(P)`: a load that is a force, by its index.
     Load(usize),
+    /// The weight of a link; drawn, not asked.
+    Weight(LinkId),
+    /// The pull of a spring on one of its two ends; drawn, not asked.
+    Spring {
+        /// Index of the spring.
+        index: usize,
+        /// 0 or 1.
+        end: usize,
+    },
+    /// The force along the guide on a driven slide, by index of the input; drawn, not asked.
+    Drive(usize),
 }
 
 /// A quantity of the forces.
@@ -543,6 +554,9 @@ impl Action {
             Self::Shaking => "FS".to_owned(),
             Self::OnFrame => "F(frame)".to_owned(),
             Self::Load(index) => format!("load({})", mechanism.forces.loads[index].name),
+            Self::Weight(link) => format!("W({})", l(link)),
+            Self::Spring { index, .. } => format!("spring({})", mechanism.forces.springs[index].name),
+            Self::Drive(input) => Force::Drive(input).name(mechanism),
         }
     }
 
@@ -552,8 +566,10 @@ impl Action {
         match self {
             Self::Pair { by, on } => ([None; 2], [Some(by), Some(on)]),
             Self::OfPin(pin, link) | Self::OnPin(link, pin) => ([Some(pin), None], [Some(link), None]),
-            Self::Inertia(link) => ([None; 2], [Some(link), None]),
-            Self::Shaking | Self::OnFrame | Self::Load(_) => ([None; 2], [None; 2]),
+            Self::Inertia(link) | Self::Weight(link) => ([None; 2], [Some(link), None]),
+            Self::Shaking | Self::OnFrame | Self::Load(_) | Self::Spring { .. } | Self::Drive(_) => {
+                ([None; 2], [None; 2])
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ use kurbo::{Point, Rect, Vec2};
 use super::feet::told_apart;
 use super::figure::{Figure, Group, Mark, Moment, Node, Pen, Shape};
 use super::font::Face;
+use super::forces::ForcePanel;
 use super::growth::Births;
 use super::notation::Notation;
 use super::panels::{self, Panel, captioned};
@@ -71,6 +72,13 @@ pub const fn figure_names() -> &'static [&'static str] {
         "rotation-centre",
         "results",
         "steps",
+        "forces",
+        "loads",
+        "bodies",
+        "body",
+        "polygons",
+        "polygon",
+        "shaking",
     ]
 }
 
@@ -371,7 +379,9 @@ impl<'a> Blackboard<'a> {
     /// The picture of a drawing after this act; none where nothing new is in it.
     fn picture(&mut self, of: Panel, upto: Moment) -> Option<Block> {
         match of {
-            Panel::Transfer(_) | Panel::Auxiliary(_) => of.block(self.construction, self.notation),
+            Panel::Transfer(_) | Panel::Auxiliary(_) | Panel::Force(_) => {
+                of.block(self.construction, self.notation)
+            }
             of => {
                 let index = self.index(of)?;
                 let own = &mut self.finished[index];
@@ -472,6 +482,17 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
             (table.draw("results", 0, table.rows.len()), words.results)
         }
         "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
+        name if wanted::is_of_forces(name) => {
+            let sheet = construction.forces.as_ref()?;
+            let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+            let figures: Vec<Figure> = ForcePanel::all(sheet)
+                .into_iter()
+                .filter(|panel| panel.belongs_to(&name, sheet, &notation))
+                .filter_map(|panel| block(Panel::Force(panel)))
+                .map(|block| tight(scene, block, words.loads_figure, words))
+                .collect();
+            return (!figures.is_empty()).then(|| stack(&figures));
+        }
         _ => {
             let kind = wanted::auxiliary(name, scene).ok()??;
             let drawing = construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;

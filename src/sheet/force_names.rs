@@ -25,6 +25,16 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         let sup = format!("{sup}{part}");
         Rich::italic(letter).scripts(&sup, Face::Upright, sub)
     };
+    let drive = |input: usize| {
+        let of = match mechanism.inputs.get(input) {
+            Some(Input::Slide { slide, .. }) => match mechanism.slides[*slide].rider {
+                Rider::Pin { point, .. } => notation.index(point),
+                Rider::Link { link, .. } => notation.number(link),
+            },
+            _ => String::new(),
+        };
+        marked("F", "", &of)
+    };
     let action = |action: Action| match action {
         Action::Pair { by, on } => marked("F", "", &two(notation.number(by), notation.number(on))),
         Action::OfPin(pin, link) => {
@@ -37,6 +47,9 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         Action::Shaking => marked("F", "", "S"),
         Action::OnFrame => marked("F", "", "1"),
         Action::Load(index) => Rich::italic(&mechanism.forces.loads[index].name),
+        Action::Weight(link) => marked("W", "", &notation.number(link)),
+        Action::Spring { index, .. } => marked("F", "", &mechanism.forces.springs[index].name),
+        Action::Drive(input) => drive(input),
     };
     match force {
         Force::Vector(of) => action(of),
@@ -50,16 +63,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
             let link = mechanism.driven_link(input).map(|link| notation.number(link)).unwrap_or_default();
             marked("T", "", &link)
         }
-        Force::Drive(input) => {
-            let of = match mechanism.inputs.get(input) {
-                Some(Input::Slide { slide, .. }) => match mechanism.slides[*slide].rider {
-                    Rider::Pin { point, .. } => notation.index(point),
-                    Rider::Link { link, .. } => notation.number(link),
-                },
-                _ => String::new(),
-            };
-            marked("F", "", &of)
-        }
+        Force::Drive(input) => drive(input),
         Force::LoadTorque(index) => Rich::italic(&mechanism.forces.loads[index].name),
         Force::Pull(index) | Force::Twist(index) => {
             let spring = &mechanism.forces.springs[index];

@@ -5,6 +5,7 @@
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
+use crate::mechanism::force::{Heaviness, Inertia, Load, LoadKind, Pointing, Size, SpringLaw};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
@@ -93,6 +94,7 @@ fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> 
         parts.push(teller.roll(roll));
     }
     parts.extend(teller.journals());
+    teller.forces(&mut parts);
     for (i, input) in mechanism.inputs.iter().enumerate() {
         teller.input(i, input, &mut parts);
     }
@@ -333,6 +335,126 @@ impl Teller<'_> {
                 let radius = ("radius", self.length(radius.value));
                 let parts = [("wheel", self.number(*wheel)), radius, ("link", self.number(guide.link))];
                 Rich::fill(words.given_rack, &parts)
+            }
+        }
+    }
+
+    /// Weights, moments of inertia, loads and springs.
+    fn forces(&self, parts: &mut Vec<Rich>) {
+        let mechanism = self.n.mechanism();
+        let forces = &mechanism.forces;
+        let units = &self.n.scene.units;
+        for mass in &forces.masses {
+            let number = self.n.number(mass.link);
+            let at = |symbol: Rich| symbol.up("(").then(&self.n.point(mass.centre)).up(")");
+            match mass.heaviness {
+                Heaviness::Mass(kg) => {
+                    let symbol = at(Rich::italic("M").sub(&number));
+                    parts.push(self.equals(symbol, &human::stated_quantity(kg.value, &units.mass)));
+                }
+                Heaviness::Weight(weight) => {
+                    let symbol = at(Rich::italic("W").sub(&number));
+                    parts.push(self.equals(symbol, &human::stated_quantity(weight.value, &units.force)));
+                }
+                Heaviness::None => {}
+            }
+            let inertia = |about: Option<PointId>| {
+                let about = about.map(|p| self.n.index(p)).unwrap_or_default();
+                let comma = if about.is_empty() { "" } else { "," };
+                Rich::italic("I").sub(&format!("{number}{comma}{about}"))
+            };
+            match mass.inertia {
+                Inertia::Point => {}
+                Inertia::Central(value) => {
+                    parts.push(
+                        self.equals(inertia(None), &human::stated_quantity(value.value, &units.inertia)),
+                    );
+                }
+                Inertia::About(point, value) => {
+                    let symbol = inertia(Some(point));
+                    parts.push(self.equals(symbol, &human::stated_quantity(value.value, &units.inertia)));
+                }
+                Inertia::Gyration(radius) => {
+                    parts.push(self.equals(Rich::italic("ρ").sub(&number), &self.length(radius.value)));
+                }
+            }
+        }
+        if forces.gravity.acts {
+            let acceleration = self.n.unit(Dimension::Acceleration);
+            let g = human::stated_quantity(forces.gravity.g.value, &acceleration);
+            parts.push(self.equals(Rich::italic("g"), &g));
+        }
+        for load in &forces.loads {
+            parts.push(self.load(load));
+        }
+        for spring in &forces.springs {
+            let symbol = |letter: &str| Rich::italic(letter).sub(&spring.name);
+            match spring.law {
+                SpringLaw::Stiffness { stiffness, free } => {
+                    if let Size::Given(stiffness) = stiffness {
+                        let value = human::stated_quantity(stiffness.value, &units.stiffness);
+                        parts.push(self.equals(symbol("K"), &value));
+                    }
+                    parts.push(self.equals(symbol("l"), &self.length(free.value)));
+                }
+                SpringLaw::Force(Size::Given(force)) => {
+                    parts.push(self.equals(symbol("F"), &human::stated_quantity(force.value, &units.force)));
+                }
+                SpringLaw::Force(_) => {}
+            }
+        }
+    }
+
+    fn load(&self, load: &Load) -> Rich {
+        let units = &self.n.scene.units;
+        let name = Rich::italic(&load.name);
+        let on = match load.at() {
+            Some(at) => self.n.point(at),
+            None => Rich::upright(self.n.number(load.link)),
+        };
+        let name = name.up("(").then(&on).up(")");
+        let motion = |with: bool, torque: bool| {
+            let velocity = match (torque, load.at()) {
+                (false, Some(at)) => self.n.symbol(Quantity::Velocity(at), false),
+                _ => self.n.symbol(Quantity::Omega(load.link), false),
+            };
+            let words = if with { self.n.words.given_with } else { self.n.words.given_against };
+            Rich::upright("\u{a0}").then(&Rich::fill(words, &[("velocity", velocity)]))
+        };
+        let size = |size: Size, unit: &Unit| match size {
+            Size::Given(given) => human::stated_quantity(given.value, unit),
+            Size::Pressure { pressure, .. } => human::stated_quantity(pressure.value, &units.pressure),
+            Size::Sought => Rich::upright("?"),
+        };
+        match load.kind {
+            LoadKind::Torque { size: of, with_motion } => {
+                let told = self.equals(name, &size(of, &units.torque));
+                match with_motion {
+                    Some(with) => told.then(&motion(with, true)),
+                    None => told,
+                }
+            }
+            LoadKind::Vector { parts: [x, y], .. } => {
+                let number = |si: f64| human::stated(si / units.force.si);
+                let pair =
+                    Rich::upright("(").then(&number(x.value)).up(";\u{a0}").then(&number(y.value)).up(")");
+                self.equals(name, &human::with_unit(&pair, &units.force.symbol))
+            }
+            LoadKind::Force { size: of, pointing, .. } => {
+                let told = self.equals(name, &size(of, &units.force)).up("\u{a0}");
+                match pointing {
+                    Pointing::World(angle) | Pointing::Own { angle, .. } => {
+                        told.up("∠\u{a0}").then(&human::degrees(angle.value))
+                    }
+                    Pointing::Between { from, to, turned } => {
+                        let line = self.n.point(from).then(&self.n.point(to));
+                        told.up("∠\u{a0}(")
+                            .then(&line)
+                            .up(")\u{a0}+\u{a0}")
+                            .then(&human::degrees(turned.value))
+                    }
+                    Pointing::Motion { with } => told.then(&motion(with, false)),
+                }
             }
         }
     }

@@ -20,6 +20,7 @@ mod feet;
 pub mod figure;
 pub mod font;
 mod force_names;
+mod forces;
 mod given;
 mod grid;
 mod growth;

@@ -4,6 +4,7 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::compose::{ARABIC_LEADING, TEXT, clear_of};
 use super::figure::Group;
+use super::forces::ForcePanel;
 use super::growth::Births;
 use super::notation::Notation;
 use super::rich::Rich;
@@ -30,6 +31,8 @@ pub enum Panel {
     Transfer(usize),
     /// A construction on the skeleton, by index.
     Auxiliary(usize),
+    /// A free body, a force polygon.
+    Force(ForcePanel),
 }
 
 impl Panel {
@@ -48,6 +51,9 @@ impl Panel {
         let drawn =
             construction.auxiliary.iter().enumerate().filter(|(_, drawing)| drawing.refused.is_none());
         all.extend(drawn.map(|(index, _)| Self::Auxiliary(index)));
+        if let Some(sheet) = &construction.forces {
+            all.extend(ForcePanel::all(sheet).into_iter().map(Self::Force));
+        }
         all
     }
 
@@ -99,6 +105,7 @@ impl Panel {
             Self::Auxiliary(index) => {
                 Some(auxiliary::draw(construction.auxiliary.get(index)?, construction, notation))
             }
+            Self::Force(panel) => panel.draw(construction.forces.as_ref()?, construction, notation),
         }
     }
 
@@ -125,9 +132,16 @@ impl Panel {
             Self::Auxiliary(index) => {
                 (auxiliary::title(&construction.auxiliary.get(index)?.kind, notation), skeleton())
             }
+            Self::Force(panel) => {
+                let sheet = construction.forces.as_ref()?;
+                let scale = panel.scale(sheet, notation);
+                (panel.title(sheet, notation), scale.unwrap_or_else(skeleton))
+            }
         };
         let place = Self::all(construction).iter().position(|panel| *panel == self)?;
-        let letter = words.panels[place.min(words.panels.len() - 1)];
+        // After the last letter they begin again, primed.
+        let primes = "′".repeat(place / words.panels.len());
+        let letter = format!("{}{primes}", words.panels[place % words.panels.len()]);
         let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
         if !scale.is_empty() {
             let scale = Rich::fill(words.scale, &[("scale", scale)]);

@@ -133,6 +133,12 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             more(Panel::Auxiliary(index), unnumbered(items));
         }
     }
+    if let Some(sheet) = &construction.forces {
+        for index in 0..sheet.bodies.len() {
+            let items = super::forces::items(index, sheet, notation);
+            more(Panel::Force(super::forces::ForcePanel::Body(index)), unnumbered(items));
+        }
+    }
     all.retain(|told| !told.items.is_empty());
     all
 }

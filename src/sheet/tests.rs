@@ -472,6 +472,7 @@ fn placed(json: &str) -> (Scene, Construction) {
         diagrams: vec![],
         circle: None,
         others: vec![],
+        forces: None,
         auxiliary: Vec::new(),
         steps: vec![],
         answers: vec![],

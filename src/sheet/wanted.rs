@@ -26,12 +26,41 @@ pub fn figure_head(name: &str) -> &str {
     name.split('(').next().unwrap_or(name).trim()
 }
 
+/// The figures of forces.
+const FORCES: [&str; 7] = ["forces", "loads", "bodies", "body", "polygons", "polygon", "shaking"];
+
+/// Whether a figure shows forces.
+#[must_use]
+pub fn is_of_forces(name: &str) -> bool {
+    FORCES.contains(&figure_head(name))
+}
+
+/// Refuses a figure of forces of a link that is not there.
+fn of_forces(name: &str, scene: &Scene) -> Result<(), String> {
+    let head = figure_head(name);
+    let takes = matches!(head, "body" | "polygon");
+    let inside = name.trim().split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).map(str::trim);
+    match (takes, inside) {
+        (true, Some("all")) if head == "polygon" => Ok(()),
+        (true, Some(link)) => match link.parse().ok().and_then(|n| scene.mechanism.link_numbered(n)) {
+            Some(_) => Ok(()),
+            None => Err(format!("figure {name}: there is no link {link}")),
+        },
+        (true, None) => Err(format!("figure {name}: write {head}(3), with the number of a link")),
+        (false, None) if !name.contains('(') => Ok(()),
+        (false, _) => Err(format!("figure {name}: {head} takes no arguments")),
+    }
+}
+
 /// The construction on the skeleton that a figure shows: none for the figures that show something else.
 ///
 /// # Errors
 /// One sentence where the arguments name nothing in the scene, or the scene has no such construction.
 pub fn auxiliary(name: &str, scene: &Scene) -> Result<Option<Auxiliary>, String> {
     let head = figure_head(name);
+    if is_of_forces(name) {
+        return of_forces(name, scene).map(|()| None);
+    }
     let Some((_, form)) = FORMS.iter().find(|(known, _)| *known == head) else {
         return match name.contains('(') {
             true => Err(format!("figure {name}: {head} takes no arguments")),

@@ -76,7 +76,7 @@ impl Draughtsman<'_> {
         }
     }
 
-    fn weight(&mut self, mass: &Mass) -> Option<Pull> {
+    pub(super) fn weight(&mut self, mass: &Mass) -> Option<Pull> {
         let gravity = self.mechanism.forces.gravity;
         if !gravity.acts {
             return None;

@@ -7,8 +7,10 @@
 mod groups;
 mod loads;
 mod read;
+mod record;
 
 pub(super) use read::ForceRead;
+pub(super) use record::{quantities, record};
 
 use std::collections::BTreeMap;
 

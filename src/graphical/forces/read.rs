@@ -127,7 +127,7 @@ impl Draughtsman<'_> {
         balance.efforts.iter().find(|(of, _)| *of == sought).map(|(_, size)| *size).ok_or(NOT_DRAWN)
     }
 
-    fn sum_of(&mut self, items: &[Item]) -> Pull {
+    pub(super) fn sum_of(&mut self, items: &[Item]) -> Pull {
         match super::pulls(items)[..] {
             [only] => only,
             ref several => {
@@ -156,6 +156,39 @@ impl Draughtsman<'_> {
                     false => None,
                 };
                 Ok(vec![self.load(&load, assumed)])
+            }
+            Action::Weight(link) => {
+                let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
+                let at = self.at(mass.centre);
+                let pull = self.weight(&mass).ok_or(NOT_DRAWN)?;
+                Ok(vec![Item { pull: Some(pull), at, couple: None }])
+            }
+            Action::Spring { index, end } => {
+                let spring = self.mechanism.forces.springs[index].clone();
+                let crate::mechanism::force::SpringKind::Pull(ends) = spring.kind else {
+                    return Err("torsion springs are not drawn");
+                };
+                let assumed = match spring.is_sought() {
+                    true => Some(self.effort_of(Sought::Spring(index), share)?),
+                    false => None,
+                };
+                let pull = self.spring_pull(index, spring.law, ends.map(|(_, p)| p), assumed);
+                let (own, other) = (self.at(ends[end].1), self.at(ends[1 - end].1));
+                let reason = self.reason(&ends.map(|(link, _)| link));
+                let (toward, _) = self.board.toward(own, other, reason);
+                Ok(vec![Item { pull: Some(self.pull_along(toward, pull)), at: own, couple: None }])
+            }
+            Action::Drive(input) => {
+                let size = self.effort_of(Sought::Effort(input), share)?;
+                let Some(crate::mechanism::Input::Slide { slide, .. }) = self.mechanism.inputs.get(input)
+                else {
+                    return Err(NOT_DRAWN);
+                };
+                let slide = *slide;
+                let at = self.riding_pin(slide).ok_or(NOT_DRAWN)?;
+                let at = self.at(at);
+                let (along, _) = self.guide_at(slide, at);
+                Ok(vec![Item { pull: Some(self.pull_along(along, size)), at, couple: None }])
             }
             Action::Pair { by, on } => {
                 let balance = self.balance_of(share)?;
@@ -276,16 +309,21 @@ impl Draughtsman<'_> {
         let near: Point = first.at;
         let sum = self.sum_of(&items);
         let [fx, fy] = self.components_of(sum).map(|c| c.value());
-        let square = fx * fx + fy * fy;
         let alone = items.len() == 1 && first.couple.is_none();
-        let shift = match self.moments(&items, near) {
-            Some(moment) if !alone && square > 0.0 => moment.value() / square,
-            _ => 0.0,
-        };
+        let moment = self.moments(&items, near).map(|moment| moment.value());
         let per_mm = self.length_scale().si_per_mm;
         let origin = self.origin_of_space().map(|given| given.value);
-        let [x, y] = near.value();
-        // The foot of the point on the line: r with r × F = M, square to F.
-        Some([origin[0] + x * per_mm - fy * shift, origin[1] + y * per_mm + fx * shift])
+        let near = near.value().map(|mm| mm * per_mm);
+        let [x, y] = shifted(near, [fx, fy], moment.filter(|_| !alone));
+        Some([origin[0] + x, origin[1] + y])
+    }
+}
+
+/// The foot of a point on the line of a force that has this moment about it: r with r × F = M, square to F.
+pub(super) fn shifted([x, y]: [f64; 2], [fx, fy]: [f64; 2], moment: Option<f64>) -> [f64; 2] {
+    let square = fx * fx + fy * fy;
+    match moment {
+        Some(moment) if square > 0.0 => [x + fy * moment / square, y - fx * moment / square],
+        _ => [x, y],
     }
 }

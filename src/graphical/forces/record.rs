@@ -1,0 +1,259 @@
+//! What the balance leaves on the paper: the free bodies in the order of solution, and the whole.
+
+use crate::mechanism::force::{Action, Force, LoadKind, Party, Share, Sought, SpringKind};
+use crate::mechanism::quantity::Quantity;
+use crate::mechanism::{Input, LinkId, PointId};
+use crate::plan::Plan;
+
+use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge};
+use super::super::draughtsman::Draughtsman;
+
+/// The free bodies of a plan, with everything that acts on them.
+pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<ForceSheet> {
+    let (_, balance) = d.balances.iter().find(|(share, _)| *share == Share::Total)?;
+    if balance.refused.is_some() {
+        return None;
+    }
+    let mut bodies = Vec::new();
+    for &group in plan.forces.groups.iter().rev() {
+        let mut links = d.structure.groups[group].links.clone();
+        links.reverse();
+        for link in links {
+            if let Some(body) = d.free_body(link) {
+                bodies.push(body);
+            }
+        }
+    }
+    let everything = d.mechanism.moving().all(|link| plan.forces.links.contains(&link));
+    let whole = if everything { d.outer_forces() } else { Vec::new() };
+    let inertia = match everything && !d.mechanism.forces.masses.is_empty() {
+        true => {
+            let masses = d.mechanism.forces.masses.clone();
+            masses.iter().filter_map(|mass| d.acting(Action::Inertia(mass.link), Knowledge::Full)).collect()
+        }
+        false => Vec::new(),
+    };
+    (!bodies.is_empty()).then_some(ForceSheet { bodies, whole, inertia })
+}
+
+/// The forces of a sheet, each once, as quantities.
+pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
+    let mut all: Vec<Quantity> = Vec::new();
+    let of_bodies = sheet.bodies.iter().flat_map(|body| &body.acting);
+    for acting in of_bodies.chain(&sheet.whole).chain(&sheet.inertia) {
+        let quantity = Quantity::Force(Force::Vector(acting.action), Share::Total);
+        if !all.contains(&quantity) {
+            all.push(quantity);
+        }
+    }
+    for (torque, _) in sheet.bodies.iter().flat_map(|body| &body.torques) {
+        let quantity = Quantity::Force(*torque, Share::Total);
+        if !all.contains(&quantity) {
+            all.push(quantity);
+        }
+    }
+    all
+}
+
+impl Draughtsman<'_> {
+    /// A force as it stands on the paper; none where no polygon leads to it.
+    fn acting(&mut self, action: Action, known: Knowledge) -> Option<Acting> {
+        let items = self.items_of(action, Share::Total).ok()?;
+        let at = items.first()?.at.value();
+        let per_mm = self.length_scale().si_per_mm;
+        let near = at.map(|mm| mm * per_mm);
+        let moment = self.moments(&items, items.first()?.at).map(|moment| moment.value());
+        let sum = self.sum_of(&items);
+        let force = self.components_of(sum).map(|part| part.value());
+        let pulls = items.iter().any(|item| item.pull.is_some());
+        if !pulls {
+            return None;
+        }
+        let alone = items.len() == 1 && items[0].couple.is_none();
+        let through = super::read::shifted(near, force, moment.filter(|_| !alone));
+        Some(Acting { action, at: near, through, force, known })
+    }
+
+    /// Whether a link has two pins and nothing else acts on it.
+    fn has_two_forces(&self, link: LinkId) -> bool {
+        if link == LinkId::FRAME {
+            return false;
+        }
+        let m = self.mechanism;
+        let forces = &m.forces;
+        let pins = m.link(link).points.iter().filter(|point| m.is_pin(**point)).count();
+        let guides =
+            m.slides.iter().any(|s| s.guide.link == link || m.party_of(&s.rider) == Party::Link(link));
+        let sprung = forces.springs.iter().any(|spring| match spring.kind {
+            SpringKind::Pull(ends) => ends.iter().any(|(of, _)| *of == link),
+            SpringKind::Torsion(links) => links.contains(&link),
+        });
+        let driven = (0..m.inputs.len()).any(|input| m.driven_link(input) == Some(link));
+        let loaded = forces.mass(link).is_some() || forces.loads.iter().any(|load| load.link == link);
+        pins == 2 && !guides && !sprung && !driven && !loaded
+    }
+
+    /// What is known of the force of another link when this one is balanced.
+    fn knowledge(&self, link: LinkId, other: Option<LinkId>, slides: bool) -> Knowledge {
+        let group = |link: LinkId| self.structure.group_of(link);
+        let two = self.has_two_forces(link) || other.is_some_and(|other| self.has_two_forces(other));
+        match other.map(group) {
+            Some(later) if later > group(link) => Knowledge::Full,
+            _ if slides || two => Knowledge::Line,
+            _ => Knowledge::Nothing,
+        }
+    }
+
+    fn free_body(&mut self, link: LinkId) -> Option<FreeBody> {
+        let m = self.mechanism;
+        let forces = m.forces.clone();
+        let mut wanted: Vec<(Action, Knowledge)> = Vec::new();
+        if let Some(mass) = forces.mass(link) {
+            wanted.push((Action::Inertia(mass.link), Knowledge::Full));
+            if forces.gravity.acts {
+                wanted.push((Action::Weight(mass.link), Knowledge::Full));
+            }
+        }
+        for (index, load) in forces.loads.iter().enumerate().filter(|(_, load)| load.link == link) {
+            if !load.is_torque() {
+                let known = if load.is_sought() { Knowledge::Line } else { Knowledge::Full };
+                wanted.push((Action::Load(index), known));
+            }
+        }
+        for (index, spring) in forces.springs.iter().enumerate() {
+            if let SpringKind::Pull(ends) = spring.kind {
+                for (end, _) in ends.iter().enumerate().filter(|(_, (of, _))| *of == link) {
+                    let known = if spring.is_sought() { Knowledge::Line } else { Knowledge::Full };
+                    wanted.push((Action::Spring { index, end }, known));
+                }
+            }
+        }
+        for pin in (0..m.points.len()).map(PointId) {
+            let parties = m.parties_at(pin);
+            if parties.len() < 2 || !parties.contains(&link) {
+                continue;
+            }
+            match parties[..] {
+                [one, other] => {
+                    let by = if one == link { other } else { one };
+                    wanted.push((Action::Pair { by, on: link }, self.knowledge(link, Some(by), false)));
+                }
+                _ => {
+                    let later = parties
+                        .iter()
+                        .copied()
+                        .filter(|other| *other != link)
+                        .max_by_key(|other| self.structure.group_of(*other));
+                    wanted.push((Action::OfPin(pin, link), self.knowledge(link, later, false)));
+                }
+            }
+        }
+        for slide in &m.slides {
+            let Party::Link(rider) = m.party_of(&slide.rider) else { continue };
+            let guide = slide.guide.link;
+            if rider == link {
+                wanted.push((Action::Pair { by: guide, on: link }, self.knowledge(link, Some(guide), true)));
+            } else if guide == link {
+                wanted.push((Action::Pair { by: rider, on: link }, self.knowledge(link, Some(rider), true)));
+            }
+        }
+        let sought = m.named_sought().is_empty();
+        for (index, input) in m.inputs.iter().enumerate() {
+            if let (Input::Slide { slide, .. }, true) = (input, sought)
+                && m.party_of(&m.slides[*slide].rider) == Party::Link(link)
+            {
+                wanted.push((Action::Drive(index), Knowledge::Line));
+            }
+        }
+        // What is known is laid off first.
+        wanted.sort_by_key(|(_, known)| *known);
+        let mut acting: Vec<Acting> = Vec::new();
+        for (action, known) in wanted {
+            if acting.iter().all(|other| other.action != action) {
+                acting.extend(self.acting(action, known));
+            }
+        }
+        let shifts = acting.iter().any(|acting| acting.action == Action::Inertia(link));
+        let torques = self.torques_on(link, shifts);
+        (!acting.is_empty()).then_some(FreeBody { link, acting, torques })
+    }
+
+    /// Torques on a link: efforts, loads, and that of inertia where no inertia force is shifted by it.
+    fn torques_on(&mut self, link: LinkId, shifts: bool) -> Vec<(Force, f64)> {
+        let m = self.mechanism;
+        let mut wanted: Vec<Force> = Vec::new();
+        if m.named_sought().is_empty() {
+            wanted.extend((0..m.inputs.len()).filter(|i| m.driven_link(*i) == Some(link)).map(Force::Torque));
+        }
+        for (index, load) in m.forces.loads.iter().enumerate().filter(|(_, load)| load.link == link) {
+            if matches!(load.kind, LoadKind::Torque { .. }) {
+                wanted.push(Force::LoadTorque(index));
+            }
+        }
+        if let Some(mass) = m.forces.mass(link).copied()
+            && !self.translates[link.0]
+            && mass.inertia != crate::mechanism::force::Inertia::Point
+            && !shifts
+        {
+            wanted.push(Force::InertiaTorque(link));
+        }
+        let mut found = Vec::new();
+        for force in wanted {
+            if let super::ForceRead::Scalar(amount) = self.read_force(force, Share::Total) {
+                found.push((force, amount.value()));
+            }
+        }
+        found
+    }
+
+    /// Everything that acts on the mechanism from outside.
+    fn outer_forces(&mut self) -> Vec<Acting> {
+        let m = self.mechanism;
+        let forces = m.forces.clone();
+        let mut wanted: Vec<(Action, Knowledge)> = Vec::new();
+        for mass in &forces.masses {
+            wanted.push((Action::Inertia(mass.link), Knowledge::Full));
+            if forces.gravity.acts {
+                wanted.push((Action::Weight(mass.link), Knowledge::Full));
+            }
+        }
+        for (index, load) in forces.loads.iter().enumerate().filter(|(_, load)| !load.is_torque()) {
+            let known = if load.is_sought() { Knowledge::Line } else { Knowledge::Full };
+            wanted.push((Action::Load(index), known));
+        }
+        for (index, spring) in forces.springs.iter().enumerate() {
+            if let SpringKind::Pull(ends) = spring.kind
+                && let Some(fixed) = ends.iter().position(|(of, _)| *of == LinkId::FRAME)
+            {
+                wanted.push((Action::Spring { index, end: 1 - fixed }, Knowledge::Full));
+            }
+        }
+        for sought in m.sought() {
+            if let Sought::Effort(input) = sought
+                && let Some(Input::Slide { slide, .. }) = m.inputs.get(input)
+                && m.slides[*slide].guide.link == LinkId::FRAME
+            {
+                wanted.push((Action::Drive(input), Knowledge::Full));
+            }
+        }
+        for on in m.moving() {
+            let by = LinkId::FRAME;
+            for pair in m.pairs_between(by, on) {
+                let action = match pair {
+                    crate::mechanism::force::Through::Pin(pin) if m.parties_at(pin).len() > 2 => {
+                        Action::OfPin(pin, on)
+                    }
+                    _ => Action::Pair { by, on },
+                };
+                wanted.push((action, Knowledge::Nothing));
+            }
+        }
+        let mut all: Vec<Acting> = Vec::new();
+        for (action, known) in wanted {
+            if all.iter().all(|other| other.action != action) {
+                all.extend(self.acting(action, known));
+            }
+        }
+        all
+    }
+}
