@@ -7,7 +7,7 @@ use clap::CommandFactory;
 use super::{Arguments, Ending, Failure, print};
 
 /// What may be looked up: a name, what it is about, and the text, which is a file of `docs/`.
-const TOPICS: [(&str, &str); 9] = [
+const TOPICS: [(&str, &str); 10] = [
     ("scene", include_str!("../../docs/scene.md")),
     ("quantities", include_str!("../../docs/quantities.md")),
     ("forces", include_str!("../../docs/forces.md")),
