@@ -35,6 +35,12 @@ impl Given {
         Self { value, error, low: 0.0, low_error: error }
     }
 
+    /// The same number, known less well by so much.
+    #[must_use]
+    pub fn with_room(self, room: f64) -> Self {
+        Self { error: self.error + room, low_error: self.low_error + room, ..self }
+    }
+
     /// A number read as a double: half a unit in its last place.
     #[must_use]
     pub fn read(value: f64) -> Self {

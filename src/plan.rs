@@ -11,7 +11,7 @@ use crate::mechanism::force::{
     Action, Force, Heaviness, Inertia, LoadKind, Mass, Pointing, Share, SpringKind,
 };
 use crate::mechanism::quantity::{Asked, DiagramKind, Method, Order, Quantity};
-use crate::mechanism::structure::{Closing, GroupKind, Joint, Structure, Trial, TrialDriver, Unknown};
+use crate::mechanism::structure::{Closing, GroupKind, Hold, Joint, Structure, Trial, TrialDriver, Unknown};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// From what instant centres are found.
@@ -916,7 +916,10 @@ impl Wanted<'_> {
                 match unknown {
                     Unknown::Contact { roll, body } => self.rolled_on(roll, body, lower),
                     Unknown::Spin { roll, wheel, .. } => self.rolled_on(roll, wheel, lower),
-                    Unknown::Roll { roll, centre, .. } => self.leans_on(roll, centre, lower),
+                    Unknown::Roll { roll, centre, .. }
+                    | Unknown::Carried { hold: Hold::Contact { roll, .. }, pin: centre, .. } => {
+                        self.leans_on(roll, centre, lower);
+                    }
                     Unknown::Turn { .. } | Unknown::Slide { .. } | Unknown::Carried { .. } => {}
                 }
             }

@@ -1,10 +1,11 @@
 //! Errors of later rooms, told at the place in the file that they are about; numbers for people.
 
+use crate::graphical::construction::Construction;
 use crate::graphical::{DrawError, Missing, Unplaced};
 use crate::mechanism::quantity::{Answer, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
-use crate::mechanism::{Input, Mechanism, Path, PointId};
+use crate::mechanism::{Input, Mechanism, Path, Place, PointId};
 pub(crate) use crate::scene::units::short;
 use crate::scene::{Diagnostic, Scene, Subject};
 use crate::solve::SolveError;
@@ -27,6 +28,46 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
         ),
     };
     scene.source.complain(subject, what, Some(mend))
+}
+
+/// A rough place from which a point stands so far, in sizes of the skeleton, does not hold.
+const FAR_FROM_HINT: f64 = 1.0 / 3.0;
+
+/// The rough places of `near` that do not hold, though they have chosen what they could: a rod does not reach to the other
+/// side of its block.
+#[must_use]
+pub fn unheld_hints(scene: &Scene, construction: &Construction) -> Vec<Diagnostic> {
+    let mechanism = &scene.mechanism;
+    let [x, y] = crate::graphical::origin(mechanism);
+    let space = &construction.space;
+    let world = |at: [f64; 2]| [x + at[0] * space.metres_per_mm, y + at[1] * space.metres_per_mm];
+    let places: Vec<Option<[f64; 2]>> = space.places.iter().map(|at| at.map(world)).collect();
+    let extent = |axis: usize| {
+        let all = || places.iter().flatten().map(|at| at[axis]);
+        all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+    };
+    let size = libm::hypot(extent(0), extent(1));
+    let unit = &scene.units.length;
+    let mut told = Vec::new();
+    for (index, at) in places.iter().enumerate() {
+        let point = mechanism.point(PointId(index));
+        let (Some(at), Place::Near(hint)) = (at, point.place) else { continue };
+        let away = libm::hypot(at[0] - hint[0], at[1] - hint[1]);
+        if away > FAR_FROM_HINT * size {
+            let [px, py] = at.map(|x| short(x / unit.si));
+            let name = &point.name;
+            told.push(scene.source.complain(
+                Subject::Place(PointId(index)),
+                format!(
+                    "the rough place of {name} does not hold: it stands at [{px}, {py}], {} {} from there",
+                    short(away / unit.si),
+                    unit.symbol
+                ),
+                Some("correct it, or the dimensions that bring the point elsewhere".to_owned()),
+            ));
+        }
+    }
+    told
 }
 
 fn position(scene: &Scene, error: &PositionError) -> (Subject, String, String) {

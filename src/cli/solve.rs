@@ -1,6 +1,7 @@
 //! `linkgram solve`.
 
 use std::fmt::Write;
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
@@ -58,6 +59,9 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         table(&solved, &agreement, &by_hand) + explanation.as_deref().unwrap_or("")
     };
     print(&text)?;
+    for note in crate::report::unheld_hints(scene, &solved.solution.construction) {
+        let _ = writeln!(std::io::stderr(), "note: {}", crate::terminal::lines(&note.to_string()));
+    }
     let determined = agreement.compared.iter().all(|c| c.indeterminate().is_none());
     Ok(if agreement.ok() && determined { Ending::Fine } else { Ending::DoesNotHold })
 }

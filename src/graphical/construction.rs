@@ -494,6 +494,8 @@ pub enum Found {
         link: LinkId,
         /// The link from which it is seen.
         from: LinkId,
+        /// The mechanism rests: the velocities are those with an assumed rate of its input.
+        assumed: bool,
     },
 }
 

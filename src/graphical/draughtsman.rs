@@ -1,9 +1,12 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
+use std::collections::BTreeMap;
+
 use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
+use crate::given::Given;
 use crate::mechanism::force::{Heaviness, LoadKind, Share, Size};
 use crate::mechanism::quantity::{Indeterminate, Order, Quantity};
-use crate::mechanism::structure::{Structure, Target, TrialDriver, Unknown};
+use crate::mechanism::structure::{Hold, Structure, Target, Trial, TrialDriver, Unknown};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::{Auxiliary, home};
 
@@ -26,6 +29,7 @@ use super::{Scales, scale};
 pub(super) type Images = Vec<Option<Point>>;
 
 /// What is known of the motion at one order.
+#[derive(Clone)]
 pub(super) struct Motion {
     /// Images of the points, by point.
     pub(super) images: Images,
@@ -58,6 +62,14 @@ pub(super) struct Part {
     pub(super) quantity: Quantity,
     pub(super) tail: Point,
     pub(super) head: Point,
+}
+
+/// How far a skeleton has come.
+pub(super) struct Skeleton {
+    pub(super) places: Vec<Option<Point>>,
+    pub(super) poses: Vec<Option<Pose>>,
+    pub(super) lengths: usize,
+    pub(super) record: Construction,
 }
 
 /// Why what is behind a reason cannot be told.
@@ -120,6 +132,10 @@ pub(super) struct Draughtsman<'m> {
     pub(super) sides: Option<Vec<Side>>,
     /// Where the trial drivers are tried: an angle, or millimetres along a guide; none where they are placed.
     pub(super) tried_places: Vec<(TrialDriver, Angle)>,
+    /// Of a mechanism whose only input rests the rate that is assumed for it, to find instant centres by.
+    pub(super) assumed_rate: Option<Given>,
+    /// How groups of higher class are tried where not in the first way, by index of the trial.
+    pub(super) ways: BTreeMap<usize, Trial>,
     /// How fast the trial drivers are tried, SI.
     pub(super) tried_rates: Vec<(Order, TrialDriver, Amount)>,
     /// In what this drawing departs from the right one.
@@ -222,6 +238,8 @@ impl<'m> Draughtsman<'m> {
             silent: false,
             sides: None,
             tried_places: Vec::new(),
+            assumed_rate: None,
+            ways: BTreeMap::new(),
             tried_rates: Vec::new(),
             departures: &[],
             starts: &[],
@@ -261,6 +279,31 @@ impl<'m> Draughtsman<'m> {
         self.record.space.axes = self.poses.iter().map(|pose| pose.as_ref().map(axes)).collect();
         let tape = std::mem::take(self.board.tape());
         (self.record, tape)
+    }
+
+    /// What has been found of the skeleton so far, and what was recorded.
+    pub(super) fn skeleton(&self) -> Skeleton {
+        Skeleton {
+            places: self.places.clone(),
+            poses: self.poses.clone(),
+            lengths: self.lengths.len(),
+            record: self.record.clone(),
+        }
+    }
+
+    /// Rubs out what was found and recorded since.
+    pub(super) fn back_to(&mut self, before: &Skeleton) {
+        self.places.clone_from(&before.places);
+        self.poses.clone_from(&before.poses);
+        self.lengths.truncate(before.lengths);
+        self.record.clone_from(&before.record);
+        self.tried = Tried::default();
+        (self.sides, self.missing) = (None, None);
+    }
+
+    /// Rubs out what was recorded since.
+    pub(super) fn begin_again_from(&mut self, before: &Construction) {
+        self.record.clone_from(before);
     }
 
     /// What stands on the paper, without answers.
@@ -349,6 +392,13 @@ impl<'m> Draughtsman<'m> {
     pub(super) fn act(&mut self, act: Act) {
         if let (Some(step), false) = (self.record.steps.last_mut(), self.silent) {
             step.acts.push(act);
+        }
+    }
+
+    /// Strikes the last act out.
+    pub(super) fn take_back_act(&mut self) {
+        if let (Some(step), false) = (self.record.steps.last_mut(), self.silent) {
+            step.acts.pop();
         }
     }
 
@@ -516,7 +566,9 @@ impl<'m> Draughtsman<'m> {
             let Some((target, unknowns)) = group.kind.unknowns(self.mechanism) else { return false };
             unknowns.into_iter().any(|unknown| match (unknown, target) {
                 (Unknown::Slide { slide, .. }, Target::Pin(pin))
-                | (Unknown::Carried { slide, pin, .. }, _) => pin == point && moving(slide),
+                | (Unknown::Carried { hold: Hold::Slide(slide), pin, .. }, _) => {
+                    pin == point && moving(slide)
+                }
                 (Unknown::Roll { centre, back: true, .. }, _) => centre == point,
                 _ => false,
             })

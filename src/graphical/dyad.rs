@@ -5,7 +5,7 @@
 
 use crate::board::{Line, Mm, Point};
 use crate::mechanism::quantity::{Order, Quantity};
-use crate::mechanism::structure::{Group, GroupKind, Lead, Target, Unknown};
+use crate::mechanism::structure::{Group, GroupKind, Hold, Lead, Target, Unknown};
 use crate::mechanism::{Guide, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::GroupStep;
 
@@ -69,8 +69,8 @@ impl Draughtsman<'_> {
             },
         };
         let route = match (order, unknown) {
-            (_, Unknown::Carried { slide, back, link, pin: other }) => {
-                self.carried_route(order, (slide, back), link, [other, pin], first)
+            (_, Unknown::Carried { hold, back, link, pin: other }) => {
+                self.carried_route(order, (hold, back), link, [other, pin], first)
             }
             (_, Unknown::Contact { roll, body }) => self.contact_route(order, roll, body),
             (_, Unknown::Spin { roll, wheel, centre }) => {
@@ -167,22 +167,34 @@ impl Draughtsman<'_> {
     fn carried_route(
         &mut self,
         order: Order,
-        (slide, back): (usize, bool),
+        (hold, back): (Hold, bool),
         link: LinkId,
         [other, pin]: [PointId; 2],
         index: u8,
     ) -> Route {
-        let (start, along) = match order {
-            Order::Acceleration => self.sliding_foot(slide, back, other, 1),
-            _ => {
+        let (start, along, claim) = match (hold, order) {
+            (Hold::Slide(slide), Order::Acceleration) => {
+                let (start, along) = self.sliding_foot(slide, back, other, 1);
+                (start, along, Claim::Parallel(Reference::Guide(slide)))
+            }
+            (Hold::Slide(slide), _) => {
                 let (along, _) = self.tangent(slide, other);
-                (self.slide_start(order, (slide, back), other), along)
+                let start = self.slide_start(order, (slide, back), other);
+                (start, along, Claim::Parallel(Reference::Guide(slide)))
+            }
+            (Hold::Contact { roll, wheel }, _) => {
+                let route = match order {
+                    Order::Acceleration => self.acceleration_roll((roll, wheel, other), back, 1),
+                    _ => self.velocity_roll((roll, wheel, other), back),
+                };
+                // Its line is drawn from where the turning has led to.
+                self.take_back_act();
+                (route.foot, route.ray.along, route.claim)
             }
         };
         let foot = self.lay_off_turn(order, link, [other, pin], start, (index, None));
-        let claim = Claim::Parallel(Reference::Guide(slide));
         self.act(Act::DrawRay { from: foot.0, claim });
-        let unknown = Unknown::Carried { slide, back, link, pin: other };
+        let unknown = Unknown::Carried { hold, back, link, pin: other };
         Route { foot, ray: Line { through: foot.1, along }, claim, unknown }
     }
 
@@ -251,7 +263,7 @@ impl Draughtsman<'_> {
         let GroupKind::DrivenBar { link, point, under, .. } = kind else { return };
         let unknowns = kind.unknowns(self.mechanism).into_iter().flat_map(|(_, unknowns)| unknowns);
         for (found, is_under) in unknowns.zip(under) {
-            let Unknown::Carried { slide, back, pin, .. } = found else { continue };
+            let Unknown::Carried { hold, back, pin, .. } = found else { continue };
             let (target, head) = if is_under {
                 let image = self.image_under(order, pin, link);
                 (Target::Under(pin, link), (self.label_under(pin, link), image))
@@ -262,7 +274,7 @@ impl Draughtsman<'_> {
                 (Target::Pin(pin), (self.label(pin), image))
             };
             let loud = !std::mem::replace(&mut self.silent, true);
-            self.read_closing(order, Unknown::Slide { slide, back }, target, head);
+            self.read_closing(order, hold.unknown(back, pin), target, head);
             self.silent = !loud;
         }
     }
@@ -557,9 +569,8 @@ impl Draughtsman<'_> {
                 drawn.push(sought(quantity, Claim::Parallel(line)));
                 return Side { known, unknown: drawn, back: reversed };
             }
-            Unknown::Carried { slide, back, pin: other, .. } => {
-                let sliding = Unknown::Slide { slide, back };
-                let side = self.side_of(order, Target::Pin(other), sliding);
+            Unknown::Carried { hold, back, pin: other, .. } => {
+                let side = self.side_of(order, Target::Pin(other), hold.unknown(back, other));
                 known.extend(side.known);
                 if !side.back {
                     drawn.extend(side.unknown.iter().copied());

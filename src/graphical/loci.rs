@@ -2,13 +2,81 @@
 //! and guides of links that stand.
 
 use crate::board::Circle;
-use crate::mechanism::{LinkId, PointId, Rider};
+use crate::mechanism::quantity::Order;
+use crate::mechanism::{Form, LinkId, PointId, Rider, Roll};
+use crate::plan::GroupStep;
 
 use super::DrawError;
+use super::construction::Act;
 use super::draughtsman::Draughtsman;
 use super::pose::Track;
 
 impl Draughtsman<'_> {
+    /// Finds places from the given ones, link by link, whatever is driven: of a link that two points tell, or one and a
+    /// direction, or one and a guide that passes a rider; and of points at the meet of two loci. They count as given
+    /// from then on. Says whether there were any.
+    pub(super) fn lead_by_places(&mut self) -> bool {
+        let links: Vec<LinkId> = self.mechanism.moving().filter(|&l| !self.mechanism.link(l).block).collect();
+        let points: Vec<PointId> = (0..self.mechanism.points.len()).map(PointId).collect();
+        for &point in &points {
+            self.prick_given(point);
+        }
+        self.step(Order::Position, &[], Vec::new());
+        let mut led = false;
+        loop {
+            let mut further = false;
+            for &link in &links {
+                if self.stands_in_world(link) || self.poses[link.0].is_some() {
+                    continue;
+                }
+                let stands =
+                    self.stands_alone(link) || self.pose_of(link).is_some() || self.stands_by_guide(link);
+                if self.nothing_missing().is_err() || !stands {
+                    self.poses[link.0] = None;
+                    continue;
+                }
+                further = true;
+                for point in self.mechanism.link(link).points.clone() {
+                    if self.places[point.0].is_none() {
+                        let own = self.own(link, point);
+                        let at = self.carried_point(link, own);
+                        self.place(point, at);
+                        self.act(Act::TransferPoint { link, point });
+                    }
+                }
+            }
+            further |= matches!(self.place_by_loci(&points), Ok(true)) && self.nothing_missing().is_ok();
+            if !further {
+                break;
+            }
+            led = true;
+        }
+        self.pricked.clone_from(&self.places);
+        led
+    }
+
+    /// Lays on a link of which one point stands, where its guide passes a rider that stands.
+    fn stands_by_guide(&mut self, link: LinkId) -> bool {
+        let stands = |d: &Self, point: PointId| d.places[point.0].is_some();
+        let points = self.mechanism.link(link).points.clone();
+        let Some(base) = points.into_iter().find(|&p| stands(self, p)) else { return false };
+        if matches!(self.mechanism.link(link).form, Form::Single) {
+            return false;
+        }
+        let rider = (0..self.mechanism.slides.len()).find_map(|slide| {
+            let pair = self.mechanism.slides[slide];
+            let rider = match pair.rider {
+                Rider::Pin { point, .. } => Some(point),
+                Rider::Link { link: rider, .. } => self.mechanism.link(rider).points.first().copied(),
+            };
+            let rider = rider.filter(|&rider| rider != base && stands(self, rider))?;
+            (pair.guide.link == link).then_some((slide, rider))
+        });
+        let Some((slide, rider)) = rider else { return false };
+        let nothing = GroupStep { group: 0, points: Vec::new() };
+        self.rpr(&nothing, link, base, rider, slide).is_ok()
+    }
+
     /// Finds the place of one more of these points; says whether there was one.
     ///
     /// # Errors
@@ -21,6 +89,7 @@ impl Draughtsman<'_> {
             let (circles, main) = self.circles_of(point);
             let mut loci: Vec<Track> = self.guides_of(point);
             loci.extend(circles.into_iter().map(Track::Arc));
+            loci.extend(self.contacts_of(point));
             let &[first, second, ..] = loci.as_slice() else { continue };
             let links = self.mechanism.point(point).links.clone();
             let reason = self.reason(&links);
@@ -53,6 +122,48 @@ impl Draughtsman<'_> {
             main.extend(base.map(|base| (link, base)));
         }
         (main.iter().map(|&with| self.circle(with, point)).collect(), main)
+    }
+
+    /// Where rolling bodies that stand hold the centre of a wheel; on which side of a line its hint tells.
+    fn contacts_of(&mut self, point: PointId) -> Vec<Track> {
+        let mut tracks = Vec::new();
+        for roll in 0..self.mechanism.rolls.len() {
+            let (wheel, other, body) = match self.mechanism.rolls[roll] {
+                Roll::Circles { links: [a, _], centres: [p, q], .. } if p == point => (a, Some(q), None),
+                Roll::Circles { links: [_, b], centres: [p, q], .. } if q == point => (b, Some(p), None),
+                Roll::Line { guide, wheel, centre, .. } if centre == point => (wheel, None, Some(guide.link)),
+                _ => continue,
+            };
+            // Where a link holds the distance, its own circle is that of the contact.
+            let held = other.is_some_and(|other| {
+                let links = &self.mechanism.point(point).links;
+                links.iter().any(|link| self.mechanism.point(other).links.contains(link))
+            });
+            let stands = match (other, body) {
+                (Some(other), _) => self.places[other.0].is_some(),
+                (_, Some(body)) => self.stands_in_world(body) || self.pose_of(body).is_some(),
+                _ => false,
+            };
+            if held || !stands {
+                continue;
+            }
+            let all = self.centre_tracks(roll, wheel);
+            let hint = self.hint_on_paper(point);
+            let miss = |track: &Track| match (track, hint) {
+                (Track::Straight(line), Some(hint)) => {
+                    let ([x, y], [cos, sin]) = (line.through.value(), line.along.value());
+                    ((hint[1] - y) * cos - (hint[0] - x) * sin).abs()
+                }
+                _ => 0.0,
+            };
+            if let (Some(track), true) = (
+                all.iter().copied().min_by(|a, b| miss(a).total_cmp(&miss(b))),
+                all.len() == 1 || hint.is_some(),
+            ) {
+                tracks.push(track);
+            }
+        }
+        tracks
     }
 
     /// The guides on which a point rides, of links that stand.

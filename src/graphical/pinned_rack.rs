@@ -23,7 +23,7 @@ impl Draughtsman<'_> {
     ) -> Result<(), DrawError> {
         self.board.purpose("rack on a pin and a wheel");
         let mut placed = self.mechanism.link(link).points.iter().copied();
-        let placed = placed.find(|&p| p != base && self.mechanism.is_given(p));
+        let placed = placed.find(|&p| p != base && self.is_given(p));
         if matches!(self.mechanism.link(link).form, Form::Placed) {
             let (anchor, x) = (self.at(base), self.board.rightward());
             self.poses[link.0] = Some(Pose { own_anchor: anchor, anchor, own_along: x, along: x });

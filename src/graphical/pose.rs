@@ -292,10 +292,19 @@ impl Draughtsman<'_> {
             // A rider of placed points rides as placed: its points stand where they stand in the world, and so do
             // they in the figure of a guide's link that stands there as well.
             let guide = self.mechanism.slides[slide].guide.link;
-            if self.stands_in_world(guide) {
+            if self.drawn_in_world(guide) {
                 return self.own(rider, of);
             }
-            return self.no_point(Missing::OwnPoint(guide, of));
+            // Where the guide's link has a figure of its own, that is looked at on the skeleton.
+            let tried = [guide, rider].iter().any(|link| self.tried.links.contains(link));
+            let Some(pose) = (if tried { None } else { self.pose_of(guide) }) else {
+                return self.no_point(Missing::OwnPoint(guide, of));
+            };
+            let at = self.own(rider, of);
+            let [forward, left] = self.board.square_off(Line { through: pose.anchor, along: pose.along }, at);
+            let foot = self.board.step_off(pose.own_anchor, pose.own_along, forward);
+            let square = self.board.quarter_turn(pose.own_along);
+            return self.board.lay_off(foot, square, left);
         };
         let (from, to) = (self.own(rider, first), self.own(rider, of));
         let own_x = self.board.rightward();

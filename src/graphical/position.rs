@@ -4,12 +4,13 @@
 use crate::board::{Angle, Circle, Direction, Line, Pair, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::{Drive, Group, GroupKind, TrialDriver};
+use crate::mechanism::structure::{Drive, Group, GroupKind, Hold, TrialDriver};
 use crate::mechanism::{Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
 use super::construction::{Act, Claim, ConstructionLine, Reference};
 use super::draughtsman::Draughtsman;
+use super::draughtsman::Skeleton;
 use super::figure;
 use super::missing::Missing;
 use super::pose::{Pose, Track};
@@ -37,6 +38,24 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError
     }
     d.act(Act::MarkPlaces);
     figure::draw(d)?;
+    let begun = d.skeleton();
+    match draw_groups(d, plan) {
+        // What is driven need not stand by its input: places may tell it from the other end.
+        Err(error @ (DrawError::Missing(_) | DrawError::NotPlaced { .. })) => {
+            d.back_to(&begun);
+            let led = d.lead_by_places();
+            let found = d.skeleton();
+            if !led {
+                return Err(error);
+            }
+            d.back_to(&Skeleton { places: begun.places, poses: begun.poses, ..found });
+            draw_groups(d, plan)
+        }
+        drawn => drawn,
+    }
+}
+
+fn draw_groups(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError> {
     for step in plan.steps(Order::Position) {
         let group = &d.structure.groups[step.group];
         d.step(Order::Position, &group.links.clone(), Vec::new());
@@ -92,6 +111,9 @@ impl Draughtsman<'_> {
             GroupKind::Rolling { rod, base, wheel, centre, roll } => {
                 self.rolling(step, (rod, base), wheel, centre, roll)?;
             }
+            GroupKind::RidingCentre { link, ride, wheel, centre, roll } => {
+                self.riding_centre(step, (link, ride), (wheel, centre), roll)?;
+            }
             GroupKind::PinnedRack { link, base, wheel, centre, roll } => {
                 self.pinned_rack(step, (link, base), (wheel, centre), roll)?;
             }
@@ -131,6 +153,11 @@ impl Draughtsman<'_> {
         if self.tried.points.contains(&point) { None } else { self.world_place(point) }
     }
 
+    /// Whether a point's place is given, or was found from given places before the groups are drawn.
+    pub(super) fn is_given(&self, point: PointId) -> bool {
+        self.mechanism.is_given(point) || self.pricked[point.0].is_some()
+    }
+
     /// The given place of a fixed or placed point, pricked once.
     pub(super) fn world_place(&mut self, point: PointId) -> Option<Point> {
         if self.pricked[point.0].is_none() {
@@ -143,6 +170,13 @@ impl Draughtsman<'_> {
     /// A rough place of a point, metres in the world: it chooses between assemblies.
     pub(super) fn hint_of(&self, point: PointId) -> Option<[f64; 2]> {
         self.mechanism.point(point).place.hint().or(self.stated_hints[point.0])
+    }
+
+    /// That rough place as millimetres of the skeleton.
+    pub(super) fn hint_on_paper(&self, point: PointId) -> Option<[f64; 2]> {
+        let origin = self.origin_of_space().map(|g| g.value);
+        let per_mm = self.scales.length();
+        self.hint_of(point).map(|hint| [0, 1].map(|k| (hint[k] - origin[k]) / per_mm))
     }
 
     /// Notes the place of a point whose place is given; says whether it is.
@@ -496,6 +530,67 @@ impl Draughtsman<'_> {
         Ok(())
     }
 
+    /// A riding link whose centre is held against a body: the parallel to the guide on which that centre rides meets
+    /// the track on which the contact holds it.
+    fn riding_centre(
+        &mut self,
+        step: &GroupStep,
+        (link, ride): (LinkId, usize),
+        (wheel, centre): (LinkId, PointId),
+        roll: usize,
+    ) -> Result<(), DrawError> {
+        self.board.purpose("riding link on a rolling contact");
+        self.act(Act::DrawGuide { slide: ride });
+        if self.prick_given(centre) {
+            self.act(Act::MarkPlaces);
+        } else {
+            let Track::Straight(line) = self.riding_track(ride, Some(link), centre) else {
+                return Err(DrawError::NoConstruction { links: vec![link] });
+            };
+            let reason = self.reason(&[link, wheel]);
+            let mut places: Vec<(Point, f64)> = Vec::new();
+            for track in self.centre_tracks(roll, wheel) {
+                match track {
+                    Track::Straight(other) => {
+                        let meet = self.board.meet_lines(line, other, reason);
+                        places.push((meet.at, meet.crossing));
+                    }
+                    Track::Arc(arc) => {
+                        let Ok(pair) = self.board.meet_line_circle(line, arc, reason) else { continue };
+                        let sides =
+                            if pair.tangent { &[Side::First][..] } else { &[Side::First, Side::Second] };
+                        places.extend(sides.iter().map(|&side| (self.board.take(pair, side), pair.crossing)));
+                    }
+                }
+            }
+            let (own_along, along) = self.ride_directions(ride, link);
+            let own_anchor = self.own(link, centre);
+            let pose = |anchor| Pose { own_anchor, anchor, own_along, along };
+            let tried: Vec<_> = places.iter().map(|&(at, _)| self.hints_of_pose(link, pose(at))).collect();
+            let least = |index: usize| tried[index].0.unwrap_or(f64::INFINITY);
+            let Some(best) = (0..places.len()).min_by(|&a, &b| least(a).total_cmp(&least(b))) else {
+                return Err(DrawError::NoClosure { pin: centre, least: f64::INFINITY });
+            };
+            let per_mm = self.scales.length();
+            let rival = (0..places.len()).find(|&other| {
+                other != best && !(tried[best].0.is_some() && chooses(least(best), least(other), per_mm))
+            });
+            if let Some(rival) = rival {
+                let origin = self.origin_of_space().map(|g| g.value);
+                let world = |at: [f64; 2]| [0, 1].map(|k| origin[k] + at[k] * per_mm);
+                let [first, second] = [best, rival].map(|index| world(places[index].0.value()));
+                return Err(DrawError::Ambiguous { pin: centre, first, second });
+            }
+            self.chosen(best);
+            let (at, crossing) = places[best];
+            self.place(centre, at);
+            self.act(Act::MarkIntersection { point: centre, crossing });
+        }
+        self.ride_along(step, ride, Some(link), centre);
+        self.contact(wheel, roll);
+        Ok(())
+    }
+
     /// The tracks of a rolling wheel's centre: beside the line on either side, or about the other centre.
     pub(super) fn centre_tracks(&mut self, roll: usize, wheel: LinkId) -> Vec<Track> {
         let scale = self.length_scale();
@@ -539,11 +634,11 @@ impl Draughtsman<'_> {
     /// A driven link that two sliding pairs hold: each of them is a track of one of its points, by the link's own
     /// lengths and its direction.
     fn driven_bar(&mut self, step: &GroupStep, kind: GroupKind) -> Result<(), DrawError> {
-        let GroupKind::DrivenBar { link, point, pins, slides, riders, under, input } = kind else {
+        let GroupKind::DrivenBar { link, point, pins, holds, riders, under, input } = kind else {
             return Ok(());
         };
         self.board.purpose("driven link on two guides");
-        for slide in slides {
+        for slide in holds.into_iter().filter_map(Hold::slide) {
             self.act(Act::DrawGuide { slide });
         }
         let own_point = self.own(link, point);
@@ -552,6 +647,11 @@ impl Draughtsman<'_> {
         if self.prick_given(point) {
             self.act(Act::MarkPlaces);
         } else {
+            let &[Some(first), Some(second)] = &holds.map(Hold::slide) else {
+                // Where rolling holds it, its place is given.
+                return Err(DrawError::NotPlaced { point });
+            };
+            let slides = [first, second];
             let mut tracks = Vec::new();
             for i in 0..2 {
                 // The track of what the pair holds, and where that lies in the link's own figure.
@@ -600,8 +700,11 @@ impl Draughtsman<'_> {
             self.act(Act::TransferPoint { link, point: pins[i] });
         }
         self.transfer_by_pose(step, link);
-        for ((slide, rider), pin) in slides.into_iter().zip(riders).zip(pins) {
-            self.ride_along(step, slide, rider, pin);
+        for ((hold, rider), pin) in holds.into_iter().zip(riders).zip(pins) {
+            match hold {
+                Hold::Slide(slide) => self.ride_along(step, slide, rider, pin),
+                Hold::Contact { roll, wheel } => self.contact(wheel, roll),
+            }
         }
         Ok(())
     }
@@ -749,7 +852,7 @@ impl Draughtsman<'_> {
     /// The further points of a wheel: as placed, or transferred from its centre and a placed one.
     fn wheel_points(&mut self, step: &GroupStep, wheel: LinkId, centre: PointId) {
         let points = &self.mechanism.link(wheel).points;
-        let placed = points.iter().copied().find(|&p| p != centre && self.mechanism.is_given(p));
+        let placed = points.iter().copied().find(|&p| p != centre && self.is_given(p));
         for &(link, point) in &step.points {
             if self.prick_given(point) {
                 continue;
@@ -934,7 +1037,7 @@ impl Draughtsman<'_> {
 
     /// A lever whose guide must pass through a pin that stands already: in the lever's own figure an arc
     /// about its base, with the distance of the pin, meets the guide; then the figure is laid on.
-    fn rpr(
+    pub(super) fn rpr(
         &mut self,
         step: &GroupStep,
         lever: LinkId,
@@ -964,7 +1067,7 @@ impl Draughtsman<'_> {
             Rider::Link { link: rod, turned: Some(_) } => {
                 let further = |p: &&PointId| **p != pin && !self.mechanism.is_fixed(**p);
                 let mut points = self.mechanism.link(rod).points.iter().filter(further);
-                let placed = points.any(|p| self.mechanism.is_given(*p));
+                let placed = points.any(|p| self.is_given(*p));
                 if placed && self.pose_of(rod).is_some() {
                     Some(self.ride_directions(slide, lever))
                 } else {

@@ -18,7 +18,9 @@
 use crate::board::{Amount, Angle, Board, Line, Mm, Point, Side};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::structure::{Closing, Drive, Joint, Target, Trial, TrialDriver, Unknown};
+use crate::mechanism::structure::{
+    Closing, Drive, Group, GroupKind, Joint, Target, Trial, TrialDriver, Unknown,
+};
 use crate::mechanism::{Form, Input, Link, LinkId, Mechanism, Path, PointId, Rider};
 use crate::plan::{GroupStep, trial_steps};
 
@@ -40,6 +42,10 @@ const ROOT: f64 = 1e-4;
 const SAME_PLACE: f64 = 1e-4;
 /// Paper length of a trial vector, millimetres.
 const TRIAL_VECTOR: f64 = 50.0;
+/// Assemblies that are searched for the place of a group, before other ways to try it are given up.
+const MOST_ASSEMBLIES: usize = 32;
+/// Ways in which a group is tried, at most.
+const MOST_WAYS: usize = 6;
 /// A rate below this part of the one that gives such a vector is too small to try others near it.
 const LEAST_RATE: f64 = 1e-3;
 
@@ -67,8 +73,39 @@ struct Mark {
 }
 
 impl<'m> Draughtsman<'m> {
+    /// How a group of higher class is tried: the first way that tells something where the mechanism stands.
     fn trial(&self, index: usize) -> Trial {
-        self.structure.trials[index].clone()
+        match self.ways.get(&index) {
+            Some(trial) => trial.clone(),
+            None => self.structure.trials[index].clone(),
+        }
+    }
+
+    /// The other ways to try a group.
+    fn other_ways(&self, index: usize) -> impl Iterator<Item = Trial> + use<> {
+        self.structure.ways_to_try(self.mechanism, index, MOST_WAYS).into_iter().skip(1)
+    }
+
+    /// Whether nothing can be told of a place, an image or a rate of a group's points and links because the way in
+    /// which it was tried does not move what it leaves open. On scratch paper nobody knows.
+    fn tells_nothing(&mut self, order: Order, trial: &Trial) -> bool {
+        let mut amounts: Vec<u32> = Vec::new();
+        let pole = self.board.origin();
+        for point in self.points_of(trial) {
+            let at = match order {
+                Order::Position => self.places[point.0],
+                _ => self.images(order)[point.0],
+            };
+            if let Some(at) = at {
+                amounts.extend(self.board.between(pole, at).map(|mm| mm.mark()));
+            }
+        }
+        let links = self.links_of_trial(trial).into_iter().chain(closing_rods(trial));
+        if order != Order::Position {
+            let rotations = &self.motion(order).rotations;
+            amounts.extend(links.filter_map(|link| rotations[link.0].map(|rate| rate.mark())));
+        }
+        amounts.into_iter().any(|mark| self.board.tape().weakness(mark).is_some())
     }
 
     /// Points of the group's links that are not solved before it, and those of the rod that closes it.
@@ -118,30 +155,60 @@ impl<'m> Draughtsman<'m> {
 
     // --- position ------------------------------------------------------------------------------
 
-    /// The skeleton of the group.
+    /// The skeleton of the group, by the first way to try it that leads to one.
     pub(super) fn position_by_trial(&mut self, step: &GroupStep, index: usize) -> Result<(), DrawError> {
-        let trial = self.trial(index);
-        let steps = trial_steps(&trial, step, self.mechanism);
+        let before = self.skeleton();
+        let first = self.trial(index);
+        let drawn = self.position_with(step, &first);
+        let fails = |d: &mut Self, drawn: &Result<(), DrawError>, trial: &Trial| match drawn {
+            Ok(()) => d.tells_nothing(Order::Position, trial),
+            Err(DrawError::NoConstruction { .. } | DrawError::NoClosure { .. }) => true,
+            Err(_) => false,
+        };
+        if !fails(self, &drawn, &first) {
+            return drawn;
+        }
+        // What is searched through is limited: a group of many dyads is tried in one way only.
+        let mut searched = assemblies(&first);
+        for trial in self.other_ways(index) {
+            searched += assemblies(&trial);
+            if searched > MOST_ASSEMBLIES {
+                break;
+            }
+            self.back_to(&before);
+            let other = self.position_with(step, &trial);
+            if !fails(self, &other, &trial) {
+                self.ways.insert(index, trial);
+                return other;
+            }
+        }
+        self.back_to(&before);
+        self.position_with(step, &first)
+    }
+
+    fn position_with(&mut self, step: &GroupStep, trial: &Trial) -> Result<(), DrawError> {
+        let steps = trial_steps(trial, step, self.mechanism);
         self.board.purpose("position by trial");
-        let exact = |p: &PointId| self.mechanism.is_given(*p);
-        let points = self.points_of(&trial);
-        if points.iter().any(exact) && self.stand_by_places(&trial, step) {
+        let points = self.points_of(trial);
+        let given: Vec<PointId> = points.iter().copied().filter(|&p| self.is_given(p)).collect();
+        let exact = |p: &PointId| given.contains(p);
+        if points.iter().any(exact) && self.stand_by_places(trial, step) {
             return Ok(());
         }
-        let rod = self.on_rods(&trial, &step.points);
+        let rod = self.on_rods(trial, &step.points);
         let loose = trial.drivers.iter().find_map(|&(driver, _)| self.not_placed(driver));
         // Rolling says nothing of where it began: what is tried stands as placed.
         let rolls = trial.drivers.iter().any(|&(_, closing)| !self.says_where(closing));
         if loose.is_none() {
             if points.iter().all(exact) {
-                return self.positions(&trial, &steps, &rod, &[]);
+                return self.positions(trial, &steps, &rod, &[]);
             }
             // What is driven is placed; only which way the groups between are assembled is open.
-            let roots = self.roots_as_placed(&trial);
+            let roots = self.roots_as_placed(trial);
             if !roots.is_empty() || rolls || trial.drivers.len() > 1 {
-                let root = self.choose_root(&trial, roots, f64::INFINITY)?;
+                let root = self.choose_root(trial, roots, f64::INFINITY)?;
                 self.sides = Some(root.sides);
-                let drawn = self.positions(&trial, &steps, &rod, &[]);
+                let drawn = self.positions(trial, &steps, &rod, &[]);
                 self.sides = None;
                 return drawn;
             }
@@ -149,13 +216,13 @@ impl<'m> Draughtsman<'m> {
         if rolls || trial.drivers.len() > 1 {
             let point = loose.or_else(|| points.into_iter().find(|p| !exact(p)));
             return Err(point.map_or_else(
-                || DrawError::NoConstruction { links: self.links_of_trial(&trial) },
+                || DrawError::NoConstruction { links: self.links_of_trial(trial) },
                 |point| DrawError::NotPlaced { point },
             ));
         }
-        let links = self.links_of_trial(&trial).into_iter().chain(closing_rods(&trial)).collect();
-        self.tried = Tried { points: points.into_iter().filter(exact).collect(), links };
-        let drawn = self.by_trial(&trial, &steps, &rod);
+        let links = self.links_of_trial(trial).into_iter().chain(closing_rods(trial)).collect();
+        self.tried = Tried { points: given, links };
+        let drawn = self.by_trial(trial, &steps, &rod);
         self.tried = Tried::default();
         drawn
     }
@@ -244,7 +311,7 @@ impl<'m> Draughtsman<'m> {
     }
 
     /// Lays on a link of one joint whose place is given, where what it turns with or towards stands; says whether it does.
-    fn stands_alone(&mut self, link: LinkId) -> bool {
+    pub(super) fn stands_alone(&mut self, link: LinkId) -> bool {
         let joint = match self.mechanism.link(link) {
             Link { form: Form::Single, points, .. } => points.first().copied(),
             _ => None,
@@ -270,10 +337,10 @@ impl<'m> Draughtsman<'m> {
     /// Every way in which the group closes with what is driven standing as placed.
     fn roots_as_placed(&mut self, trial: &Trial) -> Vec<Root> {
         let (steps, rod) = self.all_steps(trial);
-        let choices = trial.groups.len();
+        let choices = choices(trial);
         let mut roots: Vec<Root> = Vec::new();
         let mut sketch = self.sketch();
-        for combination in 0..(1_usize << choices.min(6)) {
+        for combination in 0..assemblies(trial) {
             let sides: Vec<Side> = (0..choices)
                 .map(|k| if combination >> k & 1 == 0 { Side::First } else { Side::Second })
                 .collect();
@@ -333,7 +400,7 @@ impl<'m> Draughtsman<'m> {
 
     /// A point that is not placed, but would have to be if what a trial moves were to stand as placed.
     fn not_placed(&self, driver: TrialDriver) -> Option<PointId> {
-        let exact = |p: PointId| self.mechanism.is_given(p);
+        let exact = |p: PointId| self.is_given(p);
         match driver {
             TrialDriver::Turn(link) => {
                 let points = &self.mechanism.link(link).points;
@@ -517,12 +584,12 @@ impl<'m> Draughtsman<'m> {
             return Err(DrawError::NoConstruction { links: self.links_of_trial(trial) });
         };
         let (steps, rod) = self.all_steps(trial);
-        let choices = trial.groups.len() - 1;
+        let choices = choices(trial);
         let reach = self.reach_of_trial(driver);
         let mut roots: Vec<Root> = Vec::new();
         let mut least = f64::INFINITY;
         let mut sketch = self.sketch();
-        for combination in 0..(1_usize << choices.min(6)) {
+        for combination in 0..assemblies(trial) {
             let sides: Vec<Side> = (0..choices)
                 .map(|k| if combination >> k & 1 == 0 { Side::First } else { Side::Second })
                 .collect();
@@ -730,19 +797,39 @@ impl<'m> Draughtsman<'m> {
         if rate.is_normal() { rate } else { 1.0 }
     }
 
-    /// The velocity or acceleration polygon of the group.
+    /// The velocity or acceleration polygon of the group, by the first way to try it that tells something.
     pub(super) fn polygon_by_trial(&mut self, order: Order, step: &GroupStep, index: usize) {
-        let trial = self.trial(index);
-        let steps = trial_steps(&trial, step, self.mechanism);
+        let (before, mark) = (self.record().clone(), self.mark(order));
+        let first = self.trial(index);
+        self.polygon_with(order, step, &first);
+        if !self.tells_nothing(order, &first) {
+            return;
+        }
+        for trial in self.other_ways(index) {
+            self.rub_out(order, &mark);
+            self.begin_again_from(&before);
+            self.polygon_with(order, step, &trial);
+            if !self.tells_nothing(order, &trial) {
+                self.ways.insert(index, trial);
+                return;
+            }
+        }
+        self.rub_out(order, &mark);
+        self.begin_again_from(&before);
+        self.polygon_with(order, step, &first);
+    }
+
+    fn polygon_with(&mut self, order: Order, step: &GroupStep, trial: &Trial) {
+        let steps = trial_steps(trial, step, self.mechanism);
         self.board.purpose("polygon by trial");
         for level in 0..trial.drivers.len() {
-            self.find_rate(order, &trial, &steps, level);
+            self.find_rate(order, trial, &steps, level);
         }
-        self.polygon_at(order, &trial, &steps);
+        self.polygon_at(order, trial, &steps);
         for &(_, closing) in &trial.drivers {
             self.close(order, closing);
         }
-        for (rod, point) in self.on_rods(&trial, &step.points).points {
+        for (rod, point) in self.on_rods(trial, &step.points).points {
             for &(_, closing) in &trial.drivers {
                 let Closing::Rod { link, near, far } = closing else { continue };
                 if link != rod {
@@ -946,6 +1033,29 @@ fn around(value: f64) -> [f64; 2] {
     let below = ROUND.into_iter().rev().find(|round| *round <= part * (1.0 - APART));
     let above = ROUND.into_iter().find(|round| *round >= part * (1.0 + APART));
     [below.unwrap_or(ROUND[0]), above.unwrap_or(ROUND[8])].map(|round| round * power * value.signum())
+}
+
+/// How many of a trial's groups may close in two ways.
+fn choices(trial: &Trial) -> usize {
+    let twice = |group: &&Group| {
+        matches!(
+            group.kind,
+            GroupKind::Rrr { .. }
+                | GroupKind::Rrp { .. }
+                | GroupKind::Rpr { .. }
+                | GroupKind::Prp { .. }
+                | GroupKind::Rpp { .. }
+                | GroupKind::Yoke { .. }
+                | GroupKind::DrivenBar { .. }
+                | GroupKind::Rolling { .. }
+        )
+    };
+    trial.groups.iter().filter(twice).count()
+}
+
+/// In how many ways the groups of a trial may be assembled, so far as they are looked through.
+fn assemblies(trial: &Trial) -> usize {
+    1 << choices(trial).min(6)
 }
 
 /// The rods that a trial leaves open.

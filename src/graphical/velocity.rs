@@ -103,7 +103,7 @@ impl Draughtsman<'_> {
         match input {
             Drive::Input(index) => match (self.mechanism.inputs[index], order) {
                 (Input::Slide { acceleration, .. }, Order::Acceleration) => self.board.amount(acceleration),
-                (Input::Slide { velocity, .. }, _) => self.board.input_speed(index, velocity),
+                (Input::Slide { velocity, .. }, _) => self.input_rate(index, velocity),
                 _ => self.given_rate(order, index),
             },
             Drive::Trial(driver) => {
@@ -117,17 +117,25 @@ impl Draughtsman<'_> {
         }
     }
 
+    /// The rate that an input gives, or the one that is assumed of a mechanism at rest.
+    fn input_rate(&mut self, input: usize, given: Given) -> Amount {
+        match self.assumed_rate {
+            Some(assumed) => self.board.amount(assumed),
+            None => self.board.input_speed(input, given),
+        }
+    }
+
     /// ω or ε of a driven link; ω from the speed of one of its points where that is given.
     pub(super) fn given_rate(&mut self, order: Order, input: usize) -> Amount {
         let rate = match (self.mechanism.inputs[input], order) {
             (Input::Angle { alpha, .. } | Input::Speed { alpha, .. }, Order::Acceleration) => alpha,
-            (Input::Angle { omega, .. }, _) => return self.board.input_speed(input, omega),
+            (Input::Angle { omega, .. }, _) => return self.input_rate(input, omega),
             (Input::Speed { link, point, speed, .. }, _) => {
                 let Some(&first) = self.mechanism.link(link).points.first() else {
                     return self.no_rate(Missing::Rate(order, link));
                 };
                 let length = self.length(link, first, point);
-                let speed = self.board.amount(speed);
+                let speed = self.board.amount(self.assumed_rate.unwrap_or(speed));
                 let reason = self.reason(&[link]);
                 let omega = self.board.quotient(speed, length, reason);
                 self.act(Act::Calculate(Calculation::Omega {

@@ -116,9 +116,9 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
-    /// A driven link that two sliding pairs hold: its pins ride on guides of solved links, themselves or with
-    /// links that slide without turning (trammel driven by its bar); or it carries guides for pins of solved
-    /// links.
+    /// A driven link that two pairs hold: its pins ride on guides of solved links, themselves or with links that slide
+    /// without turning (trammel driven by its bar); or it carries guides for pins of solved links; or a centre or a
+    /// line of it is held against a solved body.
     DrivenBar {
         /// The link.
         link: LinkId,
@@ -126,12 +126,13 @@ pub enum GroupKind {
         point: PointId,
         /// The pins: of the link, or solved ones under which its guides run; its own first.
         pins: [PointId; 2],
-        /// For each pin the index into [`Mechanism::slides`].
-        slides: [usize; 2],
+        /// For each pin what holds it.
+        holds: [Hold; 2],
         /// For each pin the link that has it and slides without turning against the solved one, where it is
         /// not the pin itself or its block that slides.
         riders: [Option<LinkId>; 2],
-        /// For each pin whether it is solved and rides on a guide of the link.
+        /// For each pin whether it is solved and rides on a guide of the link, or is the centre of a wheel against which
+        /// a line of the link is held.
         under: [bool; 2],
         /// What says how it turns.
         input: Drive,
@@ -162,6 +163,20 @@ pub enum GroupKind {
         /// Index into [`Mechanism::rolls`].
         roll: usize,
     },
+    /// A link that slides without turning against a solved link and carries a centre, which is held against a solved
+    /// body.
+    RidingCentre {
+        /// The link.
+        link: LinkId,
+        /// Index into [`Mechanism::slides`]: the link and the solved link.
+        ride: usize,
+        /// The wheel of that centre: the link, or one that is pinned there.
+        wheel: LinkId,
+        /// The centre, on the link.
+        centre: PointId,
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+    },
     /// A link whose own line is held against a wheel whose centre is solved (a rack pinned to a crank).
     PinnedRack {
         /// The link.
@@ -184,6 +199,40 @@ pub enum GroupKind {
     Other,
 }
 
+/// What holds a pin of a driven link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hold {
+    /// A sliding pair; index into [`Mechanism::slides`].
+    Slide(usize),
+    /// A rolling contact of which the pin is a centre.
+    Contact {
+        /// Index into [`Mechanism::rolls`].
+        roll: usize,
+        /// The wheel about that centre.
+        wheel: LinkId,
+    },
+}
+
+impl Hold {
+    /// The sliding pair, where it is one.
+    #[must_use]
+    pub const fn slide(self) -> Option<usize> {
+        match self {
+            Self::Slide(slide) => Some(slide),
+            Self::Contact { .. } => None,
+        }
+    }
+
+    /// What it leaves unknown of the pin; `back` where what holds is sought and the pin is solved.
+    #[must_use]
+    pub const fn unknown(self, back: bool, pin: PointId) -> Unknown {
+        match self {
+            Self::Slide(slide) => Unknown::Slide { slide, back },
+            Self::Contact { roll, wheel } => Unknown::Roll { roll, wheel, centre: pin, back },
+        }
+    }
+}
+
 impl fmt::Display for GroupKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -201,6 +250,7 @@ impl fmt::Display for GroupKind {
             Self::DrivenWheel { .. } => "driven wheel",
             Self::Rolling { .. } => "rod with a rolling wheel",
             Self::PinnedRack { .. } => "pinned rack",
+            Self::RidingCentre { .. } => "riding link on a rolling contact",
             Self::Higher { .. } => "group of higher class",
             Self::Other => "group without a construction",
         })
@@ -245,12 +295,12 @@ pub enum Unknown {
         /// The rider is solved and the guide is sought.
         back: bool,
     },
-    /// Another pin of a driven link slides along its guide; the link's rotation leads from it to the pin
-    /// that is sought.
+    /// Another pin of a driven link slides along its guide, or is held by a contact; the link's rotation leads from it
+    /// to the pin that is sought.
     Carried {
-        /// Index into [`Mechanism::slides`].
-        slide: usize,
-        /// The rider is solved and the guide is sought.
+        /// What holds that pin.
+        hold: Hold,
+        /// The rider, or the wheel's centre, is solved and the guide or line is sought.
         back: bool,
         /// The driven link.
         link: LinkId,
@@ -291,7 +341,8 @@ impl Unknown {
     #[must_use]
     pub const fn slide(self) -> Option<usize> {
         match self {
-            Self::Slide { slide, .. } | Self::Carried { slide, .. } => Some(slide),
+            Self::Slide { slide, .. } => Some(slide),
+            Self::Carried { hold, .. } => hold.slide(),
             Self::Turn { .. } | Self::Roll { .. } | Self::Contact { .. } | Self::Spin { .. } => None,
         }
     }
@@ -331,6 +382,10 @@ impl GroupKind {
                     Unknown::Roll { roll, wheel, centre, back: false },
                 ],
             ),
+            Self::RidingCentre { link, ride, wheel, centre, roll } => (
+                Target::Pin(centre),
+                [slide(ride, Some(link)), Unknown::Roll { roll, wheel, centre, back: false }],
+            ),
             Self::PinnedRack { link, base, wheel, centre, roll } => (
                 Target::Under(centre, link),
                 [Unknown::Turn { link, base, to: centre }, Unknown::Roll { roll, wheel, centre, back: true }],
@@ -352,13 +407,14 @@ impl GroupKind {
                 Target::Under(mechanism.contacts[roll], link),
                 [slide(ride, Some(link)), Unknown::Contact { roll, body: link }],
             ),
-            Self::DrivenBar { link, point, pins, slides, riders, under, .. } => {
+            Self::DrivenBar { link, point, pins, holds, riders, under, .. } => {
                 let hold = |i: usize| {
-                    let back = under[i] || riders[i] == Some(mechanism.slides[slides[i]].guide.link);
+                    let carries_rider = |slide: usize| riders[i] == Some(mechanism.slides[slide].guide.link);
+                    let back = under[i] || holds[i].slide().is_some_and(carries_rider);
                     if pins[i] == point && !under[i] {
-                        Unknown::Slide { slide: slides[i], back }
+                        holds[i].unknown(back, point)
                     } else {
-                        Unknown::Carried { slide: slides[i], back, link, pin: pins[i] }
+                        Unknown::Carried { hold: holds[i], back, link, pin: pins[i] }
                     }
                 };
                 (Target::Pin(point), [0, 1].map(hold))
@@ -394,6 +450,7 @@ impl GroupKind {
             Self::DrivenBar { pins, under, .. } => (0..2).filter(|&i| under[i]).map(|i| pins[i]).collect(),
             Self::Prp { .. }
             | Self::Rack { .. }
+            | Self::RidingCentre { .. }
             | Self::DrivenWheel { .. }
             | Self::DrivenSlide { .. }
             | Self::Higher { .. }
@@ -436,9 +493,10 @@ impl GroupKind {
             Self::Rpp { lever, base, .. } if link == lever => Some(Lead::Turning(base)),
             Self::Rpr { lever, pin, .. } if link != lever => Some(Lead::Turning(pin)),
             Self::DrivenBar { link: bar, point, .. } if link == bar => Some(Lead::Turning(point)),
-            Self::Yoke { pin, .. } | Self::Rpp { point: pin, .. } | Self::Prp { pin, .. } => {
-                Some(Lead::Riding(pin))
-            }
+            Self::Yoke { pin, .. }
+            | Self::Rpp { point: pin, .. }
+            | Self::Prp { pin, .. }
+            | Self::RidingCentre { centre: pin, .. } => Some(Lead::Riding(pin)),
             Self::Rack { roll, .. } => Some(Lead::Riding(mechanism.contacts[roll])),
             Self::Rrp { rider: Some(rider), pin, .. } if rider == link => Some(Lead::Riding(pin)),
             Self::DrivenBar { pins, riders, .. } => {
@@ -470,13 +528,19 @@ impl GroupKind {
             _ => mechanism.slides[slide].guide.link,
         };
         match self {
-            Self::Yoke { link, ride, .. } | Self::Rack { link, ride, .. } => {
+            Self::Yoke { link, ride, .. }
+            | Self::Rack { link, ride, .. }
+            | Self::RidingCentre { link, ride, .. } => {
                 vec![(link, carrier(ride, link))]
             }
             Self::Rrp { slide, rider: Some(link), .. } => vec![(link, carrier(slide, link))],
-            Self::Prp { slides, riders, .. } | Self::DrivenBar { slides, riders, .. } => {
+            Self::Prp { slides, riders, .. } => {
                 let riders = riders.into_iter().zip(slides);
                 riders.filter_map(|(link, slide)| link.map(|link| (link, carrier(slide, link)))).collect()
+            }
+            Self::DrivenBar { holds, riders, .. } => {
+                let riders = riders.into_iter().zip(holds);
+                riders.filter_map(|(link, hold)| Some((link?, carrier(hold.slide()?, link?)))).collect()
             }
             Self::Rpp { link, lever, ride, .. } => {
                 vec![(link, carrier(ride, link)), (lever, carrier(ride, link))]

@@ -342,6 +342,7 @@ fn group(mechanism: &Mechanism, group: &Group) -> GroupReport {
         | GroupKind::Wheel { .. }
         | GroupKind::Rack { .. }
         | GroupKind::Rolling { .. }
+        | GroupKind::RidingCentre { .. }
         | GroupKind::PinnedRack { .. } => (2, 2),
     };
     GroupReport { kind: group.kind.to_string(), links, class, order, after: group.after.clone() }

@@ -9,7 +9,7 @@
 
 use std::fmt;
 
-pub use super::group::{GroupKind, Lead, Target, Unknown};
+pub use super::group::{GroupKind, Hold, Lead, Target, Unknown};
 use super::{Guide, GuidePoint, Input, LinkId, Mechanism, Path, PointId, Rider, Roll, Slide};
 
 /// A pair or an input, as a constraint between two links.
@@ -406,17 +406,15 @@ impl Structure {
         }
         game.free_frame();
         let mut structure = Self::assemble(mechanism, mobility, &nodes, &game);
-        let held: Vec<usize> = structure
-            .groups
-            .iter()
-            .flat_map(|group| &group.joints)
-            .filter_map(|joint| if let Joint::Contact(roll) = *joint { Some(roll) } else { None })
-            .collect();
-        for group in &mut structure.groups {
-            if group.kind == GroupKind::Other
-                && let Some(trial) = Trial::of(mechanism, &held, group)
-            {
-                group.kind = GroupKind::Higher { trial: structure.trials.len() };
+        let held = structure.contacts();
+        for index in 0..structure.groups.len() {
+            let group = &structure.groups[index];
+            if group.kind != GroupKind::Other {
+                continue;
+            }
+            let way = Trial::ways(mechanism, &held, group).next();
+            if let Some(trial) = way {
+                structure.groups[index].kind = GroupKind::Higher { trial: structure.trials.len() };
                 structure.trials.push(trial);
             }
         }
@@ -488,6 +486,22 @@ impl Structure {
         }
         let group_of = (0..nodes.links).map(|link| group_of_component[component[link]].flatten()).collect();
         Self { mobility, groups, group_of, trials: Vec::new() }
+    }
+
+    /// The rolling pairs that keep their bodies in contact.
+    fn contacts(&self) -> Vec<usize> {
+        let joints = self.groups.iter().flat_map(|group| &group.joints);
+        joints.filter_map(|joint| if let Joint::Contact(roll) = *joint { Some(roll) } else { None }).collect()
+    }
+
+    /// The ways in which a group of higher class can be tried, so many at most; that of [`Structure::trials`] first.
+    /// Which of them tells something depends on where the mechanism stands: what is driven may be unable to move what
+    /// is left open.
+    #[must_use]
+    pub fn ways_to_try(&self, mechanism: &Mechanism, trial: usize, most: usize) -> Vec<Trial> {
+        let kind = GroupKind::Higher { trial };
+        let Some(group) = self.groups.iter().find(|group| group.kind == kind) else { return Vec::new() };
+        Trial::ways(mechanism, &self.contacts(), group).take(most).collect()
     }
 
     /// The group that solves a link; `None` for the frame.
@@ -754,6 +768,20 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     {
         return leaning(mechanism, (rod, base), points, roll);
     }
+    if let ([], &[roll], &[link], [], [], &[ride]) = (
+        rolls.as_slice(),
+        held.as_slice(),
+        rods.as_slice(),
+        outer.as_slice(),
+        turned.as_slice(),
+        slides.as_slice(),
+    ) && moved.is_empty()
+        && glider(mechanism, &rods, ride) == Some(link)
+        && let Some((wheel, centre)) = carried_centre(mechanism, link, roll)
+        && points.iter().all(|&p| p == centre)
+    {
+        return GroupKind::RidingCentre { link, ride, wheel, centre, roll };
+    }
     if let (&[roll], &[link]) = (rolls.as_slice(), rods.as_slice()) {
         if !moved.is_empty() {
             return GroupKind::Other;
@@ -774,6 +802,19 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             _ => GroupKind::Other,
         };
     }
+    if let (true, &[(link, input)], [], [], true) =
+        (rolls.is_empty(), turned.as_slice(), moved.as_slice(), outer.as_slice(), !held.is_empty())
+    {
+        let slides = slides.iter().map(|&slide| Hold::Slide(slide));
+        let contacts = held.iter().filter_map(|&roll| contact_of_bar(mechanism, link, roll));
+        let holds: Vec<Hold> = slides.chain(contacts).collect();
+        return match holds.as_slice() {
+            &[first, second] if held.len() < 3 => {
+                driven_bar(mechanism, &rods, points, [first, second], (link, input))
+            }
+            _ => GroupKind::Other,
+        };
+    }
     if !rolls.is_empty() || !held.is_empty() {
         return GroupKind::Other;
     }
@@ -783,7 +824,8 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
             return match (rods.as_slice(), points, slides.as_slice(), outer.as_slice()) {
                 ([_], [], [], &[(_, base)]) => GroupKind::Driver { base, input },
                 (_, _, &[first, second], []) => {
-                    driven_bar(mechanism, &rods, points, [first, second], (turned[0].0, input))
+                    let holds = [Hold::Slide(first), Hold::Slide(second)];
+                    driven_bar(mechanism, &rods, points, holds, (turned[0].0, input))
                 }
                 _ => GroupKind::Other,
             };
@@ -892,6 +934,20 @@ fn classify(mechanism: &Mechanism, links: &[LinkId], points: &[PointId], joints:
     }
 }
 
+/// The wheel and the centre of a rolling pair that a link carries, where it carries one of them only.
+fn carried_centre(mechanism: &Mechanism, link: LinkId, roll: usize) -> Option<(LinkId, PointId)> {
+    let sides: Vec<(LinkId, PointId)> = match mechanism.rolls[roll] {
+        Roll::Circles { links, centres, .. } => vec![(links[0], centres[0]), (links[1], centres[1])],
+        Roll::Line { guide, .. } if guide.link == link => Vec::new(),
+        Roll::Line { wheel, centre, .. } => vec![(wheel, centre)],
+    };
+    let carried = |&(_, centre): &(LinkId, PointId)| mechanism.link(link).points.contains(&centre);
+    match sides.into_iter().filter(carried).collect::<Vec<_>>().as_slice() {
+        &[one] => Some(one),
+        _ => None,
+    }
+}
+
 /// A link that is pinned to a solved one and held by a contact: by a centre that it carries, or by its line.
 fn leaning(
     mechanism: &Mechanism,
@@ -929,45 +985,63 @@ fn glider(mechanism: &Mechanism, rods: &[LinkId], slide: usize) -> Option<LinkId
     }
 }
 
-/// A driven link that two sliding pairs hold.
+/// The contact that holds a driven link, with the wheel whose centre it holds.
+fn contact_of_bar(mechanism: &Mechanism, link: LinkId, roll: usize) -> Option<Hold> {
+    match mechanism.rolls[roll] {
+        Roll::Line { guide, wheel, .. } if guide.link == link => Some(Hold::Contact { roll, wheel }),
+        _ => carried_centre(mechanism, link, roll).map(|(wheel, _)| Hold::Contact { roll, wheel }),
+    }
+}
+
+/// A driven link that two pairs hold.
 fn driven_bar(
     mechanism: &Mechanism,
     rods: &[LinkId],
     points: &[PointId],
-    slides: [usize; 2],
+    holds: [Hold; 2],
     (link, input): (LinkId, Drive),
 ) -> GroupKind {
     let on_bar = |pin: PointId| mechanism.link(link).points.contains(&pin);
     // The pin, the link that rides for it, and whether it is a solved pin on a guide of the link.
-    let hold = |slide: usize| match (mechanism.slides[slide], glider(mechanism, rods, slide)) {
+    let by_slide = |slide: usize| match (mechanism.slides[slide], glider(mechanism, rods, slide)) {
         (Slide { rider: Rider::Pin { point, .. }, guide }, _) if guide.link == link => {
-            (!points.contains(&point) && !on_bar(point)).then_some((slide, point, None, true))
+            (!points.contains(&point) && !on_bar(point)).then_some((Hold::Slide(slide), point, None, true))
         }
         (Slide { rider: Rider::Pin { point, .. }, guide }, _) if !rods.contains(&guide.link) => {
-            on_bar(point).then_some((slide, point, None, false))
+            on_bar(point).then_some((Hold::Slide(slide), point, None, false))
         }
         (_, Some(rider)) if rider != link => {
             let shared = |p: &PointId| mechanism.point(*p).links.contains(&rider) && on_bar(*p);
-            points.iter().copied().find(shared).map(|pin| (slide, pin, Some(rider), false))
+            points.iter().copied().find(shared).map(|pin| (Hold::Slide(slide), pin, Some(rider), false))
         }
         _ => None,
     };
-    let (Some(first), Some(second)) = (hold(slides[0]), hold(slides[1])) else { return GroupKind::Other };
+    let hold = |hold: Hold| match hold {
+        Hold::Slide(slide) => by_slide(slide),
+        Hold::Contact { roll, wheel } => match mechanism.rolls[roll] {
+            Roll::Line { guide, centre, .. } if guide.link == link => (!points.contains(&centre)
+                && !on_bar(centre))
+            .then_some((Hold::Contact { roll, wheel }, centre, None, true)),
+            _ => carried_centre(mechanism, link, roll)
+                .map(|(wheel, centre)| (Hold::Contact { roll, wheel }, centre, None, false)),
+        },
+    };
+    let (Some(first), Some(second)) = (hold(holds[0]), hold(holds[1])) else { return GroupKind::Other };
     let [first, second] = if first.3 && !second.3 { [second, first] } else { [first, second] };
     let found = if first.3 { mechanism.link(link).points.first().copied() } else { Some(first.1) };
-    let own = [first, second].iter().filter(|hold| !hold.3).count();
+    let own = |point: &PointId| [first, second].iter().any(|hold| !hold.3 && hold.1 == *point);
     let riders = [first.2, second.2];
     match found {
         Some(point)
             if (first.1 != second.1 || first.3 != second.3)
-                && points.len() == own
+                && points.iter().all(own)
                 && rods.len() == 1 + riders.iter().flatten().count() =>
         {
             GroupKind::DrivenBar {
                 link,
                 point,
                 pins: [first.1, second.1],
-                slides: [first.0, second.0],
+                holds: [first.0, second.0],
                 riders,
                 under: [first.3, second.3],
                 input,
@@ -1020,34 +1094,42 @@ fn turns_about(roll: &Roll, wheel: LinkId, centre: PointId) -> bool {
 const TRIED_TOGETHER: usize = 12;
 
 impl Trial {
-    /// Finds what to drive and which constraints to leave open, so that the rest can be constructed.
-    fn of(mechanism: &Mechanism, held: &[usize], group: &Group) -> Option<Self> {
+    /// The ways to drive something and to leave as much open, so that the rest can be constructed; with one of each,
+    /// or where that does not do with two. They are looked for one after the other.
+    fn ways<'a>(
+        mechanism: &'a Mechanism,
+        held: &'a [usize],
+        group: &'a Group,
+    ) -> impl Iterator<Item = Self> + 'a {
         let mut drivers = Self::drivers(mechanism, group);
         let mut closings = closings(mechanism, group);
-        for &(closing, _) in &closings {
-            for &(driver, _) in &drivers {
-                let drivers = vec![(driver, closing)];
-                if let Some(groups) = subgroups(mechanism, held, group, &drivers) {
-                    return Some(Self { drivers, groups });
-                }
-            }
-        }
+        let pairs: Vec<Vec<(TrialDriver, Closing)>> = closings
+            .iter()
+            .flat_map(|&(closing, _)| drivers.iter().map(move |&(driver, _)| vec![(driver, closing)]))
+            .collect();
         // What is pinned to a solved link and what depends on one come first in both lists.
         drivers.truncate(TRIED_TOGETHER);
         closings.truncate(TRIED_TOGETHER);
-        for (index, &(first, _)) in closings.iter().enumerate() {
-            for &(second, _) in &closings[index + 1..] {
-                for (index, &(one, _)) in drivers.iter().enumerate() {
-                    for &(other, _) in &drivers[index + 1..] {
-                        let drivers = vec![(one, first), (other, second)];
-                        if let Some(groups) = subgroups(mechanism, held, group, &drivers) {
-                            return Some(Self { drivers, groups });
+        let two_and_two = move || {
+            let mut all = Vec::new();
+            for (index, &(first, _)) in closings.iter().enumerate() {
+                for &(second, _) in &closings[index + 1..] {
+                    for (index, &(one, _)) in drivers.iter().enumerate() {
+                        for &(other, _) in &drivers[index + 1..] {
+                            all.push(vec![(one, first), (other, second)]);
                         }
                     }
                 }
             }
-        }
-        None
+            all
+        };
+        let falls_apart = |drivers: Vec<(TrialDriver, Closing)>| {
+            let groups = subgroups(mechanism, held, group, &drivers)?;
+            Some(Self { drivers, groups })
+        };
+        let mut single = pairs.into_iter().filter_map(falls_apart).peekable();
+        let double = if single.peek().is_some() { Vec::new() } else { two_and_two() };
+        single.chain(double.into_iter().filter_map(falls_apart))
     }
 
     /// What can be driven, and how good it is: links pinned to solved ones, riders on guides of solved links, other
@@ -1268,5 +1350,5 @@ fn subgroups(
         sub.after.clear();
     }
     let known = |g: &Group| !matches!(g.kind, GroupKind::Other | GroupKind::Higher { .. });
-    (groups.len() > 1 && groups.iter().all(known)).then_some(groups)
+    (!groups.is_empty() && groups.iter().all(known)).then_some(groups)
 }

@@ -199,6 +199,13 @@ fn named_slide(value: &Value<'_>, draft: &Draft<'_>) -> Res<usize> {
             (0..slides.len()).filter(|i| rides(&slides[*i].rider)).collect()
         }
         Kind::Text(_) => {
+            let text = value.text("the pin that slides")?;
+            if text.parse::<u32>().is_ok() {
+                let fault = Fault::new(value.at, format!("\"{text}\" is a text, and no pin is called so"));
+                return Err(
+                    fault.mend(format!("a block or link is named by its number: {text}, without quotes"))
+                );
+            }
             let point = draft.point(value)?;
             let rides = |rider: &Rider| matches!(rider, Rider::Pin { point: pin, .. } if *pin == point);
             (0..slides.len()).filter(|i| rides(&slides[*i].rider)).collect()

@@ -22,6 +22,7 @@ mod sheet;
 mod source;
 #[cfg(test)]
 mod tests;
+mod twice;
 pub(crate) mod units;
 mod vary;
 
@@ -124,6 +125,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     figure::read(&fields, &mut draft)?;
     placing::directed_by_places(&mut draft);
     forces::read(&fields, &mut draft)?;
+    twice::settle(&mut draft)?;
     asked::read(fields.get("find"), &mut draft)?;
     let published = published::read(fields.get("published"), &mut draft)?;
     let errata = published::errata(fields.get("errata"), &published)?;

@@ -13,7 +13,7 @@ use crate::mechanism::{
 };
 
 /// A figure's digits may miss by this part of the mechanism's size.
-const ROUNDING: f64 = 1e-6;
+pub(super) const ROUNDING: f64 = 1e-6;
 /// Loci that meet at a smaller angle (its sine) do not say where.
 const GRAZING: f64 = 1e-4;
 /// A link's pose is taken from, and checked against, this many of its points.
@@ -775,7 +775,7 @@ fn step(xy: Xy, first: &Locus, second: &Locus) -> Xy {
 }
 
 /// The largest extent of the known points and of the given lengths, metres.
-fn size(draft: &Draft<'_>) -> f64 {
+pub(super) fn size(draft: &Draft<'_>) -> f64 {
     let mechanism = &draft.mechanism;
     let mut low = [f64::INFINITY; 2];
     let mut high = [f64::NEG_INFINITY; 2];

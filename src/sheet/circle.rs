@@ -256,7 +256,7 @@ fn sentence(centre: &Centre, notation: &Notation<'_>) -> Rich {
             ];
             Rich::fill(template, &parts)
         }
-        Found::Normal { point: p, link, from } => {
+        Found::Normal { point: p, link, from, assumed } => {
             let (velocity, omega) = if from == LinkId::FRAME {
                 (Quantity::Velocity(p), Quantity::Omega(link))
             } else {
@@ -268,7 +268,8 @@ fn sentence(centre: &Centre, notation: &Notation<'_>) -> Rich {
                 ("point", point(p)),
                 ("omega", notation.symbol(omega, false)),
             ];
-            Rich::fill(words.centre_by_velocity, &parts)
+            let template = if assumed { words.centre_at_rest } else { words.centre_by_velocity };
+            Rich::fill(template, &parts)
         }
         Found::Pin(_) | Found::Guide { .. } | Found::ArcGuide { .. } | Found::Rolling { .. } => own(),
     }

@@ -243,6 +243,8 @@ pub struct Words {
     pub centre_parallel: &'static str,
     pub common_normal: &'static str,
     pub centre_by_velocity: &'static str,
+    /// The same where the mechanism rests.
+    pub centre_at_rest: &'static str,
     pub centre_stalled: &'static str,
 
     // Velocities from centres.
@@ -489,6 +491,7 @@ const ENGLISH: Words = Words {
     centre_parallel: "{centre}, triangles {triangles}: the lines {first} and {second} are parallel; it lies at infinity.",
     common_normal: "normal to the {guide}",
     centre_by_velocity: "{centre}: the circle diagram stalls here. The centre lies on the normal to {velocity} through {point}, at the distance {velocity} / {omega}, both from the velocity diagram.",
+    centre_at_rest: "{centre}: the circle diagram stalls here, and the mechanism rests. With an assumed motion of its input the centre lies on the normal to {velocity} through {point}, at the distance {velocity} / {omega}.",
     centre_stalled: "{centre}: no two triangles lead to it.",
 
     transfer_figure: "Velocities from instant centres",
@@ -729,6 +732,7 @@ const ARABIC: Words = Words {
     centre_parallel: "المركز {centre} من المثلثين {triangles}: الخطان {first} و {second} متوازيان، فهو في اللانهاية.",
     common_normal: "الناظم على {guide}",
     centre_by_velocity: "المركز {centre}: يتوقف مخطط الدائرة هنا. يقع المركز على الناظم على {velocity} المار من {point} وعلى بعد {velocity} / {omega}، وكلتاهما من مخطط السرعة.",
+    centre_at_rest: "المركز {centre}: يتوقف مخطط الدائرة هنا والآلية ساكنة. بفرض حركة للدخل يقع المركز على الناظم على {velocity} المار من {point} وعلى بعد {velocity} / {omega}.",
     centre_stalled: "المركز {centre}: لا يؤدي إليه أي مثلثين.",
     transfer_figure: "السرعات من المراكز اللحظية",
     method_centres: "المراكز",
@@ -969,6 +973,7 @@ const ARABIC_AJALA: Words = Words {
     centre_parallel: "المركز {centre} من المثلثين {triangles}: الخطان {first} و {second} متوازيان، فهو في اللانهاية.",
     common_normal: "العمودي على {guide}",
     centre_by_velocity: "المركز {centre}: يتوقف مخطط الدائرة هنا. يقع المركز على العمودي على {velocity} المار من {point} وعلى بعد {velocity} / {omega}، وكلتاهما من مخطط السرعة.",
+    centre_at_rest: "المركز {centre}: يتوقف مخطط الدائرة هنا والآلية ساكنة. بفرض حركة للدخل يقع المركز على العمودي على {velocity} المار من {point} وعلى بعد {velocity} / {omega}.",
     centre_stalled: "المركز {centre}: لا يؤدي إليه أي مثلثين.",
     transfer_figure: "السرعات من المراكز اللحظية",
     method_centres: "المراكز",
@@ -1208,6 +1213,7 @@ const PERSIAN: Words = Words {
     centre_parallel: "مرکز {centre} از مثلث‌های {triangles}: خط‌های {first} و {second} موازی‌اند و مرکز در بی‌نهایت است.",
     common_normal: "عمود بر {guide}",
     centre_by_velocity: "مرکز {centre}: نمودار دایره‌ای اینجا متوقف می‌شود. مرکز روی عمود بر {velocity} در {point} و به فاصلهٔ {velocity} / {omega} است که هر دو از دیاگرام سرعت به دست می‌آیند.",
+    centre_at_rest: "مرکز {centre}: نمودار دایره‌ای اینجا متوقف می‌شود و مکانیزم ساکن است. با فرض حرکت ورودی، مرکز روی عمود بر {velocity} در {point} و به فاصلهٔ {velocity} / {omega} است.",
     centre_stalled: "مرکز {centre}: هیچ دو مثلثی به آن نمی‌رسد.",
     transfer_figure: "سرعت‌ها از مراکز آنی",
     method_centres: "مراکز آنی",

@@ -10,7 +10,8 @@ use crate::graphical::{self, Scales};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity, Unit};
 use crate::mechanism::structure::{GroupKind, Structure};
 use crate::mechanism::{
-    Direction, Form, GivenPoint, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider,
+    Direction, Form, GivenPoint, Guide, GuidePoint, Input, LinkId, Mechanism, Path, Place, PointId, Rider,
+    Slide,
 };
 use crate::plan::{Extent, Plan};
 
@@ -35,16 +36,9 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
     }
     for (index, slide) in mechanism.slides.iter().enumerate() {
         if let Rider::Link { link, turned: None } = slide.rider {
-            // It rides as placed: its own axes are the world's, and so are the guide's.
-            let angle = match slide.guide.path {
-                Path::Straight { direction: Direction::Angle(angle), turned, .. }
-                    if matches!(mechanism.link(slide.guide.link).form, Form::Placed) =>
-                {
-                    Given::within(-(angle.value + turned.value), angle.error + turned.error)
-                }
-                _ => return Err(instant(mechanism, link)),
-            };
-            ready.slides[index].rider = Rider::Link { link, turned: Some(angle) };
+            // It rides as placed: its own axes are the world's, from which the guide is turned at this instant.
+            let along = direction_now(mechanism, slide.guide)?.ok_or_else(|| instant(mechanism, link))?;
+            ready.slides[index].rider = Rider::Link { link, turned: Some(-along) };
         }
         let guide = slide.guide.link;
         let through_own_joint = match slide.guide.path {
@@ -55,7 +49,11 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
         };
         let stands = through_own_joint || driven(mechanism, guide) || rides(mechanism, guide);
         if mechanism.link(guide).form == Form::Single && !stands {
-            return Err(instant(mechanism, guide));
+            return Err(SweepError::Instant(format!(
+                "link {} has one joint and a guide beside it, with the world's axes at this instant: name a second point \
+                 of it to move it",
+                mechanism.link(guide).number
+            )));
         }
     }
     for (index, input) in mechanism.inputs.iter().enumerate() {
@@ -64,18 +62,22 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
                 Input::Angle { link, angle: None, .. } | Input::Speed { link, angle: None, .. },
                 Input::Angle { angle, .. } | Input::Speed { angle, .. },
             ) => {
-                let ends: Vec<_> = mechanism.link(*link).points.iter().take(2).map(|&p| place(p)).collect();
-                let &[Some(a), Some(b)] = ends.as_slice() else { return Err(instant(mechanism, *link)) };
-                let [dx, dy] = [0, 1].map(|k| b[k].value - a[k].value);
-                let error = (a[0].error + a[1].error + b[0].error + b[1].error) / libm::hypot(dx, dy);
-                *angle = Some(Given::within(libm::atan2(dy, dx), error));
+                let toward = match mechanism.link(*link).points[..] {
+                    [first, second, ..] => {
+                        bearing(place_now(mechanism, first)?, place_now(mechanism, second)?)
+                    }
+                    _ => angle_now(mechanism, *link)?,
+                };
+                *angle = Some(toward.ok_or_else(|| instant(mechanism, *link))?);
             }
-            (Input::Slide { at: None, slide, .. }, _) => {
-                return Err(SweepError::Instant(format!(
-                    "the place of the driven slide follows from placed points at this instant: give \"at\" \
-                     (pair {})",
-                    slide + 1
-                )));
+            (Input::Slide { at: None, slide, .. }, Input::Slide { at, .. }) => {
+                *at = Some(at_now(mechanism, *slide)?.ok_or_else(|| {
+                    SweepError::Instant(format!(
+                        "the place of the driven slide follows from placed points at this instant: give \"at\" \
+                         (pair {})",
+                        slide + 1
+                    ))
+                })?);
             }
             _ => {}
         }
@@ -301,6 +303,86 @@ fn now(mechanism: &Mechanism, quantity: Quantity) -> Result<Option<Answer>, Swee
     let scales = Scales::new(|_| 1.0);
     let drawn = graphical::construct(&only, &structure, &plan, scales)?;
     Ok(drawn.construction.answers.into_iter().next().map(|reading| reading.answer))
+}
+
+/// Where a point stands at this instant.
+fn place_now(mechanism: &Mechanism, point: PointId) -> Result<Option<GivenPoint>, SweepError> {
+    if let Some(place) = mechanism.point(point).place.exact() {
+        return Ok(Some(place));
+    }
+    Ok(match now(mechanism, Quantity::Position(point))? {
+        Some(Answer::Vector { value, bound }) => Some(value.map(|x| Given::within(x, bound))),
+        _ => None,
+    })
+}
+
+/// How a link's own x-axis points at this instant, radians.
+fn angle_now(mechanism: &Mechanism, link: LinkId) -> Result<Option<Given>, SweepError> {
+    if mechanism.link(link).form == Form::Placed {
+        return Ok(Some(Given::exact(0.0)));
+    }
+    Ok(match now(mechanism, Quantity::Angle(link))? {
+        Some(Answer::Scalar { value, bound }) => Some(Given::within(value, bound)),
+        _ => None,
+    })
+}
+
+/// The direction from one place to another, radians.
+fn bearing(from: Option<GivenPoint>, to: Option<GivenPoint>) -> Option<Given> {
+    let (a, b) = (from?, to?);
+    let [dx, dy] = [0, 1].map(|k| b[k].value - a[k].value);
+    let error = a.iter().chain(&b).map(|c| c.error).sum::<f64>() / libm::hypot(dx, dy);
+    error.is_finite().then(|| Given::within(libm::atan2(dy, dx), error + 4.0 * f64::EPSILON))
+}
+
+/// Where the start of a straight guide stands at this instant, before it is shifted to its left.
+fn start_now(mechanism: &Mechanism, guide: Guide) -> Result<Option<GivenPoint>, SweepError> {
+    match guide.path {
+        Path::Straight { through: GuidePoint::Point(point), .. } => place_now(mechanism, point),
+        Path::Straight { through: GuidePoint::Own(at), .. }
+            if mechanism.link(guide.link).form == Form::Placed =>
+        {
+            Ok(Some(at))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// The direction of a straight guide at this instant, radians from +x.
+fn direction_now(mechanism: &Mechanism, guide: Guide) -> Result<Option<Given>, SweepError> {
+    let Path::Straight { direction, turned, .. } = guide.path else { return Ok(None) };
+    let base = match direction {
+        Direction::Angle(angle) => {
+            let own = angle_now(mechanism, guide.link)?;
+            own.map(|own| Given::within(own.value + angle.value, own.error + angle.error))
+        }
+        Direction::Toward(to) => bearing(start_now(mechanism, guide)?, place_now(mechanism, to)?),
+    };
+    let sum = |base: Given| {
+        let value = base.value + turned.value;
+        Given::within(value, base.error + turned.error + f64::EPSILON * (value.abs() + 1.0))
+    };
+    Ok(base.map(sum))
+}
+
+/// How far along its guide the rider of a sliding pair stands at this instant, metres.
+fn at_now(mechanism: &Mechanism, slide: usize) -> Result<Option<Given>, SweepError> {
+    let Slide { rider, guide } = mechanism.slides[slide];
+    let rider = match rider {
+        Rider::Pin { point, .. } => Some(point),
+        Rider::Link { link, .. } => mechanism.link(link).points.first().copied(),
+    };
+    let Some(rider) = rider else { return Ok(None) };
+    let (start, along) = (start_now(mechanism, guide)?, direction_now(mechanism, guide)?);
+    let (Some(start), Some(along), Some(at)) = (start, along, place_now(mechanism, rider)?) else {
+        return Ok(None);
+    };
+    let [dx, dy] = [0, 1].map(|k| at[k].value - start[k].value);
+    let (sin, cos) = libm::sincos(along.value);
+    let away = libm::hypot(dx, dy);
+    let error =
+        at.iter().chain(&start).map(|c| c.error).sum::<f64>() + away * (along.error + 4.0 * f64::EPSILON);
+    Ok(Some(Given::within(dx * cos + dy * sin, error)))
 }
 
 /// The span of time to walk, and whether everything comes again after it: in seconds from the scene's instant.

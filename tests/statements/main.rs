@@ -13,6 +13,7 @@
 
 mod asked;
 mod campaign;
+mod figure;
 mod grow;
 mod jet;
 mod judge;
@@ -22,6 +23,7 @@ mod minimise;
 mod restated;
 mod statement;
 mod truth;
+mod units;
 
 use crate::extremes::dice::Dice;
 use asked::Asked;
@@ -30,6 +32,9 @@ use linkgram::sheet::{self, Language, scale};
 use mechanism::length;
 use serde_json::Value;
 use truth::State;
+
+/// From this seed on places are said as a figure says them, too.
+const BY_FIGURE: u64 = 1_000_000;
 
 /// A scene with its truth.
 struct Case {
@@ -62,7 +67,11 @@ pub(crate) fn right_scene(seed: u64) -> Option<String> {
 fn case(seed: u64) -> Result<Case, &'static str> {
     let (growth, state, mut dice) = moving(seed)?;
     let m = growth.mechanism;
-    let said = statement::say(&m, &growth.made, &mut dice);
+    let mut said = statement::say(&m, &growth.made, &mut dice);
+    if seed >= BY_FIGURE {
+        let mut dice = Dice::new(seed ^ BY_FIGURE);
+        said.ways.extend(figure::restate(&mut said.scene, &m, said.units, &mut dice));
+    }
     let asked = asked::ask(&m, &state, &said, &mut dice);
     if asked.is_empty() {
         return Err("nothing asked");
@@ -151,6 +160,9 @@ fn sheets_and_sweeps_of_the_statements() {
 fn every_statement_has_the_truth() {
     let tally = campaign::run(0..from_environment("LINKGRAM_SAMPLE", 280), 2);
     println!("{}", tally.table());
+    let by_figure = campaign::run(BY_FIGURE..BY_FIGURE + from_environment("LINKGRAM_SAMPLE", 280) / 2, 2);
+    println!("{}", by_figure.table());
+    assert!(by_figure.is_clean(), "{}\n{}", by_figure.table(), by_figure.smallest());
     assert!(tally.scenes() > 200, "{}", tally.table());
     assert!(tally.is_clean(), "{}\n{}", tally.table(), tally.smallest());
 }

@@ -521,7 +521,11 @@ impl Writer<'_> {
                     }
                 }
                 let swivels = self.m.slides.iter().any(|s| s.on == body && s.swivel);
-                if joins.len() == 1 && swivels && self.dice.chance(0.5) {
+                let rides = self.m.slides.iter().any(|s| s.rider == Rider::Link(body));
+                // Of a link of one joint a place elsewhere may tell the direction; some place has to.
+                let told = self.m.inputs.len() == 1 && self.placed.contains(&true);
+                let untold = (swivels || rides) && !told;
+                if joins.len() == 1 && (untold || swivels && self.dice.chance(0.5)) {
                     let at = self.angle(self.own[body].angle);
                     said.insert("angle".into(), at);
                 }

@@ -17,13 +17,14 @@ mod velocities;
 
 use std::collections::BTreeMap;
 
-use crate::board::{HomogeneousLine, HomogeneousPoint, Location, Point};
+use crate::board::{Amount, HomogeneousLine, HomogeneousPoint, Location, Point};
+use crate::given::Given;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::{LinkId, PointId, Rider, Roll};
-use crate::plan::{CentrePlan, Plan, chord};
+use crate::mechanism::{Input, LinkId, PointId, Rider, Roll};
+use crate::plan::{CentrePlan, GroupStep, Plan, chord};
 
 use super::construction::{Centre, CentrePlace, CircleDiagram, Found};
-use super::draughtsman::Draughtsman;
+use super::draughtsman::{Coincident, Draughtsman, Motion};
 use super::pose::Track;
 pub(super) use feed::draw as feed;
 pub use search::CentreLine;
@@ -40,7 +41,7 @@ pub(super) struct Centres {
 
 /// Draws the circle diagram as far as the wanted centres need it.
 pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
-    let plan = &plan.centres;
+    let (velocity, plan) = (plan.steps(Order::Velocity), &plan.centres);
     d.note_circle(CircleDiagram {
         links: (0..d.mechanism.links.len()).map(LinkId).collect(),
         wanted: plan.wanted.iter().copied().collect(),
@@ -52,6 +53,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     d.primary_centres(plan);
     let mut stalled = d.kennedy(plan);
     if plan.with_velocities && !stalled.is_empty() {
+        let rest = d.rests().then(|| d.assume_motion(velocity));
         // The poles of the stalled centres' links; with them the diagram may go on.
         for &[i, j] in &stalled {
             for link in [i, j].into_iter().filter(|&l| l != LinkId::FRAME) {
@@ -61,6 +63,9 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
         stalled = d.kennedy(plan);
         stalled.retain(|&stuck| !d.centre_by_velocity(stuck));
         stalled = if stalled.is_empty() { stalled } else { d.kennedy(plan) };
+        if let Some(rest) = rest {
+            d.rest_again(rest);
+        }
     }
     d.note_stalled(stalled);
     for (index, asked) in d.mechanism.asked.iter().enumerate().filter(|(_, asked)| asked.by_centres()) {
@@ -70,7 +75,52 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     }
 }
 
+/// What is known of the motion of a mechanism that rests.
+struct Rest {
+    motion: Motion,
+    rolling_speeds: Vec<Option<Amount>>,
+    coincident: Vec<Coincident>,
+    parts: usize,
+    loud: bool,
+}
+
 impl Draughtsman<'_> {
+    /// Whether the only input rests: then nothing moves, and yet its links have centres.
+    fn rests(&self) -> bool {
+        let [input] = self.mechanism.inputs.as_slice() else { return false };
+        let rate = match *input {
+            Input::Angle { omega: rate, .. }
+            | Input::Speed { speed: rate, .. }
+            | Input::Slide { velocity: rate, .. } => rate,
+        };
+        rate == Given::exact(0.0)
+    }
+
+    /// Draws the velocity polygon aside with an assumed rate of the input.
+    fn assume_motion(&mut self, steps: &[GroupStep]) -> Rest {
+        let rest = Rest {
+            motion: self.motion(Order::Velocity).clone(),
+            rolling_speeds: self.rolling_speeds.clone(),
+            coincident: std::mem::take(&mut self.coincident),
+            parts: self.parts.len(),
+            loud: !std::mem::replace(&mut self.silent, true),
+        };
+        self.assumed_rate = Some(Given::exact(1.0));
+        for step in steps {
+            self.velocity_of(step, &self.structure.groups[step.group]);
+        }
+        rest
+    }
+
+    /// Rubs that polygon out again.
+    fn rest_again(&mut self, rest: Rest) {
+        *self.motion_mut(Order::Velocity) = rest.motion;
+        (self.rolling_speeds, self.coincident) = (rest.rolling_speeds, rest.coincident);
+        self.parts.truncate(rest.parts);
+        self.silent = !rest.loud;
+        self.assumed_rate = None;
+    }
+
     /// Marks the centres that are seen from the pairs.
     fn primary_centres(&mut self, plan: &CentrePlan) {
         let takes_part = |c: &Chord| c.iter().all(|l| plan.links.contains(l)) && !plan.barred.contains(c);
@@ -259,7 +309,11 @@ impl Draughtsman<'_> {
         let omega = self.board.difference(own, other);
         let at = self.at(point);
         let Some(centre) = self.board.on_normal(at, velocity, omega, scale) else { return false };
-        self.centre_found(links, centre, Found::Normal { point, link, from });
+        self.centre_found(
+            links,
+            centre,
+            Found::Normal { point, link, from, assumed: self.assumed_rate.is_some() },
+        );
         true
     }
 

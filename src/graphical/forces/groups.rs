@@ -28,6 +28,7 @@ pub(super) fn solve(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balanc
         | GroupKind::Rack { .. }
         | GroupKind::DrivenWheel { .. }
         | GroupKind::Rolling { .. }
+        | GroupKind::RidingCentre { .. }
         | GroupKind::PinnedRack { .. }
         | GroupKind::Higher { .. }
         | GroupKind::Other => balance.refused = Some("this version has no balance of forces for this group"),
