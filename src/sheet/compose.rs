@@ -8,7 +8,7 @@ use super::font::Face;
 use super::forces::ForcePanel;
 use super::growth::Births;
 use super::notation::Notation;
-use super::panels::{self, Panel, captioned};
+use super::panels::{self, Panel, captioned, framed};
 use super::rich::Rich;
 use super::steps::{self, Item, Told};
 use super::table::{Block, Table};
@@ -354,6 +354,8 @@ struct Blackboard<'a> {
 struct Finished {
     of: Panel,
     ink: Group,
+    /// The left and right end of the finished drawing: in all its pictures every point stands equally far to the right.
+    sides: [f64; 2],
     caption: Vec<Rich>,
     shown: Option<Moment>,
 }
@@ -372,7 +374,10 @@ impl<'a> Blackboard<'a> {
         let caption = of.caption(self.construction, self.notation)?;
         // The skeleton under the centres stood there before.
         let shown = (of == Panel::Centres).then_some(Moment { act: usize::MAX, ..self.births.last() });
-        self.finished.push(Finished { of, ink, caption, shown });
+        let last = Moment { step: usize::MAX, act: usize::MAX };
+        let plain = growth::without_asides(&growth::at(&ink, Some(last), last));
+        let room = plain.bounds().unwrap_or(Rect::ZERO);
+        self.finished.push(Finished { of, ink, sides: [room.x0, room.x1], caption, shown });
         Some(self.finished.len() - 1)
     }
 
@@ -388,7 +393,10 @@ impl<'a> Blackboard<'a> {
                 let since = own.shown.replace(upto);
                 growth::changes(&own.ink, since, upto).then(|| {
                     let picture = growth::without_asides(&growth::at(&own.ink, since, upto));
-                    captioned(picture, &own.caption)
+                    let ink = picture.bounds().unwrap_or(Rect::ZERO);
+                    let [left, right] = own.sides;
+                    let frame = Rect::new(left.min(ink.x0), ink.y0, right.max(ink.x1), ink.y1);
+                    framed(picture, frame, &own.caption)
                 })
             }
         }
@@ -885,7 +893,9 @@ impl Pager {
     /// What is said of a step, and its drawing beside it, or above it where it is too wide.
     fn step(&mut self, text: Block, drawing: Option<Block>) {
         let Some(drawing) = drawing else { return self.block(text) };
-        let beside = self.width() - GUTTER - text.width;
+        // Pictures of one diagram stand below each other, however wide the words beside them are.
+        let words = text.width.max(self.column());
+        let beside = self.width() - GUTTER - words;
         let together = drawing.width <= beside;
         let height =
             if together { text.height.max(drawing.height) } else { text.height + drawing.height + GUTTER };
@@ -895,7 +905,7 @@ impl Pager {
         let x = self.indented(MARGIN, text.width);
         if together {
             let free = (beside - drawing.width) / 2.0;
-            let far = self.indented(MARGIN + text.width + GUTTER + free, drawing.width);
+            let far = self.indented(MARGIN + words + GUTTER + free, drawing.width);
             let y = self.y;
             self.add(drawing.group, far, y);
             self.add(text.group, x, y);

@@ -175,9 +175,14 @@ pub const fn title(kind: DiagramKind, words: &Words) -> &'static str {
 /// A drawing with its caption below it, upper left corner at the origin: lines that are no wider than the drawing or the
 /// first of them.
 pub(super) fn captioned(drawing: Group, caption: &[Rich]) -> Block {
+    let ink = drawing.bounds().unwrap_or(Rect::ZERO);
+    framed(drawing, ink, caption)
+}
+
+/// The same for a drawing that is to stand in a frame: one of several pictures of a diagram that stand alike.
+pub(super) fn framed(drawing: Group, ink: Rect, caption: &[Rich]) -> Block {
     let mut group = Group::new("panel");
     group.group(drawing);
-    let ink = group.bounds().unwrap_or(Rect::ZERO);
     let first = caption.first().map_or(0.0, |line| line.width(TEXT));
     let width = ink.width().max(first);
     group.translate(Vec2::new((width - ink.width()) / 2.0 - ink.x0, -ink.y0));
