@@ -207,6 +207,10 @@ fn what_is_not_done_is_refused_by_name() {
     assert!(centre.contains("mass centre of link 3 is missing"), "{centre}");
     let pair = refusal(&format!(r#"{CRANK}, "loads": [ {{ "on": 4, "force": 3 }} ], "find": ["F(2,4)"] }}"#));
     assert!(pair.contains("have no pair") && pair.contains("F(2,3)"), "{pair}");
+    let inertia = refusal(&format!(
+        r#"{CRANK}, "masses": {{ "3": {{ "mass": 3, "inertia": 0.001, "about": "A", "at": [75, 0] }} }} }}"#
+    ));
+    assert!(inertia.contains("so little inertia about A"), "{inertia}");
     let nothing = refusal(&format!(r#"{CRANK}, "find": ["T(2)"] }}"#));
     assert!(nothing.contains("says nothing of forces"), "{nothing}");
 }

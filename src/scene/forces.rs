@@ -4,7 +4,8 @@ use super::diagnostic::{Fault, Res};
 use super::draft::Draft;
 use super::json::{Entry, Fields, Kind, Value};
 use super::keys;
-use super::units::Measure;
+use super::links::{index_of, own_coordinates};
+use super::units::{Measure, short};
 use crate::mechanism::force::{
     Area, Gravity, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Size, Spring, SpringKind, SpringLaw,
 };
@@ -244,7 +245,39 @@ fn mass(value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<Mass> {
                 .mend("name it in `at`: a point of the link, or own coordinates [x, y]"));
         }
     };
-    Ok(Mass { link, heaviness, centre, inertia })
+    let mass = Mass { link, heaviness, centre, inertia };
+    if let (Inertia::About(point, given), Some(least)) = (inertia, moved_inertia(&mass, draft))
+        && given.value < least
+    {
+        let about = draft.say_point(point);
+        let what =
+            format!("no link has so little inertia about {about}: M d² alone is {} kg m²", short(least));
+        let at = fields.get("inertia").map_or(value.at, |inertia| inertia.at);
+        return Err(Fault::new(at, what).mend("leave `about` out where it is given about the mass centre"));
+    }
+    Ok(mass)
+}
+
+/// M d² from the mass centre to the point about which the inertia is given, where the link's own coordinates tell it.
+fn moved_inertia(mass: &Mass, draft: &Draft<'_>) -> Option<f64> {
+    let Inertia::About(point, _) = mass.inertia else { return None };
+    let g = draft.mechanism.forces.gravity.g.value;
+    let kilograms = match mass.heaviness {
+        Heaviness::Mass(mass) => mass.value,
+        Heaviness::Weight(weight) => weight.value / g,
+        Heaviness::None => return None,
+    };
+    let own = |point: PointId| -> Option<[f64; 2]> {
+        let link = draft.link(mass.link);
+        let by_places = draft.mechanism.point(point).place.exact().map(|place| place.map(|c| c.value));
+        match link.form {
+            Form::Placed => by_places,
+            _ => own_coordinates(link, index_of(draft, mass.link, point)?).map(|(own, _)| own),
+        }
+    };
+    let (a, b) = (own(mass.centre)?, own(point)?);
+    let away = libm::hypot(a[0] - b[0], a[1] - b[1]);
+    Some(kilograms * away * away)
 }
 
 /// A number, or `"?"`.

@@ -5,7 +5,7 @@
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
-use crate::mechanism::force::{Heaviness, Inertia, Load, LoadKind, Pointing, Size, SpringLaw};
+use crate::mechanism::force::{Force, Heaviness, Inertia, Load, LoadKind, Pointing, Size, SpringLaw};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
@@ -627,6 +627,9 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         words.asked_accelerations,
         words.asked_radii,
         words.asked_alphas,
+        words.asked_forces,
+        words.asked_torques,
+        words.asked_arms,
     ];
     let kind = |quantity: Quantity| match quantity {
         Quantity::Position(_) => 0,
@@ -638,11 +641,14 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         Quantity::Rub(..) => 7,
         Quantity::PathRadius(_) => 9,
         Quantity::Alpha(_) | Quantity::RelativeAlpha(..) => 10,
+        Quantity::Force(force, _) if force.turns() => 12,
+        Quantity::Force(Force::Offset(_) | Force::Arm(..), _) => 13,
+        Quantity::Force(..) => 11,
         other if other.order() == Order::Acceleration => 8,
         _ => 4,
     };
     // A quantity that is asked by several methods is one quantity.
-    let mut lists: [Vec<(Quantity, Vec<&str>)>; 11] = Default::default();
+    let mut lists: [Vec<(Quantity, Vec<&str>)>; 14] = Default::default();
     let all = &notation.mechanism().asked;
     let open: Vec<&Asked> = all.iter().filter(|asked| !is_stated(asked.quantity, notation)).collect();
     // Where nothing else is asked, that is the question.

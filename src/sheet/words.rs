@@ -141,6 +141,9 @@ pub struct Words {
     pub asked_accelerations: Counted,
     pub asked_radii: Counted,
     pub asked_alphas: Counted,
+    pub asked_forces: Counted,
+    pub asked_torques: Counted,
+    pub asked_arms: Counted,
     pub asked_positions: &'static str,
     pub asked_assembly: &'static str,
 
@@ -394,6 +397,9 @@ const ENGLISH: Words = Words {
     asked_accelerations: ["the acceleration", "the accelerations", "the accelerations"],
     asked_radii: ["the radius of curvature", "the radii of curvature", "the radii of curvature"],
     asked_alphas: ["the angular acceleration", "the angular accelerations", "the angular accelerations"],
+    asked_forces: ["the force", "the forces", "the forces"],
+    asked_torques: ["the torque", "the torques", "the torques"],
+    asked_arms: ["the arm", "the arms", "the arms"],
     asked_positions: "the skeleton also at {list}",
     asked_assembly: "the other assembly",
 
@@ -633,6 +639,9 @@ const ARABIC: Words = Words {
     asked_accelerations: ["التسارع", "التسارعان", "التسارعات"],
     asked_radii: ["نصف قطر الانحناء", "نصفا قطري الانحناء", "أنصاف أقطار الانحناء"],
     asked_alphas: ["التسارع الزاوي", "التسارعان الزاويان", "التسارعات الزاوية"],
+    asked_forces: ["القوة", "القوتان", "القوى"],
+    asked_torques: ["العزم", "العزمان", "العزوم"],
+    asked_arms: ["الذراع", "الذراعان", "الأذرع"],
     asked_positions: "المخطط الحركي أيضا عند {list}",
     asked_assembly: "التجميع الآخر للتركيبة",
 
@@ -874,6 +883,9 @@ const ARABIC_AJALA: Words = Words {
     asked_accelerations: ["العجلة", "العجلتان", "العجلات"],
     asked_radii: ["نصف قطر الانحناء", "نصفا قطري الانحناء", "أنصاف أقطار الانحناء"],
     asked_alphas: ["العجلة الزاوية", "العجلتان الزاويتان", "العجلات الزاوية"],
+    asked_forces: ["القوة", "القوتان", "القوى"],
+    asked_torques: ["العزم", "العزمان", "العزوم"],
+    asked_arms: ["الذراع", "الذراعان", "الأذرع"],
     asked_positions: "المخطط الحركي أيضا عند {list}",
     asked_assembly: "التجميع الآخر للآلية",
 
@@ -1114,6 +1126,9 @@ const PERSIAN: Words = Words {
     asked_accelerations: ["شتاب", "شتاب‌های", "شتاب‌های"],
     asked_radii: ["شعاع انحنا", "شعاع‌های انحنا", "شعاع‌های انحنا"],
     asked_alphas: ["شتاب زاویه‌ای", "شتاب‌های زاویه‌ای", "شتاب‌های زاویه‌ای"],
+    asked_forces: ["نیرو", "نیروهای", "نیروهای"],
+    asked_torques: ["گشتاور", "گشتاورهای", "گشتاورهای"],
+    asked_arms: ["بازوی", "بازوهای", "بازوهای"],
     asked_positions: "دیاگرام سینماتیکی در {list} نیز",
     asked_assembly: "حالت مونتاژ دیگر مکانیزم",
 
