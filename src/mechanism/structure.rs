@@ -1350,5 +1350,11 @@ fn subgroups(
         sub.after.clear();
     }
     let known = |g: &Group| !matches!(g.kind, GroupKind::Other | GroupKind::Higher { .. });
-    (!groups.is_empty() && groups.iter().all(known)).then_some(groups)
+    // One group does where it finds every joint: what hangs on a dangling block is found by none.
+    let found = |point: &PointId| {
+        let on = |g: &Group| mechanism.point(*point).links.iter().any(|link| g.links.contains(link));
+        groups.iter().any(|g| g.points.contains(point) || on(g))
+    };
+    let whole = groups.len() > 1 || !groups.is_empty() && group.points.iter().all(found);
+    (whole && groups.iter().all(known)).then_some(groups)
 }

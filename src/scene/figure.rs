@@ -230,13 +230,20 @@ fn driven(point: PointId, stands: &[bool], draft: &Draft<'_>) -> Option<Stated> 
 
 /// Why no point of these can be drawn next.
 fn unordered(open: &[Stated], wanted: &[PointId], draft: &Draft<'_>) -> Fault {
-    if let Some(&missing) = wanted.first() {
-        let by = open.iter().find(|stated| hangs_on(stated).any(|p| p == missing));
-        let (at, of) = by.map_or((0, missing), |stated| (stated.at, stated.point));
-        let (missing, of) = (draft.say_point(missing), draft.say_point(of));
+    if let Some(&wanted) = wanted.first() {
+        let by = open.iter().find(|stated| hangs_on(stated).any(|p| p == wanted));
+        let (at, of) = by.map_or((0, wanted), |stated| (stated.at, stated.point));
+        let (missing, of) = (draft.say_point(wanted), draft.say_point(of));
         let what = format!("{of} is stated from {missing}, which does not stand: it has no place of its own");
-        return Fault::new(at, what)
-            .mend(format!("fix {missing}, or give its place in `placed` or by two loci in `where`"));
+        // A placed point that dimensions or guides bind follows from them.
+        let mend = if draft.mechanism.point(wanted).place.hint().is_some() {
+            format!(
+                "{missing} follows from given dimensions: state it by two loci in `where`, or leave them out"
+            )
+        } else {
+            format!("fix {missing}, or give its place in `placed` or by two loci in `where`")
+        };
+        return Fault::new(at, what).mend(mend);
     }
     // Every point depends on another one: follow them until one comes again.
     let mut way: Vec<&Stated> = Vec::new();

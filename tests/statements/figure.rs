@@ -97,7 +97,10 @@ pub(crate) fn restate(scene: &mut Value, m: &Mechanism, units: Units, dice: &mut
             placed.insert(name, json!({ "at": plus(at, off, 1.0), "within": room }));
             ways.push("with room");
         }
-        stands.push(point);
+        // What dimensions bind follows from them, and nothing is stated from it.
+        if said.contains_key(&m.points[point].name) {
+            stands.push(point);
+        }
     }
     for (key, map) in [("placed", placed), ("where", said), ("near", near)] {
         if map.is_empty() {

@@ -13,6 +13,7 @@
 
 mod asked;
 mod campaign;
+mod facts;
 mod figure;
 mod grow;
 mod jet;
