@@ -169,7 +169,12 @@ impl Draughtsman<'_> {
 
     /// A rough place of a point, metres in the world: it chooses between assemblies.
     pub(super) fn hint_of(&self, point: PointId) -> Option<[f64; 2]> {
-        self.mechanism.point(point).place.hint().or(self.stated_hints[point.0])
+        let origin = self.origin_of_space().map(|g| g.value);
+        let stands = || {
+            let at = self.pricked[point.0]?.value();
+            Some([0, 1].map(|k| origin[k] + at[k] * self.scales.length()))
+        };
+        self.mechanism.point(point).place.hint().or(self.stated_hints[point.0]).or_else(stands)
     }
 
     /// That rough place as millimetres of the skeleton.

@@ -387,7 +387,10 @@ fn link_bond(point: PointId, link: LinkId, known: &[bool], draft: &Draft<'_>) ->
     }
     let &other = of.points.iter().find(|p| **p != point && known[p.0])?;
     Some(match of.form {
-        Form::Length(radius) if of.extra.is_empty() => Bond::Locus(Locus::Circle { centre: other, radius }),
+        // A circle can be drawn before the skeleton only about what is given or stated, not about what an input leads to.
+        Form::Length(radius) if of.extra.is_empty() && draft.is_exact(other) => {
+            Bond::Locus(Locus::Circle { centre: other, radius })
+        }
         _ => Bond::Derived,
     })
 }
