@@ -240,6 +240,7 @@ fn of_transfer(mechanism: &Mechanism, transfer: &Transfer, all: &mut Vec<Told>) 
     let mut speeds: Vec<(PointId, f64)> = Vec::new();
     // Of the point of a link under a pin of another.
     let mut under: Vec<(PointId, LinkId, f64)> = Vec::new();
+    let mut relative: Vec<(Quantity, f64)> = Vec::new();
     for act in &transfer.acts {
         match *act {
             TransferAct::Ratio { input, link, omegas, .. } => {
@@ -255,6 +256,7 @@ fn of_transfer(mechanism: &Mechanism, transfer: &Transfer, all: &mut Vec<Told>) 
                     under.push((point, link, speed));
                 }
             }
+            TransferAct::Difference { quantity, speed, .. } => relative.push((quantity, speed)),
             TransferAct::Gauge { point, speed, .. } | TransferAct::Parallel { to: point, speed, .. } => {
                 speeds.push((point, speed));
             }
@@ -265,17 +267,19 @@ fn of_transfer(mechanism: &Mechanism, transfer: &Transfer, all: &mut Vec<Told>) 
         }
     }
     for ink in &transfer.ink {
-        let (at, tip, point) = match *ink {
+        let speed =
+            |at: [f64; 2], tip: [f64; 2]| libm::hypot(tip[0] - at[0], tip[1] - at[1]) * transfer.si_per_mm;
+        match *ink {
             TransferInk::Velocity { at, tip, of: Spot::Point(point) }
-            | TransferInk::Turned { at, tip, of: point } => (at, tip, point),
-            _ => continue,
-        };
-        // An arrow does not tell of which link it is the point.
-        if under.iter().any(|(pin, ..)| *pin == point) {
-            continue;
+            | TransferInk::Turned { at, tip, of: point } => speeds.push((point, speed(at, tip))),
+            TransferInk::Velocity { at, tip, of: Spot::Under(point, link) } => {
+                under.push((point, link, speed(at, tip)));
+            }
+            TransferInk::Difference { from, to, of, .. } => relative.push((of, speed(from, to))),
+            _ => {}
         }
-        speeds.push((point, libm::hypot(tip[0] - at[0], tip[1] - at[1]) * transfer.si_per_mm));
     }
+    all.extend(relative.into_iter().map(|(quantity, speed)| Told::Size(quantity, speed)));
     let carried = |(point, link, speed)| Told::Size(Quantity::CoincidentVelocity(point, link), speed);
     all.extend(under.into_iter().map(carried));
     all.extend(speeds.into_iter().map(|(point, speed)| Told::Size(Quantity::Velocity(point), speed)));

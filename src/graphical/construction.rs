@@ -260,6 +260,8 @@ pub enum Spot {
     Point(PointId),
     /// The centre of two links, the lower first.
     Centre([LinkId; 2]),
+    /// The point of a link under a pin of another.
+    Under(PointId, LinkId),
 }
 
 /// A calculation or reading of a transfer. Lengths of paper in mm, the rest SI.
@@ -307,6 +309,19 @@ pub enum TransferAct {
         /// The link.
         link: LinkId,
         /// V, not negative.
+        speed: f64,
+    },
+    /// The velocity of one point against another: the difference of two that stand at one place.
+    Difference {
+        /// The relative velocity.
+        quantity: Quantity,
+        /// Whose velocity it is.
+        of: Spot,
+        /// Against whose.
+        against: Spot,
+        /// From tip to tip on paper.
+        mm: f64,
+        /// Its magnitude, not negative.
         speed: f64,
     },
     /// V of a point read at the gauge line.
@@ -388,6 +403,17 @@ pub enum TransferInk {
         tip: Mm2,
         /// Whose velocity.
         of: Spot,
+    },
+    /// A relative velocity, from the tip of one arrow to that of another at the same place.
+    Difference {
+        /// Where both arrows stand.
+        foot: Mm2,
+        /// The tip of the arrow that is taken away.
+        from: Mm2,
+        /// The tip of the other.
+        to: Mm2,
+        /// The relative velocity.
+        of: Quantity,
     },
     /// A velocity's arrow turned by 90°: A A′.
     Turned {

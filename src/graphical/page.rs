@@ -111,9 +111,9 @@ fn transferred(transfer: &mut Transfer, by: Scales, si_per_mm: f64) {
             TransferAct::CommonSpeed { mm, .. }
             | TransferAct::AboutPole { mm, .. }
             | TransferAct::Omega { mm, .. } => *mm *= by.length(),
-            TransferAct::Gauge { mm, .. } | TransferAct::Parallel { mm, .. } => {
-                *mm *= by.of(Dimension::Velocity)
-            }
+            TransferAct::Difference { mm, .. }
+            | TransferAct::Gauge { mm, .. }
+            | TransferAct::Parallel { mm, .. } => *mm *= by.of(Dimension::Velocity),
             // A′B′ is AB and what the velocity adds to it.
             TransferAct::OmegaByParallel { mm: [longer, own], .. } => {
                 *longer = *own * by.length() + (*longer - *own) * by.of(Dimension::Velocity);
@@ -131,6 +131,11 @@ fn transferred(transfer: &mut Transfer, by: Scales, si_per_mm: f64) {
             TransferInk::Velocity { at, tip: head, .. } | TransferInk::Turned { at, tip: head, .. } => {
                 tip(*at, head, by);
                 scale(at, by.length());
+            }
+            TransferInk::Difference { foot, from, to, .. } => {
+                tip(*foot, from, by);
+                tip(*foot, to, by);
+                scale(foot, by.length());
             }
             TransferInk::Gauge { from, to, foot } => {
                 tip(*foot, to, by);

@@ -69,8 +69,8 @@ pub struct DiagramExtent {
     pub size: [f64; 2],
     /// Its points with the pole, SI, without those of trials.
     pub points: Vec<[f64; 2]>,
-    /// How many vectors it has.
-    pub vectors: usize,
+    /// Its vectors from tail to head, SI, without those of trials.
+    pub vectors: Vec<[[f64; 2]; 2]>,
 }
 
 /// How much there is to be told of the steps.
@@ -193,12 +193,13 @@ pub(super) fn measure(record: &Construction, mechanism: &Mechanism, scales: Scal
     let drawn = record.diagrams.iter().map(|diagram| {
         let scale = scales.of(diagram.kind.dimension());
         let named = || diagram.images.iter().filter(|image| !tried(image.label)).map(|image| image.at);
-        let vectors = diagram.vectors.iter().filter(|v| !tried(v.tail) && !tried(v.head));
+        let vectors = || diagram.vectors.iter().filter(|v| !tried(v.tail) && !tried(v.head));
+        let si = |at: [f64; 2]| at.map(|x| x * scale);
         DiagramExtent {
             kind: diagram.kind,
-            size: extent(&mut named().chain(vectors.flat_map(|v| [v.from, v.to])), Some([0.0; 2]), scale),
-            points: named().map(|at| at.map(|x| x * scale)).chain([[0.0; 2]]).collect(),
-            vectors: diagram.vectors.len(),
+            size: extent(&mut named().chain(vectors().flat_map(|v| [v.from, v.to])), Some([0.0; 2]), scale),
+            points: named().map(si).chain([[0.0; 2]]).collect(),
+            vectors: vectors().map(|v| [si(v.from), si(v.to)]).collect(),
         }
     });
     let mut diagrams: Vec<DiagramExtent> = drawn.collect();
@@ -212,8 +213,12 @@ pub(super) fn measure(record: &Construction, mechanism: &Mechanism, scales: Scal
         });
     let longest = arrows.fold(0.0, f64::max);
     if longest > 0.0 && record.diagram(DiagramKind::Velocity).is_none() {
-        let arrows =
-            DiagramExtent { kind: DiagramKind::Velocity, size: [longest; 2], points: Vec::new(), vectors: 0 };
+        let arrows = DiagramExtent {
+            kind: DiagramKind::Velocity,
+            size: [longest; 2],
+            points: Vec::new(),
+            vectors: Vec::new(),
+        };
         diagrams.insert(0, arrows);
     }
     let places = || record.space.places.iter().flatten().copied();

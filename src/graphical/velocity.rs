@@ -18,7 +18,7 @@ use crate::mechanism::structure::{Drive, Group, GroupKind, Target, Unknown};
 use crate::mechanism::{Input, LinkId, Path, PointId, Rider, Roll};
 use crate::plan::{GroupStep, Plan};
 
-use super::construction::{Act, Calculation, Claim, Label, Reference, VectorKind};
+use super::construction::{Act, Calculation, Claim, Label, Reference, Vector, VectorKind};
 use super::draughtsman::Draughtsman;
 use super::dyad::Route;
 use super::missing::Missing;
@@ -160,20 +160,9 @@ impl Draughtsman<'_> {
     /// V = ω l of each wanted point of a link whose ω is known, about its base.
     pub(super) fn driven_velocities(&mut self, step: &GroupStep, link: LinkId, base: PointId) {
         for &(_, point) in &step.points {
-            let image = self.velocity_about(link, base, point);
+            let image = self.turned_about(link, base, point);
             let image = self.note_image(Order::Velocity, point, image);
-            let from = self.image(Order::Velocity, base);
-            let claim = Claim::Perpendicular(Reference::Points(base, point));
-            let quantity = self.relative_velocity(point, base);
-            let vector = self.note_vector(
-                Order::Velocity,
-                (self.kind_of(base), quantity, Some(claim)),
-                (self.label(base), from),
-                (self.label(point), image),
-            );
-            let (a, b) = (from.value(), image.value());
-            let mm = libm::hypot(b[0] - a[0], b[1] - a[1]);
-            self.act(Act::LayOffVector { vector, value: mm * self.scales.of(Dimension::Velocity), mm });
+            self.note_turned(link, base, point, image);
             if !self.mechanism.is_fixed(base) {
                 let label = self.label(point);
                 self.absolute_vector(Order::Velocity, Quantity::Velocity(point), label, image);
@@ -620,8 +609,15 @@ impl Draughtsman<'_> {
         self.motion_mut(order).rotations[link.0] = Some(rate);
     }
 
-    /// The vector from the pole to an image.
+    /// The vector from the pole to an image, read; one that was laid off from the pole stands there already.
     pub(super) fn absolute_vector(&mut self, order: Order, quantity: Quantity, label: Label, image: Point) {
+        let stands = self.polygon(order).is_some_and(|polygon| {
+            let same = |v: &Vector| (v.quantity, v.tail, v.head) == (quantity, Label::Pole, label);
+            polygon.vectors.iter().any(same)
+        });
+        if stands {
+            return;
+        }
         let pole = self.board.origin();
         let vector = self.note_vector(
             order,
@@ -693,17 +689,55 @@ impl Draughtsman<'_> {
 
     /// V = ω l about a point whose image is known, laid off perpendicular in the sense of ω.
     pub(super) fn velocity_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point {
+        let image = self.turned_about(link, base, point);
+        self.note_turned(link, base, point, image);
+        image
+    }
+
+    /// What a link's rotation gives a point seen from another: V_BA, or V_B about a fixed point.
+    fn turning_velocity(&self, link: LinkId, base: PointId, point: PointId) -> Quantity {
+        if self.mechanism.link(link).points.contains(&point) {
+            self.relative_velocity(point, base)
+        } else {
+            Quantity::CoincidentVelocity(point, link)
+        }
+    }
+
+    /// Notes the vector that a link's rotation gives, and that it is laid off.
+    fn note_turned(&mut self, link: LinkId, base: PointId, point: PointId, image: Point) {
+        let from = self.image(Order::Velocity, base);
+        let claim = Claim::Perpendicular(Reference::Points(base, point));
+        let quantity = self.turning_velocity(link, base, point);
+        let vector = self.note_vector(
+            Order::Velocity,
+            (self.kind_of(base), quantity, Some(claim)),
+            (self.label(base), from),
+            (self.label_under(point, link), image),
+        );
+        let (a, b) = (from.value(), image.value());
+        let mm = libm::hypot(b[0] - a[0], b[1] - a[1]);
+        self.act(Act::LayOffVector { vector, value: mm * self.scales.of(Dimension::Velocity), mm });
+    }
+
+    /// Whether the scene states the speed of this point about this base: then nothing is calculated.
+    fn is_stated_speed(&self, link: LinkId, base: PointId, point: PointId) -> bool {
+        self.mechanism.inputs.iter().any(|input| {
+            let Input::Speed { link: of, point: its, .. } = *input else { return false };
+            (of, its) == (link, point) && self.mechanism.link(link).points.first() == Some(&base)
+        })
+    }
+
+    /// The image that V = ω l leads to from that of a point, and the calculation.
+    fn turned_about(&mut self, link: LinkId, base: PointId, point: PointId) -> Point {
         let scale = self.polygon_scale(Order::Velocity);
         let omega = self.rate(Order::Velocity, link);
         let length = self.length_to(link, base, point);
         let speed = self.board.product(omega, length);
-        let quantity = if self.mechanism.link(link).points.contains(&point) {
-            self.relative_velocity(point, base)
-        } else {
-            Quantity::CoincidentVelocity(point, link)
-        };
-        let ends = [base, point];
-        self.act_turning(Order::Velocity, quantity, link, ends, [omega, length, speed]);
+        let quantity = self.turning_velocity(link, base, point);
+        if !self.is_stated_speed(link, base, point) {
+            let ends = [base, point];
+            self.act_turning(Order::Velocity, quantity, link, ends, [omega, length, speed]);
+        }
         let square = self.square_to(link, base, point);
         let mm = self.board.to_paper(speed, scale);
         let from = self.image(Order::Velocity, base);

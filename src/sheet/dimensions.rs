@@ -26,6 +26,9 @@ const TYPE: f64 = 0.95 * SMALL;
 /// Dimension lines that disturb more than this are left out; the given data name every dimension in words.
 const WORST: f64 = 75.0;
 
+/// The class of a dimension's text.
+pub(super) const CLASS: &str = "label dimension";
+
 /// A dimension as it is drawn.
 pub(super) struct Drawn {
     /// How much it disturbs.
@@ -172,7 +175,7 @@ impl Artist<'_> {
         let own = drawn(span);
         ink.extend(&own);
         let [from, to] = span.ends;
-        let mut request = Request::new(text, TYPE, Site::Along { from, to }, "label dimension");
+        let mut request = Request::new(text, TYPE, Site::Along { from, to }, CLASS);
         request.leader = true;
         all.push(Drawn { cost, ink: own, text: request, places });
     }
@@ -242,7 +245,7 @@ impl Artist<'_> {
             own.mark(head(tip, (tip - from).normalize(), HEAD * 0.8));
             ink.extend(&own);
             let text = Rich::italic("R").up("\u{2009}").then(&self.stated(radius));
-            let mut request = Request::new(text, TYPE, Site::Along { from, to: tip }, "label dimension");
+            let mut request = Request::new(text, TYPE, Site::Along { from, to: tip }, CLASS);
             request.leader = true;
             all.push(Drawn { cost, ink: own, text: request, places: None });
         }
@@ -261,8 +264,7 @@ impl Artist<'_> {
             let at = on_circle(vertex, radius, start + angle.value / 2.0);
             let toward = Some(start + angle.value / 2.0);
             let text = human::degrees(angle.value.abs());
-            let mut request =
-                Request::new(text, TYPE, Site::Around { at, radius: 0.3, toward }, "label dimension");
+            let mut request = Request::new(text, TYPE, Site::Around { at, radius: 0.3, toward }, CLASS);
             request.leader = true;
             all.push(Drawn { cost: 0.0, ink: own, text: request, places: None });
         }

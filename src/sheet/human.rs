@@ -119,7 +119,7 @@ pub fn with_unit(number: &Rich, symbol: &str) -> Rich {
 /// `cm/s^2` as `cm/s²`.
 #[must_use]
 pub fn pretty(symbol: &str) -> String {
-    symbol.replace("^2", "²").replace("^3", "³").replace('*', "·").replace("deg", "°")
+    symbol.replace("um", "µm").replace("^2", "²").replace("^3", "³").replace('*', "·").replace("deg", "°")
 }
 
 /// A value in a unit.
@@ -210,6 +210,11 @@ mod tests {
 
     fn plain(rich: &Rich) -> String {
         rich.set(4.0).text.content()
+    }
+
+    #[test]
+    fn units_are_written_as_in_print() {
+        assert_eq!([pretty("um"), pretty("um/s^2"), pretty("mm")], ["µm", "µm/s²", "mm"]);
     }
 
     #[test]

@@ -823,6 +823,18 @@ impl Market<'_> {
                         candidate.cost += MISREAD;
                     }
                 }
+                // What stands at the middle of a dimension line is read as its number.
+                let dimension = |i: usize| {
+                    let (j, ..) = strangers.lines[i];
+                    j != index && self.requests[j].class == super::dimensions::CLASS
+                };
+                strangers.line_grid.near(reach, strangers.lines.len(), met, near, dimension);
+                for (_, a, b) in near.iter().map(|i| strangers.lines[*i]) {
+                    let far = gap(own, a, b);
+                    if far + BESIDE < clear {
+                        candidate.cost += MISREAD + 6.0 * (clear - far);
+                    }
+                }
             }
             Site::Along { from, to } => {
                 let clear = gap(own, from, to) + BESIDE;

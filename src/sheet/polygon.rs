@@ -441,9 +441,16 @@ fn labels(
             continue;
         }
         let same = |n: &Named| n.from.distance(from) < COINCIDENT && n.to.distance(to) < COINCIDENT;
+        // What differs by a part that is drawn as a point is one stroke to the eye.
+        let joined = |one: Label, other: Label| {
+            let ends = |v: &Vector| [(v.tail, v.head), (v.head, v.tail)].contains(&(one, other));
+            one == other || polygon.vectors.iter().any(|v| v.as_point && ends(v))
+        };
+        let nearly = |n: &Named| joined(n.ends[0], vector.tail) && joined(n.ends[1], vector.head);
         let of = notation.quantity_name(vector.quantity);
-        match named.iter_mut().find(|n| same(n)) {
+        match named.iter_mut().find(|n| same(n) || nearly(n)) {
             Some(own) => {
+                own.about |= !same(own);
                 if !own.names.contains(&name) {
                     own.names.push(name);
                 }
@@ -452,11 +459,20 @@ fn labels(
                 }
                 own.life = earlier(own.life, life);
             }
-            None => named.push(Named { from, to, names: vec![name], of: vec![of], life }),
+            None => named.push(Named {
+                from,
+                to,
+                ends: [vector.tail, vector.head],
+                names: vec![name],
+                about: false,
+                of: vec![of],
+                life,
+            }),
         }
     }
     for own in &named {
-        let text = Rich::join(&own.names, &Rich::upright("\u{a0}=\u{a0}"));
+        let sign = if own.about { "\u{a0}≈\u{a0}" } else { "\u{a0}=\u{a0}" };
+        let text = Rich::join(&own.names, &Rich::upright(sign));
         let site = |(from, to)| Site::Along { from, to };
         let mut sites = own.free_pieces(&named).into_iter().map(site);
         let first = sites.next().unwrap_or(site((own.from, own.to)));
@@ -473,7 +489,10 @@ fn labels(
 struct Named {
     from: Point,
     to: Point,
+    ends: [Label; 2],
     names: Vec<Rich>,
+    /// They differ by less than is drawn.
+    about: bool,
     /// The quantities, as the vectors' data call them.
     of: Vec<String>,
     life: Option<Life>,

@@ -479,16 +479,19 @@ pub(super) struct Setter {
     pub(super) marks: Vec<Mark>,
     /// Nothing is wanted but where the pen ends.
     measures: bool,
+    /// The last letter, and its face.
+    last: Option<(char, Face)>,
 }
 
 impl Setter {
     pub(super) fn new(size: f64) -> Self {
-        Self { size, pen: 0.0, runs: Vec::new(), marks: Vec::new(), measures: false }
+        Self { size, pen: 0.0, runs: Vec::new(), marks: Vec::new(), measures: false, last: None }
     }
 
     /// Sets characters at height `y`; returns where the pen ends. Leading blanks move the pen and go to
     /// the end of the run before: some viewers drop a blank at the start of a run.
     fn run(&mut self, text: &str, face: Face, size: f64, x: f64, y: f64) -> f64 {
+        self.last = text.chars().last().map(|letter| (letter, face)).or(self.last);
         if self.measures {
             return x + face.advance(text, size);
         }
@@ -504,6 +507,16 @@ impl Setter {
             self.runs.push(Run { text: trimmed.to_owned(), face, size, at: Point::new(x + blank, y) });
         }
         x + face.advance(text, size)
+    }
+
+    /// How far the last letter leans over its own width at the height of a prime, in its size: an f runs into what
+    /// follows.
+    fn lean(&self) -> f64 {
+        /// Letters that lean less leave room for a prime.
+        const LEAST: f64 = 0.1;
+        let last = self.last.map(|(letter, face)| (letter.to_string(), face));
+        let lean = last.and_then(|(text, face)| Some(face.ink(&text, 1.0)?.x1 - face.advance(&text, 1.0)));
+        lean.filter(|lean| *lean > LEAST).unwrap_or(0.0)
     }
 
     pub(super) fn piece(&mut self, piece: &Piece) {
@@ -535,7 +548,7 @@ impl Setter {
                     // Primes are raised in the font itself.
                     let prime = text.chars().all(|c| c == '′' || c == '″');
                     x = if prime {
-                        self.run(text, *face, em, x - 0.09 * em, 0.0)
+                        self.run(text, *face, em, x + (self.lean() - 0.09) * em, 0.0)
                     } else {
                         self.run(text, *face, small, x, -RAISE * em)
                     };
@@ -568,6 +581,19 @@ impl Setter {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_prime_stands_clear_of_a_letter_that_leans() {
+        let room = |letter: &str| {
+            let line = Rich::italic(letter).scripts("′", Face::Italic, "").set(10.0);
+            let [letter, prime] = &line.text.runs[..] else { panic!("{line:?}") };
+            let ink = |run: &Run| run.face.ink(&run.text, run.size).unwrap() + run.at.to_vec2();
+            ink(prime).x0 - ink(letter).x1
+        };
+        for upright in ["a", "b", "o"] {
+            assert!(room("f") > room(upright) - 0.1, "{} {upright} {}", room("f"), room(upright));
+        }
+    }
 
     #[test]
     fn scripts_stand_one_above_the_other() {

@@ -1,6 +1,12 @@
 //! Round scales: 1, 2, 2.5, 5 × 10ⁿ.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use kurbo::{Point, Rect, Vec2};
+
 use super::compose::free_paper;
+use super::overlap::clip;
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::graphical::{Extents, Scales};
@@ -23,10 +29,14 @@ pub const HALF_POLYGON: (f64, f64) = (73.0, 78.0);
 pub const LONE_POLYGON: (f64, f64) = (150.0, 78.0);
 /// Room for a polygon that has the row to itself.
 pub const POLYGON: (f64, f64) = (150.0, 108.0);
+/// Room for a polygon that has more than half of a page.
+pub const HALF_PAGE_POLYGON: (f64, f64) = (158.0, 150.0);
 /// Room for a polygon that has a page to itself.
 pub const PAGE_POLYGON: (f64, f64) = (158.0, 205.0);
 /// Room for a skeleton that has the row to itself.
 pub const ROW_SKELETON: (f64, f64) = (150.0, 104.0);
+/// Room for a skeleton that has more than half of a page.
+pub const HALF_PAGE_SKELETON: (f64, f64) = (155.0, 138.0);
 /// Room for a skeleton that has a page to itself.
 pub const PAGE_SKELETON: (f64, f64) = (155.0, 180.0);
 /// Points of a polygon that are not one stand so far apart on paper, mm, where the paper suffices.
@@ -115,7 +125,7 @@ fn largest(extents: &Extents, dimension: Dimension) -> Option<[f64; 2]> {
 }
 
 /// How much wider and higher than those of upright A4 the panels are.
-fn stretch(scene: &Scene) -> (f64, f64) {
+pub(super) fn stretch(scene: &Scene) -> (f64, f64) {
     let (width, height) = free_paper(scene);
     let (wide, high) = (width / 176.0, height / 263.0);
     (wide, high.max((wide * high).sqrt()).min(height / 120.0))
@@ -131,7 +141,7 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
         unit: scene.units.length.si,
         stated: stated(scene, Dimension::Length),
         points: &extents.joints,
-        vectors: 0,
+        vectors: &[],
     };
     let diagrams = extents.diagrams.iter().map(|extent| {
         let dimension = extent.kind.dimension();
@@ -141,7 +151,7 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
             unit: unit(scene, dimension),
             stated: stated(scene, dimension),
             points: &extent.points,
-            vectors: extent.vectors,
+            vectors: &extent.vectors,
         }
     });
     let choices = Choices {
@@ -150,6 +160,7 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
         paper: free_paper(scene),
         extents: &extents,
         asked: scene.mechanism.asked.len(),
+        known: RefCell::default(),
     };
     let best = choices.best();
     Scales::new(|dimension| {
@@ -164,11 +175,12 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
 enum Room {
     Shared,
     Row,
+    Half,
     Page,
 }
 
 impl Room {
-    const ALL: [Self; 3] = [Self::Shared, Self::Row, Self::Page];
+    const ALL: [Self; 4] = [Self::Shared, Self::Row, Self::Half, Self::Page];
 }
 
 /// A diagram whose scale is to be chosen.
@@ -182,7 +194,8 @@ struct Choice<'a> {
     stated: Option<f64>,
     /// Its points, SI; of arrows on the skeleton, which are no diagram, none.
     points: &'a [[f64; 2]],
-    vectors: usize,
+    /// Its vectors from tail to head, SI.
+    vectors: &'a [[[f64; 2]; 2]],
 }
 
 /// What the scales of all diagrams are chosen by.
@@ -195,16 +208,24 @@ struct Choices<'a> {
     extents: &'a Extents,
     /// How many results there are.
     asked: usize,
+    /// How many names find no room, by diagram and bits of its scale.
+    known: RefCell<HashMap<(usize, u64), usize>>,
 }
 
 /// Scales of all diagrams, SI per mm; none where nothing has a size.
 type Chosen = Vec<Option<f64>>;
 
 impl Choices<'_> {
-    /// The scales at which what crowds has room, and beyond these the largest for which the sheet needs no further page.
+    /// The scales at which what crowds has room, and beyond these the largest for which the sheet needs no further page;
+    /// then larger ones on the same pages where names found no room or a diagram is small.
     fn best(&self) -> Chosen {
+        /// What a name that finds no room, or a diagram that is too small, weighs against millimetres of size.
+        const LACK: f64 = 25.0;
         /// Estimates of heights err by about so much, mm.
         const SPARE: f64 = 22.0;
+        /// What cannot be read is worth trying: the lines of steps can stand nearer to each other, where these are few.
+        const TIGHTER: f64 = -8.0;
+        const FEW: usize = 2;
         let count = self.all.len();
         let mut rooms = vec![Room::Shared; count];
         for i in 0..count {
@@ -219,39 +240,82 @@ impl Choices<'_> {
             }
         }
         let pages = self.pages(&self.scales(&rooms), 0.0);
-        let mut best = (0.0, self.scales(&rooms));
-        for wider in self.wider(&rooms) {
-            let scales = self.scales(&wider);
-            if self.pages(&scales, SPARE) > pages {
-                continue;
-            }
-            let gain: f64 = (0..count).map(|i| self.gain(i, scales[i])).sum();
-            if gain > best.0 {
-                best = (gain, scales);
-            }
+        let size = |scales: &Chosen| (0..count).map(|i| self.gain(i, scales[i])).sum::<f64>();
+        let first_of_largest = |ways: Vec<Chosen>, worth: &dyn Fn(&Chosen) -> f64| {
+            ways.into_iter().reduce(|best, way| if worth(&way) > worth(&best) { way } else { best })
+        };
+        let mut ways = self.wider(&rooms, |_| false);
+        ways.retain(|scales| self.pages(scales, SPARE) <= pages);
+        let roomy = first_of_largest(ways, &size).unwrap_or_else(|| self.scales(&rooms));
+        let lacking = self.lack(&roomy);
+        if lacking == 0 {
+            return roomy;
         }
-        best.1
+        let spare = if pages <= FEW { TIGHTER } else { 0.0 };
+        let mut ways = self.wider(&rooms, |i| self.nameless(i, roomy[i]) > 0);
+        ways.retain(|scales| {
+            let smaller = scales.iter().zip(&roomy).any(|(new, old)| new > old);
+            !smaller && self.lack(scales) < lacking && self.pages(scales, spare) <= pages
+        });
+        first_of_largest(ways, &|scales| size(scales) - LACK * self.lack(scales) as f64).unwrap_or(roomy)
     }
 
-    /// All ways of giving diagrams the room that they have, or more: to fill a page a row is enough.
-    fn wider(&self, rooms: &[Room]) -> Vec<Vec<Room>> {
+    /// All ways of giving diagrams the room that they have, or more: to fill a page a row is enough, but for what may have
+    /// a page to itself.
+    fn wider(&self, rooms: &[Room], may_have_a_page: impl Fn(usize) -> bool) -> Vec<Chosen> {
         let mut ways: Vec<Vec<Room>> = vec![Vec::new()];
-        for &own in rooms {
-            let larger = Room::ALL.into_iter().filter(|room| *room >= own && *room <= Room::Row.max(own));
+        for (i, &own) in rooms.iter().enumerate() {
+            let most = if may_have_a_page(i) { Room::Page } else { Room::Row.max(own) };
+            let larger = Room::ALL.into_iter().filter(|room| *room >= own && *room <= most);
             let larger: Vec<Room> = larger.collect();
             ways = ways
                 .into_iter()
                 .flat_map(|way| larger.iter().map(move |room| [&way[..], &[*room]].concat()))
                 .collect();
         }
-        ways
+        ways.iter().map(|way| self.scales(way)).collect()
     }
 
     /// How large a diagram is to the eye: what fills a quarter of a page is large enough.
     fn gain(&self, i: usize, scale: Option<f64>) -> f64 {
         let Some(scale) = scale else { return 0.0 };
         let [w, h] = self.all[i].size.map(|side| side / scale);
-        (w * h).sqrt().max(0.6 * w.max(h)).min(115.0)
+        (w * h).sqrt().max(0.6 * w.max(h)).min(self.enough())
+    }
+
+    /// What fills a quarter of upright A4; on a larger page it is larger.
+    fn enough(&self) -> f64 {
+        let (wide, high) = self.stretch;
+        115.0 * (wide * high).sqrt().max(1.0)
+    }
+
+    /// How many names find no room, and how many diagrams are too small for their page.
+    fn lack(&self, scales: &[Option<f64>]) -> usize {
+        /// Part of what is large enough.
+        const SMALL: f64 = 0.35;
+        let small = |i: usize| scales[i].is_some() && self.gain(i, scales[i]) < SMALL * self.enough();
+        (0..self.all.len()).map(|i| self.nameless(i, scales[i]) + usize::from(small(i))).sum()
+    }
+
+    /// How many names of a diagram find no room beside what they name.
+    fn nameless(&self, i: usize, scale: Option<f64>) -> usize {
+        /// Where there are more nobody reads them one by one.
+        const MOST: usize = 300;
+        let choice = &self.all[i];
+        let Some(scale) = scale.filter(|_| choice.vectors.len() <= MOST) else { return 0 };
+        // Most ways of giving room lead to the same few scales.
+        let key = (i, scale.to_bits());
+        if let Some(known) = self.known.borrow().get(&key) {
+            return *known;
+        }
+        let paper = |at: &[f64; 2]| Point::new(at[0] / scale, at[1] / scale);
+        let points: Vec<Point> = choice.points.iter().map(paper).collect();
+        let vectors: Vec<(Point, Point)> =
+            choice.vectors.iter().map(|[from, to]| (paper(from), paper(to))).collect();
+        // The names of a skeleton have the whole page about it.
+        let without = if i == 0 { 0 } else { names_without_room(&points, &vectors) };
+        self.known.borrow_mut().insert(key, without);
+        without
     }
 
     fn scales(&self, rooms: &[Room]) -> Chosen {
@@ -263,6 +327,7 @@ impl Choices<'_> {
         let skeleton = match rooms[0] {
             Room::Shared => fit(SKELETON).zip(fit(LONG_SKELETON)).map(|(a, b)| a.min(b)),
             Room::Row => fit(ROW_SKELETON),
+            Room::Half => fit(HALF_PAGE_SKELETON),
             Room::Page => fit(PAGE_SKELETON),
         };
         let mut scales = vec![skeleton];
@@ -276,6 +341,7 @@ impl Choices<'_> {
                 _ if choice.points.is_empty() => continue,
                 Room::Shared => continue,
                 Room::Row => POLYGON,
+                Room::Half => HALF_PAGE_POLYGON,
                 Room::Page => PAGE_POLYGON,
             };
             let wider = choose_for(w, h, below(stretched(room)), choice.unit);
@@ -290,7 +356,7 @@ impl Choices<'_> {
         let choice = &self.all[i];
         let apart = if i == 0 { JOINTS_APART } else { APART };
         let near = too_near(choice.points, apart * scale);
-        let names = if i == 0 { 0 } else { choice.vectors + choice.points.len() };
+        let names = if i == 0 { 0 } else { choice.vectors.len() + choice.points.len() };
         let [w, h] = choice.size.map(|side| side / scale);
         // A flat polygon is named along its sides.
         let area = (w + 16.0) * (h + 16.0);
@@ -306,6 +372,8 @@ impl Choices<'_> {
         /// Height of a row of the result table, and of its head and end.
         const RESULT: [f64; 2] = [5.9, 9.0];
         const TALLEST_BESIDE: f64 = 112.0;
+        /// Width of the figure of centres, and of the circle diagram.
+        const CENTRES: f64 = 176.0;
         /// Width of the result table, and what stands about a skeleton.
         const BESIDE: [f64; 2] = [62.0, 34.0];
         let free = self.paper.1 - 6.0;
@@ -314,24 +382,32 @@ impl Choices<'_> {
             let scale = scales[i].filter(|_| drawn(i))?;
             Some(self.all[i].size.map(|side| side / scale))
         };
-        let mut rows: Vec<f64> = Vec::new();
         let [w, h] = size(0).unwrap_or_default();
         let table = RESULT[0] * self.asked as f64 + RESULT[1];
         let beside = w + BESIDE[1] + BESIDE[0] <= self.paper.0 && table <= TALLEST_BESIDE;
-        rows.push(if beside { f64::max(h + AROUND[1], table + 6.0) } else { h + AROUND[1] });
-        let caption = |w: f64| f64::max(w + 2.0 * NAMES, CAPTION);
-        let diagrams: Vec<Option<[f64; 2]>> = (1..self.all.len()).map(size).collect();
-        for pair in diagrams.chunks(2) {
-            match *pair {
-                [Some([w, h]), Some([ww, hh])] if caption(w) + caption(ww) <= self.paper.0 => {
-                    rows.push(h.max(hh) + AROUND[0]);
-                }
-                _ => rows.extend(pair.iter().flatten().map(|[_, h]| h + AROUND[0])),
-            }
+        let mut blocks = vec![[w + BESIDE[1], h + AROUND[1]]];
+        if beside {
+            blocks.push([BESIDE[0], table + 6.0]);
         }
+        let caption = |w: f64| f64::max(w + 2.0 * NAMES, CAPTION);
+        blocks.extend((1..self.all.len()).filter_map(size).map(|[w, h]| [caption(w), h + AROUND[0]]));
         if self.extents.circle {
-            rows.push(h + AROUND[1] + 40.0);
-            rows.push(110.0);
+            blocks.extend([[CENTRES, h + AROUND[1] + 40.0], [CENTRES, 110.0]]);
+        }
+        // Side by side as far as they fit.
+        let mut rows: Vec<f64> = Vec::new();
+        let mut used = f64::INFINITY;
+        for [width, height] in blocks {
+            match rows.last_mut().filter(|_| used + width <= self.paper.0) {
+                Some(row) => {
+                    *row = row.max(height);
+                    used += width;
+                }
+                None => {
+                    rows.push(height);
+                    used = width;
+                }
+            }
         }
         if !beside {
             rows.push(RESULT[0] * (self.asked as f64 / 2.0).ceil() + RESULT[1] + 8.0);
@@ -356,6 +432,61 @@ impl Choices<'_> {
         }
         pages
     }
+}
+
+/// How many points and vectors have no place beside them at which a name is clear of all strokes and other names, mm.
+fn names_without_room(points: &[Point], vectors: &[(Point, Point)]) -> usize {
+    /// What is nearer than this is one.
+    const SAME: f64 = 0.05;
+    /// Shorter vectors are not named.
+    const SHORTEST: f64 = 3.0;
+    /// Size of the name of a point and of a vector.
+    const NAME: [(f64, f64); 2] = [(4.0, 4.0), (7.0, 4.4)];
+    const GAP: f64 = 0.8;
+    let mut strokes: Vec<(Point, Point)> = Vec::new();
+    for &(from, to) in vectors.iter().filter(|(from, to)| from.distance(*to) > SAME) {
+        let same = |one: Point, other: Point| one.distance(from) < SAME && other.distance(to) < SAME;
+        if !strokes.iter().any(|&(a, b)| same(a, b) || same(b, a)) {
+            strokes.push((from, to));
+        }
+    }
+    strokes.sort_by(|a, b| a.0.distance(a.1).total_cmp(&b.0.distance(b.1)));
+    let mut dots: Vec<Point> = Vec::new();
+    for &at in points {
+        if !dots.iter().any(|other| other.distance(at) < SAME) {
+            dots.push(at);
+        }
+    }
+    let mut taken: Vec<Rect> = Vec::new();
+    let mut stands = |places: &mut dyn Iterator<Item = Point>, size: (f64, f64)| {
+        let free = |own: &Rect| {
+            strokes.iter().all(|(a, b)| clip(*a, *b, *own).is_none())
+                && taken.iter().all(|other| !other.overlaps(*own))
+        };
+        let found = places.map(|at| Rect::from_center_size(at, size)).find(free);
+        let stands = found.is_some();
+        taken.extend(found);
+        stands
+    };
+    let mut without = 0;
+    for at in dots {
+        let half = Vec2::new(NAME[0].0 / 2.0 + GAP, NAME[0].1 / 2.0 + GAP);
+        let mut around = (0..16).map(|k| {
+            let (sin, cos) = libm::sincos(f64::from(k) * std::f64::consts::TAU / 16.0);
+            at + Vec2::new(half.x * cos, half.y * sin) * 1.2
+        });
+        without += usize::from(!stands(&mut around, NAME[0]));
+    }
+    for &(from, to) in strokes.iter().filter(|(from, to)| from.distance(*to) >= SHORTEST) {
+        let along = (to - from).normalize();
+        let normal = Vec2::new(-along.y, along.x);
+        let reach = (normal.x.abs() * NAME[1].0 + normal.y.abs() * NAME[1].1) / 2.0 + GAP;
+        let mut beside = [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73, 0.2, 0.8]
+            .into_iter()
+            .flat_map(|t| [1.0, -1.0].map(|side| from.lerp(to, t) + normal * (side * reach)));
+        without += usize::from(!stands(&mut beside, NAME[1]));
+    }
+    without
 }
 
 /// How many points have another nearer than `least` that is not the same point.

@@ -123,7 +123,14 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
     };
     if let Some(circle) = &construction.circle {
         more(Panel::Centres, super::circle::items(circle, notation));
-        for (index, items) in super::transfer::items(circle, construction, notation).into_iter().enumerate() {
+        for (index, mut items) in
+            super::transfer::items(circle, construction, notation).into_iter().enumerate()
+        {
+            // Where no polygon is drawn, velocities begin here.
+            if let Some(lines) = conversions.take() {
+                let after_head = items.len().min(1);
+                items.splice(after_head..after_head, lines.into_iter().map(Item::Sentence));
+            }
             more(Panel::Transfer(index), unnumbered(items));
         }
     }
@@ -241,7 +248,12 @@ fn read(
 ) -> Rich {
     let words = notation.words;
     let unit = notation.unit(polygon.kind.dimension());
-    if value != 0.0 && mm < TOO_SHORT {
+    if value == 0.0 {
+        let [tail, head] =
+            [("tail", tail), ("head", head)].map(|(name, label)| (name, notation.image(label, polygon.kind)));
+        return Rich::fill(words.vector_is_zero, &[("vector", vector), tail, head]);
+    }
+    if mm < TOO_SHORT {
         let amount = human::quantity(value, &unit);
         return Rich::fill(words.too_short, &[("vector", vector), ("value", amount)]);
     }
@@ -265,13 +277,20 @@ struct Known<'a> {
 
 impl<'a> Known<'a> {
     fn given(construction: &'a Construction, notation: &'a Notation<'a>) -> Self {
-        let inputs = notation.mechanism().inputs.iter().flat_map(|input| match input {
-            Input::Angle { link, .. } | Input::Speed { link, .. } => {
-                vec![Quantity::Omega(*link), Quantity::Alpha(*link)]
+        let mechanism = notation.mechanism();
+        let inputs = mechanism.inputs.iter().flat_map(|input| match *input {
+            Input::Angle { link, .. } => vec![Quantity::Omega(link), Quantity::Alpha(link)],
+            Input::Speed { link, point, .. } => {
+                let first = mechanism.link(link).points.first();
+                let stated = first.map(|first| Quantity::RelativeVelocity(point, *first));
+                stated.into_iter().chain([Quantity::Alpha(link)]).collect()
             }
             Input::Slide { .. } => Vec::new(),
         });
-        Self { quantities: inputs.collect(), construction, notation }
+        let stated: Vec<Quantity> = inputs.collect();
+        let mut known = Self { quantities: Vec::new(), construction, notation };
+        stated.into_iter().for_each(|quantity| known.note(quantity));
+        known
     }
 
     /// Relative to a fixed point is not relative.
@@ -662,7 +681,11 @@ impl Teller<'_> {
                     ("head", image(vector.head)),
                     ("direction", self.direction_of(vector)),
                 ];
-                let template = if vector.as_point { words.vector_as_point } else { words.lay_off_vector };
+                let template = match vector {
+                    vector if vector.is_zero || *mm == 0.0 => words.vector_is_zero,
+                    vector if vector.as_point => words.vector_as_point,
+                    _ => words.lay_off_vector,
+                };
                 Rich::fill(template, &parts)
             }
             Act::DrawRay { from, claim } => {
@@ -822,7 +845,10 @@ impl Teller<'_> {
                     let points = &n.mechanism().link(*l).points;
                     points.contains(&p) && points.contains(&q)
                 };
-                let Some(link) = n.mechanism().moving().find(carries) else { return n.claim(claim) };
+                let turned = self.turned_by(vector.quantity);
+                let Some(link) = turned.or_else(|| n.mechanism().moving().find(carries)) else {
+                    return comma(n.claim(claim), self.angle_of(vector));
+                };
                 let rotation = match vector.kind {
                     VectorKind::Tangential => Quantity::Alpha(link),
                     _ => Quantity::Omega(link),
@@ -830,8 +856,42 @@ impl Teller<'_> {
                 let sense = Rich::fill(n.words.in_sense_of, &[("rotation", n.symbol(rotation, false))]);
                 comma(n.claim(claim), sense)
             }
-            _ => n.claim(claim),
+            // Its way was told with its size.
+            _ if vector.kind == VectorKind::Coriolis => n.claim(claim),
+            _ => comma(n.claim(claim), self.way_of(vector)),
         }
+    }
+
+    /// The link from whose rotation a vector was calculated in this step.
+    fn turned_by(&self, of: Quantity) -> Option<LinkId> {
+        self.step.acts.iter().find_map(|act| match act {
+            Act::Calculate(
+                Calculation::Speed { quantity, link, .. } | Calculation::Tangential { quantity, link, .. },
+            ) if *quantity == of => Some(*link),
+            _ => None,
+        })
+    }
+
+    /// Which of the two ways along a line a vector points: in the sense of its velocity or against it, else by its angle.
+    fn way_of(&self, vector: &Vector) -> Rich {
+        let n = self.notation;
+        let velocity = match vector.quantity {
+            Quantity::Acceleration(point) => Quantity::Velocity(point),
+            Quantity::SlipAcceleration(point, link) => Quantity::Slip(point, link),
+            _ => return self.angle_of(vector),
+        };
+        let polygon = self.construction.diagram(DiagramKind::Velocity);
+        let drawn = polygon.and_then(|polygon| polygon.vectors.iter().find(|v| v.quantity == velocity));
+        let Some(drawn) = drawn.filter(|v| !v.as_point) else { return self.angle_of(vector) };
+        let part = |axis: usize| (vector.to[axis] - vector.from[axis]) * (drawn.to[axis] - drawn.from[axis]);
+        let template = if part(0) + part(1) < 0.0 { n.words.against_sense_of } else { n.words.in_sense_of };
+        Rich::fill(template, &[("rotation", n.symbol(velocity, false))])
+    }
+
+    /// The angle of a vector from the x axis.
+    fn angle_of(&self, vector: &Vector) -> Rich {
+        let [x, y] = [0, 1].map(|axis| vector.to[axis] - vector.from[axis]);
+        Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(y, x)))
     }
 
     /// Which ω Coriolis takes, and which way it points.

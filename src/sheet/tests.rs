@@ -920,3 +920,123 @@ fn the_catalogue_has_its_titles_in_every_language() {
         }
     }
 }
+
+/// What is calculated of a vector is laid off in the same step, and what is laid off from the pole is not read after that.
+#[test]
+fn what_is_calculated_is_laid_off_and_not_read() {
+    use crate::graphical::construction::{Act, Calculation, Label};
+    let wrong = on_all_scenes(|_, construction, name| {
+        let mut all = Vec::new();
+        for step in &construction.steps {
+            let Some(diagram) = construction.diagram(step.diagram) else { continue };
+            let vector = |index: usize| &diagram.vectors[index];
+            for (i, act) in step.acts.iter().enumerate() {
+                let later = &step.acts[i..];
+                let laid_off = |quantity| {
+                    later.iter().any(|act| match act {
+                        Act::LayOffVector { vector: index, .. } => vector(*index).quantity == quantity,
+                        _ => false,
+                    })
+                };
+                match act {
+                    Act::Calculate(
+                        Calculation::Speed { quantity, .. }
+                        | Calculation::Normal { quantity, .. }
+                        | Calculation::Tangential { quantity, .. }
+                        | Calculation::Coriolis { quantity, .. }
+                        | Calculation::SlipNormal { quantity, .. },
+                    ) if !laid_off(*quantity) => all.push(format!("{name}: {quantity:?} is not laid off")),
+                    Act::LayOffVector { vector: index, .. } if vector(*index).tail == Label::Pole => {
+                        let own = vector(*index);
+                        let same = |other: usize| {
+                            let other = vector(other);
+                            (other.quantity, other.tail, other.head) == (own.quantity, own.tail, own.head)
+                        };
+                        let read = |act: &Act| matches!(act, Act::ReadVector { vector, .. } if same(*vector));
+                        if later.iter().any(read) {
+                            all.push(format!("{name}: {:?} is laid off and read", own.quantity));
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+        all
+    });
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// Two points under one pin have two names, and what one has against the other is said and drawn.
+#[test]
+fn a_transfer_by_centres_derives_what_is_asked() {
+    let (scene, construction) = in_repository("examples/centres/whitworth.json");
+    let figure = solution(&scene, &construction, Language::English);
+    let sheet = lines(&figure);
+    for line in ["ω2 = 2π × 30 / 60 = 3.14 rad/s ccw", "VA4 = ω4 (14–A)", "As vectors VA2A4 = VA2 − VA4"]
+    {
+        assert!(says(&sheet, line), "{line}: {sheet:#?}");
+    }
+    let transfer = all_of(&figure, "transfer")[0];
+    let mut arrows = Vec::new();
+    groups(transfer, "velocity vector", &mut arrows);
+    let mut of: Vec<&str> = arrows.iter().map(|arrow| data(arrow, "of")).collect();
+    of.sort_unstable();
+    assert_eq!(of, ["A", "A4", "C", "slip(A/4)"]);
+}
+
+/// A line that leads to a point of the sheet ends there, and not at an arrow in empty paper.
+#[test]
+fn lines_from_link_to_link_end_at_their_points() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/s000-ch3b-1.json");
+    let text = std::fs::read_to_string(path).unwrap();
+    for paper in ["A4", "A3 landscape"] {
+        let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        value["sheet"]["paper"] = paper.into();
+        let (scene, construction) = solved_text(&value.to_string()).unwrap();
+        let figure = solution(&scene, &construction, Language::English);
+        let lines: Vec<&Group> =
+            ["parallel", "to-pole"].into_iter().flat_map(|class| all_of(&figure, class)).collect();
+        assert!(lines.len() >= 4, "{paper}");
+        for line in lines {
+            assert_eq!(line.children.len(), 1, "{paper}: {} ends in a head", line.class);
+        }
+    }
+}
+
+/// Every vector that is laid off says which way, and no step goes in a circle.
+#[test]
+fn the_way_of_what_is_laid_off_is_said() {
+    let sheet = |path: &str| {
+        let (scene, construction) = in_repository(path);
+        lines(&solution(&scene, &construction, Language::English)).join(" ")
+    };
+    let trammel = sheet("examples/s000-ch4-4.json");
+    for line in ["∥ guide of A, ∠ 90°", "∥ guide of A, against VA"] {
+        assert!(trammel.contains(line), "{line}: {trammel}");
+    }
+    let speed = sheet("examples/s000-ch4-8-b.json");
+    assert!(speed.contains("ω4 = VB / O4B") && speed.contains("Lay off VB = ob"), "{speed}");
+    assert!(!speed.contains("Read VB") && !speed.contains("VB = ω4"), "{speed}");
+}
+
+/// A polygon whose names crowd takes the room that its page has anyway.
+#[test]
+fn a_crowded_polygon_takes_the_room_of_its_pages() {
+    for (path, per_mm) in [("examples/s000-ch4-7.json", 0.1), ("src/catalogue/coupler-slot.json", 0.5)] {
+        let (scene, construction) = in_repository(path);
+        let scale = construction.diagram(DiagramKind::Acceleration).unwrap().si_per_mm;
+        assert!((scale / per_mm - 1.0).abs() < 1e-12, "{path}: {scale}");
+        let pages = solution(&scene, &construction, Language::English).height / 297.0;
+        assert!((pages - 3.0).abs() < 1e-9, "{path}: {pages} pages");
+    }
+}
+
+/// Vectors that differ by a part which is drawn as a point are one stroke with one name.
+#[test]
+fn strokes_that_are_one_to_the_eye_are_named_once() {
+    let (scene, construction) = in_repository("src/catalogue/coupler-slot.json");
+    let figure = single(&scene, &construction, "acceleration", Language::English).unwrap();
+    let names = lines(&figure);
+    assert!(names.iter().any(|name| name == "AD ≈ AtD"), "{names:?}");
+    assert!(!names.iter().any(|name| name == "AtD" || name == "AD"), "{names:?}");
+}

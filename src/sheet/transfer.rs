@@ -21,7 +21,7 @@ use crate::plan::chord;
 
 /// Blank around the skeleton in which strokes may end.
 const BORDER: f64 = 14.0;
-/// The figure grows to this size at most for the strokes.
+/// The figure grows to this size at most for the strokes, on upright A4.
 const LARGEST: (f64, f64) = (160.0, 140.0);
 /// Shorter arrows than this are drawn as points.
 const SHORTEST: f64 = 1.0;
@@ -51,7 +51,8 @@ pub fn draw(
 ) -> Group {
     let mut group = skeleton::draw_under(construction, notation, Arrows::Inputs, None, |ink, _| {
         let strokes = strokes(transfers);
-        let window = window(&strokes, ink);
+        let (wide, high) = super::scale::stretch(notation.scene);
+        let window = window(&strokes, ink, (LARGEST.0 * wide, LARGEST.1 * high));
         let mut overlay = Overlay { ink: Group::new("strokes"), ..Overlay::default() };
         for stroke in &strokes {
             draw_stroke(stroke, window, notation, &mut overlay);
@@ -90,20 +91,30 @@ fn ends(stroke: &TransferInk) -> (Point, Point) {
         | TransferInk::ToPole { from, to }
         | TransferInk::Arc { from, to, .. }
         | TransferInk::Velocity { at: from, tip: to, .. }
-        | TransferInk::Turned { at: from, tip: to, .. } => (from, to),
+        | TransferInk::Turned { at: from, tip: to, .. }
+        | TransferInk::Difference { from, to, .. } => (from, to),
     };
     (page(*from), page(*to))
 }
 
-/// The skeleton's ink with as many ends of strokes as find room.
-fn window(strokes: &[TransferInk], skeleton: Rect) -> Rect {
-    let mut window = skeleton.inflate(BORDER, BORDER);
+/// The skeleton's ink and all arrows, with as many ends of other strokes as find room: a line ends at a point that is
+/// on the sheet.
+fn window(strokes: &[TransferInk], skeleton: Rect, largest: (f64, f64)) -> Rect {
+    let is_arrow = |stroke: &&TransferInk| {
+        matches!(
+            stroke,
+            TransferInk::Velocity { .. } | TransferInk::Turned { .. } | TransferInk::Difference { .. }
+        )
+    };
+    let arrows = strokes.iter().filter(is_arrow).map(ends).flat_map(|(a, b)| [a, b]);
+    let arrows = arrows.map(|at| Rect::from_center_size(at, (6.0, 6.0)));
+    let mut window = arrows.fold(skeleton.inflate(BORDER, BORDER), |all, own| all.union(own));
     let mut places: Vec<Point> = strokes.iter().map(ends).flat_map(|(a, b)| [a, b]).collect();
     let middle = skeleton.center();
     places.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
     for at in places {
         let grown = window.union(Rect::from_center_size(at, (6.0, 6.0)));
-        if grown.width() <= LARGEST.0.max(window.width()) && grown.height() <= LARGEST.1.max(window.height())
+        if grown.width() <= largest.0.max(window.width()) && grown.height() <= largest.1.max(window.height())
         {
             window = grown;
         }
@@ -125,7 +136,12 @@ fn draw_stroke(stroke: &TransferInk, window: Rect, notation: &Notation<'_>, over
             return;
         }
         TransferInk::Velocity { of, .. } => {
-            velocity(from, to, *of, notation, overlay);
+            velocity(from, to, (spot_velocity(*of, notation), &spot_name(*of, notation)), overlay);
+            return;
+        }
+        TransferInk::Difference { of, .. } => {
+            let name = notation.quantity_name(*of);
+            velocity(from, to, (notation.symbol(*of, false), &name), overlay);
             return;
         }
         TransferInk::Turned { of, .. } => {
@@ -219,9 +235,8 @@ fn name_turning(
     }
 }
 
-fn velocity(from: Point, to: Point, of: Spot, notation: &Notation<'_>, overlay: &mut Overlay) {
-    let symbol = spot_velocity(of, notation);
-    let mut own = Group::new("velocity vector").data("of", spot_name(of, notation));
+fn velocity(from: Point, to: Point, (symbol, of): (Rich, &str), overlay: &mut Overlay) {
+    let mut own = Group::new("velocity vector").data("of", of);
     if from.distance(to) < SHORTEST {
         own.mark(dot(from, 0.6));
         overlay.labels.push(leader(symbol.up("\u{a0}≈\u{a0}0"), from, 1.3, "label vector-name"));
@@ -282,6 +297,7 @@ fn centres(
             | TransferAct::Parallel { link, .. }
             | TransferAct::Omega { link, .. }
             | TransferAct::OmegaByParallel { link, .. } => take(&[*link]),
+            TransferAct::Difference { .. } => {}
             TransferAct::Gauge { from: Spot::Centre(links), .. } => take(links),
             TransferAct::Gauge { .. } => {}
         }
@@ -323,6 +339,7 @@ fn spot_name(spot: Spot, notation: &Notation<'_>) -> String {
     match spot {
         Spot::Point(p) => notation.point_name(p).to_owned(),
         Spot::Centre(links) => centre_name(links, notation),
+        Spot::Under(p, link) => format!("{}{}", notation.point_name(p), notation.number(link)),
     }
 }
 
@@ -330,6 +347,7 @@ fn spot_name(spot: Spot, notation: &Notation<'_>) -> String {
 fn spot_velocity(spot: Spot, notation: &Notation<'_>) -> Rich {
     match spot {
         Spot::Point(p) => notation.symbol(Quantity::Velocity(p), false),
+        Spot::Under(p, link) => notation.symbol(Quantity::CoincidentVelocity(p, link), false),
         Spot::Centre(links) => Rich::italic("V").sub(&spot_name(Spot::Centre(links), notation)),
     }
 }
@@ -469,8 +487,10 @@ impl Teller<'_> {
             }
             TransferAct::AboutPole { link, point, mm, omega, speed } => {
                 let [turning, length] = self.product(omega, mm, speed);
+                let own = self.notation.mechanism().link(link).points.contains(&point);
+                let spot = if own { Spot::Point(point) } else { Spot::Under(point, link) };
                 let parts = [
-                    ("velocity", velocity(point)),
+                    ("velocity", spot_velocity(spot, self.notation)),
                     ("omega", self.omega(link)),
                     ("distance", distance(pole(link), self.notation.point_name(point), self.notation)),
                     ("omega_value", turning),
@@ -483,6 +503,17 @@ impl Teller<'_> {
                 let parts =
                     [("link", Rich::upright(self.notation.number(link))), ("value", self.speed(speed))];
                 Rich::fill(words.transfer_translation, &parts)
+            }
+            TransferAct::Difference { quantity, of, against, mm, speed } => {
+                let [mm, value] = self.read(mm, speed);
+                let parts = [
+                    ("relative", self.notation.symbol(quantity, false)),
+                    ("of", spot_velocity(of, self.notation)),
+                    ("against", spot_velocity(against, self.notation)),
+                    ("mm", mm),
+                    ("value", value),
+                ];
+                Rich::fill(words.transfer_difference, &parts)
             }
             TransferAct::Gauge { from, point, mm, speed } => {
                 let [mm, value] = self.read(mm, speed);

@@ -71,8 +71,8 @@ impl Draughtsman<'_> {
         match quantity {
             Quantity::Velocity(p) => self.velocity_of_point(p, of(p, self), true).map(FromCentres::Vector),
             Quantity::CoincidentVelocity(p, l) => self.velocity_of_point(p, l, true).map(FromCentres::Vector),
-            Quantity::RelativeVelocity(b, a) => self.against(b, of(b, self), a, of(a, self)),
-            Quantity::Slip(p, l) => self.against(p, of(p, self), p, l),
+            Quantity::RelativeVelocity(b, a) => self.against(quantity, (b, of(b, self)), (a, of(a, self))),
+            Quantity::Slip(p, l) => self.against(quantity, (p, of(p, self)), (p, l)),
             Quantity::Omega(l) => self.omega_of(l, true).map(FromCentres::Scalar),
             Quantity::RelativeOmega(i, j) => {
                 let (first, second) = (self.omega_of(i, true)?, self.omega_of(j, true)?);
@@ -97,10 +97,42 @@ impl Draughtsman<'_> {
         }
     }
 
-    fn against(&mut self, b: PointId, of_b: LinkId, a: PointId, of_a: LinkId) -> Result<FromCentres, Why> {
+    /// The velocity of a point of a link against that of a point of another: what lies between the tips of both, drawn
+    /// from one place.
+    fn against(
+        &mut self,
+        quantity: Quantity,
+        (b, of_b): (PointId, LinkId),
+        (a, of_a): (PointId, LinkId),
+    ) -> Result<FromCentres, Why> {
         let (first, second) =
             (self.velocity_of_point(b, of_b, true)?, self.velocity_of_point(a, of_a, true)?);
-        Ok(FromCentres::Vector([0, 1].map(|k| self.board.difference(first[k], second[k]))))
+        let relative = [0, 1].map(|k| self.board.difference(first[k], second[k]));
+        // Against the frame nothing is taken away.
+        if of_a != LinkId::FRAME {
+            let paper = self.polygon_scale(Order::Velocity);
+            let (of, against) = (self.spot(b, of_b), self.spot(a, of_a));
+            let foot = self.at(b);
+            if a != b {
+                self.draw_velocity(against, foot, second);
+            }
+            let [to, from] = [first, second].map(|velocity| self.tip(foot, velocity, paper));
+            let mm = self.board.distance(from, to).value();
+            let speed = libm::hypot(relative[0].value(), relative[1].value());
+            let [foot, from, to] = [foot, from, to].map(|at| at.value());
+            self.draw_transfer(TransferInk::Difference { foot, from, to, of: quantity });
+            self.tell(TransferAct::Difference { quantity, of, against, mm, speed });
+        }
+        Ok(FromCentres::Vector(relative))
+    }
+
+    /// A point as one of this link.
+    fn spot(&self, point: PointId, link: LinkId) -> Spot {
+        if link == LinkId::FRAME || self.mechanism.link(link).points.contains(&point) {
+            Spot::Point(point)
+        } else {
+            Spot::Under(point, link)
+        }
     }
 
     /// V of a point of a link: its rate about the pole times the radius.
@@ -128,7 +160,7 @@ impl Draughtsman<'_> {
                 }
                 Location::Toward(..) => self.tell(TransferAct::Translation { link, speed }),
             }
-            self.draw_velocity(Spot::Point(point), at, velocity);
+            self.draw_velocity(self.spot(point, link), at, velocity);
         }
         Ok(velocity)
     }
