@@ -310,7 +310,7 @@ impl Chain {
 
     /// A placed point near another.
     fn place(&mut self, name: &str, near: [f64; 2], size: f64) -> [f64; 2] {
-        let turn = self.dice.within(0.0, 6.28);
+        let turn = self.dice.within(0.0, std::f64::consts::TAU);
         let far = self.dice.within(0.6 * size, 1.4 * size);
         let at = [near[0] + far * libm::cos(turn), near[1] + far * libm::sin(turn)]
             .map(|x| (x * 1e4).round() / 1e4);
