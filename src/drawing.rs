@@ -218,20 +218,21 @@ pub fn unconfirmed(scene: &Scene, why: &Unconfirmed) -> String {
     )
 }
 
-/// A figure with the note that says which links it does not show, where there are any.
+/// A figure with the notes that say which links it does not show and which names it has no room for, where there are any.
 pub(crate) fn with_what_is_missing(
     figure: Figure,
     scene: &Scene,
     solved: &Solved,
     language: Language,
 ) -> Figure {
-    match &solved.left_out {
+    let figure = match &solved.left_out {
         None => figure,
         Some(left) => {
             let why = diagnose(scene, &left.why.clone().into()).what;
             sheet::left_out(figure, &left.links, &why, language)
         }
-    }
+    };
+    sheet::unnamed(figure, language)
 }
 
 impl Wish {

@@ -121,6 +121,10 @@ struct Assembler<'a> {
     ready: Vec<usize>,
     /// Points with a rough place, by the group that settles them.
     settled: Vec<Vec<Hint>>,
+    /// The points of each body, in their own order, with their places in it.
+    points_of: Vec<Vec<(PointId, Site)>>,
+    /// The swivelling guides that each group completes, by index.
+    swivels_of: Vec<Vec<usize>>,
     slot: Vec<usize>,
     /// What an equation may miss by.
     coarsest: f64,
@@ -201,6 +205,28 @@ impl<'a> Assembler<'a> {
                 beyond[group].push(*row);
             }
         }
+        // The group with which the first kept guide of each pin is complete.
+        let mut ridden = vec![usize::MAX; model.mechanism.points.len()];
+        for slide in &model.mechanism.slides {
+            if let Rider::Pin { point, .. } = slide.rider
+                && model.kept[slide.guide.link.0]
+            {
+                ridden[point.0] = ridden[point.0].min(ready[slide.guide.link.0]);
+            }
+        }
+        let mut points_of = vec![Vec::new(); model.bodies];
+        for (index, sites) in model.sites.iter().enumerate() {
+            for site in sites {
+                points_of[site.body].push((PointId(index), *site));
+            }
+        }
+        let mut swivels_of = vec![Vec::new(); groups.len()];
+        for (index, swivel) in model.swivels.iter().enumerate() {
+            let rider = if swivel.rider.body == 0 { 0 } else { ready[swivel.rider.body] };
+            if let Some(completed) = swivels_of.get_mut(ready[swivel.body].max(rider)) {
+                completed.push(index);
+            }
+        }
         let mut settled: Vec<Vec<Hint>> = vec![Vec::new(); groups.len()];
         for (index, point) in model.mechanism.points.iter().enumerate() {
             let Place::Near(near) = point.place else { continue };
@@ -208,16 +234,12 @@ impl<'a> Assembler<'a> {
             if let Some(site) = first {
                 let group = ready[site.body];
                 let here = model.sites[index].iter().filter(|s| ready[s.body] <= group).count();
-                let rides = model.mechanism.slides.iter().any(|s| {
-                    matches!(s.rider, Rider::Pin { point, .. } if point == PointId(index))
-                        && model.kept[s.guide.link.0]
-                        && ready[s.guide.link.0] <= group
-                });
-                let hint = Hint { site: *site, near: model.scaled(near), closes: here > 1 || rides };
+                let closes = here > 1 || ridden[index] <= group;
+                let hint = Hint { site: *site, near: model.scaled(near), closes };
                 settled[group].push(hint);
             }
         }
-        Self { model, groups, beyond, ready, settled, slot, coarsest }
+        Self { model, groups, beyond, ready, settled, points_of, swivels_of, slot, coarsest }
     }
 
     fn value(&self, num: Num) -> f64 {
@@ -510,11 +532,8 @@ impl<'a> Assembler<'a> {
 
     /// Whether the swivelling guides that this group completes point towards their riders.
     fn faces_riders(&self, index: usize, pose: &[f64]) -> bool {
-        self.model.swivels.iter().all(|swivel| {
-            let rider_ready = if swivel.rider.body == 0 { 0 } else { self.ready[swivel.rider.body] };
-            if self.ready[swivel.body].max(rider_ready) != index {
-                return true;
-            }
+        self.swivels_of[index].iter().all(|swivel| {
+            let swivel = &self.model.swivels[*swivel];
             let rider = self.world(&swivel.rider, pose);
             let at = 3 * swivel.body;
             let (sin, cos) = libm::sincos(pose[at + 2] + swivel.ray);
@@ -557,16 +576,10 @@ impl<'a> Assembler<'a> {
         bodies.dedup();
         let mut k = 0;
         for body in bodies {
-            let hints: Vec<([f64; 2], [f64; 2])> = self
-                .model
-                .mechanism
-                .points
+            let hints: Vec<([f64; 2], [f64; 2])> = self.points_of[body]
                 .iter()
-                .enumerate()
-                .flat_map(|(i, _)| self.model.sites[i].iter().map(move |s| (PointId(i), s)))
-                .filter(|(_, site)| site.body == body)
                 .filter_map(|(point, site)| {
-                    Some((site.own.map(|c| self.value(c)), self.guess(point, index, pose)?))
+                    Some((site.own.map(|c| self.value(c)), self.guess(*point, index, pose)?))
                 })
                 .collect();
             let mine = |axis: usize| {
@@ -714,7 +727,7 @@ impl<'a> Assembler<'a> {
         let (mut at, mut tried) = (Glance::new(equations, n), Glance::new(equations, n));
         // What cannot be glanced at is left to the record.
         self.glance(index, pose, &mut at)?;
-        let mut next = pose.to_vec();
+        let mut before = vec![0.0; n];
         let (mut normal, mut step) = (DMatrix::zeros(n, n), DVector::zeros(n));
         let mut damping = 1e-3;
         let mut idle = 0;
@@ -735,9 +748,13 @@ impl<'a> Assembler<'a> {
                 Some(factors) => {
                     factors.solve_mut(&mut step);
                     normal = factors.unpack_dirty();
-                    Self::move_by(group, pose, &step, &mut next);
-                    self.glance(index, &next, &mut tried).is_some()
-                        && tried.residuals.norm() < at.residuals.norm()
+                    Self::move_by(group, pose, &step, &mut before);
+                    let closer = self.glance(index, pose, &mut tried).is_some()
+                        && tried.residuals.norm() < at.residuals.norm();
+                    if !closer {
+                        Self::move_back(group, pose, &before);
+                    }
+                    closer
                 }
                 None => {
                     normal = DMatrix::zeros(n, n);
@@ -748,7 +765,6 @@ impl<'a> Assembler<'a> {
                 halved = tried.residuals.norm() < 0.5 * at.residuals.norm();
                 let lazy = tried.residuals.norm() >= 0.999 * at.residuals.norm();
                 idle = if lazy { idle + 1 } else { 0 };
-                pose.copy_from_slice(&next);
                 std::mem::swap(&mut at, &mut tried);
                 damping = (damping * 0.1_f64).max(1e-15);
             } else {
@@ -761,11 +777,18 @@ impl<'a> Assembler<'a> {
         (rest > NEARLY.max(self.coarsest)).then_some(rest)
     }
 
-    fn move_by(group: &Group, pose: &[f64], step: &DVector<f64>, next: &mut [f64]) {
-        next.copy_from_slice(pose);
-        for (column, d) in group.columns.iter().zip(step.iter()) {
-            let moved = next[*column] - d;
-            next[*column] = if column % 3 == 2 { wrapped(moved) } else { moved };
+    /// Moves the unknowns of a group; `before` keeps where they were.
+    fn move_by(group: &Group, pose: &mut [f64], step: &DVector<f64>, before: &mut [f64]) {
+        for ((column, d), before) in group.columns.iter().zip(step.iter()).zip(before) {
+            *before = pose[*column];
+            let moved = pose[*column] - d;
+            pose[*column] = if column % 3 == 2 { wrapped(moved) } else { moved };
+        }
+    }
+
+    fn move_back(group: &Group, pose: &mut [f64], before: &[f64]) {
+        for (column, before) in group.columns.iter().zip(before) {
+            pose[*column] = *before;
         }
     }
 
@@ -798,12 +821,6 @@ impl<'a> Assembler<'a> {
         Some((residuals, tolerances, jacobian))
     }
 
-    fn moved(group: &Group, pose: &[f64], step: &DVector<f64>) -> Vec<f64> {
-        let mut next = pose.to_vec();
-        Self::move_by(group, pose, step, &mut next);
-        next
-    }
-
     /// Damped Newton iterations on equations of one group, if they are wanted, and then Newton's own; the largest
     /// residual where they end elsewhere than at a solution.
     fn iterate(&self, index: usize, rows: &[usize], pose: &mut [f64], damped: bool) -> Result<(), f64> {
@@ -812,6 +829,7 @@ impl<'a> Assembler<'a> {
             return Err(f64::INFINITY);
         };
         let solved = |r: &DVector<f64>, t: &[f64]| r.iter().zip(t).all(|(r, t)| r.abs() <= *t);
+        let mut before = vec![0.0; group.columns.len()];
         let mut damping = 1e-3;
         let mut idle = 0;
         for _ in 0..if damped { MOST_ITERATIONS } else { 0 } {
@@ -825,16 +843,21 @@ impl<'a> Assembler<'a> {
                 normal[(i, i)] += damping * normal[(i, i)].max(1e-14 * largest);
             }
             let step = normal.cholesky().map(|c| c.solve(&(&transposed * &residuals)));
-            let next = step.map(|step| Self::moved(group, pose, &step));
-            let tried = next.as_deref().and_then(|next| self.evaluate(index, rows, next));
-            match (next, tried) {
-                (Some(next), Some((r, t, j))) if r.norm() < residuals.norm() => {
+            let tried = step.and_then(|step| {
+                Self::move_by(group, pose, &step, &mut before);
+                let tried = self.evaluate(index, rows, pose).filter(|(r, ..)| r.norm() < residuals.norm());
+                if tried.is_none() {
+                    Self::move_back(group, pose, &before);
+                }
+                tried
+            });
+            match tried {
+                Some((r, t, j)) => {
                     idle = if r.norm() < 0.999 * residuals.norm() { 0 } else { idle + 1 };
-                    pose.copy_from_slice(&next);
                     (residuals, tolerances, jacobian) = (r, t, j);
                     damping = (damping * 0.1_f64).max(1e-15);
                 }
-                _ => {
+                None => {
                     idle += 1;
                     damping = (damping * 6.0_f64).max(1e-12);
                 }
@@ -849,12 +872,13 @@ impl<'a> Assembler<'a> {
             if !step.iter().all(|d| d.is_finite()) {
                 break;
             }
-            let next = Self::moved(group, pose, &step);
-            let Some((r, t, j)) = self.evaluate(index, rows, &next) else { break };
-            if r.norm().is_nan() || r.norm() >= residuals.norm() {
+            Self::move_by(group, pose, &step, &mut before);
+            // Written so that a norm that is no number moves back.
+            let closer = self.evaluate(index, rows, pose).filter(|(r, ..)| r.norm() < residuals.norm());
+            let Some((r, t, j)) = closer else {
+                Self::move_back(group, pose, &before);
                 break;
-            }
-            pose.copy_from_slice(&next);
+            };
             (residuals, tolerances, jacobian) = (r, t, j);
         }
         if solved(&residuals, &tolerances) { Ok(()) } else { Err(residuals.amax()) }

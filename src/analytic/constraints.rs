@@ -412,14 +412,19 @@ impl Row {
 
     /// Whether the equation may depend on the coordinates of a body.
     pub(super) fn hangs_on(&self, body: usize) -> bool {
-        let third = match self {
+        self.all_bodies().contains(&body)
+    }
+
+    /// The bodies on whose coordinates the equation may hang; some of them twice.
+    pub(super) fn all_bodies(&self) -> [usize; 4] {
+        let [first, second] = self.bodies();
+        let others = match self {
             Self::Around(_, rider, ..) => [rider.body; 2],
             Self::Roll { centres, .. } => [centres[0].body, centres[1].body],
             Self::RollLine { centre, .. } => [centre.body; 2],
-            _ => [body; 2],
+            _ => [first; 2],
         };
-        let thirds = matches!(self, Self::Around(..) | Self::Roll { .. } | Self::RollLine { .. });
-        self.bodies().contains(&body) || (thirds && third.contains(&body))
+        [first, second, others[0], others[1]]
     }
 
     /// The bodies that the equation binds.

@@ -153,29 +153,21 @@ impl System {
         multipliers
     }
 
-    /// Drops the inverse of a block whose Jacobian may be singular within its error. `error(row, column)`
+    /// Whether the Jacobian of a block is regular, whatever its error makes of it. `error(row, column)`
     /// is the first-order radius of an entry.
-    pub(super) fn judge(&mut self, block: usize, error: impl Fn(usize, usize) -> f64) -> bool {
-        let block = &mut self.blocks[block];
+    pub(super) fn is_regular(&self, block: usize, mut error: impl FnMut(usize, usize) -> f64) -> bool {
+        let block = &self.blocks[block];
         let Some(inverse) = &block.inverse else { return false };
         let n = block.group.columns.len();
         if let ([only], [row], [column]) =
             (inverse.as_slice(), block.group.rows.as_slice(), block.group.columns.as_slice())
         {
             // NaN is not regular.
-            let regular = only.abs() * error(*row, *column) <= SINGULAR;
-            if !regular {
-                block.inverse = None;
-            }
-            return regular;
+            return only.abs() * error(*row, *column) <= SINGULAR;
         }
         let errors = DMatrix::from_fn(n, n, |i, j| error(block.group.rows[i], block.group.columns[j]));
         let product = inverse.map(f64::abs) * errors;
-        let regular = spectral_radius_bound(&product) <= SINGULAR;
-        if !regular {
-            block.inverse = None;
-        }
-        regular
+        spectral_radius_bound(&product) <= SINGULAR
     }
 }
 
@@ -217,13 +209,14 @@ fn spectral_radius_bound(matrix: &DMatrix<f64>) -> f64 {
 }
 
 /// Radius of the Jacobian's entry in `column` of an equation: from the radii of poses and parameters and
-/// from rounding.
+/// from rounding. `rest` is a motion of nothing, before and after.
 pub(super) fn entry_error(
     row: &Row,
     pose: &[f64],
     pose_error: &[f64],
     params: &[Param],
     column: usize,
+    rest: &mut [f64],
 ) -> f64 {
     if !row.hangs_on(column / 3) {
         return 0.0;
@@ -232,10 +225,10 @@ pub(super) fn entry_error(
         // One, whatever the place; its rate is a sum of that and zeros.
         return PLAIN * U;
     }
-    let mut rate = vec![0.0; pose.len()];
-    rate[column] = 1.0;
-    let motion = Motion { pose, rate: &rate, accel: &[], params };
-    let Some(linear) = row.linear(motion, 1) else { return f64::INFINITY };
+    rest[column] = 1.0;
+    let linear = row.linear(Motion { pose, rate: rest, accel: &[], params }, 1);
+    rest[column] = 0.0;
+    let Some(linear) = linear else { return f64::INFINITY };
     let spread: f64 = linear
         .terms
         .iter()

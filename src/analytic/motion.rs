@@ -20,6 +20,10 @@ const REFINEMENTS: usize = 3;
 const NOISE: f64 = 4.0;
 /// Largest relative contradiction of a redundant equation of motion.
 const CONTRADICTION: f64 = 1e-6;
+/// Radii that are carried on from group to group lose the correlations of their errors, and grow along a chain. As long
+/// as they are below this (in mechanism sizes and radians) they serve to tell that a group is regular; then the radii
+/// of one group are found by sweeps back through all equations, and carried on from there.
+const ROUGH: f64 = 1e-8;
 /// Radius of a pose of which nothing is known; its products stay finite.
 const UNBOUNDED: f64 = 1e150;
 /// A second singular value below this leaves the width of a singular position unknown.
@@ -34,8 +38,12 @@ pub(super) struct Located {
     pub(super) rows: Vec<Linear>,
     /// Their Jacobian.
     pub(super) system: System,
-    /// First-order radius of each pose coordinate.
-    pub(super) error: Vec<f64>,
+    /// First-order radius of each pose coordinate, or more.
+    error: Vec<f64>,
+    /// Whether that is no more than it has to be.
+    sharp: Vec<bool>,
+    /// Room for a motion: of nothing, whenever nobody uses it.
+    rest: Vec<f64>,
 }
 
 /// A motion.
@@ -94,7 +102,8 @@ pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, Analy
         Leaf::Pose(at) => Some(at),
         _ => None,
     });
-    let mut located = Located { error: vec![0.0; n], pose, rows, system };
+    let mut located =
+        Located { error: vec![0.0; n], sharp: vec![false; n], rest: vec![0.0; n], pose, rows, system };
     for index in 0..located.system.blocks.len() {
         located.judge(model, index);
     }
@@ -106,28 +115,94 @@ impl Located {
     fn judge(&mut self, model: &Model, index: usize) {
         let columns = self.system.blocks[index].group.columns.clone();
         if self.system.blocks[index].inverse.is_some() {
-            for column in &columns {
-                let mut gradient = vec![0.0; self.pose.len()];
-                gradient[*column] = 1.0;
-                let mut by_param = vec![0.0; model.params.len()];
-                let multipliers = self.system.adjoint(gradient);
-                let error = error_of(&multipliers, &self.rows, &mut by_param);
-                self.error[*column] = error + param_error(&by_param, &model.params);
+            self.carry_on(model, index);
+            if columns.iter().any(|column| self.error[*column] > ROUGH) {
+                self.sharpen(model, columns.iter().copied());
             }
-            let (pose, errors) = (&self.pose, &self.error);
-            let error = |row: usize, column: usize| {
-                entry_error(&model.position[row], pose, errors, &model.params, column)
-            };
-            if self.system.judge(index, error) {
+            let Self { pose, error, rest, system, .. } = self;
+            let regular = looks_regular(system, index, &model.position, model, pose, error, rest);
+            if regular || self.is_regular_when_sharp(model, index) {
                 return;
             }
         }
         let widths = self.widths(model, index);
         for (k, column) in columns.iter().enumerate() {
             self.error[*column] = widths.as_ref().map_or(UNBOUNDED, |w| w[k]);
+            self.sharp[*column] = true;
         }
         self.system.blocks[index].inverse = None;
         self.system.blocks[index].widths = widths;
+    }
+
+    /// Radii of one group's unknowns from those of the unknowns before it, as if these erred independently.
+    fn carry_on(&mut self, model: &Model, index: usize) {
+        let block = &self.system.blocks[index];
+        let columns = &block.group.columns;
+        let open: Vec<f64> = block.group.rows.iter().map(|row| self.open(model, *row, columns)).collect();
+        let Some(inverse) = &block.inverse else { return };
+        for (k, column) in columns.iter().enumerate() {
+            self.error[*column] = open.iter().enumerate().map(|(i, open)| inverse[(k, i)].abs() * open).sum();
+        }
+    }
+
+    /// How far an equation is from holding, as far as it does not hang on these unknowns.
+    fn open(&self, model: &Model, row: usize, columns: &[usize]) -> f64 {
+        let linear = &self.rows[row];
+        let spread: f64 = linear
+            .terms
+            .iter()
+            .map(|(leaf, c)| match leaf {
+                Leaf::Param(at) => c.abs() * model.params[*at].error,
+                Leaf::Pose(at) if columns.binary_search(at).is_err() => c.abs() * self.error[*at],
+                _ => 0.0,
+            })
+            .sum();
+        linear.value.abs() + linear.rounding + spread
+    }
+
+    /// Finds the radii of these unknowns by sweeps back through all equations. Says whether any was not so before.
+    fn sharpen(&mut self, model: &Model, columns: impl Iterator<Item = usize>) -> bool {
+        let mut any = false;
+        for column in columns {
+            if std::mem::replace(&mut self.sharp[column], true) {
+                continue;
+            }
+            any = true;
+            let mut gradient = vec![0.0; self.pose.len()];
+            gradient[column] = 1.0;
+            let mut by_param = vec![0.0; model.params.len()];
+            let multipliers = self.system.adjoint(gradient);
+            let error = error_of(&multipliers, &self.rows, &mut by_param);
+            self.error[column] = error + param_error(&by_param, &model.params);
+        }
+        any
+    }
+
+    /// Finds the radii on which equations hang.
+    fn sharpen_for(&mut self, model: &Model, equations: &[Row], rows: &[usize]) -> bool {
+        let mut bodies: Vec<usize> = rows.iter().flat_map(|row| equations[*row].all_bodies()).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        self.sharpen(model, bodies.into_iter().flat_map(|body| 3 * body..3 * body + 3))
+    }
+
+    /// Whether a group of the position that did not look regular is so when all radii are as small as they are.
+    fn is_regular_when_sharp(&mut self, model: &Model, index: usize) -> bool {
+        let rows = self.system.blocks[index].group.rows.clone();
+        if !self.sharpen_for(model, &model.position, &rows) {
+            return false;
+        }
+        let Self { pose, error, rest, system, .. } = self;
+        looks_regular(system, index, &model.position, model, pose, error, rest)
+    }
+
+    /// Whether a group of the motion is regular.
+    fn is_regular(&mut self, model: &Model, equations: &[Row], system: &System, index: usize) -> bool {
+        let looks = |at: &mut Self| {
+            let Self { pose, error, rest, .. } = at;
+            looks_regular(system, index, equations, model, pose, error, rest)
+        };
+        looks(self) || (self.sharpen_for(model, equations, &system.blocks[index].group.rows) && looks(self))
     }
 
     /// At a dead centre of the position itself the equations fix the singular direction v only to second
@@ -140,24 +215,7 @@ impl Located {
         let (u, v_t) = (svd.u?, svd.v_t?);
         let last = (0..n).min_by(|a, b| svd.singular_values[*a].total_cmp(&svd.singular_values[*b]))?;
 
-        let open: Vec<f64> = block
-            .group
-            .rows
-            .iter()
-            .map(|row| {
-                let linear = &self.rows[*row];
-                let spread: f64 = linear
-                    .terms
-                    .iter()
-                    .map(|(leaf, c)| match leaf {
-                        Leaf::Param(at) => c.abs() * model.params[*at].error,
-                        Leaf::Pose(at) if columns.binary_search(at).is_err() => c.abs() * self.error[*at],
-                        _ => 0.0,
-                    })
-                    .sum();
-                linear.value.abs() + linear.rounding + spread
-            })
-            .collect();
+        let open: Vec<f64> = block.group.rows.iter().map(|row| self.open(model, *row, columns)).collect();
         // Second difference of the equations along v.
         let step = 1e-3;
         let bent = |sign: f64| -> Option<Vec<f64>> {
@@ -199,23 +257,38 @@ impl Located {
     }
 }
 
+/// Whether a group of these equations is regular within these radii of the pose.
+fn looks_regular(
+    system: &System,
+    index: usize,
+    equations: &[Row],
+    model: &Model,
+    pose: &[f64],
+    error: &[f64],
+    rest: &mut [f64],
+) -> bool {
+    system.is_regular(index, |row, column| {
+        entry_error(&equations[row], pose, error, &model.params, column, rest)
+    })
+}
+
 /// Solves the velocities and, where asked, the accelerations.
 pub(super) fn solve_motion(
     model: &Model,
     equations: &[Row],
-    located: &Located,
+    located: &mut Located,
     accelerations: bool,
 ) -> Result<Solved, AnalyticError> {
     let n = model.unknowns();
     let rest = vec![0.0; n];
-    let evaluate = |rate: &[f64], accel: &[f64], order: u8| -> Result<Vec<Linear>, AnalyticError> {
+    let evaluate = |located: &Located, rate: &[f64], accel: &[f64], order: u8| -> Result<Vec<Linear>, _> {
         let motion = Motion { pose: &located.pose, rate, accel, params: &model.params };
         equations.iter().map(|row| row.linear(motion, order).ok_or_else(no_value)).collect()
     };
     let residuals = |linears: &[Linear]| -> Vec<f64> { linears.iter().map(|l| -l.value).collect() };
 
     let Ordering { groups, free, spare } = order(&model.pattern(equations, 1)?, n);
-    let at_rest = evaluate(&rest, &[], 1)?;
+    let at_rest = evaluate(located, &rest, &[], 1)?;
     let mut system = System::new(groups, &at_rest, n, |leaf| match leaf {
         Leaf::Rate(at) => Some(at),
         _ => None,
@@ -225,16 +298,19 @@ pub(super) fn solve_motion(
         undetermined[*column] = true;
     }
     for index in 0..system.blocks.len() {
-        let error = |row: usize, column: usize| {
-            entry_error(&equations[row], &located.pose, &located.error, &model.params, column)
-        };
-        if !system.judge(index, error) || system.uses(index, &undetermined) {
+        let regular = located.is_regular(model, equations, &system, index);
+        if !regular {
+            system.blocks[index].inverse = None;
+        }
+        if !regular || system.uses(index, &undetermined) {
             for column in &system.blocks[index].group.columns {
                 undetermined[*column] = true;
             }
         }
     }
 
+    let located = &*located;
+    let evaluate = |rate: &[f64], accel: &[f64], order: u8| evaluate(located, rate, accel, order);
     // Solves the equations of `linears`, which are those at x, and refines; returns the equations at what x has become.
     type Equations = Result<Vec<Linear>, AnalyticError>;
     let refine =

@@ -176,15 +176,27 @@ impl State {
     }
 
     fn position(&self, point: PointId) -> Read {
+        let spot = self.standing(point)?;
+        self.place(self.read(0, None, |s| parts(spot.place(s), 0))?)
+    }
+
+    /// A place in metres, without its bound.
+    pub(super) fn position_seen(&self, point: PointId) -> Result<[f64; 2], Indeterminate> {
+        self.check(&Quantity::Position(point))?;
+        let spot = self.standing(point)?;
+        let scaled = self.glance(|s| parts(spot.place(s), 0))?;
+        Ok([0, 1].map(|i| self.model.reference[i] + self.model.length * scaled[i]))
+    }
+
+    /// Where a point is: at a contact, where it was given, or in a link.
+    fn standing(&self, point: PointId) -> Result<Spot, Indeterminate> {
         if let Some(contact) = self.model.contact(point) {
-            return self.place(self.read(0, None, |s| parts(Spot::Contact(contact).place(s), 0))?);
+            return Ok(Spot::Contact(contact));
         }
         if let Some(own) = self.model.places[point.0] {
-            let site = Site { body: 0, own };
-            return self.place(self.read(0, None, |s| parts(s.site(&site), 0))?);
+            return Ok(Spot::Site(Site { body: 0, own }));
         }
-        let site = self.carrier(point, None)?;
-        self.place(self.read(0, None, |s| parts(s.site(&site), 0))?)
+        self.carrier(point, None).map(Spot::Site)
     }
 
     fn point_vector(&self, point: PointId, from: Option<PointId>, order: u8) -> Read {

@@ -75,7 +75,7 @@ impl State {
         let mut state =
             Self { model, located, order, solved: None, unit: None, burden, balances: Vec::new() };
         if order >= Order::Velocity {
-            let (model, located) = (&state.model, &state.located);
+            let (model, located) = (&state.model, &mut state.located);
             let accelerations = order >= Order::Acceleration;
             let solved = solve_motion(model, &model.motion, located, accelerations)?;
             let unit = match &model.unit_motion {
@@ -129,12 +129,33 @@ impl State {
         }
     }
 
+    /// Place of a point without its bound, metres; `None` for a point that is in no link and on no guide, or that was not
+    /// solved for.
+    #[must_use]
+    pub fn seen_at(&self, point: PointId) -> Option<[f64; 2]> {
+        self.position_seen(point).ok()
+    }
+
     /// Singular values of the scaled Jacobian, descending: lengths in units near the mechanism's size,
     /// angles in radians. Of the velocity equations where these were asked, else of the position's. Beyond
     /// 240 unknowns they are those of the groups of equations, one by one.
     #[must_use]
     pub fn singular_values(&self) -> Vec<f64> {
         singular_values(self.solved.as_ref().map_or(&self.located.system, |s| &s.system), WHOLE)
+    }
+
+    /// Numbers by a formula over the position, without their bounds.
+    pub(super) fn glance<const N: usize>(
+        &self,
+        formula: impl for<'t> Fn(&Scope<'t>) -> [Var<'t>; N],
+    ) -> Result<[f64; N], Indeterminate> {
+        let tape = Tape::new(0);
+        let motion = Motion { pose: &self.located.pose, rate: &[], accel: &[], params: &self.model.params };
+        let out = formula(&Scope { tape: &tape, motion }).map(|var| tape.sweep(var).value);
+        if tape.broken() {
+            return Err(Indeterminate::Undefined { why: "it divides by a length of zero".into() });
+        }
+        if out.iter().all(|value| value.is_finite()) { Ok(out) } else { Err(Indeterminate::Singular) }
     }
 
     /// Numbers by a formula over the motion, with their bounds: rounding, residuals and the errors of all

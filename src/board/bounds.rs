@@ -63,25 +63,41 @@ pub(super) struct Bounds {
     /// How many events of the tape have been looked at.
     events: usize,
     weak: Vec<WeakDivisor>,
-    adjoint: Vec<f64>,
-    reached: Vec<bool>,
+    adjoint: Vec<[f64; 1]>,
+    reached: Vec<u8>,
     /// Scratch of local sweeps: zero between them.
     local: Vec<f64>,
+    /// Scratch of sweeps from many results: zero between them.
+    lanes: Vec<[f64; LANES]>,
     /// The slots that a local sweep has still to look at, a bit each.
     waiting: Vec<u64>,
 }
 
 /// How far operands are drawn in, one sweep after the other as long as what the tangent leaves out is more than
 /// these parts of the rounding and of what the operands' errors do along the tangent. Running errors may be
-/// too rough to measure anything by; the longer the sweep, the more must depend on it.
+/// too rough to measure anything by; the longer the sweep, the more must depend on it. Errors of a billionth of their
+/// numbers are fine enough for anything, also where nothing is rounded: what they do beyond the tangent is no more than
+/// a billionth of what they do along it.
 const SWEEPS: [(DrawnIn, f64, f64); 3] =
-    [(DrawnIn::ToPoints, 1.0 / 64.0, 0.0), (DrawnIn::ToExactPoints, 1.0, 0.0), (DrawnIn::Wholly, 8.0, 1e-6)];
+    [(DrawnIn::ToPoints, 1.0 / 64.0, 1e-9), (DrawnIn::ToExactPoints, 1.0, 1e-8), (DrawnIn::Wholly, 8.0, 1e-6)];
 
 /// A divisor is too weak to divide by when its error passes this part of it.
 pub(super) const WEAK_DIVISOR: f64 = 1.0 / 8.0;
 
 /// The bound is itself computed in doubles.
 pub(super) const ROUNDED: f64 = 1e-9;
+
+/// Sweeps go back from so many results at once, a bit of a byte for each.
+const LANES: usize = u8::BITS as usize;
+
+/// What a sweep back tells of a result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Judged {
+    /// |value − truth| ≤ bound, unless there is a weakness.
+    pub bound: f64,
+    /// The reason of the first divisor behind the result that does not exceed its own error eightfold.
+    pub weakness: Option<Reason>,
+}
 
 impl Tape {
     /// Bound of a recorded result: |value − truth| ≤ bound, unless [`Tape::weakness`] says that it has
@@ -97,13 +113,52 @@ impl Tape {
         (1.0 + ROUNDED) * self.error_of(mark)
     }
 
+    /// A bound between that and [`Tape::bound`], from the nearest points behind the result.
+    #[must_use]
+    pub fn nearer_bound(&mut self, mark: u32) -> f64 {
+        self.evaluate();
+        self.draw_in(mark, DrawnIn::ToPoints);
+        (1.0 + ROUNDED) * self.error_of(mark)
+    }
+
     /// The part of [`Tape::bound`] that the numbers of the scene bring with them, each known to half a unit in its
     /// last place: no drawing can do better. In unit roundoffs, the conditioning of the result.
     pub fn inherited(&mut self, mark: u32) -> f64 {
         self.sweep_back(mark);
         let slots = self.bounds.adjoint.iter().zip(&self.bounds.slots).zip(&self.nodes);
         let given = slots.filter(|((_, slot), node)| matches!(node, Node::Leaf(_)) && slot.own > 0.0);
-        given.map(|((adjoint, slot), _)| adjoint.abs() * slot.own).sum()
+        given.map(|(([adjoint], slot), _)| adjoint.abs() * slot.own).sum()
+    }
+
+    /// [`Tape::bound`] and [`Tape::weakness`] of many results: eight of them cost little more than one.
+    pub fn judged(&mut self, marks: &[u32]) -> Vec<Judged> {
+        self.evaluate();
+        // What stands near to each other on the tape leads back to the same slots.
+        let mut order: Vec<usize> = (0..marks.len()).collect();
+        order.sort_by_key(|index| marks[*index]);
+        let mut judged = vec![Judged { bound: 0.0, weakness: None }; marks.len()];
+        for at_once in order.chunks(LANES) {
+            let results: Vec<u32> = at_once.iter().map(|index| marks[*index]).collect();
+            let Self { nodes, bounds, .. } = self;
+            let Bounds { slots, lanes, reached, weak, .. } = bounds;
+            sweep(nodes, slots, &results, lanes, reached);
+            for (lane, index) in at_once.iter().enumerate() {
+                let leads = |slot: u32| reached.get(slot as usize).is_some_and(|to| to & (1 << lane) != 0);
+                judged[*index].weakness = weak.iter().find(|d| leads(d.slot)).map(|d| d.reason);
+            }
+            let mut errors = [0.0; LANES];
+            for (index, _) in reached.iter().enumerate().filter(|(_, to)| **to != 0) {
+                let own = slots[index].own;
+                for (error, adjoint) in errors.iter_mut().zip(std::mem::take(&mut lanes[index])) {
+                    // What does not lead to the result may err without bound.
+                    *error += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * own };
+                }
+            }
+            for (index, error) in at_once.iter().zip(errors) {
+                judged[*index].bound = (1.0 + ROUNDED) * error;
+            }
+        }
+        judged
     }
 
     /// The reason of the first divisor behind this result that does not exceed its own error eightfold.
@@ -114,14 +169,14 @@ impl Tape {
         }
         self.sweep_back(mark);
         let reached = &self.bounds.reached;
-        let is_behind = |d: &&WeakDivisor| reached.get(d.slot as usize).copied().unwrap_or(false);
+        let is_behind = |d: &&WeakDivisor| reached.get(d.slot as usize).is_some_and(|to| *to != 0);
         self.bounds.weak.iter().find(is_behind).map(|d| d.reason)
     }
 
     /// ∂(result)/∂(slot): how the result moves when the slot is moved alone.
     pub fn sensitivity(&mut self, mark: u32, slot: u32) -> f64 {
         self.sweep_back(mark);
-        self.bounds.adjoint.get(slot as usize).copied().unwrap_or(0.0)
+        self.bounds.adjoint.get(slot as usize).map_or(0.0, |[adjoint]| *adjoint)
     }
 
     /// What all slots together can do to a result.
@@ -129,8 +184,8 @@ impl Tape {
         self.sweep_back(mark);
         // What does not lead to the result may err without bound.
         let slots = self.bounds.adjoint.iter().zip(&self.bounds.slots);
-        let moves = slots.filter(|(adjoint, _)| **adjoint != 0.0);
-        moves.map(|(adjoint, slot)| adjoint.abs() * slot.own).sum()
+        let moves = slots.filter(|([adjoint], _)| *adjoint != 0.0);
+        moves.map(|([adjoint], slot)| adjoint.abs() * slot.own).sum()
     }
 
     /// What all slips of the hand together can do to a result, to first order.
@@ -226,7 +281,9 @@ impl Tape {
         };
         let mut along = self.along(&partials, &of[..count]);
         let mut beyond = op.beyond(&partials, &errors(self), along);
-        for (sweep, of_rounding, of_error) in SWEEPS {
+        // What was only measured to see that the drawing is right needs no good bound.
+        let sweeps = if self.is_aside(index) { &SWEEPS[..0] } else { &SWEEPS[..] };
+        for &(sweep, of_rounding, of_error) in sweeps {
             let matters = beyond.left_out > of_rounding * rounding + of_error * along;
             if !matters || beyond.left_out.is_infinite() {
                 break;
@@ -279,7 +336,7 @@ impl Tape {
         let Some(slot) = slot else { return };
         let nothing = slot.error == 0.0;
         if nothing || sweep == DrawnIn::Wholly {
-            let error = if nothing { 0.0 } else { self.error_behind(mark, false) };
+            let error = if nothing { 0.0 } else { self.errors_behind(&[mark])[0] };
             self.set_drawn_in(mark, error, sweep);
             return;
         }
@@ -302,9 +359,19 @@ impl Tape {
                 heap.extend(self.operands(index as usize));
             }
         }
-        for &point in points.iter().rev() {
-            let error = self.error_behind(point, sweep == DrawnIn::ToPoints);
-            self.set_drawn_in(point, error, sweep);
+        points.reverse();
+        if sweep == DrawnIn::ToPoints {
+            for point in points {
+                let error = self.error_behind(point);
+                self.set_drawn_in(point, error, sweep);
+            }
+        } else {
+            for at_once in points.chunks(LANES) {
+                let errors = self.errors_behind(at_once);
+                for (&point, error) in at_once.iter().zip(errors) {
+                    self.set_drawn_in(point, error, sweep);
+                }
+            }
         }
         for &index in between.iter().rev() {
             let slot = &self.bounds.slots[index as usize];
@@ -320,8 +387,8 @@ impl Tape {
         }
     }
 
-    /// A bound of the error of a slot, by a sweep back that may end at points that are drawn in.
-    fn error_behind(&mut self, mark: u32, ends_at_points: bool) -> f64 {
+    /// A bound of the error of a slot, by a sweep back that ends at points that are drawn in.
+    fn error_behind(&mut self, mark: u32) -> f64 {
         let Self { nodes, bounds, .. } = self;
         let Bounds { slots, local, waiting: bits, .. } = bounds;
         local.resize(slots.len(), 0.0);
@@ -344,7 +411,7 @@ impl Tape {
             if adjoint != 0.0 {
                 let slot = &slots[index];
                 let known = slot.is_point && slot.drawn_in > DrawnIn::Not && index != mark as usize;
-                if ends_at_points && known {
+                if known {
                     error += adjoint.abs() * slot.error;
                     continue;
                 }
@@ -362,28 +429,95 @@ impl Tape {
         error
     }
 
+    /// The same of some slots, by one sweep through the whole tape.
+    fn errors_behind(&mut self, marks: &[u32]) -> [f64; LANES] {
+        let Self { nodes, bounds, .. } = self;
+        let Bounds { slots, lanes, waiting: bits, .. } = bounds;
+        if lanes.len() < slots.len() {
+            lanes.resize(slots.len(), [0.0; LANES]);
+        }
+        bits.resize(slots.len().div_ceil(WORD), 0);
+        let (mut word, mut waiting) = (0, 0_usize);
+        let wait = |bits: &mut [u64], slot: usize| {
+            let (word, bit) = (slot / WORD, 1 << (slot % WORD));
+            let new = bits[word] & bit == 0;
+            bits[word] |= bit;
+            new
+        };
+        for (lane, &mark) in marks.iter().enumerate() {
+            lanes[mark as usize][lane] = 1.0;
+            waiting += usize::from(wait(bits, mark as usize));
+            word = word.max(mark as usize / WORD);
+        }
+        let mut errors = [0.0; LANES];
+        while waiting > 0 {
+            let Some(bit) = bits[word].checked_ilog2() else {
+                word -= 1;
+                continue;
+            };
+            bits[word] ^= 1 << bit;
+            waiting -= 1;
+            let index = word * WORD + bit as usize;
+            let adjoints = std::mem::take(&mut lanes[index]);
+            let slot = &slots[index];
+            for (error, adjoint) in errors.iter_mut().zip(adjoints) {
+                *error += if adjoint == 0.0 { 0.0 } else { adjoint.abs() * slot.own };
+            }
+            let Node::Made(op, of) = nodes[index] else { continue };
+            if adjoints == [0.0; LANES] {
+                continue;
+            }
+            for (&part, partial) in of[..op.operands()].iter().zip(slot.partials) {
+                for (to, adjoint) in lanes[part as usize].iter_mut().zip(adjoints) {
+                    *to += adjoint * partial;
+                }
+                waiting += usize::from(wait(bits, part as usize));
+            }
+        }
+        errors
+    }
+
     /// Fills `adjoint` and `reached` for the slots up to `mark`.
     fn sweep_back(&mut self, mark: u32) {
         self.evaluate();
-        let last = mark as usize;
         let Self { nodes, bounds, .. } = self;
-        let Bounds { slots, adjoint: adjoints, reached, .. } = bounds;
-        adjoints.clear();
-        adjoints.resize(last + 1, 0.0);
-        reached.clear();
-        reached.resize(last + 1, false);
-        adjoints[last] = 1.0;
-        reached[last] = true;
-        for index in (0..=last).rev() {
-            if !reached[index] {
-                continue;
+        let Bounds { slots, adjoint, reached, .. } = bounds;
+        adjoint.clear();
+        sweep(nodes, slots, &[mark], adjoint, reached);
+    }
+}
+
+/// Sweeps back from as many results as there are lanes, at most: how each of them moves when a slot is moved alone, and
+/// to which of them a slot leads, a bit for each. The lanes are zero before.
+fn sweep<const N: usize>(
+    nodes: &[Node],
+    slots: &[Slot],
+    results: &[u32],
+    adjoints: &mut Vec<[f64; N]>,
+    reached: &mut Vec<u8>,
+) {
+    let count = results.iter().max().map_or(0, |last| *last as usize + 1);
+    if adjoints.len() < count {
+        adjoints.resize(count, [0.0; N]);
+    }
+    reached.clear();
+    reached.resize(count, 0);
+    for (lane, &result) in results.iter().enumerate() {
+        adjoints[result as usize][lane] = 1.0;
+        reached[result as usize] |= 1 << lane;
+    }
+    for index in (0..count).rev() {
+        let leads_to = reached[index];
+        if leads_to == 0 {
+            continue;
+        }
+        let Node::Made(op, of) = nodes[index] else { continue };
+        let adjoint = adjoints[index];
+        for (&part, partial) in of[..op.operands()].iter().zip(slots[index].partials) {
+            for (to, adjoint) in adjoints[part as usize].iter_mut().zip(adjoint) {
+                *to += adjoint * partial;
             }
-            let Node::Made(op, of) = nodes[index] else { continue };
-            let adjoint = adjoints[index];
-            for (&part, partial) in of[..op.operands()].iter().zip(slots[index].partials) {
-                adjoints[part as usize] += adjoint * partial;
-                reached[part as usize] = true;
-            }
+            reached[part as usize] |= leads_to;
         }
     }
 }

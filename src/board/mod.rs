@@ -23,6 +23,7 @@ mod tape;
 use std::fmt::Debug;
 
 pub use bounded::{BoundedBlock, BoundedProgram, FEW};
+pub use bounds::Judged;
 pub use hand::{Hand, Pencil};
 pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
 pub use number::TOO_LARGE;

@@ -148,6 +148,8 @@ pub struct Tape {
     judges: bool,
     /// Points that are made now are no strokes of the drawing.
     aside: bool,
+    /// Where what was done beside the drawing begins and ends, in turns.
+    pub(super) asides: Vec<u32>,
     pub(super) nodes: Vec<Node>,
     /// The results, rounded to doubles.
     pub(super) values: Vec<f64>,
@@ -187,6 +189,7 @@ impl Tape {
             keeps: true,
             judges: true,
             aside: false,
+            asides: Vec::new(),
             nodes: Vec::new(),
             values: Vec::new(),
             fine,
@@ -233,7 +236,15 @@ impl Tape {
 
     /// Begins or ends what is done beside the drawing: its points are no strokes.
     pub fn aside(&mut self, aside: bool) {
+        if self.aside != aside {
+            self.asides.push(self.next());
+        }
         self.aside = aside;
+    }
+
+    /// Whether an operation was made beside the drawing.
+    pub(super) fn is_aside(&self, index: usize) -> bool {
+        self.asides.partition_point(|change| *change as usize <= index) % 2 == 1
     }
 
     /// The arithmetic of the drawing.

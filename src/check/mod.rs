@@ -197,12 +197,14 @@ fn elsewhere(scene: &Scene, solved: &Solved, state: &crate::analytic::State) -> 
     let mut tape = None;
     solution.shown.iter().find_map(|shown| {
         let Quantity::Position(point) = shown.quantity else { return None };
-        let found = state.pose(point).ok()?;
-        let analytic = Answer::Vector { value: found.at, bound: found.bound };
-        let (distance, _) = apart(&shown.as_read(), &analytic)?;
+        // A bound follows a place through every equation: it is not needed where the places are one to the eye.
+        let seen = Answer::Vector { value: state.seen_at(point)?, bound: 0.0 };
+        let (distance, _) = apart(&shown.as_read(), &seen)?;
         if distance <= OTHER_BRANCH * size {
             return None;
         }
+        let found = state.pose(point).ok()?;
+        let analytic = Answer::Vector { value: found.at, bound: found.bound };
         // Far behind a dead centre, or on a guide that is given from afar, a place may be known no better.
         let graphical = shown.answer(tape.get_or_insert_with(|| solution.tape.clone()));
         let (distance, bounds) = apart(&graphical, &analytic)?;

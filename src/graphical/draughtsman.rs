@@ -1,6 +1,7 @@
 //! The draughtsman: the board, what already stands on it, and the record of his acts.
 
-use std::collections::BTreeMap;
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
 use crate::given::Given;
@@ -73,7 +74,7 @@ pub(super) struct Skeleton {
 }
 
 /// Why what is behind a reason cannot be told.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 enum Cause {
     /// A division fails where the links of these numbers are in line.
     InLine(Vec<u32>),
@@ -147,6 +148,8 @@ pub(super) struct Draughtsman<'m> {
     /// The first thing that was asked for and nobody has drawn.
     pub(super) missing: Option<Missing>,
     reasons: Vec<Cause>,
+    /// Where each reason stands in their list.
+    reason_of: HashMap<Cause, usize>,
     record: Construction,
 }
 
@@ -246,6 +249,7 @@ impl<'m> Draughtsman<'m> {
             turned_by: vec![None; links],
             missing: None,
             reasons: Vec::new(),
+            reason_of: HashMap::new(),
             record: Construction {
                 space: Space {
                     metres_per_mm: scales.length(),
@@ -333,10 +337,13 @@ impl<'m> Draughtsman<'m> {
     }
 
     fn reason_for(&mut self, why: Cause) -> Reason {
-        let index = self.reasons.iter().position(|r| *r == why).unwrap_or_else(|| {
-            self.reasons.push(why);
-            self.reasons.len() - 1
-        });
+        let index = match self.reason_of.entry(why) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(new) => {
+                self.reasons.push(new.key().clone());
+                *new.insert(self.reasons.len() - 1)
+            }
+        };
         Reason::try_from(index).unwrap_or(Reason::MAX)
     }
 

@@ -13,7 +13,7 @@ use super::DrawError;
 use super::draughtsman::Draughtsman;
 
 /// What is missing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Missing {
     /// The place of a point.
     Place(PointId),

@@ -1,6 +1,8 @@
 //! Reads the asked quantities off the finished diagrams.
 
-use crate::board::{Amount, Angle, Arithmetic, Direction, Line, Location, Point, Real, TOO_LARGE, Tape};
+use crate::board::{
+    Amount, Angle, Arithmetic, Direction, Judged, Line, Location, Point, Real, TOO_LARGE, Tape,
+};
 use crate::double_double::DoubleDouble;
 use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
@@ -41,12 +43,18 @@ pub(super) type Marked = Result<Vec<(u32, f64)>, &'static str>;
 
 /// Reads every asked quantity, with its bound from the tape.
 pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) {
-    let mut slots = Vec::new();
-    let readings = read_all(d)
+    let read = read_all(d);
+    let slots: Vec<Vec<u32>> =
+        read.iter().map(|read| read.numbers.iter().flatten().map(|(mark, _)| *mark).collect()).collect();
+    let judged = d.board.tape().judged(&slots.concat());
+    let mut judged = judged.as_slice();
+    let readings = read
         .into_iter()
-        .map(|read| {
-            slots.push(read.numbers.iter().flatten().map(|(mark, _)| *mark).collect());
-            let (answer, fine) = d.answer(&read);
+        .zip(&slots)
+        .map(|(read, slots)| {
+            let (own, rest) = judged.split_at(slots.len());
+            judged = rest;
+            let (answer, fine) = d.answer(&read, own);
             Reading { answer, fine, drawn_mm: read.drawn_mm, through: read.through }
         })
         .collect();
@@ -126,13 +134,13 @@ impl Read {
 }
 
 impl Draughtsman<'_> {
-    fn answer(&mut self, read: &ReadOff) -> (Answer, Option<Fine>) {
+    fn answer(&mut self, read: &ReadOff, judged: &[Judged]) -> (Answer, Option<Fine>) {
         let undefined = |why: &str| Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() });
         let numbers = match &read.numbers {
             Ok(numbers) => numbers,
             Err(why) => return (undefined(why), None),
         };
-        let weak = numbers.iter().find_map(|&(mark, _)| self.board.tape().weakness(mark));
+        let weak = judged.iter().find_map(|number| number.weakness);
         let too_large = || (undefined("a number on the way is too large for this arithmetic"), None);
         if weak == Some(TOO_LARGE) {
             return too_large();
@@ -140,7 +148,7 @@ impl Draughtsman<'_> {
         if let Some(reason) = weak {
             return (Answer::Indeterminate(self.why(reason)), None);
         }
-        let bounds: Vec<f64> = numbers.iter().map(|&(mark, _)| self.board.tape().bound(mark)).collect();
+        let bounds: Vec<f64> = judged.iter().map(|number| number.bound).collect();
         if !bounds.iter().all(|bound| bound.is_finite()) {
             return too_large();
         }

@@ -13,7 +13,17 @@ use super::shown::Shown;
 
 /// The quantities that may be zero, with their bounds.
 pub(super) fn zeros(shown: &[Shown], tape: &mut Tape) -> HashMap<Quantity, f64> {
-    shown.iter().filter_map(|shown| Some((shown.quantity, shown.bound_of_zero(tape)?))).collect()
+    let near: Vec<&Shown> = shown.iter().filter(|shown| shown.looks_like_zero(tape)).collect();
+    let slots: Vec<u32> = near.iter().flat_map(|shown| shown.slots()).copied().collect();
+    let judged = tape.judged(&slots);
+    let mut judged = judged.as_slice();
+    near.into_iter()
+        .filter_map(|shown| {
+            let (own, rest) = judged.split_at(shown.slots().len());
+            judged = rest;
+            Some((shown.quantity, shown.bound_of_zero(own)?))
+        })
+        .collect()
 }
 
 /// Says zero of them wherever something is said of them.

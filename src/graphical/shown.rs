@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::board::Tape;
+use crate::board::{Judged, Tape};
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 
@@ -41,18 +41,31 @@ impl Shown {
         self.with_bound(&bounds)
     }
 
-    /// Its bound, where that allows zero. A bound takes a sweep through the tape, and is not needed where a rougher one
-    /// that is at hand forbids zero already.
-    pub(super) fn bound_of_zero(&self, tape: &mut Tape) -> Option<f64> {
+    /// Whether bounds that are at hand, or nearly so, allow zero. The best one takes a sweep through the tape.
+    pub(super) fn looks_like_zero(&self, tape: &mut Tape) -> bool {
         if self.toward.is_some() || matches!(self.quantity, Quantity::Position(_) | Quantity::Centre(..)) {
-            return None;
+            return false;
         }
         let size = self.value.iter().fold(0.0, |sum, value| libm::hypot(sum, *value));
-        let rough = self.slots.iter().fold(0.0, |sum, slot| libm::hypot(sum, tape.rough_bound(*slot)));
-        if size > rough {
+        let mut allows = |bound: fn(&mut Tape, u32) -> f64| {
+            // Written so that what is no number may be zero.
+            !(size > self.slots.iter().fold(0.0, |sum, slot| libm::hypot(sum, bound(tape, *slot))))
+        };
+        allows(Tape::rough_bound) && allows(Tape::nearer_bound)
+    }
+
+    /// Where it stands on the tape: two places of a vector, one of anything else.
+    pub(super) fn slots(&self) -> &[u32] {
+        &self.slots
+    }
+
+    /// Its bound, where that allows zero; `judged` are its numbers.
+    pub(super) fn bound_of_zero(&self, judged: &[Judged]) -> Option<f64> {
+        if judged.iter().any(|number| number.weakness.is_some()) {
             return None;
         }
-        match self.answer(tape) {
+        let bounds: Vec<f64> = judged.iter().map(|number| number.bound).collect();
+        match self.with_bound(&bounds) {
             answer @ (Answer::Scalar { bound, .. } | Answer::Vector { bound, .. }) => {
                 answer.may_be_zero().then_some(bound)
             }

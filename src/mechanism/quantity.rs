@@ -75,7 +75,7 @@ pub enum Quantity {
 }
 
 /// Whether a quantity needs positions only, velocities, or accelerations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Order {
     /// Positions suffice.
     Position,

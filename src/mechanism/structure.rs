@@ -7,6 +7,7 @@
 //! "whose freedom pays for which constraint" orients the pairs, and the strongly connected parts of
 //! that graph are the Assur groups, in the only order in which they can be solved.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 pub use super::group::{GroupKind, Hold, Lead, Target, Unknown};
@@ -30,7 +31,7 @@ pub enum Joint {
 }
 
 /// What a trial moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum TrialDriver {
     /// A link is turned.
     Turn(LinkId),
@@ -168,6 +169,8 @@ pub struct Structure {
     pub group_of: Vec<Option<usize>>,
     /// How the groups of higher class are tried.
     pub trials: Vec<Trial>,
+    /// The group of which each point is a joint, by point.
+    joint_of: Vec<Option<usize>>,
 }
 
 /// Why a mechanism cannot be taken apart.
@@ -230,18 +233,27 @@ impl Edge {
 struct Nodes {
     links: usize,
     points: Vec<PointId>,
+    /// Where a point stands in their list, by point.
+    index: Vec<Option<usize>>,
 }
 
 impl Nodes {
     fn of(mechanism: &Mechanism) -> Self {
-        let rides = |id: PointId| {
-            mechanism.slides.iter().any(|s| matches!(s.rider, Rider::Pin { point, .. } if point == id))
-        };
-        let points = (0..mechanism.points.len())
+        let mut rides = vec![false; mechanism.points.len()];
+        for slide in &mechanism.slides {
+            if let Rider::Pin { point, .. } = slide.rider {
+                rides[point.0] = true;
+            }
+        }
+        let points: Vec<PointId> = (0..mechanism.points.len())
             .map(PointId)
-            .filter(|&id| mechanism.point(id).links.len() > 1 || rides(id))
+            .filter(|&id| mechanism.point(id).links.len() > 1 || rides[id.0])
             .collect();
-        Self { links: mechanism.links.len(), points }
+        let mut index = vec![None; mechanism.points.len()];
+        for (at, point) in points.iter().enumerate() {
+            index[point.0] = Some(at);
+        }
+        Self { links: mechanism.links.len(), points, index }
     }
 
     fn count(&self) -> usize {
@@ -249,7 +261,7 @@ impl Nodes {
     }
 
     fn point(&self, id: PointId) -> Option<usize> {
-        self.points.iter().position(|&p| p == id).map(|i| self.links + i)
+        self.index.get(id.0).copied().flatten().map(|i| self.links + i)
     }
 
     fn freedoms(&self, node: usize) -> usize {
@@ -262,6 +274,9 @@ struct Game {
     edges: Vec<Edge>,
     /// Indices of the edges that each node pays for.
     pays: Vec<Vec<usize>>,
+    /// The search in which each node was last seen, and the edge by which it was come to.
+    seen: Vec<(usize, Option<usize>)>,
+    searches: usize,
 }
 
 /// The frame's node.
@@ -273,6 +288,8 @@ impl Game {
             freedoms: (0..nodes.count()).map(|n| nodes.freedoms(n)).collect(),
             edges: Vec::new(),
             pays: vec![Vec::new(); nodes.count()],
+            seen: vec![(0, None); nodes.count()],
+            searches: 0,
         }
     }
 
@@ -287,15 +304,15 @@ impl Game {
 
     /// Brings one free freedom to `root` by letting others pay, never taking one from `keep`.
     fn gather(&mut self, root: usize, keep: usize) -> bool {
-        let mut came_by: Vec<Option<usize>> = vec![None; self.pays.len()];
-        let mut seen = vec![false; self.pays.len()];
-        seen[root] = true;
-        seen[keep] = true;
+        self.searches += 1;
+        let now = self.searches;
+        self.seen[root] = (now, None);
+        self.seen[keep] = (now, None);
         let mut stack = vec![root];
         while let Some(node) = stack.pop() {
             if node != root && self.free(node) > 0 {
                 let mut at = node;
-                while let Some(edge) = came_by[at] {
+                while let Some(edge) = self.seen[at].1 {
                     let from = self.edges[edge].payer;
                     self.pays[from].retain(|&e| e != edge);
                     self.pays[at].push(edge);
@@ -306,9 +323,8 @@ impl Game {
             }
             for &edge in &self.pays[node] {
                 let other = self.edges[edge].other(node);
-                if !seen[other] {
-                    seen[other] = true;
-                    came_by[other] = Some(edge);
+                if self.seen[other].0 != now {
+                    self.seen[other] = (now, Some(edge));
                     stack.push(other);
                 }
             }
@@ -446,20 +462,37 @@ impl Structure {
         let frame = component[FRAME];
         let mut group_of_component: Vec<Option<Option<usize>>> = vec![None; count];
         group_of_component[frame] = Some(None);
-        let mut waiting: Vec<usize> = (0..count).filter(|&c| c != frame).collect();
-        waiting.sort_by_key(|&c| members[c].first().copied());
+        let pinned =
+            |node: usize| game.pays[node].iter().all(|&e| matches!(game.edges[e].joint, Joint::Pin(..)));
+        let rides =
+            |c: usize| members[c].iter().all(|&n| n >= nodes.links && pinned(n)) && needed[c].len() == 1;
+        let mut needed_by: Vec<Vec<usize>> = vec![Vec::new(); count];
+        for (c, list) in needed.iter().enumerate() {
+            list.iter().for_each(|&n| needed_by[n].push(c));
+        }
+        let mut paid_by: Vec<Vec<Joint>> = vec![Vec::new(); count];
+        for edge in &game.edges {
+            paid_by[component[edge.payer]].push(edge.joint);
+        }
+        // How many components each has still to wait for; those that wait for none, riders first, then the lowest.
+        let mut open: Vec<usize> = needed.iter().map(Vec::len).collect();
+        let place = |c: usize| (!rides(c), members[c].first().copied(), c);
+        let mut ready: BTreeSet<(bool, Option<usize>, usize)> =
+            (0..count).filter(|&c| c != frame && open[c] == 0).map(place).collect();
+        let mut found = vec![frame];
         let mut groups: Vec<Group> = Vec::new();
         loop {
-            let ready = |&c: &usize| needed[c].iter().all(|&n| group_of_component[n].is_some());
-            let pinned =
-                |node: usize| game.pays[node].iter().all(|&e| matches!(game.edges[e].joint, Joint::Pin(..)));
-            let rides =
-                |c: usize| members[c].iter().all(|&n| n >= nodes.links && pinned(n)) && needed[c].len() == 1;
-            let next =
-                waiting.iter().position(|c| ready(c) && rides(*c)).or_else(|| waiting.iter().position(ready));
-            let Some(index) = next else { break };
-            let c = waiting.remove(index);
-            if rides(c) {
+            for n in found.drain(..) {
+                for &c in &needed_by[n] {
+                    open[c] -= 1;
+                    if open[c] == 0 {
+                        ready.insert(place(c));
+                    }
+                }
+            }
+            let Some((is_group, _, c)) = ready.pop_first() else { break };
+            found.push(c);
+            if !is_group {
                 group_of_component[c] = group_of_component[needed[c][0]];
                 continue;
             }
@@ -471,9 +504,9 @@ impl Structure {
                 .copied()
                 .collect();
             let mut joints: Vec<Joint> = Vec::new();
-            for edge in &game.edges {
-                if component[edge.payer] == c && !joints.contains(&edge.joint) {
-                    joints.push(edge.joint);
+            for joint in &paid_by[c] {
+                if !joints.contains(joint) {
+                    joints.push(*joint);
                 }
             }
             let mut after: Vec<usize> =
@@ -485,7 +518,11 @@ impl Structure {
             groups.push(Group { links, points, joints, kind, after });
         }
         let group_of = (0..nodes.links).map(|link| group_of_component[component[link]].flatten()).collect();
-        Self { mobility, groups, group_of, trials: Vec::new() }
+        let mut joint_of = vec![None; mechanism.points.len()];
+        for (index, group) in groups.iter().enumerate().rev() {
+            group.points.iter().for_each(|point| joint_of[point.0] = Some(index));
+        }
+        Self { mobility, groups, group_of, trials: Vec::new(), joint_of }
     }
 
     /// The rolling pairs that keep their bodies in contact.
@@ -517,7 +554,7 @@ impl Structure {
         if mechanism.is_fixed(point) {
             return None;
         }
-        let own = self.groups.iter().position(|group| group.points.contains(&point));
+        let own = self.joint_of.get(point.0).copied().flatten();
         own.or_else(|| mechanism.point(point).links.iter().filter_map(|&link| self.group_of(link)).min())
     }
 }

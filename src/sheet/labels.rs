@@ -4,6 +4,7 @@
 //! no free one is left, and a label is looked at again only when something within its reach has moved.
 
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::ops::{ControlFlow, Range};
 
 use kurbo::{Point, Rect, Vec2};
@@ -29,8 +30,18 @@ const TOGETHER: f64 = 0.8;
 const PASSES: usize = 8;
 /// Moves by which a crowd is untangled: where so many do not suffice there is no room.
 const MOVES: usize = 1500;
+/// Places that are looked at while a crowd is untangled, beyond which it is past repair: a sheet has an end, however
+/// many names crowd on it.
+const LOOKS: usize = 150_000;
 /// More labels than this that touch something are past repair.
 const MOST_TOUCHING: usize = 100;
+/// More names than this within [`AROUND`] of a place, and there is no room for them.
+const CROWD: usize = 40;
+/// The paper around a place that its names share, mm: some twenty names fill it.
+const AROUND: f64 = 15.0;
+
+/// The data of a group of labels that tell for which names there was no room.
+pub(super) const UNNAMED: &str = "unnamed";
 
 /// Where a label may stand.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -392,8 +403,32 @@ fn between(a: Rect, b: Rect) -> (f64, bool) {
     }
 }
 
+/// The labels that stand in a crowd for which there is no room, by index.
+fn crowded(requests: &[Request]) -> Vec<bool> {
+    let middle = |request: &Request| match request.sites.first() {
+        Some(Site::Around { at, .. }) => *at,
+        Some(Site::Along { from, to }) => from.midpoint(*to),
+        None => Point::ORIGIN,
+    };
+    let places: Vec<Point> = requests.iter().map(middle).collect();
+    let field = |at: Point| [at.x, at.y].map(|x| (x / AROUND).floor() as i64);
+    let mut fields: HashMap<[i64; 2], Vec<Point>> = HashMap::new();
+    for at in &places {
+        fields.entry(field(*at)).or_default().push(*at);
+    }
+    let in_crowd = |at: &Point| {
+        let [x, y] = field(*at);
+        let fields = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j])).filter_map(|f| fields.get(&f));
+        let near = fields.flatten().filter(|other| other.distance(*at) < AROUND);
+        // Counted no further than it matters.
+        near.take(CROWD + 1).count() > CROWD
+    };
+    places.iter().map(in_crowd).collect()
+}
+
 /// Places the labels clear of the ink in `group` and of each other, and draws them in a group of their
-/// own. Returns that group; a label that must stand and finds no free place stands where it costs least.
+/// own. Returns that group; a label that must stand and finds no free place stands where it costs least. In a crowd for
+/// which there is no room each is left out that finds none; the group's data tell the names of those that had to stand.
 #[must_use]
 pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group {
     let obstacles = Obstacles::of(group);
@@ -415,12 +450,14 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
         })
         .collect();
     let strangers = Strangers::new(anchors, lines_named);
-    let market = Market { requests, bodies: &bodies, obstacles, strangers, within };
+    let crowded = crowded(requests);
+    let yields = requests.iter().zip(&crowded).map(|(request, crowded)| request.optional || *crowded).collect();
+    let market = Market { requests, yields, bodies: &bodies, obstacles, strangers, within };
 
     let mut all: Vec<Choices> = (0..requests.len()).map(|i| market.choices(i, Reach::Near)).collect();
     // Those with the fewest free places choose first; among equals, those that must stand, then order.
     let mut order: Vec<usize> = (0..requests.len()).collect();
-    order.sort_by_key(|i| (requests[*i].optional, all[*i].free, *i));
+    order.sort_by_key(|i| (market.yields[*i], all[*i].free, *i));
     let mut standing = Standing::new(&market, &all);
     for pass in 0..=PASSES {
         let mut moved = false;
@@ -435,6 +472,11 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
     let chosen = standing.chosen;
 
     let mut out = Group::new("labels");
+    let left_out = requests.iter().zip(&chosen).filter(|(request, chosen)| !request.optional && chosen.is_none());
+    let unnamed: Vec<&str> = left_out.flat_map(|(request, _)| &request.names).map(String::as_str).collect();
+    if !unnamed.is_empty() {
+        out = out.data(UNNAMED, unnamed.join(" "));
+    }
     for (i, request) in requests.iter().enumerate() {
         let Some(candidate) = chosen[i].map(|c| &all[i].sorted[c]) else { continue };
         let at = bodies[i].start(candidate.centre);
@@ -463,6 +505,8 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
 /// What the price of a place depends on.
 struct Market<'a> {
     requests: &'a [Request],
+    /// Which are left out where no free place is found.
+    yields: Vec<bool>,
     bodies: &'a [Body],
     obstacles: Obstacles,
     strangers: Strangers,
@@ -537,6 +581,8 @@ struct Standing<'a> {
     texts: Grid,
     leaders: Grid,
     scratch: Scratch,
+    /// How many places have been looked at.
+    looks: usize,
 }
 
 impl<'a> Standing<'a> {
@@ -552,6 +598,7 @@ impl<'a> Standing<'a> {
             texts: Grid::new(area),
             leaders: Grid::new(area),
             scratch: Scratch::default(),
+            looks: 0,
         }
     }
 
@@ -559,10 +606,10 @@ impl<'a> Standing<'a> {
     /// and again becomes dearer to touch, until those in its way move.
     fn untangle(&mut self, order: &[usize], all: &mut [Choices]) {
         let market = self.market;
-        let optional = |i: &usize| market.requests[*i].optional;
+        let optional = |i: &usize| market.yields[*i];
         let mut looked: Vec<bool> = vec![false; all.len()];
-        let mut moves = 0;
-        while moves < MOVES {
+        let (mut moves, before) = (0, self.looks);
+        while moves < MOVES && self.looks - before < LOOKS {
             let touching: Vec<usize> = order.iter().copied().filter(|i| self.touches(*i, all)).collect();
             if touching.len() > MOST_TOUCHING || touching.iter().all(optional) {
                 break;
@@ -574,6 +621,7 @@ impl<'a> Standing<'a> {
                 if !std::mem::replace(&mut looked[i], true) {
                     self.choose(i, None, all);
                     all[i] = market.choices(i, Reach::Far);
+                    self.looks += all[i].sorted.len() + all[i].rest.len();
                     self.unsettled[i] = true;
                 }
                 self.settle(i, all);
@@ -642,7 +690,7 @@ impl<'a> Standing<'a> {
     }
 
     fn best(&mut self, i: usize, all: &mut [Choices]) -> Option<usize> {
-        let optional = self.market.requests[i].optional;
+        let optional = self.market.yields[i];
         let mut best: Option<(f64, usize)> = None;
         let mut c = 0;
         loop {
@@ -668,6 +716,7 @@ impl<'a> Standing<'a> {
     /// What a candidate costs among the others, and whether it touches anything; not counted further once
     /// it costs `limit`.
     fn cost(&mut self, i: usize, candidate: &Candidate, all: &[Choices], limit: f64) -> (f64, bool) {
+        self.looks += 1;
         let Scratch { met, near, .. } = &mut self.scratch;
         near.clear();
         met.begin(all.len());

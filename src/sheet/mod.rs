@@ -58,7 +58,7 @@ pub use compose::{
 };
 pub use figure::Figure;
 pub use overlay::{Fault, HandedIn, overlay};
-pub use remark::{left_out, unconfirmed};
+pub use remark::{left_out, unconfirmed, unnamed};
 pub use wanted::{auxiliary, figure_head};
 pub use words::Language;
 

@@ -1,9 +1,12 @@
 //! What must be said of a whole sheet, on each of its pages and in its description: that it is not confirmed, that
 //! something is left out of it.
 
+use std::collections::BTreeMap;
+
 use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Figure, Group, Mark, Node, Pen, Shape};
+use super::labels::UNNAMED;
 use super::rich::Rich;
 use super::words::Language;
 
@@ -40,6 +43,66 @@ pub fn left_out(figure: Figure, links: &[u32], why: &str, language: Language) ->
     noted(figure, &Rich::fill(words.left_out, &[("links", links)]), ("left-out", why))
 }
 
+/// Names beyond which a note tells no more; all stand in its data.
+const MOST_TOLD: usize = 8;
+
+/// A figure with the note for which names it has no room, where there are any: where hundreds of names crowd, those are
+/// left out that would cover one another.
+#[must_use]
+pub fn unnamed(figure: Figure, language: Language) -> Figure {
+    let mut names = Vec::new();
+    let mut groups = vec![&figure.root];
+    while let Some(group) = groups.pop() {
+        let here = group.data.iter().filter(|(key, _)| *key == UNNAMED);
+        names.extend(here.flat_map(|(_, names)| names.split(' ').map(str::to_owned)));
+        groups.extend(group.children.iter().filter_map(|node| match node {
+            Node::Group(group) => Some(group),
+            Node::Mark(_) | Node::Text(_) => None,
+        }));
+    }
+    if names.is_empty() {
+        return figure;
+    }
+    let words = language.words();
+    let all = in_rows(&names);
+    let mut what = all[..all.len().min(MOST_TOLD)].join(words.comma);
+    if all.len() > MOST_TOLD {
+        what.push('…');
+    }
+    noted(figure, &Rich::fill(words.unnamed, &[("what", Rich::upright(what))]), (UNNAMED, &all.join(" ")))
+}
+
+/// Names in their order, with what is numbered in a row told by its first and last: `A3–A7`.
+fn in_rows(names: &[String]) -> Vec<String> {
+    let mut rows: BTreeMap<(&str, &str), Vec<Option<u64>>> = BTreeMap::new();
+    for name in names {
+        let digit = |c: char| c.is_ascii_digit();
+        let end = name.rfind(digit).map_or(name.len(), |last| last + 1);
+        let start = name[..end].rfind(|c| !digit(c)).map_or(0, |at| at + name[at..].chars().next().map_or(1, char::len_utf8));
+        // `A07` is not `A7`.
+        let number = name[start..end].parse().ok().filter(|n: &u64| n.to_string() == name[start..end]);
+        match number {
+            Some(number) => rows.entry((&name[..start], &name[end..])).or_default().push(Some(number)),
+            None => rows.entry((name, "")).or_default().push(None),
+        }
+    }
+    let mut told = Vec::new();
+    for ((before, after), mut numbers) in rows {
+        numbers.sort_unstable();
+        numbers.dedup();
+        let next = |a: &Option<u64>, b: &Option<u64>| a.zip(*b).is_some_and(|(a, b)| a.checked_add(1) == Some(b));
+        for row in numbers.chunk_by(next) {
+            let name = |number: Option<u64>| number.map_or(before.to_owned(), |n| format!("{before}{n}{after}"));
+            match row {
+                [first, .., last] => told.push(format!("{}–{}", name(*first), name(*last))),
+                [only] => told.push(name(*only)),
+                [] => {}
+            }
+        }
+    }
+    told
+}
+
 fn noted(mut figure: Figure, text: &Rich, (key, why): (&'static str, &str)) -> Figure {
     let is_page = |node: &Node| matches!(node, Node::Group(group) if group.class == "page");
     let pages = figure.root.children.iter().filter(|node| is_page(node)).count();
@@ -52,8 +115,12 @@ fn noted(mut figure: Figure, text: &Rich, (key, why): (&'static str, &str)) -> F
         // The upper margin of every page is blank, and all but the page's number of the lower one.
         for (index, page) in figure.root.children.iter_mut().enumerate() {
             let Node::Group(page) = page else { continue };
-            let second = page.children.iter().any(|node| top_note(node) > 0.0);
-            let from = if second { page_height - LOWER } else { EDGE };
+            let from = match page.children.iter().filter(|node| top_note(node) > 0.0).count() {
+                0 => EDGE,
+                1 => page_height - LOWER,
+                // There is room for two; the description tells all.
+                _ => continue,
+            };
             page.children.push(Node::Group(note(index as f64 * page_height + from).0));
         }
     } else {

@@ -338,6 +338,7 @@ pub struct Words {
     pub unconfirmed: &'static str,
     pub unconfirmed_at_all: &'static str,
     pub left_out: &'static str,
+    pub unnamed: &'static str,
     // The sheet on which answers are written.
     pub form_name: &'static str,
     pub form_variant: &'static str,
@@ -585,6 +586,7 @@ const ENGLISH: Words = Words {
     unconfirmed: "Not confirmed by the independent solver: {what}.",
     unconfirmed_at_all: "Not confirmed by the independent solver.",
     left_out: "Links {links} are not drawn: nothing asked needs them, and they cannot be assembled as stated.",
+    unnamed: "At this size there is no room for the names of {what}.",
     form_name: "Name",
     form_variant: "Variant",
 };
@@ -832,6 +834,7 @@ const ARABIC: Words = Words {
     unconfirmed: "لم يؤكّد الحلّ التحليلي المستقل قيمة {what}.",
     unconfirmed_at_all: "لم يؤكّد الحلّ التحليلي المستقل هذا الرسم.",
     left_out: "لم تُرسم الوصلات {links}: لا يحتاج إليها المطلوب ولا يمكن تجميعها بالمعطيات.",
+    unnamed: "لا يتسع الرسم بهذا المقاس لأسماء {what}.",
     form_name: "الاسم",
     form_variant: "رقم النموذج",
 };
@@ -1079,6 +1082,7 @@ const ARABIC_AJALA: Words = Words {
     unconfirmed: "لم يؤكّد الحلّ التحليلي المستقل قيمة {what}.",
     unconfirmed_at_all: "لم يؤكّد الحلّ التحليلي المستقل هذا الرسم.",
     left_out: "لم تُرسم الوصلات {links}: لا يحتاج إليها المطلوب ولا يمكن تجميعها بالمعطيات.",
+    unnamed: "لا يتسع الرسم بهذا المقاس لأسماء {what}.",
     form_name: "الاسم",
     form_variant: "رقم النموذج",
 };
@@ -1325,6 +1329,7 @@ const PERSIAN: Words = Words {
     unconfirmed: "حل تحلیلی مستقل مقدار {what} را تأیید نکرد.",
     unconfirmed_at_all: "حل تحلیلی مستقل این رسم را تأیید نکرد.",
     left_out: "بندهای {links} رسم نشده‌اند: خواسته‌ها به آن‌ها نیاز ندارند و با این داده‌ها سرهم نمی‌شوند.",
+    unnamed: "در این اندازه برای نام {what} جا نیست.",
     form_name: "نام",
     form_variant: "شمارهٔ برگه",
 };

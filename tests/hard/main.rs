@@ -13,6 +13,8 @@ mod folder;
 mod fuzz;
 mod mutation;
 mod reading;
+mod scale;
+mod unasked;
 #[cfg(unix)]
 mod writing;
 

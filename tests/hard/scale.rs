@@ -1,0 +1,71 @@
+//! Long chains: what is asked of one costs about as much for each link as of a short one, and says the same.
+
+use serde_json::{Map, json};
+
+use linkgram::plan::Extent;
+use linkgram::solve::{self, Solved};
+use linkgram::{analytic, scene, sheet};
+
+use super::Clock;
+
+/// A crank and parallelograms, one after the other.
+fn chain(dyads: u32) -> scene::Scene {
+    let (mut fixed, mut near, mut links) = (Map::new(), Map::new(), Map::new());
+    fixed.insert("G0".to_owned(), json!([0, 0]));
+    links.insert("2".to_owned(), json!({"joins": ["G0", "P0"], "length": 60}));
+    for i in 1..=dyads {
+        fixed.insert(format!("G{i}"), json!([120 * i, 0]));
+        near.insert(format!("P{i}"), json!([120 * i, 60]));
+        let joins = [format!("P{}", i - 1), format!("P{i}")];
+        links.insert((2 * i + 1).to_string(), json!({"joins": joins, "length": 120}));
+        links.insert(
+            (2 * i + 2).to_string(),
+            json!({"joins": [format!("G{i}"), format!("P{i}")], "length": 60}),
+        );
+    }
+    let text = json!({
+        "units": {"length": "mm"}, "fixed": fixed, "links": links, "near": near,
+        "input": {"link": 2, "angle": 80, "omega": 1},
+        "find": [format!("v(P{dyads})"), format!("omega({})", 2 * dyads + 2), format!("a(P{dyads})")],
+    });
+    scene::read(&text.to_string(), "chain.json").unwrap()
+}
+
+fn solved(scene: &scene::Scene) -> Solved {
+    solve::solve(scene, Extent::Asked, sheet::scale::for_scene).unwrap()
+}
+
+/// Eight results are swept back from at once; each is told what it is told alone, to the last bit.
+#[test]
+fn bounds_of_many_results_are_those_of_each() {
+    let solved = solved(&chain(20));
+    let mut tape = solved.solution.tape.clone();
+    let slots: Vec<u32> = tape.strokes().iter().flat_map(|stroke| stroke.slots).collect();
+    assert!(slots.len() > 100);
+    let together = tape.judged(&slots);
+    for (slot, judged) in slots.into_iter().zip(together) {
+        assert_eq!(judged.bound.to_bits(), tape.bound(slot).to_bits(), "slot {slot}");
+        assert_eq!(judged.weakness, tape.weakness(slot), "slot {slot}");
+    }
+}
+
+/// The independent solver goes from group to group: ten times the links cost some ten times the time.
+#[test]
+fn the_independent_solver_is_near_linear_in_links() {
+    let time = |dyads: u32| {
+        let scene = chain(dyads);
+        let asked: Vec<_> = scene.mechanism.asked.iter().map(|asked| asked.quantity).collect();
+        let clock = Clock::start();
+        let state = analytic::solve_for(&scene.mechanism, &asked).unwrap();
+        let speed = state.answer(&asked[0]);
+        let took = clock.elapsed();
+        let (x, y) = (-0.06 * libm::sin(80_f64.to_radians()), 0.06 * libm::cos(80_f64.to_radians()));
+        let linkgram::mechanism::quantity::Answer::Vector { value, bound } = speed else {
+            panic!("{speed:?}");
+        };
+        assert!(libm::hypot(value[0] - x, value[1] - y) <= bound && bound < 1e-9, "{value:?} within {bound}");
+        took
+    };
+    let (short, long) = (time(20), time(200));
+    assert!(long < 25 * short, "20 dyads take {short:?}, 200 take {long:?}");
+}
