@@ -326,6 +326,43 @@ fn lengths() {
     }
 }
 
+/// The best of a few runs: they take too long for a hundred.
+fn least(mut run: impl FnMut()) -> f64 {
+    let times = (0..5).map(|_| {
+        let start = Instant::now();
+        run();
+        start.elapsed().as_secs_f64()
+    });
+    times.fold(f64::INFINITY, f64::min)
+}
+
+/// How the whole of a command grows with the links; an exponent of 1 is a fixed cost for each link.
+fn growth() {
+    let table = |what: &str, sizes: [usize; 4], run: &dyn Fn(&Scene)| {
+        println!("\n| {what} | s | us a link | exponent |\n|---|---|---|---|");
+        let mut before: Option<(f64, f64)> = None;
+        for links in sizes {
+            let scene = chain((links - 2) / 2);
+            let (took, size) = (least(|| run(&scene)), links as f64);
+            let exponent = before.map_or(String::new(), |(last, of)| {
+                format!("{:.2}", libm::log(took / last) / libm::log(size / of))
+            });
+            println!("| {links} links | {took:.4} | {:.1} | {exponent} |", 1e6 * took / size);
+            before = Some((took, size));
+        }
+    };
+    table("two quantities, both solvers", [200, 1000, 2000, 5000], &|scene| {
+        solve(scene, Arithmetic::Double);
+        let state = linkgram::solve::solve_analytically(scene);
+        black_box(
+            state.map(|state| scene.mechanism.asked.iter().map(|a| state.answer(&a.quantity)).count()).ok(),
+        );
+    });
+    table("a sheet, confirmed", [8, 32, 100, 200], &|scene| {
+        black_box(linkgram::drawing::figure(scene, &linkgram::drawing::Wish::default()).is_ok());
+    });
+}
+
 fn whole_way() {
     heading("the whole way, in this process", "us");
     let path = format!("{}/examples/s000-ch3a-1.json", env!("CARGO_MANIFEST_DIR"));
@@ -391,6 +428,7 @@ fn main() -> std::io::Result<()> {
     bounds();
     arithmetics();
     lengths();
+    growth();
     whole_way();
     Ok(())
 }

@@ -129,7 +129,7 @@ pub fn solve_with(
     let others = sweep::other_positions(&scene.mechanism, inputs, assembly)?;
     let draw = |plan: &Plan| {
         let page = |extents: Extents| choose(scene, extents.with(&others));
-        graphical::solution(settings.arithmetic, &scene.mechanism, &structure, plan, page)
+        graphical::solution(settings.arithmetic, &scene.mechanism, &structure, (plan, extent), page)
     };
     let plan_from = |source, left_out: &BTreeSet<usize>| {
         Plan::leaving_out(&scene.mechanism, &structure, extent, source, auxiliary, left_out)

@@ -117,7 +117,16 @@ impl System {
     }
 
     /// The multipliers of a number whose gradient towards the unknowns is `gradient`: one sweep back.
-    pub(super) fn adjoint(&self, mut gradient: Vec<f64>) -> Multipliers {
+    pub(super) fn adjoint(&self, gradient: Vec<f64>) -> Multipliers {
+        self.adjoint_to(gradient, |_| None)
+    }
+
+    /// The same by a sweep that ends at unknowns of which an error is known; what these do is slack.
+    pub(super) fn adjoint_to(
+        &self,
+        mut gradient: Vec<f64>,
+        known: impl Fn(usize) -> Option<f64>,
+    ) -> Multipliers {
         let mut multipliers = Multipliers { rows: Vec::new(), slack: 0.0 };
         // Blocks depend on earlier ones: behind the last that the number depends on there is nothing to do.
         let touched =
@@ -128,6 +137,12 @@ impl System {
             let columns = &block.group.columns;
             if columns.iter().all(|c| gradient[*c] == 0.0) {
                 continue;
+            }
+            for column in columns {
+                if let Some(error) = known(*column) {
+                    let moves = std::mem::take(&mut gradient[*column]).abs();
+                    multipliers.slack += if moves == 0.0 { 0.0 } else { moves * error };
+                }
             }
             let Some(inverse) = &block.inverse else {
                 multipliers.slack += match &block.widths {

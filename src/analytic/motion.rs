@@ -40,8 +40,8 @@ pub(super) struct Located {
     pub(super) system: System,
     /// First-order radius of each pose coordinate, or more.
     error: Vec<f64>,
-    /// Whether that is no more than it has to be.
-    sharp: Vec<bool>,
+    /// How they were found.
+    sharp: Vec<Sharpness>,
     /// Room for a motion: of nothing, whenever nobody uses it.
     rest: Vec<f64>,
 }
@@ -61,6 +61,17 @@ pub(super) struct Solved {
     pub(super) system: System,
     /// Unknowns that are not determined here.
     pub(super) undetermined: Vec<bool>,
+}
+
+/// How the radius of a pose coordinate was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Sharpness {
+    /// Carried on from the group before, without correlations.
+    Carried,
+    /// By a sweep back that ended at coordinates for which that was done before.
+    Near,
+    /// By a sweep back through all equations: it is no more than it has to be.
+    Whole,
 }
 
 fn no_value() -> AnalyticError {
@@ -102,8 +113,14 @@ pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, Analy
         Leaf::Pose(at) => Some(at),
         _ => None,
     });
-    let mut located =
-        Located { error: vec![0.0; n], sharp: vec![false; n], rest: vec![0.0; n], pose, rows, system };
+    let mut located = Located {
+        error: vec![0.0; n],
+        sharp: vec![Sharpness::Carried; n],
+        rest: vec![0.0; n],
+        pose,
+        rows,
+        system,
+    };
     for index in 0..located.system.blocks.len() {
         located.judge(model, index);
     }
@@ -116,8 +133,10 @@ impl Located {
         let columns = self.system.blocks[index].group.columns.clone();
         if self.system.blocks[index].inverse.is_some() {
             self.carry_on(model, index);
-            if columns.iter().any(|column| self.error[*column] > ROUGH) {
-                self.sharpen(model, columns.iter().copied());
+            for how in [Sharpness::Near, Sharpness::Whole] {
+                if columns.iter().any(|column| self.error[*column] > ROUGH) {
+                    self.sharpen(model, columns.iter().copied(), how);
+                }
             }
             let Self { pose, error, rest, system, .. } = self;
             let regular = looks_regular(system, index, &model.position, model, pose, error, rest);
@@ -128,7 +147,7 @@ impl Located {
         let widths = self.widths(model, index);
         for (k, column) in columns.iter().enumerate() {
             self.error[*column] = widths.as_ref().map_or(UNBOUNDED, |w| w[k]);
-            self.sharp[*column] = true;
+            self.sharp[*column] = Sharpness::Whole;
         }
         self.system.blocks[index].inverse = None;
         self.system.blocks[index].widths = widths;
@@ -139,9 +158,9 @@ impl Located {
         let block = &self.system.blocks[index];
         let columns = &block.group.columns;
         let open: Vec<f64> = block.group.rows.iter().map(|row| self.open(model, *row, columns)).collect();
-        let Some(inverse) = &block.inverse else { return };
         for (k, column) in columns.iter().enumerate() {
-            self.error[*column] = open.iter().enumerate().map(|(i, open)| inverse[(k, i)].abs() * open).sum();
+            let moved = |inverse: &DMatrix<f64>| open.iter().enumerate().map(|(i, open)| inverse[(k, i)].abs() * open).sum();
+            self.error[*column] = block.inverse.as_ref().map_or(UNBOUNDED, moved);
         }
     }
 
@@ -160,40 +179,45 @@ impl Located {
         linear.value.abs() + linear.rounding + spread
     }
 
-    /// Finds the radii of these unknowns by sweeps back through all equations. Says whether any was not so before.
-    fn sharpen(&mut self, model: &Model, columns: impl Iterator<Item = usize>) -> bool {
-        let mut any = false;
-        for column in columns {
-            if std::mem::replace(&mut self.sharp[column], true) {
-                continue;
-            }
-            any = true;
-            let mut gradient = vec![0.0; self.pose.len()];
-            gradient[column] = 1.0;
-            let mut by_param = vec![0.0; model.params.len()];
-            let multipliers = self.system.adjoint(gradient);
-            let error = error_of(&multipliers, &self.rows, &mut by_param);
-            self.error[column] = error + param_error(&by_param, &model.params);
+    /// Finds the radii of these unknowns by sweeps back. Says whether any was not found so before.
+    fn sharpen(&mut self, model: &Model, columns: impl Iterator<Item = usize>, how: Sharpness) -> bool {
+        let rough: Vec<usize> = columns.filter(|column| self.sharp[*column] < how).collect();
+        let found: Vec<f64> = rough
+            .iter()
+            .map(|column| {
+                let mut gradient = vec![0.0; self.pose.len()];
+                gradient[*column] = 1.0;
+                let known =
+                    |at: usize| (how < Sharpness::Whole && self.sharp[at] >= how).then_some(self.error[at]);
+                let multipliers = self.system.adjoint_to(gradient, known);
+                let mut by_param = vec![0.0; model.params.len()];
+                error_of(&multipliers, &self.rows, &mut by_param) + param_error(&by_param, &model.params)
+            })
+            .collect();
+        for (&column, error) in rough.iter().zip(found) {
+            self.error[column] = self.error[column].min(error);
+            self.sharp[column] = how;
         }
-        any
+        !rough.is_empty()
     }
 
     /// Finds the radii on which equations hang.
-    fn sharpen_for(&mut self, model: &Model, equations: &[Row], rows: &[usize]) -> bool {
+    fn sharpen_for(&mut self, model: &Model, equations: &[Row], rows: &[usize], how: Sharpness) -> bool {
         let mut bodies: Vec<usize> = rows.iter().flat_map(|row| equations[*row].all_bodies()).collect();
         bodies.sort_unstable();
         bodies.dedup();
-        self.sharpen(model, bodies.into_iter().flat_map(|body| 3 * body..3 * body + 3))
+        self.sharpen(model, bodies.into_iter().flat_map(|body| 3 * body..3 * body + 3), how)
     }
 
     /// Whether a group of the position that did not look regular is so when all radii are as small as they are.
     fn is_regular_when_sharp(&mut self, model: &Model, index: usize) -> bool {
         let rows = self.system.blocks[index].group.rows.clone();
-        if !self.sharpen_for(model, &model.position, &rows) {
-            return false;
-        }
-        let Self { pose, error, rest, system, .. } = self;
-        looks_regular(system, index, &model.position, model, pose, error, rest)
+        [Sharpness::Near, Sharpness::Whole].into_iter().any(|how| {
+            self.sharpen_for(model, &model.position, &rows, how) && {
+                let Self { pose, error, rest, system, .. } = self;
+                looks_regular(system, index, &model.position, model, pose, error, rest)
+            }
+        })
     }
 
     /// Whether a group of the motion is regular.
@@ -202,7 +226,11 @@ impl Located {
             let Self { pose, error, rest, .. } = at;
             looks_regular(system, index, equations, model, pose, error, rest)
         };
-        looks(self) || (self.sharpen_for(model, equations, &system.blocks[index].group.rows) && looks(self))
+        let rows = &system.blocks[index].group.rows;
+        looks(self)
+            || [Sharpness::Near, Sharpness::Whole]
+                .into_iter()
+                .any(|how| self.sharpen_for(model, equations, rows, how) && looks(self))
     }
 
     /// At a dead centre of the position itself the equations fix the singular direction v only to second

@@ -14,7 +14,7 @@
 use std::collections::BinaryHeap;
 
 use super::op::{MOST_OPERANDS, OF_PARTIALS, Op};
-use super::scalar::Arithmetic;
+use super::scalar::{Arithmetic, Real};
 use super::tape::{Errors, Event, Node, Reason, Role, Tape};
 use crate::double_double::DoubleDouble;
 use crate::wide::Wide;
@@ -31,9 +31,21 @@ struct Slot {
     own: f64,
     /// The error is no larger; without the correlations often much smaller.
     error: f64,
-    /// A coordinate of a point that was drawn.
-    is_point: bool,
+    /// How far the point of which it is a coordinate lies from the origin, where it is one that was drawn.
+    point: Option<f64>,
     drawn_in: DrawnIn,
+}
+
+impl Slot {
+    /// Whether sweeps may end here: a coordinate of a point that is drawn in so far, or so fine that what its
+    /// correlations are worth does not matter.
+    fn is_end(&self, sweep: DrawnIn) -> bool {
+        match (self.point, sweep) {
+            (None, _) | (_, DrawnIn::ToWholePoints | DrawnIn::Wholly) => false,
+            (_, DrawnIn::Not | DrawnIn::ToPoints) => self.drawn_in > DrawnIn::Not,
+            (Some(size), DrawnIn::ToExactPoints) => self.drawn_in >= sweep || self.error <= FINE * size,
+        }
+    }
 }
 
 /// How far the error of a slot has been drawn in.
@@ -43,8 +55,11 @@ enum DrawnIn {
     Not,
     /// From the nearest points behind it, whose errors are drawn in by sweeps that end at points drawn in before.
     ToPoints,
-    /// From the nearest points behind it, whose errors are drawn in by sweeps through the whole tape.
+    /// From the nearest points behind it, whose errors are drawn in by sweeps that end at points for which that was done
+    /// before, and at fine ones.
     ToExactPoints,
+    /// From the nearest points behind it, whose errors are drawn in by sweeps through the whole tape.
+    ToWholePoints,
     /// By a sweep of its own through the whole tape.
     Wholly,
 }
@@ -73,13 +88,30 @@ pub(super) struct Bounds {
     waiting: Vec<u64>,
 }
 
-/// How far operands are drawn in, one sweep after the other as long as what the tangent leaves out is more than
-/// these parts of the rounding and of what the operands' errors do along the tangent. Running errors may be
-/// too rough to measure anything by; the longer the sweep, the more must depend on it. Errors of a billionth of their
-/// numbers are fine enough for anything, also where nothing is rounded: what they do beyond the tangent is no more than
-/// a billionth of what they do along it.
-const SWEEPS: [(DrawnIn, f64, f64); 3] =
-    [(DrawnIn::ToPoints, 1.0 / 64.0, 1e-9), (DrawnIn::ToExactPoints, 1.0, 1e-8), (DrawnIn::Wholly, 8.0, 1e-6)];
+/// A way to draw operands in, and when it is worth it.
+#[derive(Debug, Clone, Copy)]
+struct Sweep {
+    how: DrawnIn,
+    /// What the tangent leaves out is more than so much of a rounding,
+    of_rounding: f64,
+    /// and, where nothing can be rounded, than this part of what the operands' errors do along the tangent;
+    of_error: f64,
+    /// or these are more than this part of the terms themselves.
+    of_terms: f64,
+}
+
+/// How operands are drawn in, one sweep after the other as long as it is worth it. Running errors may be too rough to
+/// measure anything by; the longer the sweep, the more must depend on it.
+const SWEEPS: [Sweep; 4] = [
+    Sweep { how: DrawnIn::ToPoints, of_rounding: 1.0 / 64.0, of_error: 1e-9, of_terms: 1.0 / 256.0 },
+    Sweep { how: DrawnIn::ToExactPoints, of_rounding: 1.0, of_error: 1e-8, of_terms: 1.0 / 64.0 },
+    Sweep { how: DrawnIn::ToWholePoints, of_rounding: 1.0, of_error: 1e-8, of_terms: 1.0 / 4.0 },
+    Sweep { how: DrawnIn::Wholly, of_rounding: 8.0, of_error: 1e-6, of_terms: 2.0 },
+];
+
+/// Errors that are no more than this part of a point's distance from the origin are fine: nothing that follows from
+/// such errors is drawn in because of them.
+const FINE: f64 = 1e-12;
 
 /// A divisor is too weak to divide by when its error passes this part of it.
 pub(super) const WEAK_DIVISOR: f64 = 1.0 / 8.0;
@@ -219,7 +251,7 @@ impl Tape {
     }
 
     fn push(&mut self, partials: [f64; MOST_OPERANDS], own: f64, error: f64) {
-        self.bounds.slots.push(Slot { partials, own, error, is_point: false, drawn_in: DrawnIn::Not });
+        self.bounds.slots.push(Slot { partials, own, error, point: None, drawn_in: DrawnIn::Not });
     }
 
     fn look_at_events(&mut self, before: usize) {
@@ -230,9 +262,10 @@ impl Tape {
             self.bounds.events += 1;
             match event {
                 Event::Point(marks) => {
+                    let [x, y] = marks.map(|mark| self.values.get(mark as usize).copied().unwrap_or(0.0));
                     for mark in marks {
                         if let Some(slot) = self.bounds.slots.get_mut(mark as usize) {
-                            slot.is_point = true;
+                            slot.point = Some(libm::hypot(x, y));
                         }
                     }
                 }
@@ -244,9 +277,9 @@ impl Tape {
     fn judge(&mut self, mark: u32, value: f64, reason: Reason) {
         // Written so that a not-a-number counts as weak, and a zero that has no error.
         let clear = |tape: &Self| tape.error_of(mark) < WEAK_DIVISOR * value.abs();
-        for (sweep, ..) in SWEEPS.into_iter().filter(|_| value != 0.0) {
+        for sweep in SWEEPS.into_iter().filter(|_| value != 0.0) {
             if !clear(self) {
-                self.draw_in(mark, sweep);
+                self.draw_in(mark, sweep.how);
             }
         }
         if !clear(self) {
@@ -266,11 +299,11 @@ impl Tape {
             let error = self.along(&partials, &of[..count]);
             return self.push(partials, 0.0, error);
         }
-        let rounding = match self.arithmetic {
-            Arithmetic::Single => op.rounding::<f32>(at, value),
-            Arithmetic::Double => op.rounding::<f64>(at, value),
-            Arithmetic::DoubleDouble => op.rounding::<DoubleDouble>(at, value),
-            Arithmetic::Wide => op.rounding::<Wide>(at, value),
+        let (rounding, unit) = match self.arithmetic {
+            Arithmetic::Single => (op.rounding::<f32>(at, value), f32::UNIT_ROUNDOFF),
+            Arithmetic::Double => (op.rounding::<f64>(at, value), f64::UNIT_ROUNDOFF),
+            Arithmetic::DoubleDouble => (op.rounding::<DoubleDouble>(at, value), DoubleDouble::UNIT_ROUNDOFF),
+            Arithmetic::Wide => (op.rounding::<Wide>(at, value), Wide::UNIT_ROUNDOFF),
         };
         let errors = |tape: &Self| {
             let mut errors = [0.0; MOST_OPERANDS];
@@ -283,13 +316,18 @@ impl Tape {
         let mut beyond = op.beyond(&partials, &errors(self), along);
         // What was only measured to see that the drawing is right needs no good bound.
         let sweeps = if self.is_aside(index) { &SWEEPS[..0] } else { &SWEEPS[..] };
-        for &(sweep, of_rounding, of_error) in sweeps {
-            let matters = beyond.left_out > of_rounding * rounding + of_error * along;
+        // Products with powers of two are exact, and beside exact numbers nothing is too small to matter.
+        let terms: f64 = partials.iter().zip(at).map(|(partial, at)| (partial * at).abs()).sum();
+        let least = rounding.max(unit * terms);
+        for sweep in sweeps {
+            let of_error = if least > 0.0 && sweep.how < DrawnIn::Wholly { 0.0 } else { sweep.of_error };
+            let matters = beyond.left_out > sweep.of_rounding * least + of_error * along
+                || along > sweep.of_terms * terms && terms > 0.0;
             if !matters || beyond.left_out.is_infinite() {
                 break;
             }
             for &mark in &of[..count] {
-                self.draw_in(mark, sweep);
+                self.draw_in(mark, sweep.how);
             }
             along = self.along(&partials, &of[..count]);
             beyond = op.beyond(&partials, &errors(self), along);
@@ -349,10 +387,10 @@ impl Tape {
                 continue;
             }
             let slot = &self.bounds.slots[index as usize];
-            if slot.drawn_in >= sweep {
+            if slot.drawn_in >= sweep || sweep > DrawnIn::ToPoints && index != mark && slot.is_end(sweep) {
                 continue;
             }
-            if slot.is_point {
+            if slot.point.is_some() {
                 points.push(index);
             } else {
                 between.push(index);
@@ -360,9 +398,9 @@ impl Tape {
             }
         }
         points.reverse();
-        if sweep == DrawnIn::ToPoints {
+        if sweep <= DrawnIn::ToExactPoints {
             for point in points {
-                let error = self.error_behind(point);
+                let error = self.error_behind(point, sweep);
                 self.set_drawn_in(point, error, sweep);
             }
         } else {
@@ -387,8 +425,8 @@ impl Tape {
         }
     }
 
-    /// A bound of the error of a slot, by a sweep back that ends at points that are drawn in.
-    fn error_behind(&mut self, mark: u32) -> f64 {
+    /// A bound of the error of a slot, by a sweep back that ends at points.
+    fn error_behind(&mut self, mark: u32, sweep: DrawnIn) -> f64 {
         let Self { nodes, bounds, .. } = self;
         let Bounds { slots, local, waiting: bits, .. } = bounds;
         local.resize(slots.len(), 0.0);
@@ -410,8 +448,7 @@ impl Tape {
             let adjoint = std::mem::take(&mut local[index]);
             if adjoint != 0.0 {
                 let slot = &slots[index];
-                let known = slot.is_point && slot.drawn_in > DrawnIn::Not && index != mark as usize;
-                if known {
+                if index != mark as usize && slot.is_end(sweep) {
                     error += adjoint.abs() * slot.error;
                     continue;
                 }

@@ -253,6 +253,12 @@ impl Tape {
         self.arithmetic
     }
 
+    /// How many results stand on the tape, those from outside among them.
+    #[must_use]
+    pub fn operations(&self) -> usize {
+        self.nodes.len()
+    }
+
     /// The strokes in the order of drawing.
     #[must_use]
     pub fn strokes(&self) -> &[PointRecord] {

@@ -148,6 +148,8 @@ pub(super) struct Draughtsman<'m> {
     /// The first thing that was asked for and nobody has drawn.
     pub(super) missing: Option<Missing>,
     reasons: Vec<Cause>,
+    /// Which points have points of other links under them.
+    has_under: Vec<bool>,
     /// Where each reason stands in their list.
     reason_of: HashMap<Cause, usize>,
     record: Construction,
@@ -224,6 +226,7 @@ impl<'m> Draughtsman<'m> {
             figures: vec![None; links],
             poses: vec![None; links],
             lengths: Vec::new(),
+            has_under: with_points_under(mechanism, structure),
             motions: [0, 1].map(|_| Motion {
                 images: vec![None; points],
                 rotations: vec![None; links],
@@ -566,21 +569,7 @@ impl<'m> Draughtsman<'m> {
         if self.mechanism.is_fixed(point) {
             return Label::Pole;
         }
-        let moving = |slide: usize| self.mechanism.slides[slide].guide.link != LinkId::FRAME;
-        let on_moving_guide = self.mechanism.slides.iter().any(|s| {
-            s.guide.link != LinkId::FRAME && matches!(s.rider, Rider::Pin { point: p, .. } if p == point)
-        }) || self.structure.groups.iter().any(|group| {
-            let Some((target, unknowns)) = group.kind.unknowns(self.mechanism) else { return false };
-            unknowns.into_iter().any(|unknown| match (unknown, target) {
-                (Unknown::Slide { slide, .. }, Target::Pin(pin))
-                | (Unknown::Carried { hold: Hold::Slide(slide), pin, .. }, _) => {
-                    pin == point && moving(slide)
-                }
-                (Unknown::Roll { centre, back: true, .. }, _) => centre == point,
-                _ => false,
-            })
-        });
-        let link = if on_moving_guide { home(self.mechanism, self.structure, point) } else { None };
+        let link = if self.has_under[point.0] { home(self.mechanism, self.structure, point) } else { None };
         Label::Image { point, link }
     }
 
@@ -718,4 +707,28 @@ impl<'m> Draughtsman<'m> {
         let mm = libm::hypot(v.to[0] - v.from[0], v.to[1] - v.from[1]);
         self.act(Act::ReadVector { vector, mm, value: mm * scale });
     }
+}
+
+/// Which points are on moving guides or roll on moving links, so that points of other links lie under them; by point.
+fn with_points_under(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> {
+    let moving = |slide: usize| mechanism.slides[slide].guide.link != LinkId::FRAME;
+    let mut all = vec![false; mechanism.points.len()];
+    for slide in &mechanism.slides {
+        if let Rider::Pin { point, .. } = slide.rider {
+            all[point.0] |= slide.guide.link != LinkId::FRAME;
+        }
+    }
+    for (target, unknowns) in structure.groups.iter().filter_map(|group| group.kind.unknowns(mechanism)) {
+        for unknown in unknowns {
+            match (unknown, target) {
+                (Unknown::Slide { slide, .. }, Target::Pin(pin))
+                | (Unknown::Carried { slide, pin, .. }, _) => {
+                    all[pin.0] |= moving(slide);
+                }
+                (Unknown::Roll { centre, back: true, .. }, _) => all[centre.0] = true,
+                _ => {}
+            }
+        }
+    }
+    all
 }

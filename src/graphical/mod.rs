@@ -41,12 +41,14 @@ pub use scales::{DiagramExtent, Extents, Scales, Told};
 pub use shown::{Shown, is_trial};
 pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, transcribe_with_bounds};
 
+use std::collections::HashSet;
+
 use crate::board::{Arithmetic, Board, Real, Scale, Tape};
 use crate::given::Given;
-use crate::mechanism::quantity::Order;
+use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::{Drive, GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
-use crate::plan::Plan;
+use crate::plan::{Extent, Plan};
 use construction::Construction;
 use draughtsman::Draughtsman;
 use scales::{board_scales, measure, provisional_scales};
@@ -251,7 +253,8 @@ pub fn construct_on(
     plan: &Plan,
     scales: Scales,
 ) -> Result<Solution, DrawError> {
-    Ok(finish(draw(Board::new(tape), mechanism, structure, plan, scales)?, plan))
+    let drawn = draw(Board::new(tape), mechanism, structure, plan, scales)?;
+    Ok(finish(drawn, plan, Extent::WholeSkeleton))
 }
 
 /// The asked quantities by a board that keeps no record: no bounds, no strokes.
@@ -289,6 +292,7 @@ pub fn recorded<R: Real>(
 
 /// Draws a solution on the board and brings it to the page: `choose` finds the page's scales for the size of the
 /// diagrams. The board's own scales are powers of two, so that no digit depends on either. Gives the page's scales too.
+/// The plan comes with the extent for which it was made.
 ///
 /// # Errors
 /// See [`DrawError`].
@@ -296,7 +300,7 @@ pub fn solution(
     arithmetic: Arithmetic,
     mechanism: &Mechanism,
     structure: &Structure,
-    plan: &Plan,
+    (plan, extent): (&Plan, Extent),
     choose: impl Fn(Extents) -> Scales,
 ) -> Result<(Scales, Solution), DrawError> {
     let board = board_scales(mechanism);
@@ -306,7 +310,7 @@ pub fn solution(
     let extents = measure(drawn.record(), mechanism, board);
     let mut page = choose(extents.clone());
     drawn.per_page = page.length() / board.length();
-    let mut solution = finish(drawn, plan);
+    let mut solution = finish(drawn, plan, extent);
     if let Some(quiet) = solution.without_noise(&extents) {
         page = choose(quiet);
     }
@@ -315,14 +319,17 @@ pub fn solution(
 }
 
 /// Draws what is planned besides, reads everything off, and says zero of what its bound cannot tell from it.
-fn finish(mut draughtsman: Draughtsman<'_>, plan: &Plan) -> Solution {
+fn finish(mut draughtsman: Draughtsman<'_>, plan: &Plan, extent: Extent) -> Solution {
     auxiliary::draw(&mut draughtsman, plan);
     let (answers, slots) = reading::answers(&mut draughtsman);
     let sheet = forces::record(&mut draughtsman, plan);
     draughtsman.note_forces(sheet);
     let shown = shown::all(&mut draughtsman);
+    let asked: HashSet<Quantity> = draughtsman.mechanism.asked.iter().map(|asked| asked.quantity).collect();
+    let is_told = |quantity: &Quantity| extent != Extent::Asked || asked.contains(quantity);
     let (mut construction, mut tape) = draughtsman.finish(answers);
-    settle::settle(&mut construction, &settle::zeros(&shown, &mut tape));
+    let zeros = settle::zeros(&shown, &mut tape, &construction, is_told);
+    settle::settle(&mut construction, &zeros);
     Solution { construction, tape, slots, shown }
 }
 

@@ -378,11 +378,9 @@ impl Draughtsman<'_> {
 
     /// Normal or tangential part of A_BA, for two points of one link.
     fn read_component(&mut self, b: PointId, a: PointId, normal: bool) -> Read {
-        let shared = self
-            .mechanism
-            .moving()
-            .filter(|&l| !self.mechanism.link(l).block)
-            .find(|&l| [a, b].iter().all(|p| self.mechanism.link(l).points.contains(p)));
+        let links = self.mechanism.point(a).links.iter().copied();
+        let carries = |l: &LinkId| *l != LinkId::FRAME && !self.mechanism.link(*l).block;
+        let shared = links.filter(carries).filter(|l| self.mechanism.link(*l).points.contains(&b)).min();
         let Some(link) = shared else { return Read::Undefined("the two points are of different links") };
         let drawn = self.feet.iter().find(|f| f.link == link && f.points == [b, a]).map(|f| (f.tail, f.head));
         let (from, foot) = match drawn {

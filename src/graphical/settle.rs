@@ -3,17 +3,33 @@
 //! Lines that meet in one point meet a rounding beside it. The drawing keeps what it computed; what is said of it, in
 //! vectors, readings and calculations, is zero where the bound allows zero.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::board::Tape;
 use crate::mechanism::quantity::Quantity;
 
-use super::construction::{Act, Calculation, Construction};
+use super::construction::{Act, Calculation, Construction, Diagram};
 use super::shown::Shown;
 
-/// The quantities that may be zero, with their bounds.
-pub(super) fn zeros(shown: &[Shown], tape: &mut Tape) -> HashMap<Quantity, f64> {
-    let near: Vec<&Shown> = shown.iter().filter(|shown| shown.looks_like_zero(tape)).collect();
+/// Where so much work finds it out, it is found out of everything: results by operations on the tape.
+const LITTLE: usize = 50_000_000;
+
+/// The quantities that may be zero, with their bounds. In a long drawing from which only numbers are told, only those
+/// that are told, and those of diagrams in which nothing is clear of zero.
+pub(super) fn zeros(
+    shown: &[Shown],
+    tape: &mut Tape,
+    construction: &Construction,
+    is_told: impl Fn(&Quantity) -> bool,
+) -> HashMap<Quantity, f64> {
+    let mut near: Vec<&Shown> = shown.iter().filter(|shown| shown.looks_like_zero(tape)).collect();
+    if near.len().saturating_mul(tape.operations()) > LITTLE {
+        let small: HashSet<Quantity> = near.iter().map(|shown| shown.quantity).collect();
+        let nothing_else = |diagram: &&Diagram| diagram.vectors.iter().all(|v| small.contains(&v.quantity));
+        let noise = construction.diagrams.iter().filter(nothing_else).flat_map(|d| &d.vectors);
+        let noise: HashSet<Quantity> = noise.map(|vector| vector.quantity).collect();
+        near.retain(|shown| is_told(&shown.quantity) || noise.contains(&shown.quantity));
+    }
     let slots: Vec<u32> = near.iter().flat_map(|shown| shown.slots()).copied().collect();
     let judged = tape.judged(&slots);
     let mut judged = judged.as_slice();

@@ -418,7 +418,8 @@ fn crowded(requests: &[Request]) -> Vec<bool> {
     }
     let in_crowd = |at: &Point| {
         let [x, y] = field(*at);
-        let fields = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j])).filter_map(|f| fields.get(&f));
+        let fields =
+            (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x + i, y + j])).filter_map(|f| fields.get(&f));
         let near = fields.flatten().filter(|other| other.distance(*at) < AROUND);
         // Counted no further than it matters.
         near.take(CROWD + 1).count() > CROWD
@@ -451,7 +452,8 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
         .collect();
     let strangers = Strangers::new(anchors, lines_named);
     let crowded = crowded(requests);
-    let yields = requests.iter().zip(&crowded).map(|(request, crowded)| request.optional || *crowded).collect();
+    let yields =
+        requests.iter().zip(&crowded).map(|(request, crowded)| request.optional || *crowded).collect();
     let market = Market { requests, yields, bodies: &bodies, obstacles, strangers, within };
 
     let mut all: Vec<Choices> = (0..requests.len()).map(|i| market.choices(i, Reach::Near)).collect();
@@ -472,7 +474,8 @@ pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group
     let chosen = standing.chosen;
 
     let mut out = Group::new("labels");
-    let left_out = requests.iter().zip(&chosen).filter(|(request, chosen)| !request.optional && chosen.is_none());
+    let left_out =
+        requests.iter().zip(&chosen).filter(|(request, chosen)| !request.optional && chosen.is_none());
     let unnamed: Vec<&str> = left_out.flat_map(|(request, _)| &request.names).map(String::as_str).collect();
     if !unnamed.is_empty() {
         out = out.data(UNNAMED, unnamed.join(" "));

@@ -78,7 +78,9 @@ fn in_rows(names: &[String]) -> Vec<String> {
     for name in names {
         let digit = |c: char| c.is_ascii_digit();
         let end = name.rfind(digit).map_or(name.len(), |last| last + 1);
-        let start = name[..end].rfind(|c| !digit(c)).map_or(0, |at| at + name[at..].chars().next().map_or(1, char::len_utf8));
+        let start = name[..end]
+            .rfind(|c| !digit(c))
+            .map_or(0, |at| at + name[at..].chars().next().map_or(1, char::len_utf8));
         // `A07` is not `A7`.
         let number = name[start..end].parse().ok().filter(|n: &u64| n.to_string() == name[start..end]);
         match number {
@@ -90,9 +92,11 @@ fn in_rows(names: &[String]) -> Vec<String> {
     for ((before, after), mut numbers) in rows {
         numbers.sort_unstable();
         numbers.dedup();
-        let next = |a: &Option<u64>, b: &Option<u64>| a.zip(*b).is_some_and(|(a, b)| a.checked_add(1) == Some(b));
+        let next =
+            |a: &Option<u64>, b: &Option<u64>| a.zip(*b).is_some_and(|(a, b)| a.checked_add(1) == Some(b));
         for row in numbers.chunk_by(next) {
-            let name = |number: Option<u64>| number.map_or(before.to_owned(), |n| format!("{before}{n}{after}"));
+            let name =
+                |number: Option<u64>| number.map_or(before.to_owned(), |n| format!("{before}{n}{after}"));
             match row {
                 [first, .., last] => told.push(format!("{}–{}", name(*first), name(*last))),
                 [only] => told.push(name(*only)),

@@ -1,8 +1,9 @@
 //! A fuzzer over all rooms: scenes of the project and its catalogue with mutations, answers and drawings to them. What
 //! must hold of each input: no panic; no number that is none; a moment; where both solvers answer, they agree.
 //!
-//! A sample runs with every `cargo test`; `LINKGRAM_FUZZ=1000000 LINKGRAM_FUZZ_SEED=7 cargo test --release --test hard
-//! campaign -- --ignored --nocapture` runs a campaign and, with `LINKGRAM_FUZZ_KEEP=DIR`, keeps what fails.
+//! A sample runs with every `cargo test`; `LINKGRAM_FUZZ=1000000 LINKGRAM_FUZZ_SEED=7 cargo test --release --test all
+//! hard::fuzz::campaign -- --ignored --nocapture` runs a campaign and, with `LINKGRAM_FUZZ_KEEP=DIR`, keeps what fails.
+//! `readers.rs` does the same to the three readers alone, `commands.rs` to whole commands.
 
 use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -30,7 +31,7 @@ use crate::common;
 /// How many inputs every `cargo test` tries.
 const SAMPLE: u64 = 1_500;
 /// Hardly optimised.
-const PATIENT: Duration = Duration::from_secs(20);
+pub(crate) const PATIENT: Duration = Duration::from_secs(20);
 /// What one input may take in a campaign, which is optimised and alone.
 const TWO_SECONDS: Duration = Duration::from_secs(2);
 /// What all of a campaign may hold (KiB).
@@ -38,25 +39,29 @@ const MEMORY: u64 = 256 << 10;
 
 /// What became of all inputs.
 #[derive(Debug, Default, Clone)]
-struct Tally {
+pub(crate) struct Tally {
     inputs: u64,
-    scenes: u64,
+    pub(crate) scenes: u64,
     solved: u64,
     both_answered: u64,
     figures: u64,
     sweeps: u64,
     graded: u64,
+    /// Texts that a reader took, and those that it refused.
+    pub(crate) taken: [u64; 2],
+    /// Commands, by their exit status.
+    pub(crate) ended: [u64; 3],
     slowest_ms: u128,
 }
 
 /// Examples and catalogue.
-fn seeds() -> Vec<String> {
+pub(crate) fn seeds() -> Vec<String> {
     let examples = common::example_paths().into_iter().map(|path| std::fs::read_to_string(path).unwrap());
     examples.chain(linkgram::catalogue::KINDS.iter().map(|kind| kind.scene.to_owned())).collect()
 }
 
 /// Words that no text of ours has, unless the input brings them.
-fn numbers_that_are_none(what: &str, text: &str, input: &str) {
+pub(crate) fn numbers_that_are_none(what: &str, text: &str, input: &str) {
     let input = input.to_lowercase();
     for word in text.split(|c: char| !c.is_alphanumeric()) {
         let word = word.to_lowercase();
@@ -234,20 +239,35 @@ fn listen() {
     });
 }
 
-/// Tries one input; what failed.
-fn one(seed: u64, index: u64, seeds: &[String], tally: &mut Tally) -> Result<(), (String, String)> {
-    let mut dice = Dice(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ index.wrapping_mul(0x9e6c_63d0_676a_9a99));
-    let from = dice.pick(seeds).clone();
-    QUIET.with_borrow_mut(|quiet| *quiet = true);
-    let tried = catch_unwind(AssertUnwindSafe(|| {
+/// Tries something of every room.
+pub(crate) fn every_room(seeds: &[String]) -> impl Fn(&mut Dice, &mut Tally) {
+    |dice, tally| {
+        let from = dice.pick(seeds).clone();
         if dice.below(5) == 0 {
-            try_answers(&mut dice, &from, tally);
+            try_answers(dice, &from, tally);
         } else {
-            let text = mutation::scene(&mut dice, &from);
-            INPUT.with_borrow_mut(|input| input.clone_from(&text));
-            try_scene(&mut dice, &text, tally);
+            let text = mutation::scene(dice, &from);
+            trying(&text);
+            try_scene(dice, &text, tally);
         }
-    }));
+    }
+}
+
+/// Notes what is being tried, to be told if it fails.
+pub(crate) fn trying(text: &str) {
+    INPUT.with_borrow_mut(|input| text.clone_into(input));
+}
+
+/// Tries one input; what failed.
+fn one(
+    seed: u64,
+    index: u64,
+    attempt: &dyn Fn(&mut Dice, &mut Tally),
+    tally: &mut Tally,
+) -> Result<(), (String, String)> {
+    let mut dice = Dice(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ index.wrapping_mul(0x9e6c_63d0_676a_9a99));
+    QUIET.with_borrow_mut(|quiet| *quiet = true);
+    let tried = catch_unwind(AssertUnwindSafe(|| attempt(&mut dice, tally)));
     QUIET.with_borrow_mut(|quiet| *quiet = false);
     tried.map_err(|_| (SAID.with_borrow(Clone::clone), INPUT.with_borrow(Clone::clone)))
 }
@@ -271,16 +291,21 @@ fn watch(now: &Now, longest: Duration) {
     });
 }
 
-fn run(count: u64, seed: u64, longest: Duration, keep: Option<&PathBuf>) -> (Tally, Vec<String>) {
+/// Tries so many inputs; what became of them, and what failed.
+pub(crate) fn run(
+    (count, seed): (u64, u64),
+    longest: Duration,
+    keep: Option<&PathBuf>,
+    attempt: &dyn Fn(&mut Dice, &mut Tally),
+) -> (Tally, Vec<String>) {
     listen();
-    let seeds = seeds();
     let (mut tally, mut failures) = (Tally::default(), Vec::new());
     let now: Now = Arc::new(Mutex::new(None));
     watch(&now, longest);
     for index in 0..count {
         let begun = Clock::start();
         *now.lock().unwrap() = Some((Instant::now(), index));
-        let result = one(seed, index, &seeds, &mut tally);
+        let result = one(seed, index, attempt, &mut tally);
         let took = begun.elapsed();
         tally.inputs += 1;
         tally.slowest_ms = tally.slowest_ms.max(took.as_millis());
@@ -298,7 +323,7 @@ fn run(count: u64, seed: u64, longest: Duration, keep: Option<&PathBuf>) -> (Tal
             failures.push(format!("input {index} of seed {seed}: {what}\n{input}"));
         }
         if count > 100_000 && index % 50_000 == 0 {
-            println!("{tally:?}, {} failures", failures.len());
+            eprintln!("{tally:?}, {} failures", failures.len());
         }
     }
     *now.lock().unwrap() = None;
@@ -307,7 +332,7 @@ fn run(count: u64, seed: u64, longest: Duration, keep: Option<&PathBuf>) -> (Tal
 
 #[test]
 fn a_sample_of_the_fuzzer() {
-    let (tally, failures) = run(SAMPLE, 1, PATIENT, None);
+    let (tally, failures) = run((SAMPLE, 1), PATIENT, None, &every_room(&seeds()));
     assert!(failures.is_empty(), "{} failures, the first: {}", failures.len(), failures[0]);
     // The mutations reach every room.
     let reached =
@@ -322,16 +347,21 @@ fn peak() -> Option<u64> {
     line.trim().trim_end_matches("kB").trim().parse().ok()
 }
 
-#[test]
-#[ignore = "a campaign: as long as one wishes"]
-fn campaign() {
+/// As many inputs as one wishes: `LINKGRAM_FUZZ` of them.
+pub(crate) fn campaign_of(attempt: &dyn Fn(&mut Dice, &mut Tally)) {
     let number =
         |name: &str, usual: u64| std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(usual);
-    let (count, seed) = (number("LINKGRAM_FUZZ", 100_000), number("LINKGRAM_FUZZ_SEED", 2));
+    let from = (number("LINKGRAM_FUZZ", 100_000), number("LINKGRAM_FUZZ_SEED", 2));
     let keep = std::env::var_os("LINKGRAM_FUZZ_KEEP").map(PathBuf::from);
-    let (tally, failures) = run(count, seed, TWO_SECONDS, keep.as_ref());
-    println!("{tally:?}, peak {:?} KiB", peak());
+    let (tally, failures) = run(from, TWO_SECONDS, keep.as_ref(), attempt);
+    eprintln!("{tally:?}, peak {:?} KiB", peak());
     let told: Vec<&str> = failures.iter().map(String::as_str).take(5).collect();
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), told.join("\n\n"));
     assert!(peak().is_none_or(|peak| peak <= MEMORY), "more memory than {} MiB", MEMORY >> 10);
+}
+
+#[test]
+#[ignore = "a campaign: as long as one wishes"]
+fn campaign() {
+    campaign_of(&every_room(&seeds()));
 }

@@ -8,10 +8,12 @@ use std::time::{Duration, Instant};
 use crate::common;
 
 mod banks;
+mod commands;
 mod dice;
 mod folder;
 mod fuzz;
 mod mutation;
+mod readers;
 mod reading;
 mod scale;
 mod unasked;

@@ -1,7 +1,11 @@
 //! Long chains: what is asked of one costs about as much for each link as of a short one, and says the same.
 
+use std::time::Duration;
+
 use serde_json::{Map, json};
 
+use linkgram::drawing::{self, Wish};
+use linkgram::mechanism::quantity::Answer;
 use linkgram::plan::Extent;
 use linkgram::solve::{self, Solved};
 use linkgram::{analytic, scene, sheet};
@@ -60,7 +64,7 @@ fn the_independent_solver_is_near_linear_in_links() {
         let speed = state.answer(&asked[0]);
         let took = clock.elapsed();
         let (x, y) = (-0.06 * libm::sin(80_f64.to_radians()), 0.06 * libm::cos(80_f64.to_radians()));
-        let linkgram::mechanism::quantity::Answer::Vector { value, bound } = speed else {
+        let Answer::Vector { value, bound } = speed else {
             panic!("{speed:?}");
         };
         assert!(libm::hypot(value[0] - x, value[1] - y) <= bound && bound < 1e-9, "{value:?} within {bound}");
@@ -68,4 +72,42 @@ fn the_independent_solver_is_near_linear_in_links() {
     };
     let (short, long) = (time(20), time(200));
     assert!(long < 25 * short, "20 dyads take {short:?}, 200 take {long:?}");
+}
+
+/// The drawing goes from step to step: bounds are drawn in from what is near, and what is asked alone is swept back from.
+/// Every rocker of the parallelograms turns with the crank, however many stand between.
+#[test]
+fn the_drawing_is_near_linear_in_links_and_keeps_its_bounds() {
+    let time = |dyads: u32| {
+        let scene = chain(dyads);
+        let clock = Clock::start();
+        let solved = solved(&scene);
+        let took = clock.elapsed();
+        let Some(Answer::Scalar { value, bound }) =
+            solved.answer(&scene, &format!("omega({})", 2 * dyads + 2))
+        else {
+            panic!("no omega");
+        };
+        let miss = (value - 1.0).abs();
+        assert!(miss <= *bound && *bound < 1e-11 * f64::from(dyads), "{miss} within {bound}");
+        took
+    };
+    let (short, long) = (time(60), time(480));
+    // Eight times as many links with an exponent of 1.5; as it was, some sixty times the time.
+    assert!(long < 23 * short, "60 dyads take {short:?}, 480 take {long:?}");
+}
+
+/// Two hundred links on a page: what has no room for its name is told, on the page and in the description.
+#[test]
+fn a_sheet_of_two_hundred_links_says_what_it_has_no_room_for() {
+    let scene = chain(99);
+    let clock = Clock::start();
+    let figure =
+        drawing::figure(&scene, &Wish::default()).unwrap_or_else(|error| panic!("{}", error.told(&scene)));
+    let took = clock.elapsed();
+    assert!(took < Duration::from_secs(120), "{took:?}");
+    let said = "At this size there is no room for the names of ";
+    assert!(figure.description.contains(said), "{}", figure.description);
+    let svg = linkgram::render::svg::write(&figure);
+    assert!(svg.contains("data-unnamed=\"") && svg.contains("P1–P99"), "no names are told");
 }
