@@ -39,7 +39,7 @@ pub(super) struct Located {
     /// Their Jacobian.
     pub(super) system: System,
     /// First-order radius of each pose coordinate, or more.
-    error: Vec<f64>,
+    pub(super) error: Vec<f64>,
     /// How they were found.
     sharp: Vec<Sharpness>,
     /// Room for a motion: of nothing, whenever nobody uses it.
@@ -159,7 +159,9 @@ impl Located {
         let columns = &block.group.columns;
         let open: Vec<f64> = block.group.rows.iter().map(|row| self.open(model, *row, columns)).collect();
         for (k, column) in columns.iter().enumerate() {
-            let moved = |inverse: &DMatrix<f64>| open.iter().enumerate().map(|(i, open)| inverse[(k, i)].abs() * open).sum();
+            let moved = |inverse: &DMatrix<f64>| {
+                open.iter().enumerate().map(|(i, open)| inverse[(k, i)].abs() * open).sum()
+            };
             self.error[*column] = block.inverse.as_ref().map_or(UNBOUNDED, moved);
         }
     }

@@ -688,7 +688,11 @@ pub(super) fn balance(
             // A balance that does not hang on the unknown.
             None => 0.0,
         };
-        if !system.judge(index, error) || system.uses(index, &undetermined) {
+        let regular = system.is_regular(index, error);
+        if !regular {
+            system.blocks[index].inverse = None;
+        }
+        if !regular || system.uses(index, &undetermined) {
             for column in &system.blocks[index].group.columns {
                 undetermined[*column] = true;
             }

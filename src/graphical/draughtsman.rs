@@ -722,7 +722,7 @@ fn with_points_under(mechanism: &Mechanism, structure: &Structure) -> Vec<bool> 
         for unknown in unknowns {
             match (unknown, target) {
                 (Unknown::Slide { slide, .. }, Target::Pin(pin))
-                | (Unknown::Carried { slide, pin, .. }, _) => {
+                | (Unknown::Carried { hold: Hold::Slide(slide), pin, .. }, _) => {
                     all[pin.0] |= moving(slide);
                 }
                 (Unknown::Roll { centre, back: true, .. }, _) => all[centre.0] = true,
