@@ -16,7 +16,6 @@ mod mutation;
 mod readers;
 mod reading;
 mod scale;
-mod unasked;
 #[cfg(unix)]
 mod writing;
 
