@@ -96,7 +96,8 @@ struct Sweep {
     of_rounding: f64,
     /// and, where nothing can be rounded, than this part of what the operands' errors do along the tangent;
     of_error: f64,
-    /// or these are more than this part of the terms themselves.
+    /// or these are more than this part of the terms themselves: for that no sweep goes through the whole tape, since what
+    /// is zero but for its roundings gains nothing by it.
     of_terms: f64,
 }
 
@@ -105,8 +106,8 @@ struct Sweep {
 const SWEEPS: [Sweep; 4] = [
     Sweep { how: DrawnIn::ToPoints, of_rounding: 1.0 / 64.0, of_error: 1e-9, of_terms: 1.0 / 256.0 },
     Sweep { how: DrawnIn::ToExactPoints, of_rounding: 1.0, of_error: 1e-8, of_terms: 1.0 / 64.0 },
-    Sweep { how: DrawnIn::ToWholePoints, of_rounding: 1.0, of_error: 1e-8, of_terms: 1.0 / 4.0 },
-    Sweep { how: DrawnIn::Wholly, of_rounding: 8.0, of_error: 1e-6, of_terms: 2.0 },
+    Sweep { how: DrawnIn::ToWholePoints, of_rounding: 1.0, of_error: 1e-8, of_terms: f64::INFINITY },
+    Sweep { how: DrawnIn::Wholly, of_rounding: 8.0, of_error: 1e-6, of_terms: f64::INFINITY },
 ];
 
 /// Errors that are no more than this part of a point's distance from the origin are fine: nothing that follows from
