@@ -1,6 +1,7 @@
 // The live page in a real browser. node run.mjs BROWSER LINKGRAM [SCREENSHOTS]
 // BROWSER is the path of Debian's chromium or firefox-esr; LINKGRAM the built program.
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -83,33 +84,36 @@ test('every number of the browser is the sweep\'s', async () => {
   return `${compared} numbers`;
 });
 
-test('the ink is where the numbers say', async () => {
+/** Recovers every vector of a page from its ink alone. */
+async function inkOf(html, parts) {
+  const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+  const { Course } = { Course: new Function(`'use strict';${scripts('libm', 'program', 'course')}\nreturn Course;`)() };
+  const course = new Course(live);
+  const page = await open(html);
   let compared = 0;
-  for (const scene of [four, slider, path.join(root, 'examples/s000-ch3a-1.json')]) {
-    const html = pageOf(scene);
-    const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
-    const page = await open(html);
-    for (const part of [0.03, 0.21, 0.38, 0.55, 0.74, 0.93]) {
+  try {
+    for (const part of parts) {
       const [from, to] = live.variable.range;
-      const at = from + part * (to - from);
       const drawn = await page.evaluate((wish) => {
         const slide = document.getElementById('at');
         slide.value = String(wish);
         slide.dispatchEvent(new Event('input'));
+        const read = (group) => {
+          const of = (name) => group.querySelector(name)?.getAttribute('d')?.match(/-?[\d.]+(e-?\d+)?/g)?.slice(0, 2).map(Number);
+          const hidden = group.getAttribute('visibility') === 'hidden' || group.querySelector('.shaft').getAttribute('visibility') === 'hidden';
+          return [group.closest('svg').id, group.dataset.quantity, hidden ? null : [of('.shaft'), of('.head')]];
+        };
         return new Promise((done) => {
-          requestAnimationFrame(() => requestAnimationFrame(() => done([Number(slide.value), [...document.querySelectorAll('#stage .vector')].map((group) => {
-            const of = (name) => group.querySelector(name)?.getAttribute('d')?.match(/-?[\d.]+/g)?.slice(0, 2).map(Number);
-            const hidden = group.getAttribute('visibility') === 'hidden' || group.querySelector('.shaft').getAttribute('visibility') === 'hidden';
-            return [group.closest('svg').id, group.dataset.quantity, hidden ? null : [of('.shaft'), of('.head')]];
-          })])));
+          requestAnimationFrame(() => requestAnimationFrame(() => done([
+            Number(slide.value), [...document.querySelectorAll('#stage .vector')].map(read),
+            [...document.querySelectorAll('#stage .bar')].map((bar) => {
+              const matrix = bar.ownerSVGElement.getScreenCTM().inverse().multiply(bar.getScreenCTM());
+              const point = bar.getPointAtLength(0).matrixTransform(matrix);
+              return [bar.parentNode.dataset.link, [point.x, point.y]];
+            })])));
         });
-      }, at);
-      const values = await page.evaluate((source, data, place) => {
-        const one = new (new Function(`'use strict';${source}\nreturn Course;`)())(data);
-        return one.look(place);
-      }, scripts('libm', 'program', 'course'), live, drawn[0]).catch(() => null);
-      const { Course } = values ? { Course: null } : { Course: new Function(`'use strict';${scripts('libm', 'program', 'course')}\nreturn Course;`)() };
-      const outputs = values || new Course(live).look(drawn[0]);
+      }, from + part * (to - from));
+      const outputs = course.look(drawn[0]);
       for (const [panel, quantity, ends] of drawn[1]) {
         const own = live.quantities[quantity];
         if (!ends || !own || own.outputs.length !== 2) continue;
@@ -119,11 +123,52 @@ test('the ink is where the numbers say', async () => {
         assert.ok(Math.hypot(x1 - x0 - vx, y0 - y1 - vy) <= 3e-6, `${quantity} at ${drawn[0]}: ${[x1 - x0, y0 - y1]} is not ${[vx, vy]}`);
         compared += 1;
       }
+      // A bar begins at a joint.
+      const { origin, si_per_mm: scale, places } = live.panels[0];
+      const joints = places.map(([[, o]]) => [(outputs[o] - origin[0]) / scale, -(outputs[o + 1] - origin[1]) / scale]);
+      for (const [link, [x, y]] of drawn[2]) {
+        const off = Math.min(...joints.map((joint) => Math.hypot(joint[0] - x, joint[1] - y)));
+        assert.ok(off < 1e-3, `link ${link} at ${drawn[0]} is ${off} mm off its joints`);
+        compared += 1;
+      }
     }
+  } finally {
     await page.close();
   }
+  return compared;
+}
+
+/** A page whose script was changed, and its policy with it. */
+function changed(html, from, to) {
+  const text = readFileSync(html, 'utf8'), script = /<script>(.*?)<\/script>/s.exec(text)[1];
+  assert.ok(script.includes(from), from);
+  const other = script.replace(from, () => to);
+  const hash = (own) => `'sha256-${createHash('sha256').update(own).digest('base64')}'`;
+  const out = path.join(work, 'changed.html');
+  writeFileSync(out, text.replace(script, () => other).replace(hash(script), hash(other)));
+  return out;
+}
+
+test('the ink is where the numbers say', async () => {
+  let compared = 0;
+  for (const scene of [four, slider, path.join(root, 'examples/s000-ch3a-1.json')]) {
+    compared += await inkOf(pageOf(scene), [0.03, 0.21, 0.38, 0.55, 0.74, 0.93]);
+  }
   assert.ok(compared > 100, String(compared));
-  return `${compared} vectors`;
+  return `${compared} vectors and bars`;
+});
+
+test('a wrong move is noticed', async () => {
+  const html = pageOf(slider);
+  for (const [from, to] of [
+    [', y = -(at[1] - origin', ', y = (at[1] - origin'],
+    ['at[axis] += sign * value;', 'at[axis] -= sign * value;'],
+    ['const d = { x: b.x - a.x, y: b.y - a.y }, length = Math.hypot(d.x, d.y);\nconst short', 'const d = { x: a.x - b.x, y: b.y - a.y }, length = Math.hypot(d.x, d.y);\nconst short'],
+    ['s = (to.x.y * from.x.x - to.x.x * from.x.y) / n', 's = -(to.x.y * from.x.x - to.x.x * from.x.y) / n'],
+  ]) {
+    await assert.rejects(inkOf(changed(html, from, to), [0.21, 0.55]), `nobody noticed ${to}`);
+    trouble.length = 0;
+  }
 });
 
 test('mouse, keys, field and play', async () => {
@@ -192,7 +237,57 @@ test('a limit stops the hand', async () => {
   const end = await at();
   assert.ok(limits.some((limit) => Math.abs(limit - end) < 1e-6), `${end} is none of ${limits}`);
   assert.ok(await page.evaluate(() => document.getElementById('message').textContent.length > 0));
+  // There the speeds are not determined: no number, no vector, and the links that are in line.
+  const told = await page.evaluate(() => [...document.querySelectorAll('#values tbody tr')].map((row) => row.textContent));
+  assert.ok(told.some((row) => /—.*links \d/.test(row)), told.join('; '));
+  assert.ok(await page.evaluate(() => [...document.querySelectorAll('#stage .velocity .vector')].some((v) => v.getAttribute('visibility') === 'hidden')));
+  await page.keyboard.press('Home');
+  await rest(80);
+  assert.ok(await page.evaluate(() => [...document.querySelectorAll('#stage .velocity .vector')].every((v) => v.getAttribute('visibility') !== 'hidden')));
   await page.close();
+});
+
+test('a finger leads a joint, and a phone is wide enough', async () => {
+  if (firefox) return 'touch in Chromium only';
+  const page = await open(fourPage, { width: 390, height: 800 });
+  const at = () => page.evaluate(() => Number(document.getElementById('exact').value));
+  const before = await at();
+  const [x, y] = await page.evaluate(() => { const box = document.querySelector('.grip').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; });
+  await page.touchscreen.touchStart(x, y);
+  for (let i = 1; i < 8; i++) { await page.touchscreen.touchMove(x - 2 * i, y); await rest(20); }
+  await page.touchscreen.touchEnd();
+  await rest(60);
+  assert.ok(Math.abs(await at() - before) > 3, `${before} ${await at()}`);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth + 1), 'nothing is wider than the phone');
+  await page.close();
+});
+
+test('names are calm', async () => {
+  const six = pageOf(path.join(root, 'examples/s000-ch3a-1.json'));
+  const page = await open(six);
+  const found = await page.evaluate(async () => {
+    const slide = document.getElementById('at'), span = Number(slide.max) - Number(slide.min);
+    const sums = {};
+    for (let i = 0; i < 180; i++) {
+      slide.value = String(Number(slide.min) + span * (i + 0.37) / 180);
+      slide.dispatchEvent(new Event('input'));
+      await new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); });
+      for (const svg of document.querySelectorAll('#stage svg')) {
+        const scale = svg.getScreenCTM().a;
+        const boxes = [...svg.querySelectorAll('.labels > g')].filter((g) => g.getAttribute('visibility') !== 'hidden').map((g) => g.getBoundingClientRect());
+        const sum = sums[svg.id] = sums[svg.id] || { labels: 0, touching: 0 };
+        boxes.forEach((a, k) => {
+          sum.labels += 1;
+          const room = 0.35 * scale;
+          if (boxes.some((b, m) => m !== k && a.left + room < b.right - room && b.left + room < a.right - room && a.top + 2 * room < b.bottom - 2 * room && b.top + 2 * room < a.bottom - 2 * room)) sum.touching += 1;
+        });
+      }
+    }
+    return sums;
+  });
+  await page.close();
+  const parts = Object.entries(found).map(([id, { labels, touching }]) => [id, 100 * touching / labels]);
+  return parts.map(([id, part]) => `${id} ${part.toFixed(1)} of 100 touch another`).join(', ');
 });
 
 test('steps, highlighting, diagram, traces, languages', async () => {

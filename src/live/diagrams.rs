@@ -55,7 +55,7 @@ pub(super) struct Panel {
 #[derive(Debug)]
 struct Placed {
     id: String,
-    anchors: Vec<(Frame, Vec2)>,
+    anchors: Anchors,
     by: Vec<Vec2>,
     step: Option<usize>,
     of: Vec<String>,
@@ -63,11 +63,10 @@ struct Placed {
     is_of_point: bool,
 }
 
-/// The diagrams, and at which places of the course names were placed.
+/// The diagrams of a page.
 #[derive(Debug)]
 pub(super) struct Diagrams {
     pub(super) panels: Vec<Panel>,
-    pub(super) frames: Vec<f64>,
 }
 
 /// Numbers of one position, by column.
@@ -123,7 +122,7 @@ impl Diagrams {
             .enumerate()
             .filter_map(|(index, sketch)| panel(index, sketch, sweep, &drawn, (&course, &start), scales))
             .collect();
-        Ok(Self { panels, frames })
+        Ok(Self { panels })
     }
 
     pub(super) fn json(&self) -> Value {
@@ -140,7 +139,7 @@ impl Diagrams {
             "panels": panels,
             "ink": ink.collect::<Vec<_>>(),
             "labels": labels.collect::<Vec<_>>(),
-            "frames": self.frames,
+            "frames": FRAMES,
         })
     }
 }
@@ -290,11 +289,17 @@ struct Drawn {
     names: Names,
 }
 
+/// What has one name, and the name.
+type Named<T> = (Vec<T>, Name);
+
+/// What a name hangs on: a point, or the ends of a stroke, each in its frame.
+type Anchors = Vec<(Frame, Vec2)>;
+
 /// What only the sheet can say, by polygon.
 #[derive(Default)]
 struct Names {
-    images: Vec<(DiagramKind, Vec<(Vec<Label>, Name)>)>,
-    vectors: Vec<(DiagramKind, Vec<(Vec<usize>, Name)>)>,
+    images: Vec<(DiagramKind, Vec<Named<Label>>)>,
+    vectors: Vec<(DiagramKind, Vec<Named<usize>>)>,
     rotations: Vec<(String, LinkId, bool)>,
     quantities: Vec<(DiagramKind, Vec<String>)>,
     scales: Vec<(DiagramKind, String)>,
@@ -427,16 +432,26 @@ impl Placed {
         #[expect(clippy::cast_possible_truncation, reason = "some millimetres")]
         let tenths = |x: f64| (10.0 * x).round() as i32;
         let mut last = [0; 2];
-        let mut by = Vec::with_capacity(2 * self.by.len());
+        let mut by = String::with_capacity(2 * self.by.len());
         for way in &self.by {
             let now = [tenths(way.x), tenths(way.y)];
-            by.extend([now[0] - last[0], now[1] - last[1]]);
+            now.iter().zip(last).for_each(|(now, last)| coded(now - last, &mut by));
             last = now;
         }
         json!({
             "panel": panel, "id": self.id, "anchors": anchors, "by": by, "step": self.step, "of": self.of,
             "point": self.is_of_point,
         })
+    }
+}
+
+/// A small whole number as one letter, `U` for none; a larger one as digits between `z` and a comma.
+fn coded(number: i32, into: &mut String) {
+    const LETTERS: &[u8; 61] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxy";
+    let letter = usize::try_from(number + 30).ok().and_then(|index| LETTERS.get(index));
+    match letter {
+        Some(letter) => into.push(char::from(*letter)),
+        None => into.push_str(&format!("z{number},")),
     }
 }
 
@@ -468,7 +483,7 @@ fn panel(
     };
     let seen: Option<Vec<Seen>> = drawn.numbers.iter().map(|numbers| panel.seen(numbers)).collect();
     let binder = Binder { seen: seen? };
-    let mut spots: Vec<(Name, Vec<(Frame, Vec2)>)> = Vec::new();
+    let mut spots: Vec<(Name, Anchors)> = Vec::new();
     if kind == DiagramKind::Skeleton {
         let points = &sketch.points;
         skeleton(&mut panel, index, (&own, points), &binder, (sweep, course, start), &drawn.names);
@@ -759,7 +774,7 @@ fn polygon_ink(
 }
 
 /// The names of a skeleton, each with what it hangs on.
-fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<(Name, Vec<(Frame, Vec2)>)> {
+fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<(Name, Anchors)> {
     let arrows: Vec<&Moving> =
         panel.moving.iter().filter(|m| m.sense.is_some() && m.ink.class.starts_with("rotation")).collect();
     let mut arrows = arrows.chunks(2).map(|pair| pair[0]);
@@ -776,7 +791,7 @@ fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<(N
         }
         let first = ends(name.spot());
         let is_of_the_frame = name.class() == "label link-number" && name.of().is_empty();
-        let bound: Option<Vec<(Frame, Vec2)>> = if name.class() == "label rotation-name" {
+        let bound: Option<Anchors> = if name.class() == "label rotation-name" {
             match arrows.next().map(|arrow| &arrow.by) {
                 Some(Move::Whole(frame)) => first.iter().map(|point| at(*point, *frame)).collect(),
                 _ => None,
@@ -805,7 +820,7 @@ fn names_of_polygon(
     labels: &[Label],
     panel: &Panel,
     names: &Names,
-) -> Vec<(Name, Vec<(Frame, Vec2)>)> {
+) -> Vec<(Name, Anchors)> {
     let place = |label: Label| labels.iter().position(|own| *own == label);
     let mut all = Vec::new();
     let mut seen: Vec<&Vec<(i8, usize)>> = Vec::new();
@@ -829,7 +844,7 @@ fn names_of_polygon(
 fn place_names(
     panel: &mut Panel,
     index: usize,
-    spots: Vec<(Name, Vec<(Frame, Vec2)>)>,
+    spots: Vec<(Name, Anchors)>,
     course: &[Numbers],
     start: &Numbers,
     cyclic: bool,

@@ -150,10 +150,71 @@ fn kind(quantity: Quantity) -> &'static str {
     }
 }
 
-/// The scripts as one, in a scope of its own.
+/// The scripts as one, in a scope of its own, without their comments.
 fn joined(scripts: &[&str]) -> String {
-    let all: String = scripts.iter().flat_map(|script| [*script, "\n"]).collect();
+    let all: String = scripts.iter().map(|script| bare(script)).collect();
     format!("(() => {{\n'use strict';\n{all}}})();\n")
+}
+
+/// A script without lines of comment, notes of types and indentation. No text of a script holds what opens a note.
+fn bare(script: &str) -> String {
+    let mut out = String::with_capacity(script.len());
+    let mut rest = script;
+    while let Some((before, after)) = rest.split_once("/**") {
+        out.push_str(before);
+        rest = after.split_once("*/").map_or("", |(_, rest)| rest.trim_start_matches(' '));
+    }
+    out.push_str(rest);
+    let lines = out.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
+    lines.flat_map(|line| [line, "\n"]).collect()
+}
+
+/// A drawing in fewer bytes: the commonest size of type is said once, and a run says its height only where that changes.
+fn lean(svg: &str) -> String {
+    const SIZE: &str = " font-size=\"3.5\"";
+    let mut out = String::with_capacity(svg.len());
+    let mut height: Option<&str> = None;
+    for (index, piece) in svg.split("<tspan ").enumerate() {
+        if index == 0 {
+            out.push_str(&piece.replacen("<svg ", "<svg font-size=\"3.5\" ", 1));
+            continue;
+        }
+        let (attributes, text) = piece.split_once('>').unwrap_or((piece, ""));
+        let own =
+            attributes.split_once(" y=\"").and_then(|(_, rest)| rest.split_once('"')).map(|(own, _)| own);
+        let mut kept = attributes.replace(SIZE, "");
+        if let (Some(own), true) = (own, own == height) {
+            kept = kept.replacen(&format!(" y=\"{own}\""), "", 1);
+        }
+        height = own.filter(|_| !text.contains("</text>"));
+        out.push_str("<tspan ");
+        out.push_str(&kept);
+        out.push('>');
+        out.push_str(text);
+    }
+    without_data(&out.replace(">\n<", "><"))
+}
+
+/// Markup without its `data-` attributes, which are for those who read the moving diagrams.
+fn without_data(markup: &str) -> String {
+    let mut out = String::with_capacity(markup.len());
+    let mut rest = markup;
+    while let Some((before, after)) = rest.split_once(" data-") {
+        let value = after.split_once("=\"").and_then(|(name, value)| {
+            let is_name = name.chars().all(|c| c.is_ascii_lowercase() || c == '-');
+            value.split_once('"').filter(|_| is_name)
+        });
+        out.push_str(before);
+        match value {
+            Some((_, after)) => rest = after,
+            None => {
+                out.push_str(" data-");
+                rest = after;
+            }
+        }
+    }
+    out.push_str(rest);
+    out
 }
 
 /// JSON as it may stand inside a script element.
@@ -170,7 +231,8 @@ fn panels(all: &[Panel]) -> String {
             "<figure class=\"panel\" id=\"figure{index}\"><svg id=\"panel{index}\" role=\"img\" \
              aria-labelledby=\"title{index}\" aria-describedby=\"state\" xmlns=\"http://www.w3.org/2000/svg\" \
              viewBox=\"{} {} {} {}\" width=\"{}mm\" height=\"{}mm\" font-family=\"{}\" stroke-linejoin=\"round\">{}</svg>\
-             <figcaption><span id=\"title{index}\">{}</span> <bdi id=\"scale{index}\" dir=\"ltr\">{}</bdi></figcaption>\
+             <figcaption><span id=\"title{index}\">{}</span> <bdi id=\"scale{index}\" dir=\"ltr\">{}</bdi>\
+             <span id=\"beyond{index}\"></span></figcaption>\
              </figure>",
             n(shown.x0),
             n(shown.y0),
@@ -218,7 +280,10 @@ fn document(
             let hidden = if index == 0 { "" } else { " hidden" };
             let tag = language.words().tag;
             // On its own, so that it never interferes with what moves.
-            format!("<div class=\"sheet\" lang=\"{tag}\" dir=\"ltr\"{hidden}>{}</div>", svg::write(figure))
+            format!(
+                "<div class=\"sheet\" lang=\"{tag}\" dir=\"ltr\"{hidden}>{}</div>",
+                lean(&svg::write(figure))
+            )
         })
         .collect();
     let still_text = still.map_or(String::new(), |why| {

@@ -234,7 +234,7 @@ impl<'a> Draughts<'a> {
                     Item::Head(text) if said.head.is_empty() => said.head = text.html(),
                     Item::Head(text) => said.head = format!("{} · {}", said.head, text.html()),
                     Item::Terms(table) => {
-                        let row = |cells: &[Rich]| cells.iter().map(|cell| ticked(cell)).collect();
+                        let row = |cells: &[Rich]| cells.iter().map(ticked).collect();
                         let mut rows = vec![row(&table.head)];
                         rows.extend(table.rows.iter().map(|cells| row(cells)));
                         said.equations.push(rows);

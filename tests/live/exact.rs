@@ -122,13 +122,23 @@ fn in_node(cases: &[Value]) {
     let file = folder.join("cases.json");
     std::fs::write(&file, serde_json::to_vec(cases).unwrap()).unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let told = Command::new("node")
-        .arg(root.join("tests/live/exact.js"))
-        .arg(root.join("src/live/page"))
-        .arg(&file)
-        .output()
-        .unwrap();
+    let run = |turned: &[&str]| {
+        let mut node = Command::new("node");
+        node.arg(root.join("tests/live/exact.js")).arg(root.join("src/live/page")).arg(&file).args(turned);
+        node.output().unwrap()
+    };
+    let told = run(&[]);
     let (out, error) = (String::from_utf8_lossy(&told.stdout), String::from_utf8_lossy(&told.stderr));
     eprintln!("node {}: {out}", String::from_utf8_lossy(&version.stdout).trim());
     assert!(told.status.success(), "{out}{error}");
+    // What is turned round is noticed: an operation, a sign, a constant, a sample of the roundings, a guard.
+    for turned in [
+        ["out = a * b - c * d;", "out = a * b + c * d;"],
+        ["out = signs[code[step + 4]] * rootOf(a);", "out = -signs[code[step + 4]] * rootOf(a);"],
+        ["const S1 = -1.66666666666666324348e-01;", "const S1 = -1.66666666666666351e-01;"],
+        ["const CLEAR = 8;", "const CLEAR = 80000;"],
+        ["if (last & 256 && !this.isClear(to)) this.lost[to] = 1;", ""],
+    ] {
+        assert!(!run(&turned).status.success(), "nobody noticed {turned:?}");
+    }
 }

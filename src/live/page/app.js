@@ -684,12 +684,28 @@ function begin() {
     const seen = panel.seen(outputs).filter(Boolean);
     const side = (/** @type {'x' | 'y'} */ axis) => Math.max(0, ...seen.map((/** @type {any} */ p) => p[axis])) - Math.min(0, ...seen.map((/** @type {any} */ p) => p[axis]));
     const [x0, y0, x1, y1] = data.box;
-    const reach = Math.max(...seen.map((/** @type {any} */ p) => Math.max(p.x / (x1 - 13), p.x / (x0 + 13), p.y / (y1 - 13), p.y / (y0 + 13)).valueOf()), 0);
+    const reach = Math.max(...seen.map((/** @type {any} */ p) => Math.max(p.x / (x1 - 13), p.x / (x0 + 13), p.y / (y1 - 13), p.y / (y0 + 13))), 0);
     const needed = (reach || Math.max(side('x'), side('y')) / 100) / data.unit * 10;
     if (!(needed > 0) || !Number.isFinite(needed)) return data.si_per_mm;
     const power = 10 ** Math.floor(Math.log10(needed));
     const step = [1, 2, 2.5, 5, 10].find((s) => s * power >= needed * (1 - 1e-12)) || 10;
     return step * power * data.unit / 10;
+  }
+
+  /** In words what leaves the panel: the longest vector that does. @param {Panel} panel */
+  function beyond(panel) {
+    const [x0, y0, x1, y1] = panel.data.box;
+    let longest = 0, name = '';
+    for (const ink of panel.ink) {
+      if (ink.move !== 'vector' || !live.quantities[ink.quantity]) continue;
+      const [a, b] = ink.at.map((/** @type {number} */ i) => panel.now[i]);
+      if (!a || !b || (b.x > x0 && b.x < x1 && b.y > y0 && b.y < y1)) continue;
+      const length = Math.hypot(b.x - a.x, b.y - a.y);
+      if (length > longest) [longest, name] = [length, ink.quantity];
+    }
+    if (name === '') return '';
+    const said = filled(words.beyond, { name: name.replace(/[<&]/g, ''), length: plainText(withPower(longest)) });
+    return ` · ${said}`;
   }
 
   function draw() {
@@ -708,8 +724,7 @@ function begin() {
         const value = withUnit(plainText(figures(panel.siPerMm * 10 / panel.data.unit, 6, true).join('')), panel.data.unit_symbol);
         setText(scale, filled(live.texts[state.lang].scale, { scale: `${value}\u00a0≡\u00a01\u00a0cm` }));
       }
-      const beyond = panel.index > 0 && panel.now.some((/** @type {any} */ p) => p && (p.x < panel.data.box[0] || p.x > panel.data.box[2] || p.y < panel.data.box[1] || p.y > panel.data.box[3]));
-      byId(`figure${panel.index}`).classList.toggle('beyond', beyond);
+      if (panel.index > 0) setRich(byId(`beyond${panel.index}`), beyond(panel));
     }
     for (const { place, grip } of skeleton.grips || []) {
       const at = skeleton.now[place];

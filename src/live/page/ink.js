@@ -36,6 +36,13 @@ function globalOf(/** @type {number[]} */ frame, /** @type {number[]} */ own, /*
   return { x: o.x + x.x * own[0] - x.y * own[1], y: o.y + x.y * own[0] + x.x * own[1] };
 }
 
+/** Numbers that are letters where they are small. @param {string} text */
+function uncoded(text) {
+  const letters = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxy';
+  return (text.match(/z-?\d+,|[0-9A-Za-y]/g) || [])
+    .map((one) => (one[0] === 'z' ? Number(one.slice(1, -1)) : letters.indexOf(one) - 30));
+}
+
 class Panel {
   /** @param {any} live @param {number} index */
   constructor(live, index) {
@@ -51,12 +58,18 @@ class Panel {
     this.labels = live.labels.filter((/** @type {any} */ label) => label.panel === index)
       .map((/** @type {any} */ label) => {
         // Each told by its difference from the one before.
-        const by = label.by.slice();
+        const by = uncoded(label.by);
         for (let i = 2; i < by.length; i++) by[i] += by[i - 2];
         return { ...label, by, element: document.getElementById(label.id), last: '' };
       })
       .filter((/** @type {any} */ label) => label.element);
-    this.frames = live.frames;
+    // The places of the course at which names were placed: equal steps, as far as it goes.
+    const [from, to] = live.variable.range;
+    this.frames = [];
+    for (let i = 0; i <= live.frames; i++) {
+      const at = i === live.frames ? to : from * ((live.frames - i) / live.frames) + to * (i / live.frames);
+      if (live.course.stretches.some((/** @type {any} */ s) => at >= s.from && at <= s.to)) this.frames.push(at);
+    }
     this.cyclic = live.variable.whole_turn;
     this.range = live.variable.range;
   }
