@@ -490,7 +490,7 @@ fn the_ending_or_the_option_chooses_the_format() {
         (&["--theme", "color"], "colour"),
         (&["--text", "outlined", "-o", "b.svg"], "outline"),
         (&["--text", "outline", "-o", "b.json"], "SVG"),
-        (&["-o", "b.bmp"], ".svg, .png, .pdf, .tex or .json"),
+        (&["-o", "b.bmp"], ".svg, .png, .pdf, .tex, .json or .html"),
     ] {
         let ran = run_in(&folder.0, &[&["draw", scene], arguments].concat(), None);
         assert_eq!(ran.code, 2, "{arguments:?}");

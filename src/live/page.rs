@@ -192,6 +192,7 @@ fn lean(svg: &str) -> String {
         out.push('>');
         out.push_str(text);
     }
+    let out = out.replace("#000000", "#000").replace("#ffffff", "#fff").replace(" class=\"sentence\"", "");
     without_data(&out.replace(">\n<", "><"))
 }
 
