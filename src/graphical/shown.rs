@@ -48,8 +48,9 @@ impl Shown {
         }
         let size = self.value.iter().fold(0.0, |sum, value| libm::hypot(sum, *value));
         let mut allows = |bound: fn(&mut Tape, u32) -> f64| {
-            // Written so that what is no number may be zero.
-            !(size > self.slots.iter().fold(0.0, |sum, slot| libm::hypot(sum, bound(tape, *slot))))
+            let bound = self.slots.iter().fold(0.0, |sum, slot| libm::hypot(sum, bound(tape, *slot)));
+            // What is no number may be zero.
+            size <= bound || size.is_nan() || bound.is_nan()
         };
         allows(Tape::rough_bound) && allows(Tape::nearer_bound)
     }
