@@ -64,7 +64,8 @@ fn words(dice: &mut Dice, here: &dyn Fn(&str) -> String) -> Vec<String> {
         }
         12 => own(&["check", &here(""), "--tolerance", *dice.pick(&["5%", "0", "101%"])]),
         13 | 14 => {
-            let answers = here(dice.pick(&["a.json", "a.csv", "d.svg"]));
+            let file: &&str = dice.pick(&["a.json", "a.csv", "d.svg"]);
+            let answers = here(file);
             let mut all = own(&["grade", &scene, &answers]);
             maybe(dice, &mut all, &["--json"]);
             if dice.below(3) == 0 {
