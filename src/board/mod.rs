@@ -304,6 +304,14 @@ impl Board {
         if a.value() < 0.0 { Amount(self.neg(a.0)) } else { a }
     }
 
+    /// a in the sense of b: a · b / |b|. Whoever evaluates the tape elsewhere finds the sense there.
+    pub fn in_sense_of(&mut self, a: Amount, b: Amount, reason: Reason) -> Amount {
+        let square = self.mul(b.0, b.0);
+        let size = self.sqrt(square);
+        let sense = self.div(b.0, size, reason);
+        Amount(self.mul(a.0, sense))
+    }
+
     /// −a.
     pub fn opposite(&mut self, a: Amount) -> Amount {
         Amount(self.neg(a.0))

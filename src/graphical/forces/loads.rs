@@ -190,7 +190,9 @@ impl Draughtsman<'_> {
                 let mut torque = self.size(size, assumed);
                 if let Some(with) = with_motion {
                     let omega = self.rate(Order::Velocity, load.link);
-                    if (omega.value() < 0.0) == with {
+                    let reason = self.reason(&[load.link]);
+                    torque = self.board.in_sense_of(torque, omega, reason);
+                    if !with {
                         torque = self.board.opposite(torque);
                     }
                 }
