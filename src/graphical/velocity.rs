@@ -647,7 +647,7 @@ impl Draughtsman<'_> {
             }
             Some(base) => {
                 self.board.purpose("velocity of a point under a pin");
-                self.velocity_about(link, base, pin)
+                return self.velocity_under(link, base, pin);
             }
             None => self.translated_image(order, link, pin),
         };
@@ -658,6 +658,24 @@ impl Draughtsman<'_> {
             _ => Quantity::CoincidentVelocity(pin, link),
         };
         self.absolute_vector(order, quantity, label, image);
+        image
+    }
+
+    /// The same for velocities, about a base. The whole vector bears the name before its part against the base does: who
+    /// looks for the quantity finds the whole.
+    fn velocity_under(&mut self, link: LinkId, base: PointId, pin: PointId) -> Point {
+        let image = self.turned_about(link, base, pin);
+        self.note_under(Order::Velocity, pin, link, image);
+        if self.mechanism.is_fixed(base) {
+            self.note_turned(link, base, pin, image);
+            return image;
+        }
+        let pole = self.board.origin();
+        let whole = (VectorKind::Absolute, Quantity::CoincidentVelocity(pin, link), None);
+        let head = (self.label_under(pin, link), image);
+        let whole = self.note_vector(Order::Velocity, whole, (Label::Pole, pole), head);
+        self.note_turned(link, base, pin, image);
+        self.act_read(Order::Velocity, whole);
         image
     }
 
