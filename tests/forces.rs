@@ -628,3 +628,23 @@ fn the_books_problems_hold() {
         assert!(checked.ok, "{stem}: {:?}", checked.outcome);
     }
 }
+
+/// Over a turn the rocker swings to and fro: a torque against it changes its sense, and the effort stays what the powers
+/// say, T₂ ω₂ = M |ω₄|.
+#[test]
+fn a_torque_against_the_motion_turns_round_with_it_in_a_sweep() {
+    let text = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [90, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 30 }, "3": { "joins": ["A", "B"], "length": 80 },
+            "4": { "joins": ["O4", "B"], "length": 60 } },
+        "near": { "B": [70, 60] }, "input": { "link": 2, "angle": 60, "omega": "10 rad/s ccw" },
+        "loads": [ { "on": 4, "torque": "5 N*m", "direction": "against" } ], "find": ["T(2)", "omega(4)"] }"#;
+    let sweep = linkgram::sweep::Sweep::new(&read(text).mechanism, None).unwrap();
+    let (mut senses, mut seen) = ([false; 2], 0);
+    for position in sweep.positions(&sweep.equal_steps(72)) {
+        let (Some(torque), Some(omega)) = (position.values[0], position.values[1]) else { continue };
+        near(torque * 10.0, 5.0 * omega.abs());
+        senses[usize::from(omega > 0.0)] = true;
+        seen += 1;
+    }
+    assert_eq!((senses, seen > 60), ([true; 2], true));
+}

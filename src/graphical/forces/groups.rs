@@ -10,7 +10,7 @@ use super::super::pose::Track;
 use super::{Balance, Item, Pull, SlideForce, pulls};
 
 /// Finds the forces of a group in its pairs, and gives them to the bodies on which it hangs.
-pub(super) fn solve(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) {
+pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) {
     let before = d.board.purpose("balance of a group");
     match group.kind {
         GroupKind::Driver { base, input } => driver(d, group, base, input, balance),

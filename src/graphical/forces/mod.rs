@@ -254,7 +254,7 @@ fn one(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, assumed: Vec<(Sought,
     loads::lay_off(d, plan, share, &mut balance);
     for &group in plan.forces.groups.iter().rev() {
         let group = d.structure.groups[group].clone();
-        groups::solve(d, &group, &mut balance);
+        groups::into_balance(d, &group, &mut balance);
         if balance.refused.is_some() {
             break;
         }
