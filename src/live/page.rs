@@ -193,6 +193,7 @@ fn lean(svg: &str) -> String {
         out.push_str(text);
     }
     let out = out.replace("#000000", "#000").replace("#ffffff", "#fff").replace(" class=\"sentence\"", "");
+    let out = out.replace(" class=\"hatch\"", "").replace(" class=\"label vector-name\"", "");
     without_data(&out.replace(">\n<", "><"))
 }
 
@@ -242,7 +243,7 @@ fn panels(all: &[Panel]) -> String {
             n(shown.width()),
             n(shown.height()),
             escaped(crate::sheet::font::FAMILIES),
-            svg::fragment(&panel.ink),
+            svg::fragment(&panel.ink).replace(">\n<", "><"),
             escaped(&panel.title),
             panel.scale_text,
         ));

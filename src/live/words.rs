@@ -25,10 +25,10 @@ macro_rules! words {
 words! {
     position, of_input, own_position, play, stop, step, steps, all_steps, back, on, values, quantity, value, sense,
     here, not_here, in_line, at_infinity, limit, change_point, dead_position, least, greatest, events, slower, faster,
-    scale, fixed, refit, at_this_scale, help, keys_off, theme, language, copy, save, save_table, print, link_here,
+    scale, fixed, refit, help, keys_off, theme, language, copy, save, save_table, print, link_here,
     denied, no_script, still, cw, ccw, apart, take_apart, reached_limit, sheet, traces, diagram, beyond, full, close,
-    help_keys, moving_page, crossed_flat, seconds_a_turn, clear, copied, answer, your_answer, unit, direction, saved,
-    page_version, at_start_only, traced, none,
+    help_keys, moving_page, seconds_a_turn, copied, answer,
+    page_version, at_start_only,
 }
 
 /// The words of a language.
@@ -70,7 +70,6 @@ const ENGLISH: Words = Words {
     scale: "Scale",
     fixed: "one for the course",
     refit: "fitted to each position",
-    at_this_scale: "at the scale in force",
     help: "Help",
     keys_off: "Keys",
     theme: "Light or dark",
@@ -99,19 +98,11 @@ const ENGLISH: Words = Words {
                 S: scale. D: diagram. F: full window. ?: this help. Esc: let go. No key works while a field is being \
                 filled in.",
     moving_page: "Drag a joint, or the slider. Everything is the drawing itself at that position.",
-    crossed_flat: "Two construction lines cross at less than 3°: read with care.",
     seconds_a_turn: "Seconds for the course",
-    clear: "Clear",
     copied: "Copied",
     answer: "Answers",
-    your_answer: "Your answer",
-    unit: "Unit",
-    direction: "Direction from the x-axis, degrees",
-    saved: "Saved",
     page_version: "This page's script does not know this version of the drawing.",
     at_start_only: "Said of the scene's own position:",
-    traced: "Traced",
-    none: "none",
 };
 
 const ARABIC: Words = Words {
@@ -144,7 +135,6 @@ const ARABIC: Words = Words {
     scale: "المقياس",
     fixed: "واحد لكل الحركة",
     refit: "ملائم لكل وضع",
-    at_this_scale: "بالمقياس الحالي",
     help: "مساعدة",
     keys_off: "المفاتيح",
     theme: "فاتح أو داكن",
@@ -171,19 +161,11 @@ const ARABIC: Words = Words {
     help_keys: "← و →: 1°، مع Shift 10°، مع Alt 0.1°. Home: الوضع المعطى. Page Up و Page Down: الحدث التالي. المسافة: \
                 تشغيل وإيقاف. [ و ]: خطوة. S: المقياس. D: المنحنى. F: ملء النافذة. ?: المساعدة. Esc: ترك.",
     moving_page: "اسحب مفصلاً أو المنزلق. كل ما يظهر هو الرسم نفسه في ذلك الوضع.",
-    crossed_flat: "يتقاطع خطان بزاوية أقل من 3°: اقرأ بحذر.",
     seconds_a_turn: "ثوانٍ للحركة كلها",
-    clear: "مسح",
     copied: "نُسخ",
     answer: "الإجابات",
-    your_answer: "إجابتك",
-    unit: "الوحدة",
-    direction: "الاتجاه من محور x بالدرجات",
-    saved: "حُفظ",
     page_version: "لا يعرف برنامج هذه الصفحة هذا الإصدار من الرسم.",
     at_start_only: "في الوضع المعطى:",
-    traced: "مرسوم المسار",
-    none: "لا شيء",
 };
 
 const PERSIAN: Words = Words {
@@ -216,7 +198,6 @@ const PERSIAN: Words = Words {
     scale: "مقیاس",
     fixed: "یکی برای همهٔ مسیر",
     refit: "متناسب با هر وضعیت",
-    at_this_scale: "با مقیاس کنونی",
     help: "راهنما",
     keys_off: "کلیدها",
     theme: "روشن یا تیره",
@@ -243,17 +224,9 @@ const PERSIAN: Words = Words {
     help_keys: "← و →: 1°، با Shift 10°، با Alt 0.1°. Home: وضعیت داده‌شده. Page Up و Page Down: رویداد بعدی. فاصله: \
                 پخش و توقف. [ و ]: یک گام. S: مقیاس. D: نمودار. F: تمام پنجره. ?: راهنما. Esc: رها کردن.",
     moving_page: "یک مفصل یا لغزنده را بکشید. هر چه می‌بینید خود ترسیم در آن وضعیت است.",
-    crossed_flat: "دو خط ترسیم با زاویهٔ کمتر از 3° یکدیگر را می‌برند: با احتیاط بخوانید.",
     seconds_a_turn: "ثانیه برای همهٔ مسیر",
-    clear: "پاک کردن",
     copied: "رونوشت شد",
     answer: "پاسخ‌ها",
-    your_answer: "پاسخ شما",
-    unit: "یکا",
-    direction: "زاویه از محور x به درجه",
-    saved: "ذخیره شد",
     page_version: "اسکریپت این صفحه این نسخه از ترسیم را نمی‌شناسد.",
     at_start_only: "در وضعیت داده‌شده:",
-    traced: "رسم مسیر",
-    none: "هیچ",
 };
