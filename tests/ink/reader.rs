@@ -294,7 +294,7 @@ fn unit_si(unit: &str) -> f64 {
     let (length, time) = unit.split_once('/').expect("a unit of velocity or acceleration");
     let length = match length {
         "nm" => 1e-9,
-        "um" => 1e-6,
+        "um" | "µm" => 1e-6,
         "mm" => 1e-3,
         "cm" => 1e-2,
         "m" => 1.0,
