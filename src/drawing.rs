@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::check::{Unconfirmed, confirm};
 use crate::graphical::construction::Construction;
-use crate::mechanism::quantity::{Dimension, Quantity};
+use crate::mechanism::quantity::Dimension;
 use crate::parallel;
 use crate::plan::{Auxiliary, Extent};
 use crate::render::theme::Theme;
@@ -16,14 +16,6 @@ use crate::solve::{Settings, SolveError, Solved, solve_with};
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
 const LARGEST_SHEET: f64 = 100_000.0;
-
-/// What is said of a scene that asks for forces.
-pub(crate) const NO_QUESTIONS_ON_FORCES: &str = "this version sets and marks no questions on forces yet; `linkgram solve`, `draw` and `sweep` answer this scene";
-
-/// Whether a scene asks for a force.
-pub(crate) fn asks_forces(scene: &Scene) -> bool {
-    scene.mechanism.asked.iter().any(|asked| matches!(asked.quantity, Quantity::Force(..)))
-}
 
 /// What is drawn of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

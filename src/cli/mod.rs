@@ -29,6 +29,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::drawing::Kind;
 use crate::files::{self, FileError};
+use crate::mechanism::quantity::Quantity;
 use crate::scene::{Diagnostic, Scene};
 use crate::sheet::Language;
 use crate::solve::{Arithmetic, Hand, Settings};
@@ -656,8 +657,10 @@ fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
 
 /// Refuses to set or to mark what has no sheets yet.
 fn without_forces(scene: &Scene) -> Result<(), Failure> {
-    if crate::drawing::asks_forces(scene) {
-        return Err(Failure(crate::drawing::NO_QUESTIONS_ON_FORCES.to_owned()));
+    let asked = &scene.mechanism.asked;
+    if asked.iter().any(|asked| matches!(asked.quantity, Quantity::Force(..))) {
+        let why = "this version sets and marks no questions on forces yet; `linkgram solve`, `draw` and `sweep` answer this scene";
+        return Err(Failure(why.to_owned()));
     }
     Ok(())
 }

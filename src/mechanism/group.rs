@@ -192,7 +192,7 @@ pub enum GroupKind {
     },
     /// A group of higher class: something in it is driven by trial until the group closes.
     Higher {
-        /// Index into [`Structure::trials`].
+        /// Index into [`Structure::trials`](super::structure::Structure::trials).
         trial: usize,
     },
     /// A group for which no construction is known yet.
