@@ -637,8 +637,9 @@ fn a_torque_against_the_motion_turns_round_with_it_in_a_sweep() {
         "links": { "2": { "joins": ["O2", "A"], "length": 30 }, "3": { "joins": ["A", "B"], "length": 80 },
             "4": { "joins": ["O4", "B"], "length": 60 } },
         "near": { "B": [70, 60] }, "input": { "link": 2, "angle": 60, "omega": "10 rad/s ccw" },
-        "loads": [ { "on": 4, "torque": "5 N*m", "direction": "against" } ], "find": ["T(2)", "omega(4)"] }"#;
-    let sweep = linkgram::sweep::Sweep::new(&read(text).mechanism, None).unwrap();
+        "loads": [ { "on": 4, "torque": "5 N*m", "direction": "against" } ], "find": ["T(2)", "omega(4)", "F(1,2)", "F(1,4)"] }"#;
+    let mut sweep = linkgram::sweep::Sweep::new(&read(text).mechanism, None).unwrap();
+    check::confirm_sweep(&sweep).unwrap();
     let (mut senses, mut seen) = ([false; 2], 0);
     for position in sweep.positions(&sweep.equal_steps(72)) {
         let (Some(torque), Some(omega)) = (position.values[0], position.values[1]) else { continue };
@@ -647,4 +648,9 @@ fn a_torque_against_the_motion_turns_round_with_it_in_a_sweep() {
         seen += 1;
     }
     assert_eq!((senses, seen > 60), ([true; 2], true));
+    // One force under the name of another is found.
+    let of = sweep.columns[2].asked.quantity;
+    sweep.columns[4].asked.quantity = of;
+    sweep.columns[5].asked.quantity = of;
+    assert!(check::confirm_sweep(&sweep).is_err());
 }

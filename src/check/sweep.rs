@@ -92,7 +92,13 @@ fn confirm_at(sweep: &Sweep, at: f64) -> Result<(), SweepUnconfirmed> {
     let quantities: Vec<Quantity> = mechanism.asked.iter().map(|asked| asked.quantity).collect();
     let order = quantities.iter().map(|quantity| quantity.order()).max();
     let Some(order) = order else { return Ok(()) };
-    let state = analytic::solve(&mechanism, order).map_err(|why| SweepUnconfirmed::Refused { at, why })?;
+    // Forces are found of what is asked.
+    let state = if quantities.iter().any(|quantity| matches!(quantity, Quantity::Force(..))) {
+        analytic::solve_for(&mechanism, &quantities)
+    } else {
+        analytic::solve(&mechanism, order)
+    };
+    let state = state.map_err(|why| SweepUnconfirmed::Refused { at, why })?;
     let mut last = None;
     for (index, column) in sweep.columns.iter().enumerate().filter(|(_, column)| !column.watched) {
         let Some(swept) = values[index] else { continue };
