@@ -23,6 +23,7 @@ mod prepare;
 use crate::board::{Dual, LANES, Lane, Listing, Variable, Workspace};
 pub use crate::graphical::Without;
 use crate::graphical::{DrawError, Transcribed, transcribe};
+use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::mechanism::{Input, LinkId, Mechanism, Place, PointId};
@@ -106,7 +107,10 @@ impl Column {
     pub fn is_unsigned(&self) -> bool {
         matches!(
             self.asked.quantity,
-            Quantity::Rub(..) | Quantity::Transmission(..) | Quantity::PathRadius(_)
+            Quantity::Rub(..)
+                | Quantity::Transmission(..)
+                | Quantity::PathRadius(_)
+                | Quantity::Force(Force::Offset(_) | Force::Arm(..), _)
         )
     }
 
