@@ -297,7 +297,7 @@ fn rolling_pairs() {
                    "6": { "joins": ["C"] } },
         "rolls": [
             { "links": [2, 3], "centres": ["O2", "A"], "radii": [75, 100] },
-            { "links": [1, 3], "centres": ["O2", "A"], "teeth": [140, 40], "module": "5 mm", "internal": true },
+            { "links": [1, 3], "centres": ["O2", "A"], "teeth": [110, 40], "module": "5 mm", "internal": true },
             { "links": [1, 6], "line": { "link": 1, "through": [0, -20] }, "centre": "C", "radius": 30 },
             { "links": [6, 1], "line": { "through": "O2", "angle": 90 }, "centre": "C", "teeth": 20, "module": 3 }
         ] }"#;
@@ -305,7 +305,7 @@ fn rolling_pairs() {
     let Roll::Circles { radii, internal: false, .. } = m.rolls[0] else { panic!() };
     assert_eq!(radii.map(|r| r.value), [0.075, 0.1]);
     let Roll::Circles { radii, internal: true, links, .. } = m.rolls[1] else { panic!() };
-    close(radii[0], 0.35);
+    close(radii[0], 0.275);
     close(radii[1], 0.1);
     assert_eq!(links, [LinkId(0), LinkId(2)]);
     for roll in &m.rolls[2..] {

@@ -160,9 +160,11 @@ fn rolling_contact_holds_a_centre() {
     let a = placed(&good(text), "A");
     assert!((libm::hypot(a[0], a[1]) - 5.0).abs() < 1e-14);
     assert!(bad(&text.replace("[2, 3] }", "[2, 4] }")).what.contains("rolls[0] make it 6 m"));
-    // An arm holds the distance, so that the radii only give the ratio.
+    // What an arm and the radii say of one distance is one fact.
     let arm = text.replace(r#""3": {"#, r#""4": { "joins": ["O", "A"], "length": 5 }, "3": {"#);
-    good(&arm.replace("\"radii\": [2, 3] }", "\"radii\": [2, 4] }"));
+    good(&arm);
+    let told = bad(&arm.replace("\"radii\": [2, 3] }", "\"radii\": [2, 4] }")).what;
+    assert!(told.contains("the distance of O and A 6 m, but link 4 makes it 5 m"), "{told}");
     let plane = text.replace(
         r#""links": [2, 3], "centres": ["O", "A"], "radii": [2, 3]"#,
         r#""links": [1, 3], "line": { "through": [0, 1.000003] }, "centre": "A", "radius": 3"#,

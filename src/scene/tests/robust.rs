@@ -12,7 +12,7 @@ const FULL: &str = r#"{"title":{"en":"x"},"units":{"length":"mm","angle":"rad","
 "4":{"joins":["O4","D","E"],"arms":[10,20,1.5]},"5":{"joins":["C","D"],"shape":{"C":[0,0],"D":[3,4]}},"7":{"joins":["B"]}},
 "slides":[{"pin":"B","block":6,"on":{"link":4,"through":"O4","toward":"D","turned":1,"offset":2}},
 {"link":5,"turned":0.5,"on":{"link":1,"through":[1,2],"angle":"30 deg"}},{"pin":"E","on":{"link":1,"centre":[0,0],"radius":9}}],
-"rolls":[{"links":[2,7],"centres":["A","B"],"teeth":[20,30],"module":2,"internal":true},
+"rolls":[{"links":[2,7],"centres":["A","B"],"teeth":[20,30],"module":6,"internal":true},
 {"links":[1,7],"line":{"through":"O4"},"centre":"B","radius":3}],
 "inputs":[{"link":2,"omega":"75 rpm cw","alpha":3},{"slide":6,"at":3,"velocity":-1e3}],
 "find":["v(B)","slip(B/4)",{"name":"omega(3)","unit":"deg/s"},"rub(B,3/7)","I(2,3)"],
