@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{BezPath, Point, Rect, Vec2};
 
 use super::figure::{Figure, Group, Mark, Pen, Shape};
 use super::ink::{FINE, SMALL, THICK, THIN, dot};
@@ -15,7 +15,7 @@ use super::{Language, human};
 use crate::board::Dual;
 use crate::mechanism::quantity::{Quantity, Unit};
 use crate::scene::Scene;
-use crate::sweep::{InputKind, Stretch, Sweep, Table};
+use crate::sweep::{InputKind, Stretch, Sweep, Table, Track};
 
 /// Width of the page, mm.
 const PAGE: f64 = 190.0;
@@ -391,7 +391,7 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, panel: &Panel, last: bool) -> 
                 && read(values).is_some_and(|r| (axes.y[0]..=axes.y[1]).contains(&r.0))
         };
         for range in inside(sweep, (stretch, table), columns, visible) {
-            let path = table.curve(columns, range, &track, ACCURACY);
+            let path = curve(sweep, table, columns, range, &track);
             group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
         }
     }
@@ -401,6 +401,16 @@ fn over(notation: &Notation<'_>, seen: &Seen<'_>, panel: &Panel, last: bool) -> 
     let below = with_unit(notation, input_symbol(notation, sweep), &input).set(TICK);
     below.put(&mut group, Point::new(PLOT.0 + PLOT.2 - below.width, PLOT.1 + PLOT.3 + 8.0), "axis-name");
     group
+}
+
+/// The curve of a part of a stretch.
+fn curve(sweep: &Sweep, table: &Table, columns: &[usize], range: [f64; 2], track: &Track<'_>) -> BezPath {
+    let of_forces = columns.iter().any(|&c| matches!(sweep.columns[c].asked.quantity, Quantity::Force(..)));
+    if of_forces {
+        table.strokes(columns, range, track)
+    } else {
+        table.curve(columns, range, track, ACCURACY)
+    }
 }
 
 /// A constant is drawn as one: its axis shows no less than this many times the numbers' errors.
@@ -528,7 +538,7 @@ fn plane(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
                 })
         };
         for range in inside(sweep, (stretch, table), &columns, visible) {
-            let path = table.curve(&columns, range, &track, ACCURACY);
+            let path = curve(sweep, table, &columns, range, &track);
             group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
         }
     }
@@ -606,7 +616,7 @@ fn polar(seen: &Seen<'_>, columns: [usize; 2]) -> Group {
             is_sure(values, &columns, most * unit.si) && read(values).is_some_and(|r| r.0 <= most)
         };
         for range in inside(sweep, (stretch, table), &columns, visible) {
-            let path = table.curve(&columns, range, &track, ACCURACY);
+            let path = curve(sweep, table, &columns, range, &track);
             group.mark(Mark::stroke(Shape::Curve(path), Pen::solid(THICK * 0.8)).class("curve"));
         }
     }

@@ -133,8 +133,26 @@ impl Table {
     /// The curve that a track of these columns draws in a part of the stretch, within `accuracy` of the page.
     #[must_use]
     pub fn curve(&self, columns: &[usize], range: [f64; 2], track: &Track<'_>, accuracy: f64) -> BezPath {
+        /// At so many places one sees whether it moves at all.
+        const LOOKS: u32 = 64;
         let course = Course { table: self, columns, range, track, last: RefCell::new(Point::ZERO) };
+        let place = |i: u32| course.at(f64::from(i) / f64::from(LOOKS)).0;
+        let first = place(0);
+        if (1..=LOOKS).all(|i| place(i).distance(first) <= accuracy) {
+            // A constant vector has a point for its hodograph, and a point has no curve to be fitted.
+            let mut still = BezPath::new();
+            still.move_to(first);
+            still.line_to(place(LOOKS));
+            return still;
+        }
         fit_to_bezpath(&course, accuracy)
+    }
+
+    /// The same in short straight strokes, broken where it leaps: forces turn round with the motion that they resist, and
+    /// where they do no fitted curve follows them.
+    #[must_use]
+    pub fn strokes(&self, columns: &[usize], range: [f64; 2], track: &Track<'_>) -> BezPath {
+        Course { table: self, columns, range, track, last: RefCell::new(Point::ZERO) }.in_strokes()
     }
 }
 
@@ -202,6 +220,50 @@ impl Course<'_> {
             // Beside a place without a number the curve stands where it was.
             _ => (*self.last.borrow(), Vec2::ZERO),
         }
+    }
+}
+
+/// Places at which a curve is looked at for jumps, and between which it is drawn in straight strokes where it has some.
+const STROKES: u32 = 720;
+/// A shorter step from place to place is no jump, mm.
+const LEAST_JUMP: f64 = 0.5;
+
+impl Course<'_> {
+    fn places(&self) -> impl Iterator<Item = (f64, Point)> + '_ {
+        (0..=STROKES).map(|i| {
+            let t = f64::from(i) / f64::from(STROKES);
+            (t, self.at(t).0)
+        })
+    }
+
+    /// Whether it leaps between two places however near they are: a load against the motion turns round with it.
+    fn leaps(&self, mut low: (f64, Point), mut high: (f64, Point)) -> bool {
+        const HALVINGS: u32 = 24;
+        let whole = low.1.distance(high.1);
+        if whole < LEAST_JUMP {
+            return false;
+        }
+        for _ in 0..HALVINGS {
+            let t = f64::midpoint(low.0, high.0);
+            let middle = (t, self.at(t).0);
+            // What runs on smoothly has half of its way in either half.
+            if low.1.distance(middle.1) > middle.1.distance(high.1) { high = middle } else { low = middle }
+        }
+        low.1.distance(high.1) > 0.5 * whole
+    }
+
+    /// The curve in short straight strokes, broken where it jumps.
+    fn in_strokes(&self) -> BezPath {
+        let mut path = BezPath::new();
+        let mut last: Option<(f64, Point)> = None;
+        for place in self.places() {
+            match last {
+                Some(before) if !self.leaps(before, place) => path.line_to(place.1),
+                _ => path.move_to(place.1),
+            }
+            last = Some(place);
+        }
+        path
     }
 }
 
