@@ -1,4 +1,4 @@
-//! Long chains: what is asked of one costs about as much for each link as of a short one, and says the same.
+//! Long chains: they are answered as short ones are, and their sheets say what they have no room for.
 
 use std::time::Duration;
 
@@ -53,25 +53,18 @@ fn bounds_of_many_results_are_those_of_each() {
     }
 }
 
-/// The independent solver goes from group to group: ten times the links cost some ten times the time.
+/// The independent solver goes from group to group: the last of four hundred links is found as well as the first. (What
+/// it costs is in the benches.)
 #[test]
-fn the_independent_solver_is_near_linear_in_links() {
-    let time = |dyads: u32| {
-        let scene = chain(dyads);
-        let asked: Vec<_> = scene.mechanism.asked.iter().map(|asked| asked.quantity).collect();
-        let clock = Clock::start();
-        let state = analytic::solve_for(&scene.mechanism, &asked).unwrap();
-        let speed = state.answer(&asked[0]);
-        let took = clock.elapsed();
-        let (x, y) = (-0.06 * libm::sin(80_f64.to_radians()), 0.06 * libm::cos(80_f64.to_radians()));
-        let Answer::Vector { value, bound } = speed else {
-            panic!("{speed:?}");
-        };
-        assert!(libm::hypot(value[0] - x, value[1] - y) <= bound && bound < 1e-9, "{value:?} within {bound}");
-        took
-    };
-    let (short, long) = (time(20), time(200));
-    assert!(long < 25 * short, "20 dyads take {short:?}, 200 take {long:?}");
+fn the_independent_solver_is_right_at_the_end_of_a_long_chain() {
+    let scene = chain(200);
+    let asked: Vec<_> = scene.mechanism.asked.iter().map(|asked| asked.quantity).collect();
+    let state = analytic::solve_for(&scene.mechanism, &asked).unwrap();
+    // Parallelograms: every pin moves as the crank's.
+    let (x, y) = (-0.06 * libm::sin(80_f64.to_radians()), 0.06 * libm::cos(80_f64.to_radians()));
+    let answer = state.answer(&asked[0]);
+    let Answer::Vector { value, bound } = answer else { panic!("{answer:?}") };
+    assert!(libm::hypot(value[0] - x, value[1] - y) <= bound && bound < 1e-9, "{value:?} within {bound}");
 }
 
 /// Two hundred links on a page: what has no room for its name is told, on the page and in the description.
