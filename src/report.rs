@@ -228,6 +228,7 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 | Missing::StraightGuide(link)
                 | Missing::Rate(_, link) => Subject::Link(link),
                 Missing::Input(input) => Subject::Input(input),
+                Missing::Sought => Subject::Scene,
             },
             format!("cannot be drawn: {}", what.say(&scene.mechanism)),
             "say it by a dimension, or place the points that it follows from".to_owned(),

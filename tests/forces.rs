@@ -629,6 +629,55 @@ fn the_books_problems_hold() {
     }
 }
 
+/// Every mechanism of the catalogue with weights, inertia, a force and a torque: whatever kind of group it has, the balance
+/// on the board and the multipliers give one answer, the powers add up, and a sheet of it is confirmed; or the kind is
+/// refused by name.
+#[test]
+fn the_catalogue_under_load() {
+    let (mut answered, mut refused) = (0, 0);
+    for kind in linkgram::catalogue::KINDS {
+        let mut scene: serde_json::Value = serde_json::from_str(kind.scene).unwrap();
+        let joins = |link: &serde_json::Value| -> Vec<String> {
+            link["joins"].as_array().unwrap().iter().map(|p| p.as_str().unwrap().to_owned()).collect()
+        };
+        let links: Vec<(String, Vec<String>)> =
+            scene["links"].as_object().unwrap().iter().map(|(n, link)| (n.clone(), joins(link))).collect();
+        let mut masses = serde_json::Map::new();
+        for (place, (number, points)) in (1_u32..).zip(&links) {
+            let mut mass = serde_json::json!({ "mass": place, "inertia": 0.01 * f64::from(place) });
+            if points.len() > 1 {
+                mass["at"] = points.last().unwrap().clone().into();
+            }
+            masses.insert(number.clone(), mass);
+        }
+        let (last, points) = links.last().unwrap();
+        let on = |number: &str| number.parse::<u32>().unwrap();
+        scene["gravity"] = serde_json::json!({});
+        scene["masses"] = masses.into();
+        scene["loads"] = serde_json::json!([
+            { "on": on(last), "at": points.last().unwrap(), "force": [30, -70] },
+            { "on": on(&links[0].0), "torque": "2 N*m" }
+        ]);
+        scene.as_object_mut().unwrap().remove("find");
+        let Ok(scene) = scene::read(&scene.to_string(), kind.name) else {
+            refused += 1;
+            continue;
+        };
+        let Ok(solved) = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene) else {
+            refused += 1;
+            continue;
+        };
+        let agreement = check::agreement(&scene, &solved, &linkgram::solve::solve_analytically(&scene));
+        assert!(agreement.ok(), "{}: {:?} {:?}", kind.name, agreement.refused, agreement.disagreements());
+        if !agreement.compared.is_empty() {
+            answered += 1;
+            let drawn = linkgram::drawing::figure(&scene, &linkgram::drawing::Wish::default());
+            assert!(drawn.is_ok(), "{}: {}", kind.name, drawn.err().unwrap().told(&scene));
+        }
+    }
+    assert!(answered >= 30, "{answered} answered, {refused} refused");
+}
+
 /// Over a turn the rocker swings to and fro: a torque against it changes its sense, and the effort stays what the powers
 /// say, T₂ ω₂ = M |ω₄|.
 #[test]

@@ -9,9 +9,10 @@
 use std::path::{Path, PathBuf};
 
 /// What must not be written.
-const SHAPES: [&str; 21] = [
+const SHAPES: [&str; 22] = [
     "unwrap_or(origin",
     "unwrap_or_else(|| self.board.origin())",
+    "unwrap_or_else(|| self.rest())",
     "unwrap_or(0.0)",
     "unwrap_or(0)",
     "unwrap_or([0.0",

@@ -96,6 +96,8 @@ pub struct Acting {
     pub force: [f64; 2],
     /// What was known of it when its body was balanced.
     pub known: Knowledge,
+    /// Its line would lie off the paper: it stands where it acts, with its couple beside it.
+    pub with_couple: bool,
 }
 
 /// What is known of a force before a body is balanced.

@@ -33,6 +33,8 @@ pub enum Missing {
     Rate(Order, LinkId),
     /// How fast a rider slides, or how its sliding changes; by index of the pair.
     Sliding(usize),
+    /// The size of a load or spring that is sought.
+    Sought,
 }
 
 impl Missing {
@@ -75,6 +77,7 @@ impl Missing {
                 format!("no step of the drawing finds the angular {} of link {}", word(order), number(link))
             }
             Self::Input(input) => format!("input {} gives no value to draw with", input + 1),
+            Self::Sought => "no step of the drawing finds the size of a load that is sought".to_owned(),
         }
     }
 }
@@ -98,8 +101,8 @@ impl Draughtsman<'_> {
         self.board.no_direction(reason)
     }
 
-    /// In the place of a rate that no step has found: unknown.
-    pub(super) fn no_rate(&mut self, what: Missing) -> Amount {
+    /// In the place of an amount that no step has found: unknown.
+    pub(super) fn no_amount(&mut self, what: Missing) -> Amount {
         let reason = self.miss_of(what);
         self.board.unknown(reason)
     }

@@ -907,7 +907,7 @@ impl<'m> Draughtsman<'m> {
                 let further = self.board.product(part, step);
                 self.board.sum(rates[0], further)
             }
-            _ => self.no_rate(Missing::rate_of(order, driver)),
+            _ => self.no_amount(Missing::rate_of(order, driver)),
         }
     }
 

@@ -111,7 +111,7 @@ impl Draughtsman<'_> {
                 let mut tried = tried.filter(|(of, tried, _)| (*of, *tried) == (order, driver));
                 match tried.next() {
                     Some(&(.., rate)) => rate,
-                    None => self.no_rate(Missing::rate_of(order, driver)),
+                    None => self.no_amount(Missing::rate_of(order, driver)),
                 }
             }
         }
@@ -132,7 +132,7 @@ impl Draughtsman<'_> {
             (Input::Angle { omega, .. }, _) => return self.input_rate(input, omega),
             (Input::Speed { link, point, speed, .. }, _) => {
                 let Some(&first) = self.mechanism.link(link).points.first() else {
-                    return self.no_rate(Missing::Rate(order, link));
+                    return self.no_amount(Missing::Rate(order, link));
                 };
                 let length = self.length(link, first, point);
                 let speed = self.board.amount(self.assumed_rate.unwrap_or(speed));
@@ -151,7 +151,7 @@ impl Draughtsman<'_> {
             // A driven slide says nothing of a link's rotation.
             (Input::Slide { slide, .. }, _) => {
                 let link = self.mechanism.slides[slide].guide.link;
-                return self.no_rate(Missing::Rate(order, link));
+                return self.no_amount(Missing::Rate(order, link));
             }
         };
         self.board.amount(rate)

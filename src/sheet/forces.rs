@@ -261,6 +261,18 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
                 }
             }
             short_arrow(&mut overlay.ink, &mut overlay.labels, acting, through, most, notation);
+            if let (Action::Inertia(link), true) = (acting.action, acting.with_couple) {
+                let torque = Force::InertiaTorque(link);
+                if let Some(value) = couple_of(sheet, link) {
+                    turning(
+                        &mut overlay.ink,
+                        &mut overlay.labels,
+                        (torque, value, true),
+                        (at, 4.5),
+                        notation,
+                    );
+                }
+            }
         }
         overlay
     })
@@ -330,26 +342,43 @@ fn body(body: &FreeBody, sheet: &ForceSheet, construction: &Construction, notati
         let at = places.first().map_or(ink.center(), |(at, ..)| *at);
         let radius = 4.5 + 1.8 * index as f64;
         let known = !matches!(torque, Force::Torque(_));
-        let mut own = Group::new(if known { "torque applied" } else { "torque sought" })
-            .data("quantity", torque.name(mechanism))
-            .data("value", format!("{}", value / notation.scene.units.torque.si));
-        let sweep = if *value < 0.0 { -2.2 } else { 2.2 };
-        let start = if *value < 0.0 { 2.6 } else { 0.5 };
-        arc_arrow(&mut own, at, radius, start, sweep, THIN);
-        group.group(own);
-        let text = notation.symbol(Quantity::Force(*torque, Share::Total), false);
-        let mut request = Request::new(
-            text,
-            SMALL,
-            Site::Around { at, radius: radius + 0.6, toward: Some(1.6) },
-            "label torque-name",
-        );
-        request.leader = true;
-        requests.push(request);
+        turning(&mut group, &mut requests, (*torque, *value, known), (at, radius), notation);
     }
     let names = place(&group, &requests, None);
     group.group(names);
     group
+}
+
+/// The inertia torque of a link, where a free body shows it.
+fn couple_of(sheet: &ForceSheet, link: LinkId) -> Option<f64> {
+    let torques = sheet.bodies.iter().filter(|body| body.link == link).flat_map(|body| &body.torques);
+    torques.filter(|(torque, _)| *torque == Force::InertiaTorque(link)).map(|(_, value)| *value).next()
+}
+
+/// A torque as an arc about a place, with its name: N m, and whether it is given.
+fn turning(
+    group: &mut Group,
+    requests: &mut Vec<Request>,
+    (torque, value, known): (Force, f64, bool),
+    (at, radius): (Point, f64),
+    notation: &Notation<'_>,
+) {
+    let mut own = Group::new(if known { "torque applied" } else { "torque sought" })
+        .data("quantity", torque.name(notation.mechanism()))
+        .data("value", format!("{}", value / notation.scene.units.torque.si));
+    let sweep = if value < 0.0 { -2.2 } else { 2.2 };
+    let start = if value < 0.0 { 2.6 } else { 0.5 };
+    arc_arrow(&mut own, at, radius, start, sweep, THIN);
+    group.group(own);
+    let text = notation.symbol(Quantity::Force(torque, Share::Total), false);
+    let mut request = Request::new(
+        text,
+        SMALL,
+        Site::Around { at, radius: radius + 0.6, toward: Some(1.6) },
+        "label torque-name",
+    );
+    request.leader = true;
+    requests.push(request);
 }
 
 fn named(requests: &mut Vec<Request>, acting: &Acting, at: Point, along: Vec2, notation: &Notation<'_>) {

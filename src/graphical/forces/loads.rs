@@ -10,6 +10,7 @@ use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
 
 use super::super::draughtsman::Draughtsman;
+use super::super::missing::Missing;
 use super::{Balance, Item, Pull};
 
 /// Lays off everything that acts on the links of a plan.
@@ -35,7 +36,7 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
             continue;
         }
         let assumed = balance.assumed.iter().find(|(s, _)| *s == Sought::Spring(index)).map(|(_, a)| *a);
-        let pull = d.spring_pull(index, spring.law, ends.map(|(_, point)| point), assumed);
+        let pull = d.spring_pull(spring.law, ends.map(|(_, point)| point), assumed);
         let [first, second] = ends.map(|(_, point)| d.at(point));
         let reason = d.reason(&ends.map(|(link, _)| link));
         let (toward, _) = d.board.toward(first, second, reason);
@@ -154,7 +155,7 @@ impl Draughtsman<'_> {
     fn size(&mut self, size: Size, assumed: Option<Amount>) -> Amount {
         match size {
             Size::Given(given) => self.board.amount(given),
-            Size::Sought => assumed.unwrap_or_else(|| self.rest()),
+            Size::Sought => assumed.unwrap_or_else(|| self.no_amount(Missing::Sought)),
             Size::Pressure { pressure, area } => {
                 let pressure = self.board.amount(pressure);
                 let area = self.area(area);
@@ -196,7 +197,11 @@ impl Draughtsman<'_> {
                         torque = self.board.opposite(torque);
                     }
                 }
-                let at = self.board.origin();
+                // A couple acts wherever one likes on its link.
+                let at = match self.mechanism.link(load.link).points.first() {
+                    Some(&joint) => self.at(joint),
+                    None => self.no_point(Missing::Joint(load.link)),
+                };
                 Item { pull: None, at, couple: Some(torque) }
             }
             LoadKind::Vector { at, parts, of } => {
@@ -260,7 +265,6 @@ impl Draughtsman<'_> {
     /// The pull of a spring between two points.
     pub(super) fn spring_pull(
         &mut self,
-        _index: usize,
         law: SpringLaw,
         ends: [PointId; 2],
         assumed: Option<Amount>,

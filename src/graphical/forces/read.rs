@@ -81,7 +81,7 @@ impl Draughtsman<'_> {
                     true => Some(self.effort_of(Sought::Spring(index), share)?),
                     false => None,
                 };
-                ForceRead::Scalar(self.spring_pull(index, spring.law, ends.map(|(_, p)| p), assumed))
+                ForceRead::Scalar(self.spring_pull(spring.law, ends.map(|(_, p)| p), assumed))
             }
             Force::Twist(_) => return Err("torsion springs are not drawn"),
             Force::InertiaTorque(link) => {
@@ -172,7 +172,7 @@ impl Draughtsman<'_> {
                     true => Some(self.effort_of(Sought::Spring(index), share)?),
                     false => None,
                 };
-                let pull = self.spring_pull(index, spring.law, ends.map(|(_, p)| p), assumed);
+                let pull = self.spring_pull(spring.law, ends.map(|(_, p)| p), assumed);
                 let (own, other) = (self.at(ends[end].1), self.at(ends[1 - end].1));
                 let reason = self.reason(&ends.map(|(link, _)| link));
                 let (toward, _) = self.board.toward(own, other, reason);
@@ -305,25 +305,34 @@ impl Draughtsman<'_> {
     /// no size.
     pub(in super::super) fn line_through(&mut self, action: Action, share: Share) -> Option<[f64; 2]> {
         let items = self.items_of(action, share).ok()?;
-        let first = items.first()?;
-        let near: Point = first.at;
-        let sum = self.sum_of(&items);
-        let [fx, fy] = self.components_of(sum).map(|c| c.value());
-        let alone = items.len() == 1 && first.couple.is_none();
-        let moment = self.moments(&items, near).map(|moment| moment.value());
+        let foot = self.foot_of_line(&items)?;
         let per_mm = self.length_scale().si_per_mm;
         let origin = self.origin_of_space().map(|given| given.value);
-        let near = near.value().map(|mm| mm * per_mm);
-        let [x, y] = shifted(near, [fx, fy], moment.filter(|_| !alone));
+        let [x, y] = foot.value().map(|mm| mm * per_mm);
         Some([origin[0] + x, origin[1] + y])
     }
-}
 
-/// The foot of a point on the line of a force that has this moment about it: r with r × F = M, square to F.
-pub(super) fn shifted([x, y]: [f64; 2], [fx, fy]: [f64; 2], moment: Option<f64>) -> [f64; 2] {
-    let square = fx * fx + fy * fy;
-    match moment {
-        Some(moment) if square > 0.0 => [x + fy * moment / square, y - fx * moment / square],
-        _ => [x, y],
+    /// The point of the line of a resultant that is nearest to where its first force acts: laid off square to the
+    /// resultant, as far as their moment about that place divided by it. That place itself of one force alone, and of
+    /// what has no size.
+    pub(super) fn foot_of_line(&mut self, items: &[Item]) -> Option<Point> {
+        let first = items.first()?;
+        if items.len() == 1 && first.couple.is_none() {
+            return Some(first.at);
+        }
+        let sum = self.sum_of(items);
+        let mm = self.board.distance(sum.tail, sum.head);
+        let moment = self.moments(items, first.at).filter(|_| mm.value() != 0.0);
+        let Some(moment) = moment else { return Some(first.at) };
+        let (forces, lengths) = (self.force_scale(), self.length_scale());
+        let size = self.board.read(mm, forces);
+        let reason = self.reason(&[]);
+        let arm = self.board.quotient(moment, size, reason);
+        let arm = self.board.to_paper(arm, lengths);
+        let (along, _) = self.board.toward(sum.tail, sum.head, reason);
+        let left = self.board.quarter_turn(along);
+        let right = self.board.reverse(left);
+        // A force to the right of a point turns ccw about it.
+        Some(self.board.step_off(first.at, right, arm))
     }
 }

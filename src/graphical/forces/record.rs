@@ -8,6 +8,9 @@ use crate::plan::Plan;
 use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge};
 use super::super::draughtsman::Draughtsman;
 
+/// A line of inertia farther off than this part of the skeleton's size has no room on the paper.
+const REACH: f64 = 0.6;
+
 /// The free bodies of a plan, with everything that acts on them.
 pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<ForceSheet> {
     let (_, balance) = d.balances.iter().find(|(share, _)| *share == Share::Total)?;
@@ -59,19 +62,31 @@ impl Draughtsman<'_> {
     /// A force as it stands on the paper; none where no polygon leads to it.
     fn acting(&mut self, action: Action, known: Knowledge) -> Option<Acting> {
         let items = self.items_of(action, Share::Total).ok()?;
-        let at = items.first()?.at.value();
-        let per_mm = self.length_scale().si_per_mm;
-        let near = at.map(|mm| mm * per_mm);
-        let moment = self.moments(&items, items.first()?.at).map(|moment| moment.value());
-        let sum = self.sum_of(&items);
-        let force = self.components_of(sum).map(|part| part.value());
-        let pulls = items.iter().any(|item| item.pull.is_some());
-        if !pulls {
+        if items.iter().all(|item| item.pull.is_none()) {
             return None;
         }
-        let alone = items.len() == 1 && items[0].couple.is_none();
-        let through = super::read::shifted(near, force, moment.filter(|_| !alone));
-        Some(Acting { action, at: near, through, force, known })
+        let at = items.first()?.at.value();
+        let foot = self.foot_of_line(&items)?.value();
+        let sum = self.sum_of(&items);
+        let force = self.components_of(sum).map(|part| part.value());
+        // The line of inertia that lies off the paper is not drawn: force and couple act side by side at the mass centre.
+        let inertia = matches!(action, Action::Inertia(_));
+        let beyond = libm::hypot(foot[0] - at[0], foot[1] - at[1]) > REACH * self.size_of_skeleton();
+        let with_couple = inertia && beyond;
+        let per_mm = self.length_scale().si_per_mm;
+        let [at, foot] = [at, foot].map(|place| place.map(|mm| mm * per_mm));
+        Some(Acting { action, at, through: if with_couple { at } else { foot }, force, known, with_couple })
+    }
+
+    /// The larger side of the skeleton, paper millimetres.
+    fn size_of_skeleton(&self) -> f64 {
+        let places = || self.places.iter().flatten().map(|place| place.value());
+        let side = |axis: usize| {
+            let least = places().map(|place| place[axis]).fold(f64::INFINITY, f64::min);
+            let most = places().map(|place| place[axis]).fold(f64::NEG_INFINITY, f64::max);
+            most - least
+        };
+        side(0).max(side(1))
     }
 
     /// Whether a link has two pins and nothing else acts on it.
@@ -173,7 +188,7 @@ impl Draughtsman<'_> {
                 acting.extend(self.acting(action, known));
             }
         }
-        let shifts = acting.iter().any(|acting| acting.action == Action::Inertia(link));
+        let shifts = acting.iter().any(|a| a.action == Action::Inertia(link) && !a.with_couple);
         let torques = self.torques_on(link, shifts);
         (!acting.is_empty()).then_some(FreeBody { link, acting, torques })
     }
