@@ -927,120 +927,84 @@ impl Teller<'_> {
         let ruled = |formula: Rich, rule: Rich| {
             if rule.is_empty() { formula } else { formula.aside(n.words.semicolon, &rule) }
         };
+        // What is computed, by which formula, from which numbers, and what it comes to.
+        let line = |of: Rich, formula: Rich, numbers: Rich, value: Rich| {
+            of.up(equals).then(&formula).up(equals).then(&numbers).up(equals).then(&value)
+        };
+        let vector = |quantity: &Quantity, from: PointId| n.symbol_from(*quantity, Some(from));
+        let rotation = |quantity: Quantity| n.symbol(quantity, false);
         let text = match calculation {
             Calculation::Speed { quantity, link, ends, omega, length: l, value } => {
                 let [rate, size] =
                     human::closing([omega.abs() / w.si, l / length.si], value / v.si, |[a, b]| a * b);
-                n.symbol_from(*quantity, Some(ends[0]))
-                    .up(equals)
-                    .then(&n.symbol(Quantity::Omega(*link), false))
-                    .up(times)
-                    .then(&n.length(ends[0], ends[1]))
-                    .up(equals)
-                    .then(&rate)
-                    .up(cross)
-                    .then(&size)
-                    .up(equals)
-                    .then(&human::quantity(*value, &v))
+                line(
+                    vector(quantity, ends[0]),
+                    rotation(Quantity::Omega(*link)).up(times).then(&n.length(ends[0], ends[1])),
+                    rate.up(cross).then(&size),
+                    human::quantity(*value, &v),
+                )
             }
             Calculation::Omega { link, quantity, ends, speed, length: l, value } => {
                 let [read, size] =
                     human::closing([speed / v.si, l / length.si], value.abs() / w.si, |[a, b]| a / b);
-                n.symbol(Quantity::Omega(*link), false)
-                    .up(equals)
-                    .then(&n.symbol_from(*quantity, Some(ends[0])))
-                    .up(over)
-                    .then(&n.length(ends[0], ends[1]))
-                    .up(equals)
-                    .then(&read)
-                    .up(over)
-                    .then(&size)
-                    .up(equals)
-                    .then(&n.rotation(*value, &w))
+                line(
+                    rotation(Quantity::Omega(*link)),
+                    vector(quantity, ends[0]).up(over).then(&n.length(ends[0], ends[1])),
+                    read.up(over).then(&size),
+                    n.rotation(*value, &w),
+                )
             }
             Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => {
                 let [read, size] =
                     human::closing([speed / v.si, l / length.si], value / a.si, |[x, l]| x * x / l);
-                n.symbol_from(*quantity, Some(ends[0]))
-                    .up(equals)
-                    .then(&n.symbol_from(*velocity, Some(ends[0])).squared())
-                    .up(over)
-                    .then(&n.length(ends[0], ends[1]))
-                    .up(equals)
-                    .then(&read)
-                    .up("²")
-                    .up(over)
-                    .then(&size)
-                    .up(equals)
-                    .then(&human::quantity(*value, &a))
+                line(
+                    vector(quantity, ends[0]),
+                    vector(velocity, ends[0]).squared().up(over).then(&n.length(ends[0], ends[1])),
+                    read.up("²").up(over).then(&size),
+                    human::quantity(*value, &a),
+                )
             }
             Calculation::Tangential { quantity, link, ends, alpha, length: l, value } => {
                 let [rate, size] =
                     human::closing([alpha.abs() / e.si, l / length.si], value / a.si, |[a, b]| a * b);
-                n.symbol_from(*quantity, Some(ends[0]))
-                    .up(equals)
-                    .then(&n.symbol(Quantity::Alpha(*link), false))
-                    .up(times)
-                    .then(&n.length(ends[0], ends[1]))
-                    .up(equals)
-                    .then(&rate)
-                    .up(cross)
-                    .then(&size)
-                    .up(equals)
-                    .then(&human::quantity(*value, &a))
+                line(
+                    vector(quantity, ends[0]),
+                    rotation(Quantity::Alpha(*link)).up(times).then(&n.length(ends[0], ends[1])),
+                    rate.up(cross).then(&size),
+                    human::quantity(*value, &a),
+                )
             }
             Calculation::Alpha { link, quantity, ends, tangential, length: l, value } => {
                 let [read, size] =
                     human::closing([tangential / a.si, l / length.si], value.abs() / e.si, |[a, b]| a / b);
-                n.symbol(Quantity::Alpha(*link), false)
-                    .up(equals)
-                    .then(&n.symbol_from(*quantity, Some(ends[0])))
-                    .up(over)
-                    .then(&n.length(ends[0], ends[1]))
-                    .up(equals)
-                    .then(&read)
-                    .up(over)
-                    .then(&size)
-                    .up(equals)
-                    .then(&n.rotation(*value, &e))
+                line(
+                    rotation(Quantity::Alpha(*link)),
+                    vector(quantity, ends[0]).up(over).then(&n.length(ends[0], ends[1])),
+                    read.up(over).then(&size),
+                    n.rotation(*value, &e),
+                )
             }
             Calculation::Coriolis { quantity, link, slip, speed, omega, value } => {
                 let [read, rate] =
                     human::closing([speed / v.si, omega.abs() / w.si], value / a.si, |[x, w]| 2.0 * x * w);
-                ruled(
-                    n.symbol(*quantity, false)
-                        .up(equals)
-                        .up("2")
-                        .up(times)
-                        .then(&n.symbol(*slip, false))
-                        .up(times)
-                        .then(&n.symbol(Quantity::Omega(*link), false))
-                        .up(equals)
-                        .up("2")
-                        .up(cross)
-                        .then(&read)
-                        .up(cross)
-                        .then(&rate)
-                        .up(equals)
-                        .then(&human::quantity(*value, &a)),
-                    rule(link, slip, omega, speed),
-                )
+                let omega_of = rotation(Quantity::Omega(*link));
+                let formula = line(
+                    n.symbol(*quantity, false),
+                    Rich::upright("2").up(times).then(&n.symbol(*slip, false)).up(times).then(&omega_of),
+                    Rich::upright("2").up(cross).then(&read).up(cross).then(&rate),
+                    human::quantity(*value, &a),
+                );
+                ruled(formula, rule(link, slip, omega, speed))
             }
             Calculation::SlipNormal { quantity, slip, speed, radius, value } => {
                 let [read, size] =
                     human::closing([speed / v.si, radius / length.si], value / a.si, |[x, r]| x * x / r);
-                n.symbol(*quantity, false)
-                    .up(equals)
-                    .then(&n.symbol(*slip, false).squared())
-                    .up(over)
-                    .it("R")
-                    .up(equals)
-                    .then(&read)
-                    .up("²")
-                    .up(over)
-                    .then(&size)
-                    .up(equals)
-                    .then(&human::quantity(*value, &a))
+                line(
+                    n.symbol(*quantity, false),
+                    n.symbol(*slip, false).squared().up(over).it("R"),
+                    read.up("²").up(over).then(&size),
+                    human::quantity(*value, &a),
+                )
             }
             Calculation::Translation { link } => {
                 let omega = match self.step.diagram {
@@ -1062,20 +1026,15 @@ impl Teller<'_> {
                     human::closing([(first - second).abs() / w.si], value / unit.si, |[difference]| {
                         journal * difference
                     });
-                n.symbol(quantity, false)
-                    .up(equals)
-                    .it("r")
-                    .up("\u{a0}|")
-                    .then(&n.symbol(Quantity::Omega(links[0]), false))
+                let between = rotation(Quantity::Omega(links[0]))
                     .up("\u{a0}−\u{a0}")
-                    .then(&n.symbol(Quantity::Omega(links[1]), false))
-                    .up("|")
-                    .up(equals)
-                    .then(&human::stated_quantity(*radius, &length))
-                    .up(cross)
-                    .then(&difference)
-                    .up(equals)
-                    .then(&human::quantity(*value, &unit))
+                    .then(&rotation(Quantity::Omega(links[1])));
+                line(
+                    n.symbol(quantity, false),
+                    Rich::italic("r").up("\u{a0}|").then(&between).up("|"),
+                    human::stated_quantity(*radius, &length).up(cross).then(&difference),
+                    human::quantity(*value, &unit),
+                )
             }
         };
         Some(text)
