@@ -346,3 +346,20 @@ fn own_coordinates_far_from_their_origin() {
         }
     }
 }
+
+/// Aⁿ of 0.5 mm/s² between images a hundred millimetres from the pole: its ink is no better than their places are written.
+#[test]
+fn a_short_vector_far_from_the_pole_is_confirmed() {
+    let text = r#"{ "units": { "length": "mm" },
+        "fixed": { "O2": [0, 0], "O4": [160, 0], "O6": [320, 20], "O8": [470, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 50 }, "3": { "joins": ["A", "B"], "length": 150 },
+            "4": { "joins": ["O4", "B", "C"], "sides": [100, 60, 120] }, "5": { "joins": ["C", "D"], "length": 170 },
+            "6": { "joins": ["O6", "D", "E"], "line": [0, 90, 130] }, "7": { "joins": ["E", "F"], "length": 150 },
+            "8": { "joins": ["O8", "F", "G"], "line": [0, 100, 150] }, "9": { "joins": ["G", "H"], "length": 120 } },
+        "slides": [ { "pin": "H", "block": 10, "on": { "link": 1, "through": [0, 230] } } ],
+        "near": { "B": [150, 100], "C": [200, 120], "D": [320, 110], "E": [320, 150], "F": [470, 100], "G": [470, 150],
+            "H": [560, 230] },
+        "input": { "link": 2, "angle": 30, "omega": "20 rad/s cw", "alpha": "100 rad/s^2 ccw" } }"#;
+    let scene = common::read(text);
+    confirm(&scene, &whole(&scene)).unwrap();
+}

@@ -279,7 +279,7 @@ impl<'a> Comparison<'a> {
             return;
         }
         let Some(bound) = self.bound_on_paper(quantity, meaning) else { return };
-        // Ink is the read number to its own rounding, which its bound covers.
+        // Ink is the read number to the rounding of its ends, which stands with it.
         let apart = apart.map(|(distance, bounds)| (distance, bounds + 2.0 * bound));
         if apart.is_some_and(|(distance, bounds)| distance <= bounds) {
             return;
@@ -297,9 +297,11 @@ impl<'a> Comparison<'a> {
     /// for the point of a link under a pin of another, its name alone does not tell of which link it is; its ends do.
     fn drawn(&self) -> Vec<(Quantity, Meaning, Answer)> {
         let construction = &self.solved.solution.construction;
+        // A short vector far from the pole is no better known than the places of its ends are written.
+        let written = |at: [f64; 2]| f64::EPSILON * libm::hypot(at[0], at[1]);
         let vector = |from: [f64; 2], to: [f64; 2], scale: f64| Answer::Vector {
             value: [0, 1].map(|axis| (to[axis] - from[axis]) * scale),
-            bound: 0.0,
+            bound: (written(from) + written(to)) * scale,
         };
         let mut drawn = Vec::new();
         for polygon in &construction.diagrams {
