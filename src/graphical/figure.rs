@@ -264,10 +264,10 @@ impl Draughtsman<'_> {
                 (at[0] - x) * cos + (at[1] - y) * sin > 0.0
             }
             Locus::Sees { ends, angle } if !locus.is_whole() => {
-                // On the same side of the segment as the arc: to its left where the angle is ccw.
+                // On the same side of the segment as the arc: to its left where the angle is less than half a turn ccw.
                 let [p, q] = ends.map(|end| self.standing_at(end).value());
                 let left = (q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0]);
-                left * angle.value > 0.0
+                left * libm::sin(angle.value) > 0.0
             }
             Locus::Sees { .. } | Locus::Circle { .. } | Locus::Square { .. } | Locus::On(_) => true,
         })

@@ -65,11 +65,7 @@ impl Draughtsman<'_> {
         }
         let rider = (0..self.mechanism.slides.len()).find_map(|slide| {
             let pair = self.mechanism.slides[slide];
-            let rider = match pair.rider {
-                Rider::Pin { point, .. } => Some(point),
-                Rider::Link { link: rider, .. } => self.mechanism.link(rider).points.first().copied(),
-            };
-            let rider = rider.filter(|&rider| rider != base && stands(self, rider))?;
+            let rider = self.joint_of_rider(slide).filter(|&rider| rider != base && stands(self, rider))?;
             (pair.guide.link == link).then_some((slide, rider))
         });
         let Some((slide, rider)) = rider else { return false };

@@ -40,8 +40,8 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError
     figure::draw(d)?;
     let begun = d.skeleton();
     match draw_groups(d, plan) {
-        // What is driven need not stand by its input: places may tell it from the other end.
-        Err(error @ (DrawError::Missing(_) | DrawError::NotPlaced { .. })) => {
+        // What is driven need not stand by its input, nor a group by its dyads: places may tell it from the other end.
+        Err(error @ (DrawError::Missing(_) | DrawError::NotPlaced { .. } | DrawError::NoClosure { .. })) => {
             d.back_to(&begun);
             let led = d.lead_by_places();
             let found = d.skeleton();
@@ -49,7 +49,12 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) -> Result<(), DrawError
                 return Err(error);
             }
             d.back_to(&Skeleton { places: begun.places, poses: begun.poses, ..found });
-            draw_groups(d, plan)
+            let drawn = draw_groups(d, plan);
+            match error {
+                // What does not close by its dyads is told as it was found by them.
+                DrawError::NoClosure { .. } => drawn.map_err(|_| error),
+                _ => drawn,
+            }
         }
         drawn => drawn,
     }
@@ -290,11 +295,8 @@ impl Draughtsman<'_> {
             self.poses[link.0] = Some(Pose { own_anchor, anchor, own_along: x, along: x });
             return Ok(());
         };
-        let rider = match self.mechanism.slides[slide].rider {
-            Rider::Pin { point, .. } => Some(point),
-            Rider::Link { link: rider, .. } => self.mechanism.link(rider).points.first().copied(),
-        };
-        let at_rider = rider.and_then(|rider| Some((rider, self.place_by_places(rider)?)));
+        let at_rider =
+            self.joint_of_rider(slide).and_then(|rider| Some((rider, self.place_by_places(rider)?)));
         let Some((rider, at_rider)) = at_rider else {
             self.miss_of(Missing::Pose(link));
             return Ok(());
@@ -303,18 +305,35 @@ impl Draughtsman<'_> {
         self.swivel(link, (base, own_line), (slide, rider), at_rider)
     }
 
-    /// The pair by whose guide a link of one joint swivels: the first that leads through that joint.
-    pub(super) fn swivels_by(&self, link: LinkId) -> Option<usize> {
-        let joint = self.mechanism.link(link).points.first();
-        let single = matches!(self.mechanism.link(link).form, Form::Single);
-        self.mechanism.slides.iter().position(|slide| {
-            let Path::Straight { through, .. } = slide.guide.path else { return false };
-            let own = match through {
-                GuidePoint::Point(p) => joint == Some(&p),
-                GuidePoint::Own(at) => at.iter().all(|c| *c == Given::exact(0.0)),
-            };
-            single && own && slide.guide.link == link
-        })
+    /// The pair by whose guide a link of one joint swivels: of those that lead through that joint the first whose rider
+    /// stands, whatever their order in the scene.
+    pub(super) fn swivels_by(&mut self, link: LinkId) -> Option<usize> {
+        let pairs: Vec<usize> =
+            (0..self.mechanism.slides.len()).filter(|&slide| self.swivels_on(link, slide)).collect();
+        let stands = |d: &mut Self, slide: usize| {
+            let rider = d.joint_of_rider(slide);
+            rider.is_some_and(|rider| d.places[rider.0].is_some() || d.given_place(rider).is_some())
+        };
+        pairs.iter().copied().find(|&slide| stands(self, slide)).or(pairs.first().copied())
+    }
+
+    /// Whether a link of one joint may swivel by this pair: its guide leads through that joint.
+    fn swivels_on(&self, link: LinkId, slide: usize) -> bool {
+        let guide = self.mechanism.slides[slide].guide;
+        let Path::Straight { through, .. } = guide.path else { return false };
+        let own = match through {
+            GuidePoint::Point(p) => self.mechanism.link(link).points.first() == Some(&p),
+            GuidePoint::Own(at) => at.iter().all(|c| *c == Given::exact(0.0)),
+        };
+        matches!(self.mechanism.link(link).form, Form::Single) && own && guide.link == link
+    }
+
+    /// The pin that rides in a sliding pair, or the first joint of the link that does.
+    pub(super) fn joint_of_rider(&self, slide: usize) -> Option<PointId> {
+        match self.mechanism.slides[slide].rider {
+            Rider::Pin { point, .. } => Some(point),
+            Rider::Link { link, .. } => self.mechanism.link(link).points.first().copied(),
+        }
     }
 
     /// Whether a link of one joint has the world's axes at this instant.
@@ -324,7 +343,9 @@ impl Draughtsman<'_> {
             .slides
             .iter()
             .any(|s| matches!(s.rider, Rider::Link { link: rider, turned: Some(_) } if rider == link));
-        matches!(self.mechanism.link(link).form, Form::Single) && !rides && self.swivels_by(link).is_none()
+        matches!(self.mechanism.link(link).form, Form::Single)
+            && !rides
+            && !(0..self.mechanism.slides.len()).any(|slide| self.swivels_on(link, slide))
     }
 
     /// Turns a link of one joint until its guide meets its rider, at the end of its line that lies further along the
@@ -894,7 +915,8 @@ impl Draughtsman<'_> {
         (from, along): (Point, Direction),
     ) -> Point {
         let scale = self.length_scale();
-        if matches!(self.mechanism.link(link).form, Form::Length(_)) {
+        let joints = [base, point].map(|p| p == first || p == second);
+        if joints == [true; 2] && matches!(self.mechanism.link(link).form, Form::Length(_)) {
             let length = self.length(link, base, point);
             let mm = self.board.to_paper(length, scale);
             let outward = if base == first { along } else { self.board.reverse(along) };
@@ -906,10 +928,10 @@ impl Draughtsman<'_> {
         let (own_along, _) = self.board.toward(a, b, reason);
         let (start, end) = (self.own(link, base), self.own(link, point));
         let [forward, left] = self.board.square_off(Line { through: start, along: own_along }, end);
-        if matches!(self.mechanism.link(link).form, Form::Line(_)) {
-            return self.board.lay_off(from, along, forward);
-        }
         let foot = self.board.lay_off(from, along, forward);
+        if self.is_straight(link) {
+            return foot;
+        }
         let square = self.board.quarter_turn(along);
         self.board.lay_off(foot, square, left)
     }
@@ -1087,7 +1109,7 @@ impl Draughtsman<'_> {
         } else if let Some((own_along, along)) = by_rod {
             self.poses[lever.0] = Some(Pose { own_anchor, anchor: at_base, own_along, along });
         } else if matches!(self.mechanism.link(lever).form, Form::Single) {
-            if self.swivels_by(lever) == Some(slide) {
+            if self.swivels_on(lever, slide) {
                 let track = self.own_track(slide, Some(pin));
                 self.swivel(lever, (base, track), (slide, pin), at_pin)?;
             } else {
@@ -1320,6 +1342,14 @@ impl Draughtsman<'_> {
         if self.stands_in_world(link) {
             let (anchor, x) = (self.at(pin), self.board.rightward());
             self.poses[link.0] = Some(Pose { own_anchor: anchor, anchor, own_along: x, along: x });
+            self.transfer_by_pose(step, link);
+            return Ok(());
+        }
+        // What rides as placed says nothing of how the yoke stands; two of its points that are placed do.
+        let as_placed = matches!(self.mechanism.slides[ride].rider, Rider::Link { turned: None, .. });
+        let placed = |d: &Self| d.mechanism.link(link).points.iter().filter(|&&p| d.is_given(p)).count() > 1;
+        if as_placed && placed(self) && self.pose_of(link).is_some() {
+            self.act(Act::MarkPlaces);
             self.transfer_by_pose(step, link);
             return Ok(());
         }

@@ -320,10 +320,7 @@ impl<'m> Draughtsman<'m> {
         let Some(at) = self.place_by_places(joint) else { return false };
         self.place(joint, at);
         if let Some(slide) = self.swivels_by(link) {
-            let rider = match self.mechanism.slides[slide].rider {
-                Rider::Pin { point, .. } => Some(point),
-                Rider::Link { link: rider, .. } => self.mechanism.link(rider).points.first().copied(),
-            };
+            let rider = self.joint_of_rider(slide);
             if rider.is_none_or(|rider| self.place_by_places(rider).is_none()) {
                 return false;
             }
@@ -404,8 +401,10 @@ impl<'m> Draughtsman<'m> {
         match driver {
             TrialDriver::Turn(link) => {
                 let points = &self.mechanism.link(link).points;
-                // A link of one joint stands as its own coordinates say.
-                points.iter().copied().take(2).find(|&p| !exact(p))
+                // Any two of its points tell how it stands; a link of one joint stands as its own coordinates say.
+                let standing = points.iter().filter(|&&p| exact(p)).count();
+                let told = standing >= points.len().min(2);
+                points.iter().copied().find(|&p| !told && !exact(p))
             }
             TrialDriver::Slide(slide) => match self.mechanism.slides[slide].rider {
                 Rider::Pin { point, .. } => (!exact(point)).then_some(point),
@@ -567,6 +566,11 @@ impl<'m> Draughtsman<'m> {
         for (to, from) in sketch.places.iter_mut().zip(&self.places) {
             *to = from.map(|p| sketch.board.copied(p.value()));
         }
+        // What a figure states, or given places led to, stands on scratch paper too.
+        for (to, from) in sketch.pricked.iter_mut().zip(&self.pricked) {
+            *to = from.map(|p| sketch.board.copied(p.value()));
+        }
+        sketch.stated_hints.clone_from(&self.stated_hints);
         for (to, from) in sketch.poses.iter_mut().zip(&self.poses) {
             *to = from.map(|pose| Pose {
                 own_anchor: sketch.board.copied(pose.own_anchor.value()),
@@ -607,7 +611,8 @@ impl<'m> Draughtsman<'m> {
             let mut seen: Vec<(f64, f64)> = Vec::new();
             let mut before = evaluate(angle_of(0));
             seen.extend(before.map(|f| (angle_of(0), f)));
-            for k in 1..=TRIALS {
+            // One more than a whole turn: a root at its seam lies between two trials as well.
+            for k in 1..=TRIALS + 1 {
                 let (here, last) = (angle_of(k), angle_of(k - 1));
                 let now = evaluate(here);
                 match (before, now) {

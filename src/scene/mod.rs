@@ -121,6 +121,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     guides::slides(fields.get("slides"), &mut draft)?;
     rolls::read(fields.get("rolls"), &mut draft)?;
     inputs::read(&fields, &mut draft)?;
+    placing::along_by_places(&mut draft)?;
     placing::settle(&mut draft)?;
     figure::read(&fields, &mut draft)?;
     placing::directed_by_places(&mut draft);
