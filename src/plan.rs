@@ -10,6 +10,7 @@ use crate::mechanism::engine::Engine;
 use crate::mechanism::force::{
     Action, Force, Heaviness, Inertia, LoadKind, Mass, Pointing, Share, SpringKind,
 };
+use crate::mechanism::friction::RubbingPair;
 use crate::mechanism::quantity::{Asked, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, GroupKind, Hold, Joint, Structure, Trial, TrialDriver, Unknown};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
@@ -522,10 +523,30 @@ impl Wanted<'_> {
                 self.spring(index);
             }
         }
+        for pair in mechanism.rubbing_pairs() {
+            self.rubbing(pair, &links);
+        }
         self.forces.groups.extend(groups);
         self.forces.links.extend(links);
         if !self.forces.shares.contains(&share) {
             self.forces.shares.push(share);
+        }
+    }
+
+    /// The motion from which a pair that rubs has its sense.
+    fn rubbing(&mut self, pair: RubbingPair, balanced: &BTreeSet<LinkId>) {
+        let mechanism = self.mechanism;
+        let links = mechanism.rubbing_links(pair);
+        if !links.iter().any(|link| balanced.contains(link)) {
+            return;
+        }
+        for link in links.into_iter().filter(|link| *link != LinkId::FRAME) {
+            self.link(link, Order::Velocity);
+        }
+        if let RubbingPair::Slide(slide) = pair
+            && let Some(point) = mechanism.rubbing_point(slide)
+        {
+            self.point(point, Order::Velocity);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::graphical::construction::Construction;
 use crate::graphical::{DrawError, Missing, Unplaced};
-use crate::mechanism::quantity::{Answer, Unit};
+use crate::mechanism::quantity::{Answer, Stuck, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
 use crate::mechanism::{Input, Mechanism, Path, Place, PointId};
@@ -21,6 +21,17 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
         SolveError::Unanswered { .. } => {
             (Subject::Asked(0), error.to_string(), "ask for something else beside it".to_owned())
         }
+        SolveError::Stuck { how: Stuck::Locked, .. } => (
+            Subject::Scene,
+            error.to_string(),
+            "less friction, or another position, lets it move; `expect` tells that it is meant to lock"
+                .to_owned(),
+        ),
+        SolveError::Stuck { .. } => (
+            Subject::Scene,
+            error.to_string(),
+            "less friction leaves one balance; `expect` tells that it is meant so".to_owned(),
+        ),
         SolveError::Indeterminate { .. } => (
             Subject::Inputs,
             error.to_string(),
@@ -228,7 +239,7 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 | Missing::StraightGuide(link)
                 | Missing::Rate(_, link) => Subject::Link(link),
                 Missing::Input(input) => Subject::Input(input),
-                Missing::Sought => Subject::Scene,
+                Missing::Sought | Missing::Sense(_) | Missing::Side(_) | Missing::Balance => Subject::Scene,
             },
             format!("cannot be drawn: {}", what.say(&scene.mechanism)),
             "say it by a dimension, or place the points that it follows from".to_owned(),

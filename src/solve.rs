@@ -6,7 +6,7 @@ use crate::analytic::{self, AnalyticError, State};
 pub use crate::board::{Arithmetic, Hand};
 use crate::graphical::construction::Reading;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity, Stuck};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
@@ -67,6 +67,14 @@ pub enum SolveError {
         /// Why there is no answer.
         why: Indeterminate,
     },
+    /// With friction no balance exists, or more than one.
+    #[error("{why}")]
+    Stuck {
+        /// Which of them.
+        how: Stuck,
+        /// The pairs that rub, and when they lock.
+        why: String,
+    },
     /// Nothing that was asked is determined at this position.
     #[error("indeterminate here: {why}")]
     Indeterminate {
@@ -86,7 +94,14 @@ impl SolveError {
                 DrawError::CannotAssemble { .. } | DrawError::NoClosure { .. } | DrawError::Unplaced { .. },
             ) => Some(Refusal::CannotAssemble),
             Self::Draw(DrawError::Ambiguous { .. } | DrawError::NotPlaced { .. }) => Some(Refusal::Ambiguous),
-            Self::Indeterminate { .. } => Some(Refusal::Indeterminate),
+            Self::Stuck { how: Stuck::Locked, .. }
+            | Self::Indeterminate { why: Indeterminate::Rubbing { how: Stuck::Locked, .. }, .. } => {
+                Some(Refusal::Locked)
+            }
+            Self::Stuck { how: Stuck::Ambiguous, .. } => Some(Refusal::Ambiguous),
+            Self::Stuck { how: Stuck::AtRest, .. } | Self::Indeterminate { .. } => {
+                Some(Refusal::Indeterminate)
+            }
             Self::Unanswered { .. }
             | Self::Structure(_)
             | Self::Position(_)
@@ -149,6 +164,7 @@ pub fn solve_with(
         plan = plan_from(CentreSource::Velocities, &without);
         (scales, solution) = draw(&plan)?;
     }
+    unstuck(scene)?;
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     solution.construction.others = others;
     Ok(Solved { structure, plan, scales, solution, left_out })
@@ -239,6 +255,21 @@ pub fn determined(asked: &[Asked], readings: &[Reading]) -> Result<(), SolveErro
         (_, None) => Ok(()),
         (Some(_), Some((name, why))) => Err(SolveError::Indeterminate { name, why }),
         (None, Some((name, why))) => Err(SolveError::Unanswered { name, why }),
+    }
+}
+
+/// Refuses where friction lets no balance exist, or more than one: what passes on the board come to does not tell.
+fn unstuck(scene: &Scene) -> Result<(), SolveError> {
+    let of_forces = |asked: &Asked| matches!(asked.quantity, Quantity::Force(..));
+    if scene.mechanism.forces.friction.is_empty() || !scene.mechanism.asked.iter().any(of_forces) {
+        return Ok(());
+    }
+    let state = solve_analytically(scene);
+    match state.as_ref().ok().and_then(State::stuck) {
+        Some(Indeterminate::Rubbing { how, why }) if *how != Stuck::AtRest => {
+            Err(SolveError::Stuck { how: *how, why: why.clone() })
+        }
+        _ => Ok(()),
     }
 }
 

@@ -61,17 +61,8 @@ impl State {
     pub fn power(&self) -> Option<Power> {
         let p = self.act(Share::Total, |s| s.powers()).ok()?;
         let unit = self.force_unit() * self.model.length / self.model.time;
-        let [effort, loads, weights, springs, inertia, residual] = p.map(|m| m.value * unit);
-        Some(Power {
-            effort,
-            loads,
-            weights,
-            springs,
-            inertia,
-            friction: 0.0,
-            residual,
-            bound: p[5].bound * unit,
-        })
+        let [effort, loads, weights, springs, inertia, friction, residual] = p.map(|m| m.value * unit);
+        Some(Power { effort, loads, weights, springs, inertia, friction, residual, bound: p[6].bound * unit })
     }
 
     fn force_unit(&self) -> f64 {
@@ -94,14 +85,18 @@ impl State {
         let moves = order >= 2;
         let tape = Tape::new(order.max(1));
         let scope = Scope { tape: &tape, motion: self.motion_here(order) };
-        let acting = Acting::new(scope, &self.model, burden, &balance.x, share, moves);
+        let acting = Acting::new(scope, (&self.model, burden), (&balance.x, &balance.strength), share, moves);
         let out = formula(&acting);
         if tape.broken() {
             return undefined("it divides by a length of zero");
         }
         let mut measured = [Measured::default(); N];
         for (slot, var) in measured.iter_mut().zip(out) {
-            *slot = self.measure(&tape, var, solved, Some(balance))?;
+            *slot =
+                self.measure(&tape, var, solved, Some(balance)).map_err(|why| match (&self.stuck, why) {
+                    (Some(stuck), Indeterminate::Singular) => stuck.clone(),
+                    (_, why) => why,
+                })?;
         }
         Ok(measured)
     }
@@ -284,11 +279,16 @@ impl State {
             [0, 1, 2].map(|i| sum[i] + more[i] * sign)
         };
         let of_tie = |pair: Through| {
-            move |_: &Row, tie: Tie| match pair {
+            move |tie: Tie| match pair {
                 Through::Pin(pin) => tie == Tie::Pin(pin),
                 Through::Slide(index) => tie == Tie::Slide(index),
                 Through::Roll(index) => tie == Tie::Roll(index),
             }
+        };
+        let through = |pair: Through, body: usize| {
+            let wrench = s.wrench(|_: &Row, tie: Tie| of_tie(pair)(tie), body, about);
+            let friction = s.friction_on(|rubbing| of_tie(pair)(rubbing.tie), body, about);
+            friction.map_or(wrench, |more| add(wrench, more, 1.0))
         };
         let inertial = |heavy: &HeavyBody| {
             let (force, couple) = s.inertial(heavy);
@@ -299,25 +299,28 @@ impl State {
         match action {
             Action::Pair { by, on } => {
                 let parts = self.parts(by, on);
-                parts.iter().fold([zero; 3], |sum, part| {
-                    add(sum, s.wrench(of_tie(part.pair), part.body, about), part.sign)
-                })
+                parts.iter().fold([zero; 3], |sum, part| add(sum, through(part.pair, part.body), part.sign))
             }
             Action::OfPin(pin, link) | Action::OnPin(link, pin) => {
                 let sign = if matches!(action, Action::OnPin(..)) { -1.0 } else { 1.0 };
                 let pair = Through::Pin(pin);
                 if link != LinkId::FRAME {
-                    return add([zero; 3], s.wrench(of_tie(pair), link.0, about), sign);
+                    return add([zero; 3], through(pair, link.0), sign);
                 }
                 let bodies = 1..self.model.bodies;
-                bodies.fold([zero; 3], |sum, body| add(sum, s.wrench(of_tie(pair), body, about), -sign))
+                bodies.fold([zero; 3], |sum, body| add(sum, through(pair, body), -sign))
             }
             Action::Inertia(link) => self.heavy(s, link).map_or([zero; 3], inertial),
             Action::Shaking => s.burden.masses.iter().fold([zero; 3], |sum, h| add(sum, inertial(h), 1.0)),
             Action::OnFrame => {
                 let bodies = 1..self.model.bodies;
                 let on_frame = |row: &Row, _: Tie| row.bodies().contains(&0);
-                bodies.fold([zero; 3], |sum, body| add(sum, s.wrench(on_frame, body, about), -1.0))
+                let wrench = |body: usize| {
+                    let wrench = s.wrench(on_frame, body, about);
+                    let friction = s.friction_on(|rubbing| rubbing.bodies().contains(&0), body, about);
+                    friction.map_or(wrench, |more| add(wrench, more, 1.0))
+                };
+                bodies.fold([zero; 3], |sum, body| add(sum, wrench(body), -1.0))
             }
             Action::Weight(link) => {
                 let weight = self.heavy(s, link).and_then(|heavy| Some((heavy, s.weight(heavy)?)));

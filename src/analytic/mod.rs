@@ -26,6 +26,7 @@ mod assembly;
 mod constraints;
 mod figure;
 mod forces;
+mod friction;
 mod linear;
 mod model;
 mod motion;

@@ -4,12 +4,13 @@ use super::AnalyticError;
 use super::assembly::assemble;
 use super::constraints::{Motion, Scope};
 use super::figure;
+use super::friction::{self, Found};
 use super::model::Model;
 use super::motion::{Located, Solved, error_of, locate, param_error, singular_values, solve_motion};
-use super::statics::{Balance, Burden, balance};
+use super::statics::{Balance, Balancing, Burden, balance};
 use super::tape::{Leaf, Tape, Var};
 use crate::mechanism::force::Share;
-use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity, Stuck};
 use crate::mechanism::{Mechanism, PointId};
 
 /// Up to this many unknowns the singular values are those of the whole Jacobian.
@@ -41,6 +42,8 @@ pub struct State {
     pub(super) burden: Option<Burden>,
     /// The balance of each share that was asked.
     pub(super) balances: Vec<(Share, Balance)>,
+    /// Why friction leaves no force of a pair.
+    pub(super) stuck: Option<Indeterminate>,
 }
 
 /// A number in scaled units with its bound.
@@ -72,8 +75,16 @@ impl State {
         }
         let assembly = assemble(&model, tolerance)?;
         let located = locate(&model, assembly)?;
-        let mut state =
-            Self { model, located, order, solved: None, unit: None, burden, balances: Vec::new() };
+        let mut state = Self {
+            model,
+            located,
+            order,
+            solved: None,
+            unit: None,
+            burden,
+            balances: Vec::new(),
+            stuck: None,
+        };
         if order >= Order::Velocity {
             let (model, located) = (&state.model, &mut state.located);
             let accelerations = order >= Order::Acceleration;
@@ -88,16 +99,61 @@ impl State {
         if let Some(burden) = &state.burden {
             // The balance of powers is that of all that acts.
             shares.push(Share::Total);
+            let (mut balances, mut stuck) = (Vec::new(), None);
             for share in [Share::Total, Share::Static, Share::Inertia] {
                 if shares.contains(&share) {
                     let solved = state.solved.as_ref();
-                    state
-                        .balances
-                        .push((share, balance(&state.model, burden, &state.located, solved, share)?));
+                    let balancing = Balancing::new(&state.model, burden, &state.located, solved, share);
+                    let found = if burden.rubbing.is_empty() {
+                        balance(&balancing)?
+                    } else {
+                        let (found, why) = state.rubbed(&balancing)?;
+                        stuck = stuck.or(why);
+                        found
+                    };
+                    balances.push((share, found));
+                }
+            }
+            (state.balances, state.stuck) = (balances, stuck);
+        }
+        Ok(state)
+    }
+
+    /// A balance with friction, and why it leaves nothing where it does.
+    fn rubbed(&self, balancing: &Balancing<'_>) -> Result<(Balance, Option<Indeterminate>), AnalyticError> {
+        let why = |how: Stuck, why: String| Some(Indeterminate::Rubbing { how, why });
+        let mut senses = Vec::new();
+        let mut stuck = None;
+        for rubbing in &balancing.burden.rubbing {
+            let rate = self.read(1, self.solved.as_ref(), |s| [rubbing.moved(s).d]);
+            match rate {
+                Ok([rate]) if rate.value.abs() > rate.bound => senses.push(rate.value.signum()),
+                _ => {
+                    senses.push(0.0);
+                    stuck = stuck.or(why(Stuck::AtRest, friction::say_at_rest(&self.model, rubbing.pair)));
                 }
             }
         }
-        Ok(state)
+        let (found, mut balance) = friction::balance(balancing, senses)?;
+        if stuck.is_some() {
+            balance.undetermined.fill(true);
+            return Ok((balance, stuck));
+        }
+        let stuck = match found {
+            Found::One(_) | Found::Singular => None,
+            Found::Locked(pairs, part) => why(Stuck::Locked, friction::say_locked(&self.model, &pairs, part)),
+            Found::Several => {
+                let pairs: Vec<_> = balancing.burden.rubbing.iter().map(|rubbing| rubbing.pair).collect();
+                why(Stuck::Ambiguous, friction::say_several(&self.model, &pairs))
+            }
+        };
+        Ok((balance, stuck))
+    }
+
+    /// Why friction leaves no force of a pair, where it does.
+    #[must_use]
+    pub fn stuck(&self) -> Option<&Indeterminate> {
+        self.stuck.as_ref()
     }
 
     /// The highest derivative that is known of the motion.

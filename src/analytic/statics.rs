@@ -10,6 +10,7 @@ use std::collections::HashMap;
 
 use super::AnalyticError;
 use super::constraints::{Drive, Formulas, Motion, Num, Row, Scope, Site, Straight};
+use super::friction::{Rubbing, Strength};
 use super::linear::System;
 use super::model::{Model, Tie, Track};
 use super::motion::{Located, Solved};
@@ -36,6 +37,8 @@ pub(super) struct Burden {
     pub(super) pairs: Vec<(Row, Tie)>,
     /// What is sought, in the order of the unknowns after the pairs.
     pub(super) sought: Vec<Sought>,
+    /// The pairs that rub.
+    pub(super) rubbing: Vec<Rubbing>,
 }
 
 /// A mass.
@@ -120,10 +123,12 @@ pub(super) struct Balance {
     pub(super) system: System,
     /// Unknowns that balance does not fix.
     pub(super) undetermined: Vec<bool>,
+    /// How pairs rub.
+    pub(super) strength: Strength,
 }
 
 /// A scope in which one coordinate has a unit virtual rate.
-struct Virtual<'t> {
+pub(super) struct Virtual<'t> {
     tape: &'t Tape,
     motion: Motion<'t>,
     column: usize,
@@ -169,18 +174,19 @@ pub(super) struct Acting<'t> {
     share: Share,
     /// Whether accelerations are known.
     moves: bool,
+    /// How pairs rub.
+    pub(super) strength: &'t Strength,
 }
 
 impl<'t> Acting<'t> {
     pub(super) fn new(
         real: Scope<'t>,
-        model: &'t Model,
-        burden: &'t Burden,
-        x: &'t [f64],
+        (model, burden): (&'t Model, &'t Burden),
+        (x, strength): (&'t [f64], &'t Strength),
         share: Share,
         moves: bool,
     ) -> Self {
-        Self { real, burden, model, x, share, moves }
+        Self { real, burden, model, x, share, moves, strength }
     }
 
     fn tape(&self) -> &'t Tape {
@@ -197,12 +203,12 @@ impl<'t> Acting<'t> {
         self.unknown(self.burden.pairs.len() + index)
     }
 
-    fn virtually(&self, column: usize) -> Virtual<'t> {
+    pub(super) fn virtually(&self, column: usize) -> Virtual<'t> {
         Virtual { tape: self.tape(), motion: self.real.motion, column }
     }
 
     /// The generalised force of a pair equation, for a unit multiplier, on a coordinate.
-    fn slope(&self, row: &Row, column: usize) -> Var<'t> {
+    pub(super) fn slope(&self, row: &Row, column: usize) -> Var<'t> {
         if row.hangs_on(column / 3) { self.virtually(column).row(row).d } else { self.tape().constant(0.0) }
     }
 
@@ -440,11 +446,14 @@ impl<'t> Acting<'t> {
         for (index, slope) in &slopes {
             sum = sum + *slope * self.unknown(*index);
         }
+        if let Some(friction) = self.friction_work(column) {
+            sum = sum + friction;
+        }
         (sum, slopes)
     }
 
-    /// The powers of everything that acts: efforts, loads, weights, springs, inertia, and their sum.
-    pub(super) fn powers(&self) -> [Var<'t>; 6] {
+    /// The powers of everything that acts: efforts, loads, weights, springs, inertia, friction, and their sum.
+    pub(super) fn powers(&self) -> [Var<'t>; 7] {
         let zero = self.tape().constant(0.0);
         let s = &self.real;
         let [mut efforts, mut loads, mut weights, mut springs, mut inertia] = [zero; 5];
@@ -488,8 +497,9 @@ impl<'t> Acting<'t> {
                 inertia = inertia + power(force, &heavy.centre) + couple * s.angle(heavy.centre.body).d;
             }
         }
-        let sum = efforts + loads + weights + springs + inertia;
-        [efforts, loads, weights, springs, inertia, sum]
+        let friction = self.friction_power().unwrap_or(zero);
+        let sum = efforts + loads + weights + springs + inertia + friction;
+        [efforts, loads, weights, springs, inertia, friction, sum]
     }
 }
 
@@ -576,11 +586,12 @@ impl Burden {
             burden.springs.push(BodySpring { ends, law });
         }
         burden.pairs = model.pair_rows()?;
+        burden.rubbing = Rubbing::all(model, &burden.pairs)?;
         burden.sought = sought;
         Ok(burden)
     }
 
-    fn unknowns(&self) -> usize {
+    pub(super) fn unknowns(&self) -> usize {
         self.pairs.len() + self.sought.len()
     }
 }
@@ -616,31 +627,59 @@ fn any_site(model: &Model, point: PointId) -> Result<Site, AnalyticError> {
 
 /// Which balances hang on which unknowns, and how far off their slopes may be.
 #[derive(Default)]
-struct Slopes {
-    errors: HashMap<(usize, usize), f64>,
-    pattern: Vec<Vec<usize>>,
+pub(super) struct Slopes {
+    pub(super) errors: HashMap<(usize, usize), f64>,
+    pub(super) pattern: Vec<Vec<usize>>,
 }
 
-/// Solves the balance of one share of what acts.
-pub(super) fn balance(
-    model: &Model,
-    burden: &Burden,
-    located: &Located,
-    solved: Option<&Solved>,
+/// The balance of one share of what acts, to be evaluated.
+pub(super) struct Balancing<'a> {
+    model: &'a Model,
+    pub(super) burden: &'a Burden,
+    located: &'a Located,
+    motion: Motion<'a>,
     share: Share,
-) -> Result<Balance, AnalyticError> {
-    let n = burden.unknowns();
-    let moves = solved.is_some_and(|solved| !solved.accel.is_empty());
-    let (rate, accel): (&[f64], &[f64]) = solved.map_or((&[], &[]), |s| (&s.rate, &s.accel));
-    let motion = Motion { pose: &located.pose, rate, accel, params: &model.params };
-    let columns = 3..3 * model.bodies;
-    let mut known = Slopes::default();
-    let evaluate = |x: &[f64], mut first: Option<&mut Slopes>| -> Result<Vec<Linear>, AnalyticError> {
-        columns
-            .clone()
+    moves: bool,
+}
+
+impl<'a> Balancing<'a> {
+    pub(super) fn new(
+        model: &'a Model,
+        burden: &'a Burden,
+        located: &'a Located,
+        solved: Option<&'a Solved>,
+        share: Share,
+    ) -> Self {
+        let moves = solved.is_some_and(|solved| !solved.accel.is_empty());
+        let (rate, accel): (&[f64], &[f64]) = solved.map_or((&[], &[]), |s| (&s.rate, &s.accel));
+        let motion = Motion { pose: &located.pose, rate, accel, params: &model.params };
+        Self { model, burden, located, motion, share, moves }
+    }
+
+    /// The balances with these unknowns, and which of them hang on which.
+    pub(super) fn linear(
+        &self,
+        x: &[f64],
+        strength: &Strength,
+    ) -> Result<(Vec<Linear>, Slopes), AnalyticError> {
+        let mut known = Slopes::default();
+        let rows = self.evaluate(x, strength, Some(&mut known))?;
+        Ok((rows, known))
+    }
+
+    /// The balances with these unknowns.
+    pub(super) fn evaluate(
+        &self,
+        x: &[f64],
+        strength: &Strength,
+        mut first: Option<&mut Slopes>,
+    ) -> Result<Vec<Linear>, AnalyticError> {
+        let Self { model, burden, located, motion, share, moves } = *self;
+        (3..3 * model.bodies)
             .map(|column| {
                 let tape = Tape::new(if moves { 2 } else { 1 });
-                let acting = Acting::new(Scope { tape: &tape, motion }, model, burden, x, share, moves);
+                let scope = Scope { tape: &tape, motion };
+                let acting = Acting::new(scope, (model, burden), (x, strength), share, moves);
                 let (sum, slopes) = acting.balance(column);
                 if let Some(first) = first.as_deref_mut() {
                     let mut used = Vec::new();
@@ -670,9 +709,15 @@ pub(super) fn balance(
                 })
             })
             .collect()
-    };
+    }
+}
+
+/// Solves the balance of one share of what acts, where nothing rubs.
+pub(super) fn balance(balancing: &Balancing<'_>) -> Result<Balance, AnalyticError> {
+    let n = balancing.burden.unknowns();
+    let strength = Strength::default();
     let mut x = vec![0.0; n];
-    let mut rows = evaluate(&x, Some(&mut known))?;
+    let (mut rows, known) = balancing.linear(&x, &strength)?;
     let Ordering { groups, free, .. } = order(&known.pattern, n);
     let mut system = System::new(groups, &rows, n, |leaf| match leaf {
         Leaf::Force(at) => Some(at),
@@ -707,9 +752,9 @@ pub(super) fn balance(
         for (x, d) in x.iter_mut().zip(correction) {
             *x += d;
         }
-        rows = evaluate(&x, None)?;
+        rows = balancing.evaluate(&x, &strength, None)?;
     }
-    Ok(Balance { x, rows, system, undetermined })
+    Ok(Balance { x, rows, system, undetermined, strength })
 }
 
 /// The equations of pairs, each with the pair of which it is.

@@ -206,7 +206,8 @@ fn refused(error: SolveError) -> Flaw {
             Flaw::Undetermined { name }
         }
         SolveError::Draw(DrawError::NoConstruction { .. } | DrawError::Missing(_))
-        | SolveError::Structure(_) => Flaw::NoScene { what: error.to_string() },
+        | SolveError::Structure(_)
+        | SolveError::Stuck { .. } => Flaw::NoScene { what: error.to_string() },
     }
 }
 

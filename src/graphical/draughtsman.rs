@@ -353,7 +353,7 @@ impl<'m> Draughtsman<'m> {
     /// Why an answer behind this reason is not determined.
     pub(super) fn why(&self, reason: Reason) -> Indeterminate {
         match self.reasons.get(reason as usize) {
-            Some(Cause::Missing(what)) => Indeterminate::Undefined { why: what.say(self.mechanism) },
+            Some(Cause::Missing(what)) => what.indeterminate(self.mechanism),
             Some(Cause::InLine(links)) => Indeterminate::DeadCentre { links: links.clone() },
             None => Indeterminate::DeadCentre { links: Vec::new() },
         }

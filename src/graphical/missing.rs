@@ -5,7 +5,8 @@
 //! something was missing is refused as a whole ([`super::DrawError::Missing`]).
 
 use crate::board::{Amount, Direction, Point, Reason};
-use crate::mechanism::quantity::Order;
+use crate::mechanism::friction::RubbingPair;
+use crate::mechanism::quantity::{Indeterminate, Order, Stuck};
 use crate::mechanism::structure::TrialDriver;
 use crate::mechanism::{LinkId, Mechanism, PointId};
 
@@ -35,6 +36,12 @@ pub enum Missing {
     Sliding(usize),
     /// The size of a load or spring that is sought.
     Sought,
+    /// In which sense a pair that rubs moves.
+    Sense(RubbingPair),
+    /// On which side of it a rough guide presses.
+    Side(RubbingPair),
+    /// A balance with friction: forces drawn again and again come to no end.
+    Balance,
 }
 
 impl Missing {
@@ -43,6 +50,16 @@ impl Missing {
         match driver {
             TrialDriver::Turn(link) => Self::Rate(order, link),
             TrialDriver::Slide(slide) => Self::Sliding(slide),
+        }
+    }
+
+    /// Why what hangs on it is not determined.
+    pub(super) fn indeterminate(&self, mechanism: &Mechanism) -> Indeterminate {
+        let why = self.say(mechanism);
+        match self {
+            Self::Sense(_) | Self::Side(_) => Indeterminate::Rubbing { how: Stuck::AtRest, why },
+            Self::Balance => Indeterminate::Rubbing { how: Stuck::Locked, why },
+            _ => Indeterminate::Undefined { why },
         }
     }
 
@@ -77,6 +94,15 @@ impl Missing {
                 format!("no step of the drawing finds the angular {} of link {}", word(order), number(link))
             }
             Self::Input(input) => format!("input {} gives no value to draw with", input + 1),
+            Self::Sense(pair) => {
+                format!("{} does not move: its friction has no sense", mechanism.say_rubbing(pair))
+            }
+            Self::Side(pair) => {
+                format!("nothing presses on {}: its friction has no side", mechanism.say_rubbing(pair))
+            }
+            Self::Balance => {
+                "locked: drawn again with friction, the forces come to no end: no balance exists".to_owned()
+            }
             Self::Sought => "no step of the drawing finds the size of a load that is sought".to_owned(),
         }
     }

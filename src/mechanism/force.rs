@@ -3,6 +3,7 @@
 //! As everywhere in this room the numbers stand as they were given: a weight stays a weight, a moment of inertia about
 //! a pin stays that. Forces are in newtons, masses in kilograms, torques in newton metres, ccw positive.
 
+use super::friction::Friction;
 use super::quantity::Order;
 use super::{Given, Input, LinkId, Mechanism, PointId, Rider};
 
@@ -19,12 +20,21 @@ pub struct Forces {
     pub springs: Vec<Spring>,
     /// The link that holds a pin of several links, where the scene names it.
     pub carriers: Vec<(PointId, LinkId)>,
+    /// What rubs.
+    pub friction: Friction,
 }
 
 impl Default for Forces {
     fn default() -> Self {
         let gravity = Gravity { g: Gravity::USUAL, direction: Gravity::DOWN, acts: false };
-        Self { gravity, masses: Vec::new(), loads: Vec::new(), springs: Vec::new(), carriers: Vec::new() }
+        Self {
+            gravity,
+            masses: Vec::new(),
+            loads: Vec::new(),
+            springs: Vec::new(),
+            carriers: Vec::new(),
+            friction: Friction::default(),
+        }
     }
 }
 
@@ -297,7 +307,7 @@ impl Forces {
     pub fn order(&self) -> Order {
         if !self.masses.is_empty() {
             Order::Acceleration
-        } else if self.loads.iter().any(Load::follows_motion) {
+        } else if self.loads.iter().any(Load::follows_motion) || !self.friction.is_empty() {
             Order::Velocity
         } else {
             Order::Position

@@ -8,6 +8,7 @@
 
 pub mod engine;
 pub mod force;
+pub mod friction;
 pub mod group;
 pub mod quantity;
 pub mod report;

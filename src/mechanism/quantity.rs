@@ -367,6 +367,17 @@ impl Asked {
     }
 }
 
+/// How friction leaves forces without a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Stuck {
+    /// A pair that rubs does not move: its friction has no sense.
+    AtRest,
+    /// No balance exists.
+    Locked,
+    /// Two balances fit.
+    Ambiguous,
+}
+
 /// Why a quantity is not determined here.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Indeterminate {
@@ -377,6 +388,13 @@ pub enum Indeterminate {
     },
     /// The mechanism's Jacobian is singular here (analytic solver).
     Singular,
+    /// Friction leaves no value here, or more than one.
+    Rubbing {
+        /// In which way.
+        how: Stuck,
+        /// In plain English, one clause.
+        why: String,
+    },
     /// The asked direction does not exist (a centre of two links that do not move against each other).
     Undefined {
         /// In plain English, one clause.
@@ -400,7 +418,7 @@ impl fmt::Display for Indeterminate {
                 }
             }
             Self::Singular => write!(f, "dead centre: the motion is not determined by the input here"),
-            Self::Undefined { why } => write!(f, "{why}"),
+            Self::Rubbing { why, .. } | Self::Undefined { why } => write!(f, "{why}"),
         }
     }
 }

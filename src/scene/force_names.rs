@@ -62,6 +62,11 @@ pub(super) fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Option<Quan
             .fault("the scene says nothing of forces")
             .mend("give `loads`, `masses` or `springs` (`linkgram help forces`)"));
     }
+    if share != Share::Total && !draft.mechanism.forces.friction.is_empty() {
+        return Err(name
+            .fault("with friction the parts of a force do not add up to it")
+            .mend(format!("ask for {bare}")));
+    }
     Ok(Some(Quantity::Force(name.force(bare)?, share)))
 }
 

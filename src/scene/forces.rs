@@ -43,8 +43,6 @@ pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
         }
         Ok(())
     };
-    inside(scene.get("slides"), &[("f", "friction"), ("drag", "friction")])?;
-    inside(scene.get("pins"), &[("f", "friction"), ("circle", "friction")])?;
     inside(scene.get("rolls"), &[("pressure", "forces in rolling pairs")])
 }
 
@@ -139,6 +137,7 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
             undone(entry, "forces in rolling pairs").mend("leave out `masses`, `loads` and `springs`")
         );
     }
+    super::friction::read(scene, draft)?;
     let sought = draft.mechanism.named_sought().len();
     let freedoms = draft.mechanism.inputs.len();
     if sought > 0 && sought != freedoms {

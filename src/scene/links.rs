@@ -196,9 +196,10 @@ fn pins(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
                 return Err(Fault::new(carrier.at, what));
             }
             draft.mechanism.forces.carriers.push((point, link));
-            if fields.get("radius").or(fields.get("diameter")).is_none() {
-                continue;
-            }
+        }
+        let says_more = fields.get("carrier").or(fields.get("circle")).is_some();
+        if says_more && fields.get("radius").or(fields.get("diameter")).is_none() {
+            continue;
         }
         let journal = match (fields.get("radius"), fields.entry("diameter")) {
             (Some(radius), None) => draft.scales.positive(radius, "the radius")?,

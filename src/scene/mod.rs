@@ -9,6 +9,7 @@ mod draft;
 mod figure;
 mod force_names;
 mod forces;
+mod friction;
 mod guides;
 mod inputs;
 pub(crate) mod json;

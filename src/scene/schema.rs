@@ -289,8 +289,11 @@ fn pairs() -> Value {
             "link": described("movingLink", "The link that slides; its first joint is on the guide."),
             "turned": described("angle", "Angle from the guide to the sliding link's own x-axis."),
             "on": described("guide", "The guide."),
-            "f": { "description": "Coefficient of friction. This version does not read it." },
-            "drag": { "description": "A constant force against sliding. This version does not read it." },
+            "f": roughness(),
+            "drag": {
+                "oneOf": [{ "type": "number" }, { "type": "string" }],
+                "description": "A constant force against sliding.", "examples": ["28 N"],
+            },
         }),
     );
     slide["oneOf"] = json!([{ "required": ["pin"] }, { "required": ["link"] }]);
@@ -450,6 +453,14 @@ fn forces() -> Value {
     })
 }
 
+/// How rough a pair is.
+fn roughness() -> Value {
+    json!({
+        "oneOf": [{ "type": "number", "minimum": 0 }, { "type": "string", "pattern": "^\\s*[0-9.]" }],
+        "description": "Coefficient of friction, or its angle.", "examples": [0.1, "6 deg"],
+    })
+}
+
 fn results() -> Value {
     let mut pin = object(
         "A pin's journal.",
@@ -458,13 +469,15 @@ fn results() -> Value {
             "radius": described("length", "Radius of the journal."),
             "diameter": described("length", "Diameter of the journal."),
             "carrier": described("linkNumber", "The link that holds a pin of several links."),
-            "f": { "description": "Coefficient of friction. This version does not read it." },
-            "circle": { "description": "Radius of the friction circle. This version does not read it." },
+            "f": roughness(),
+            "circle": described("length", "Radius of the friction circle."),
         }),
     );
-    pin["anyOf"] =
-        json!([{ "required": ["radius"] }, { "required": ["diameter"] }, { "required": ["carrier"] }]);
-    pin["not"] = json!({ "required": ["radius", "diameter"] });
+    pin["anyOf"] = json!([
+        { "required": ["radius"] }, { "required": ["diameter"] }, { "required": ["carrier"] }, { "required": ["circle"] },
+    ]);
+    pin["not"] =
+        json!({ "anyOf": [{ "required": ["radius", "diameter"] }, { "required": ["f", "circle"] }] });
     let number = json!({ "oneOf": [{ "type": "number" }, { "type": "string" }] });
     let published = object(
         "A printed value with an allowed deviation.",

@@ -102,7 +102,15 @@ impl Draughtsman<'_> {
         balance.slides.insert(slide, if sliding.inner_rides { on_inner } else { reaction });
         if let (None, Party::Link(guide)) = (sliding.inner, sliding.outer) {
             // The pin itself rides: its slot is one of the parties at the pin.
-            balance.of_pins.insert((pin.0, guide.0), reaction.pull);
+            let pull = match balance.leaning.drag(slide) {
+                // Of the guide on the pin, and turned round: the drag acts beside.
+                Some(_) => {
+                    let on_rider = if sliding.inner_rides { on_inner.pull } else { reaction.pull };
+                    Self::opposite(self.with_drag(balance, slide, on_rider))
+                }
+                None => reaction.pull,
+            };
+            balance.of_pins.insert((pin.0, guide.0), pull);
         }
         balance.push_on(sliding.outer, reaction.item());
     }
@@ -110,7 +118,7 @@ impl Draughtsman<'_> {
     /// Notes the force of a pin on a link of the group, and lays it off on whoever holds the pin.
     fn note_pin(&mut self, balance: &mut Balance, pin: PointId, link: LinkId, on_link: Pull) {
         balance.of_pins.insert((pin.0, link.0), on_link);
-        let at = self.at(pin);
+        let at = self.touch_at(balance, pin, link);
         balance.push_on_pin(self, pin, Item { pull: Some(Self::opposite(on_link)), at, couple: None });
     }
 
@@ -156,7 +164,7 @@ fn driver(d: &mut Draughtsman<'_>, group: &Group, base: PointId, input: Drive, b
         return;
     };
     let items = balance.on(link);
-    let about = d.at(base);
+    let about = d.touch_at(balance, base, link);
     let moments = d.moments(&items, about);
     let torque = match moments {
         Some(moments) => d.board.opposite(moments),
@@ -192,7 +200,7 @@ fn driven_slide(d: &mut Draughtsman<'_>, slide: usize, input: Drive, balance: &m
         },
     };
     let at = d.at(pin);
-    let (along, normal) = d.guide_at(slide, at);
+    let (along, normal) = d.pressing_at(balance, slide, at);
     let [across, drive] = d.two_lines(&pulls(&items), [normal, along], &[pair.guide.link]);
     let couple = if sliding.inner.is_some() { d.keeping(&items, at) } else { None };
     let [dx, dy] = d.board.between(drive.tail, drive.head);
@@ -222,7 +230,8 @@ fn rrr(
     let items = links.map(|link| balance.on(link));
     let order = if items[1].is_empty() || !items[0].is_empty() { [0, 1] } else { [1, 0] };
     let [(a, base_a, on_a), (b, base_b, on_b)] = order.map(|i| (links[i], bases[i], items[i].clone()));
-    let (at_a, at_b, at) = (d.at(base_a), d.at(base_b), d.at(pin));
+    let (at_a, at_b) = (d.touch_at(balance, base_a, a), d.touch_at(balance, base_b, b));
+    let at = d.inner_touch(balance, pin, [a, b]);
     let reason = d.reason(&[a, b]);
     let (along, _) = d.board.toward(at_b, at, reason);
     let across = d.board.quarter_turn(along);
@@ -272,9 +281,17 @@ fn rrp(
     let sliding = d.sliding(slide, rider);
     let on_rod = balance.on(rod);
     let on_rider = balance.on_some(sliding.inner);
-    let (at_base, at) = (d.at(base), d.at(pin));
-    let (_, normal) = d.guide_at(slide, at);
-    let couple = d.keeping(&on_rider, at);
+    let (at_base, at) = (d.touch_at(balance, base, rod), d.at(pin));
+    // Where the rod acts on what slides.
+    let touch = sliding.inner.map_or(at, |rider| d.inner_touch(balance, pin, [rod, rider]));
+    let (_, normal) = d.pressing_at(balance, slide, at);
+    let rubs = Draughtsman::rubs_at(balance, pin);
+    if rubs && d.is_arc(slide) {
+        balance.refused =
+            Some("this version does not draw friction at the pin of a block that slides on an arc");
+        return;
+    }
+    let couple = if rubs { None } else { d.keeping(&on_rider, at) };
     if couple.is_some() && d.is_arc(slide) && on_rider.iter().any(|item| item.couple.is_some()) {
         balance.refused = Some("this version does not draw a couple on a block that slides on an arc");
         return;
@@ -283,7 +300,7 @@ fn rrp(
     let of_guide = if rod_moments.is_none() && sliding.inner.is_some() {
         // A member of two forces: its line is that of its pins.
         let reason = d.reason(&[rod]);
-        let (along, _) = d.board.toward(at_base, at, reason);
+        let (along, _) = d.board.toward(at_base, touch, reason);
         let [guide, _] = d.two_lines(&pulls(&on_rider), [normal, along], &[rod]);
         guide
     } else {
@@ -292,11 +309,21 @@ fn rrp(
         if !rider_force.is_empty() {
             let head = d.chained(&rider_force);
             let tail = d.board.origin();
-            let of_rider = d.moment_of(Pull { tail, head }, at, at_base);
+            let of_rider = d.moment_of(Pull { tail, head }, touch, at_base);
             moments = d.both(moments, Some(of_rider));
         }
-        let size = d.balancing(moments, Line { through: at, along: normal }, at_base, &[rod]);
+        let size = d.balancing(moments, Line { through: touch, along: normal }, at_base, &[rod]);
         d.pull_along(normal, size)
+    };
+    let couple = match sliding.inner {
+        Some(_) if rubs => {
+            let mut all = on_rider.clone();
+            let mut forces = pulls(&on_rider);
+            forces.push(of_guide);
+            all.push(Item { pull: Some(d.closing(&forces)), at: touch, couple: None });
+            d.keeping(&all, at)
+        }
+        _ => couple,
     };
     let on_inner = SlideForce { pull: of_guide, at, couple };
     d.note_slide(balance, slide, &sliding, pin, on_inner);
@@ -326,17 +353,29 @@ fn rpr(
     let sliding = d.sliding(slide, rod);
     let on_lever = balance.on(lever);
     let inner = sliding.inner.map(|link| (link, balance.on(link)));
-    let (at_base, at) = (d.at(base), d.at(pin));
-    let (_, normal) = d.guide_at(slide, at);
+    let (at_base, at) = (d.touch_at(balance, base, lever), d.at(pin));
+    // Where the pin acts on the inner body.
+    let touch = sliding.inner.map_or(at, |link| d.touch_at(balance, pin, link));
+    let rubs = sliding.inner.is_some() && Draughtsman::rubs_at(balance, pin);
+    let (_, normal) = d.pressing_at(balance, slide, at);
     let on_inner = balance.on_some(sliding.inner);
     // What would turn the inner body is kept by the lever, which feels it.
     let couple = d.keeping(&on_inner, at);
-    let turned = d.moments(&on_inner, at);
+    let turned = if rubs { d.moments(&on_inner, touch) } else { d.moments(&on_inner, at) };
     let moments = d.moments(&on_lever, at_base);
     let moments = d.both(moments, turned);
-    let size = d.balancing(moments, Line { through: at, along: normal }, at_base, &[lever]);
+    let size = d.balancing(moments, Line { through: touch, along: normal }, at_base, &[lever]);
     let on_lever_force = d.pull_along(normal, size);
     let on_inner_force = Draughtsman::opposite(on_lever_force);
+    let couple = if rubs {
+        let mut all = on_inner.clone();
+        let mut forces = pulls(&on_inner);
+        forces.push(on_inner_force);
+        all.push(Item { pull: Some(d.closing(&forces)), at: touch, couple: None });
+        d.keeping(&all, at)
+    } else {
+        couple
+    };
     let item = SlideForce { pull: on_inner_force, at, couple };
     d.note_slide(balance, slide, &sliding, pin, item);
     let at_pin = match inner {
@@ -376,7 +415,8 @@ fn prp(
     for body in &bodies {
         all.extend(pulls(&balance.on(*body)));
     }
-    let normals = slides.map(|slide| d.guide_at(slide, at).1);
+    let normals = slides.map(|slide| d.pressing_at(balance, slide, at).1);
+    let rubs = Draughtsman::rubs_at(balance, pin);
     let guides = sides.each_ref().map(|side| match side.outer {
         Party::Link(link) => link,
         Party::Pin(_) => LinkId::FRAME,
@@ -385,7 +425,18 @@ fn prp(
     let one_body = sides[0].inner == sides[1].inner && sides[0].inner.is_some();
     for i in 0..2 {
         let items = balance.on_some(sides[i].inner);
-        let couple = if one_body && i == 1 { None } else { d.keeping(&items, at) };
+        let couple = match sides[i].inner {
+            _ if one_body && i == 1 => None,
+            Some(link) if rubs && !one_body => {
+                let mut all = items.clone();
+                let mut of_body = pulls(&items);
+                of_body.push(forces[i]);
+                let touch = d.touch_at(balance, pin, link);
+                all.push(Item { pull: Some(d.closing(&of_body)), at: touch, couple: None });
+                d.keeping(&all, at)
+            }
+            _ => d.keeping(&items, at),
+        };
         let on_inner = SlideForce { pull: forces[i], at, couple };
         d.note_slide(balance, slides[i], &sides[i], pin, on_inner);
         if let (Some(link), false) = (sides[i].inner, one_body) {
@@ -409,14 +460,25 @@ fn rpp(
 ) {
     let (on_link, on_lever) = (balance.on(link), balance.on(lever));
     let (at, at_base) = (d.at(point), d.at(base));
-    let (_, of_ride) = d.guide_at(ride, at);
-    let (_, of_slot) = d.guide_at(slot, at_base);
+    let (_, of_ride) = d.pressing_at(balance, ride, at);
+    let (_, of_slot) = d.pressing_at(balance, slot, at_base);
+    let rubs = Draughtsman::rubs_at(balance, base);
     // The force of the slot is told through the lever's pin: what is left of moments there is its couple.
-    let on_lever_couple = d.keeping(&on_lever, at_base);
+    let on_lever_couple = if rubs { None } else { d.keeping(&on_lever, at_base) };
     let all = [pulls(&on_link), pulls(&on_lever)];
     // The lever passes only what is along the normal of the slot; the rest goes to its pin.
     let [of_slot_on_link, of_ride_on_link] = d.two_lines(&all[0], [of_slot, of_ride], &[link]);
     let on_lever_force = Draughtsman::opposite(of_slot_on_link);
+    let on_lever_couple = if rubs {
+        let mut about = on_lever.clone();
+        let mut forces = pulls(&on_lever);
+        forces.push(on_lever_force);
+        let touch = d.touch_at(balance, base, lever);
+        about.push(Item { pull: Some(d.closing(&forces)), at: touch, couple: None });
+        d.keeping(&about, at_base)
+    } else {
+        on_lever_couple
+    };
     let side = |d: &Draughtsman<'_>, slide: usize| {
         let pair = d.mechanism.slides[slide];
         let rides = d.mechanism.party_of(&pair.rider) == Party::Link(link);
@@ -456,12 +518,22 @@ fn yoke(
         return;
     };
     let at = d.at(first);
-    let (_, of_slot) = d.guide_at(slot, at_pin);
-    let (_, of_ride) = d.guide_at(ride, at);
+    let (_, of_slot) = d.pressing_at(balance, slot, at_pin);
+    let (_, of_ride) = d.pressing_at(balance, ride, at);
     let [slot_force, ride_force] = d.two_lines(&pulls(&on_link), [of_slot, of_ride], &[link]);
     // The slot's force on the yoke is that of the block, or of the pin, turned round.
     let on_inner = Draughtsman::opposite(slot_force);
-    let block_couple = d.keeping(&on_block, at_pin);
+    let block_couple = match sliding.inner {
+        Some(block) if Draughtsman::rubs_at(balance, pin) => {
+            let mut all = on_block.clone();
+            let mut forces = pulls(&on_block);
+            forces.push(on_inner);
+            let touch = d.touch_at(balance, pin, block);
+            all.push(Item { pull: Some(d.closing(&forces)), at: touch, couple: None });
+            d.keeping(&all, at_pin)
+        }
+        _ => d.keeping(&on_block, at_pin),
+    };
     let mut about = on_link.clone();
     let felt = block_couple.map(|couple| d.board.opposite(couple));
     about.push(Item { pull: Some(slot_force), at: at_pin, couple: felt });

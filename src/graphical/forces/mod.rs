@@ -4,6 +4,7 @@
 //! size, as a quotient of moments by a measured arm; a polygon with two lines gives two. What is left closes a
 //! polygon. A force is a stroke of the force paper from its tail to its head; its place is a point of the skeleton.
 
+mod friction;
 mod groups;
 mod loads;
 mod read;
@@ -20,6 +21,7 @@ use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
 
 use super::draughtsman::Draughtsman;
+use friction::Leaning;
 
 /// A force as drawn.
 #[derive(Debug, Clone, Copy)]
@@ -70,6 +72,8 @@ pub(super) struct Balance {
     assumed: Vec<(Sought, Amount)>,
     /// What could not be drawn, and why.
     pub(super) refused: Option<&'static str>,
+    /// Where forces touch friction circles, and how they lean.
+    leaning: Leaning,
 }
 
 /// Who holds a pin: the link on which every force on the pin is laid off.
@@ -195,6 +199,9 @@ impl Draughtsman<'_> {
         if m.is_fixed(pin) {
             return Holder::Link(LinkId::FRAME);
         }
+        if let Some(carrier) = self.holds_by_friction(pin) {
+            return Holder::Link(carrier);
+        }
         let links = m.point(pin).links.iter().copied();
         let first = links.filter_map(|l| self.structure.group_of(l).map(|g| (g, l))).min();
         let found = self.structure.groups.iter().position(|group| group.points.contains(&pin));
@@ -206,28 +213,46 @@ impl Draughtsman<'_> {
     }
 }
 
+impl Draughtsman<'_> {
+    /// The carrier of a pin that rubs, where it is found with the group that comes to the pin first.
+    fn holds_by_friction(&self, pin: PointId) -> Option<LinkId> {
+        let m = self.mechanism;
+        m.forces.friction.circle(pin)?;
+        let carrier = m.rubbing_carrier(pin)?;
+        let of = self.structure.group_of(carrier)?;
+        let groups = m.point(pin).links.iter().filter_map(|link| self.structure.group_of(*link));
+        let found = self.structure.groups.iter().position(|group| group.points.contains(&pin));
+        (groups.min() == Some(of) && found.is_none_or(|found| found >= of)).then_some(carrier)
+    }
+}
+
 /// Draws the balance of what the plan needs.
 pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     for &share in &plan.forces.shares {
-        let balance = whole(d, plan, share);
+        let balance = if friction::rubs(d) {
+            friction::balance(d, plan, share)
+        } else {
+            whole(d, plan, share, &Leaning::default())
+        };
         d.balances.push((share, balance));
     }
 }
 
-/// The balance of one share; what is sought elsewhere than at the input is found by two trials and proportion.
-fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Balance {
+/// The balance of one share, with forces that lean so; what is sought elsewhere than at the input is found by two trials
+/// and proportion.
+fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, leaning: &Leaning) -> Balance {
     let named = d.mechanism.named_sought();
     match named[..] {
-        [] => one(d, plan, share, Vec::new()),
+        [] => one(d, plan, (share, leaning), Vec::new()),
         [only] if d.mechanism.inputs.len() == 1 => {
             let rest = d.rest();
             let effort = |balance: &Balance| {
                 let of = |(sought, _): &&(Sought, Amount)| *sought == Sought::Effort(0);
                 balance.efforts.iter().find(of).map(|(_, size)| *size)
             };
-            let without = one(d, plan, share, vec![(only, rest)]);
+            let without = one(d, plan, (share, leaning), vec![(only, rest)]);
             let unit = d.board.amount(crate::given::Given::exact(TRIAL));
-            let with = one(d, plan, share, vec![(only, unit)]);
+            let with = one(d, plan, (share, leaning), vec![(only, unit)]);
             let (Some(without_effort), Some(with_effort)) = (effort(&without), effort(&with)) else {
                 return without;
             };
@@ -236,7 +261,7 @@ fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Balance {
             let reason = d.reason(links.as_slice());
             let part = d.board.quotient(without_effort, change, reason);
             let size = d.board.opposite(part);
-            let mut balance = one(d, plan, share, vec![(only, size)]);
+            let mut balance = one(d, plan, (share, leaning), vec![(only, size)]);
             balance.efforts = vec![(only, size)];
             balance
         }
@@ -248,10 +273,20 @@ fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Balance {
 }
 
 /// One pass through the groups, with these sizes for what is sought elsewhere than at an input.
-fn one(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, assumed: Vec<(Sought, Amount)>) -> Balance {
-    let mut balance =
-        Balance { known: vec![Vec::new(); d.mechanism.links.len()], assumed, ..Balance::default() };
+fn one(
+    d: &mut Draughtsman<'_>,
+    plan: &Plan,
+    (share, leaning): (Share, &Leaning),
+    assumed: Vec<(Sought, Amount)>,
+) -> Balance {
+    let mut balance = Balance {
+        known: vec![Vec::new(); d.mechanism.links.len()],
+        assumed,
+        leaning: leaning.clone(),
+        ..Balance::default()
+    };
     loads::lay_off(d, plan, share, &mut balance);
+    d.lay_off_drags(&mut balance);
     for &group in plan.forces.groups.iter().rev() {
         let group = d.structure.groups[group].clone();
         groups::into_balance(d, &group, &mut balance);

@@ -250,8 +250,9 @@ impl Draughtsman<'_> {
             }
             Through::Slide(index) => {
                 let force = balance.slides.get(&index).ok_or(NOT_DRAWN)?;
-                let item = Item { pull: Some(force.pull), at: force.at, couple: force.couple };
-                let guide = self.mechanism.slides[index].guide.link;
+                let (force, guide) = (*force, self.mechanism.slides[index].guide.link);
+                let pull = self.with_drag(balance, index, force.pull);
+                let item = Item { pull: Some(pull), at: force.at, couple: force.couple };
                 Ok(if on == guide { self.reversed(item) } else { item })
             }
             Through::Roll(_) => Err("this version does not draw forces in rolling pairs"),
@@ -260,20 +261,28 @@ impl Draughtsman<'_> {
 
     /// The force of a pin on a link: as it was found, or what all others at the pin leave.
     fn of_pin(&mut self, balance: &Balance, pin: PointId, link: LinkId) -> Found<Item> {
-        let at = self.at(pin);
+        let at = self.touch_at(balance, pin, link);
         if let Some(pull) = balance.of_pins.get(&(pin.0, link.0)) {
             return Ok(Item { pull: Some(*pull), at, couple: None });
         }
         let parties = self.mechanism.parties_at(pin);
         let mut others = Vec::new();
+        let mut items = Vec::new();
         for other in parties.into_iter().filter(|other| *other != link) {
-            others.push(*balance.of_pins.get(&(pin.0, other.0)).ok_or(NOT_DRAWN)?);
+            let pull = *balance.of_pins.get(&(pin.0, other.0)).ok_or(NOT_DRAWN)?;
+            others.push(pull);
+            if Self::rubs_at(balance, pin) {
+                let touch = self.touch_at(balance, pin, other);
+                items.push(Item { pull: Some(Self::opposite(pull)), at: touch, couple: None });
+            }
         }
         let pull = match others[..] {
             [only] => Self::opposite(only),
             _ => self.closing(&others),
         };
-        Ok(Item { pull: Some(pull), at, couple: None })
+        // Several that touch their circles leave a couple besides.
+        let couple = if items.len() > 1 { self.moments(&items, at) } else { None };
+        Ok(Item { pull: Some(pull), at, couple })
     }
 
     /// What moving links exert on the frame, pair by pair.
@@ -290,12 +299,14 @@ impl Draughtsman<'_> {
             let block =
                 matches!(self.mechanism.party_of(&slide.rider), crate::mechanism::force::Party::Link(_));
             if block && slide.guide.link == frame {
-                let force = balance.slides.get(&index).ok_or(NOT_DRAWN)?;
-                let item = Item { pull: Some(force.pull), at: force.at, couple: force.couple };
+                let force = *balance.slides.get(&index).ok_or(NOT_DRAWN)?;
+                let pull = self.with_drag(balance, index, force.pull);
+                let item = Item { pull: Some(pull), at: force.at, couple: force.couple };
                 items.push(self.reversed(item));
             } else if self.mechanism.party_of(&slide.rider) == crate::mechanism::force::Party::Link(frame) {
-                let force = balance.slides.get(&index).ok_or(NOT_DRAWN)?;
-                items.push(Item { pull: Some(force.pull), at: force.at, couple: force.couple });
+                let force = *balance.slides.get(&index).ok_or(NOT_DRAWN)?;
+                let pull = self.with_drag(balance, index, force.pull);
+                items.push(Item { pull: Some(pull), at: force.at, couple: force.couple });
             }
         }
         Ok(items)

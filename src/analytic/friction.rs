@@ -1,0 +1,576 @@
+//! What rubs, in the equations of balance: a couple against the turning of a journal, a force against sliding.
+//!
+//! A pin's couple is its friction circle times the size of the pin's force, a slide's force the coefficient times the
+//! size of its normal force; both sizes are those of the multipliers, so that balance is no longer linear. It is solved
+//! by Newton's iteration while friction grows from nothing to its full strength: where the determinant changes its sign
+//! on the way, or no balance is found at however small a step, the pairs lock. Then every pattern of senses of the normal
+//! forces is tried, to see whether another balance exists.
+
+use super::AnalyticError;
+use super::constraints::{Drive, Formulas, Num, Row, Site};
+use super::linear::System;
+use super::model::{Model, Tie, Track};
+use super::ordering::{Ordering, order};
+use super::statics::{Acting, Balance, Balancing, Burden};
+use super::tape::{Calculus, Leaf, Linear, U, Var, minus};
+use crate::mechanism::Rider;
+use crate::mechanism::friction::{FrictionCircle, Roughness, RubbingPair};
+
+/// At most so many sliding pairs have their senses tried in every pattern.
+const MOST_PATTERNS: usize = 8;
+
+/// The least step by which friction grows before the pairs count as locked.
+const LEAST_STEP: f64 = 1.0 / 16_777_216.0;
+/// The step with which it begins to grow.
+const FIRST_STEP: f64 = 0.125;
+/// Iterations of one step.
+const ITERATIONS: usize = 40;
+/// Two balances whose multipliers differ by no more than this part of the largest are one.
+const SAME: f64 = 1e-6;
+/// Newton's iteration ends where no multiplier moves by more than this part of the largest.
+const SETTLED: f64 = 1e-13;
+/// Error of what friction adds to the matrix, in units of its own rounding.
+const OF_FRICTION: f64 = 64.0;
+
+/// How rough a pair is.
+#[derive(Debug, Clone, Copy)]
+enum Rough {
+    /// tan φ.
+    Coefficient(Num),
+    /// φ.
+    Angle(Num),
+}
+
+/// A friction circle.
+#[derive(Debug, Clone, Copy)]
+enum Circle {
+    Radius(Num),
+    Journal(Num, Rough),
+}
+
+/// Where two bodies rub.
+#[derive(Debug, Clone, Copy)]
+enum Place {
+    Pin { carrier: usize, link: usize, circle: Circle },
+    Slide { rider: Site, track: Track, normal: usize, rough: Option<Rough>, drag: Option<Num> },
+}
+
+/// Two bodies that rub.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rubbing {
+    /// The pair.
+    pub(super) pair: RubbingPair,
+    /// The joint through which its forces pass.
+    pub(super) tie: Tie,
+    place: Place,
+}
+
+/// Senses and strength of friction in one balance.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Strength {
+    /// In which sense each pair moves, +1 or −1, in the order of [`super::statics::Burden::rubbing`].
+    pub(super) senses: Vec<f64>,
+    /// From 0, nothing rubs, to 1.
+    pub(super) part: f64,
+    /// Senses that the normal forces of the first sliding pairs are taken to have, whatever they have.
+    pub(super) pushed: Vec<f64>,
+}
+
+impl Rubbing {
+    /// All pairs that rub. `pairs` are the equations of all pairs of the model.
+    pub(super) fn all(model: &mut Model, pairs: &[(Row, Tie)]) -> Result<Vec<Self>, AnalyticError> {
+        let mechanism = std::sync::Arc::clone(&model.mechanism);
+        let length = model.length;
+        let force = length / (model.time * model.time);
+        let mut all = Vec::new();
+        for pair in mechanism.rubbing_pairs() {
+            let rough = |model: &mut Model, roughness: Roughness| match roughness {
+                Roughness::Coefficient(f) => Rough::Coefficient(model.given(f, 1.0)),
+                Roughness::Angle(angle) => Rough::Angle(model.given(angle, 1.0)),
+            };
+            let (tie, place) = match pair {
+                RubbingPair::Pin { pin, carrier, link } => {
+                    let circle = match mechanism.forces.friction.circle(pin) {
+                        None => continue,
+                        Some(FrictionCircle::Radius(radius)) => Circle::Radius(model.given(radius, length)),
+                        Some(FrictionCircle::Journal { radius, roughness }) => {
+                            let radius = model.given(radius, length);
+                            Circle::Journal(radius, rough(model, roughness))
+                        }
+                    };
+                    (Tie::Pin(pin), Place::Pin { carrier: carrier.0, link: link.0, circle })
+                }
+                RubbingPair::Slide(slide) => {
+                    let given = &mechanism.slides[slide];
+                    let Some(resistance) = mechanism.forces.friction.resistance(slide) else { continue };
+                    let rider = model.rider_site(&given.rider, given.guide.link)?;
+                    let malformed = |what: &str| AnalyticError::Malformed { what: what.to_owned() };
+                    let track = *model.track(slide).ok_or_else(|| malformed("a guide without a path"))?;
+                    let row = match track {
+                        Track::Line(line) => Row::OnLine(rider, line),
+                        Track::Arc(arc) => Row::OnArc(rider, arc),
+                    };
+                    let normal = pairs.iter().position(|(known, _)| *known == row);
+                    let normal = normal.ok_or_else(|| malformed("a guide without an equation"))?;
+                    let tie = match given.rider {
+                        Rider::Pin { point, block: None } => Tie::Pin(point),
+                        Rider::Pin { .. } | Rider::Link { .. } => Tie::Slide(slide),
+                    };
+                    let rough = resistance.roughness().map(|roughness| rough(model, roughness));
+                    let drag = resistance.drag().map(|drag| model.given(drag, force));
+                    (tie, Place::Slide { rider, track, normal, rough, drag })
+                }
+            };
+            all.push(Self { pair, tie, place });
+        }
+        Ok(all)
+    }
+
+    /// How far the pair has turned or slid, in any numbers: the link on its carrier, the rider along its guide.
+    pub(super) fn moved<S: Formulas>(&self, scope: &S) -> S::Number {
+        match &self.place {
+            Place::Pin { carrier, link, .. } => scope.angle(*link) - scope.angle(*carrier),
+            Place::Slide { rider, track: Track::Line(line), .. } => {
+                let zero = Num::Exact(0.0);
+                let drive = Drive { value: zero, rate: zero, arm: None, second: zero };
+                scope.row(&Row::Push(*rider, *line, drive))
+            }
+            Place::Slide { rider, track: Track::Arc(arc), .. } => {
+                let from = minus(scope.site(rider), scope.site(&arc.centre));
+                let turned = from[1].atan2(from[0]) - scope.angle(arc.centre.body);
+                turned * scope.num(arc.radius)
+            }
+        }
+    }
+
+    /// The two bodies.
+    pub(super) fn bodies(&self) -> [usize; 2] {
+        match &self.place {
+            Place::Pin { carrier, link, .. } => [*carrier, *link],
+            Place::Slide { rider, track: Track::Line(line), .. } => [line.through.body, rider.body],
+            Place::Slide { rider, track: Track::Arc(arc), .. } => [arc.centre.body, rider.body],
+        }
+    }
+
+    /// The multipliers on which its friction hangs.
+    pub(super) fn hangs_on(&self, pairs: &[(Row, Tie)]) -> Vec<usize> {
+        match &self.place {
+            Place::Slide { normal, rough, .. } => rough.iter().map(|_| *normal).collect(),
+            Place::Pin { .. } => {
+                let of_pin = pairs.iter().enumerate().filter(|(_, (_, tie))| *tie == self.tie);
+                of_pin.map(|(index, _)| index).collect()
+            }
+        }
+    }
+
+    /// The multiplier of the normal force of a guide that is rough.
+    pub(super) fn normal(&self) -> Option<usize> {
+        match &self.place {
+            Place::Slide { normal, rough: Some(_), .. } => Some(*normal),
+            _ => None,
+        }
+    }
+
+    /// The angle of friction at a part of its full strength, radians; none of a drag.
+    pub(super) fn angle_at(
+        pair: RubbingPair,
+        mechanism: &crate::mechanism::Mechanism,
+        part: f64,
+    ) -> Option<f64> {
+        let friction = &mechanism.forces.friction;
+        match pair {
+            RubbingPair::Pin { pin, .. } => match friction.circle(pin)? {
+                FrictionCircle::Journal { roughness, .. } => {
+                    Some(libm::asin((part * libm::sin(roughness.angle())).min(1.0)))
+                }
+                FrictionCircle::Radius(_) => None,
+            },
+            RubbingPair::Slide(slide) => {
+                let angle = friction.resistance(slide)?.roughness()?.angle();
+                Some(libm::atan(part * libm::tan(angle)))
+            }
+        }
+    }
+}
+
+impl<'t> Acting<'t> {
+    /// tan φ.
+    fn tangent(&self, rough: Rough) -> Var<'t> {
+        match rough {
+            Rough::Coefficient(f) => self.real.num(f).v,
+            Rough::Angle(angle) => {
+                let [cos, sin] = self.real.num(angle).v.cos_sin();
+                sin / cos
+            }
+        }
+    }
+
+    /// Radius of a friction circle, r sin φ.
+    fn circle(&self, circle: Circle) -> Var<'t> {
+        match circle {
+            Circle::Radius(radius) => self.real.num(radius).v,
+            Circle::Journal(radius, rough) => {
+                let radius = self.real.num(radius).v;
+                let sine = match rough {
+                    Rough::Coefficient(f) => {
+                        let f = self.real.num(f).v;
+                        let one = self.real.tape.constant(1.0);
+                        f / (one + f * f).sqrt()
+                    }
+                    Rough::Angle(angle) => self.real.num(angle).v.cos_sin()[1],
+                };
+                radius * sine
+            }
+        }
+    }
+
+    /// The size of a vector; zero, without a slope, where it has none.
+    fn size(&self, [x, y]: [Var<'t>; 2]) -> Var<'t> {
+        if x.value == 0.0 && y.value == 0.0 {
+            return self.real.tape.constant(0.0);
+        }
+        (x * x + y * y).sqrt()
+    }
+
+    /// The friction of a pair: the couple on the link that turns, or the force on the rider along its guide; against
+    /// the motion, so never with its sense.
+    fn friction(&self, index: usize, rubbing: &Rubbing) -> Var<'t> {
+        let tape = self.real.tape;
+        let against =
+            tape.constant(-self.strength.senses.get(index).copied().unwrap_or(0.0) * self.strength.part);
+        let size = match rubbing.place {
+            Place::Pin { link, carrier, circle } => {
+                let zero = tape.constant(0.0);
+                let of_pin = |_: &Row, tie: Tie| tie == rubbing.tie;
+                // The frame has no coordinates: its force is that of all others.
+                let (body, bodies) =
+                    if link != 0 { (link, link..link + 1) } else { (0, 1..self.model.bodies) };
+                debug_assert!(body != carrier, "a link does not rub on itself");
+                let mut sum = [zero; 2];
+                for body in bodies {
+                    let [x, y, _] = self.wrench(of_pin, body, [zero; 2]);
+                    sum = [sum[0] + x, sum[1] + y];
+                    // A slot in which the pin rides rubs on it as well.
+                    let slots = |other: &Rubbing| {
+                        other.tie == rubbing.tie && matches!(other.place, Place::Slide { .. })
+                    };
+                    if let Some([x, y, _]) = self.friction_on(slots, body, [zero; 2]) {
+                        sum = [sum[0] + x, sum[1] + y];
+                    }
+                }
+                self.circle(circle) * self.size(sum)
+            }
+            Place::Slide { rider, track, normal, rough, drag } => {
+                let force = self.unknown(normal);
+                let pushed = self.place_among_slides(index).and_then(|at| self.strength.pushed.get(at));
+                let normal_size = match pushed {
+                    Some(sense) => force * tape.constant(*sense),
+                    None => force.abs(),
+                };
+                let normal_size = match track {
+                    Track::Line(_) => normal_size,
+                    // The equation of an arc has a slope of its own.
+                    Track::Arc(arc) => {
+                        let row = Row::OnArc(rider, arc);
+                        let slopes = [0, 1].map(|axis| self.slope(&row, 3 * rider.body + axis));
+                        normal_size * self.size(slopes)
+                    }
+                };
+                let of_normal = rough.map(|rough| self.tangent(rough) * normal_size);
+                let drag = drag.map(|drag| self.real.num(drag).v);
+                match (of_normal, drag) {
+                    (Some(a), Some(b)) => a + b,
+                    (one, other) => one.or(other).unwrap_or_else(|| tape.constant(0.0)),
+                }
+            }
+        };
+        size * against
+    }
+
+    /// The place of a pair among the sliding ones whose guides are rough.
+    fn place_among_slides(&self, index: usize) -> Option<usize> {
+        let rough = |rubbing: &Rubbing| rubbing.normal().is_some();
+        let all = &self.burden.rubbing;
+        rough(&all[index]).then(|| all[..index].iter().filter(|rubbing| rough(rubbing)).count())
+    }
+
+    /// The virtual work of all friction, where one coordinate has a unit virtual rate.
+    pub(super) fn friction_work(&self, column: usize) -> Option<Var<'t>> {
+        let body = column / 3;
+        let virtually = self.virtually(column);
+        let mut sum: Option<Var<'t>> = None;
+        for (index, rubbing) in self.burden.rubbing.iter().enumerate() {
+            if !rubbing.bodies().contains(&body) {
+                continue;
+            }
+            let moved = rubbing.moved(&virtually).d;
+            let work = self.friction(index, rubbing) * moved;
+            sum = Some(match sum {
+                Some(sum) => sum + work,
+                None => work,
+            });
+        }
+        sum
+    }
+
+    /// What friction in the chosen joints exerts on a body: force, and moment about a place.
+    pub(super) fn friction_on(
+        &self,
+        chosen: impl Fn(&Rubbing) -> bool,
+        body: usize,
+        about: [Var<'t>; 2],
+    ) -> Option<[Var<'t>; 3]> {
+        let zero = self.real.tape.constant(0.0);
+        let mut sum: Option<[Var<'t>; 3]> = None;
+        for (index, rubbing) in self.burden.rubbing.iter().enumerate() {
+            let [held, moving] = rubbing.bodies();
+            if !chosen(rubbing) || ![held, moving].contains(&body) {
+                continue;
+            }
+            let sign = self.real.tape.constant(if body == moving { 1.0 } else { -1.0 });
+            let size = self.friction(index, rubbing) * sign;
+            let wrench = match &rubbing.place {
+                Place::Pin { .. } => [zero, zero, size],
+                Place::Slide { rider, track, .. } => {
+                    let at = self.real.site(rider);
+                    let along = match track {
+                        Track::Line(line) => self.real.direction(line).map(|c| c.v),
+                        Track::Arc(arc) => {
+                            let from = minus(at, self.real.site(&arc.centre)).map(|c| c.v);
+                            let length = self.size(from);
+                            [-from[1] / length, from[0] / length]
+                        }
+                    };
+                    let [x, y] = along.map(|c| c * size);
+                    let arm = [at[0].v - about[0], at[1].v - about[1]];
+                    [x, y, arm[0] * y - arm[1] * x]
+                }
+            };
+            sum = Some(match sum {
+                Some(sum) => [0, 1, 2].map(|i| sum[i] + wrench[i]),
+                None => wrench,
+            });
+        }
+        sum
+    }
+
+    /// The power of all friction, never positive.
+    pub(super) fn friction_power(&self) -> Option<Var<'t>> {
+        let rubbing = self.burden.rubbing.iter().enumerate();
+        let parts =
+            rubbing.map(|(index, rubbing)| self.friction(index, rubbing) * rubbing.moved(&self.real).d);
+        parts.reduce(|a, b| a + b)
+    }
+}
+
+/// A pair as one says it, with the angle at which all that rubs locks.
+pub(super) fn say_locked(model: &Model, pairs: &[RubbingPair], part: f64) -> String {
+    let m = &model.mechanism;
+    let names: Vec<String> = pairs
+        .iter()
+        .map(|pair| {
+            let name = m.say_rubbing(*pair);
+            match Rubbing::angle_at(*pair, m, part) {
+                Some(angle) => format!("{name} (friction angle {:.4} deg)", angle.to_degrees()),
+                None => name,
+            }
+        })
+        .collect();
+    format!(
+        "locked: with friction no balance exists; it locks at {:.4} of the stated friction in {}",
+        part,
+        names.join(", ")
+    )
+}
+
+/// Two balances.
+pub(super) fn say_several(model: &Model, pairs: &[RubbingPair]) -> String {
+    let names: Vec<String> = pairs.iter().map(|pair| model.mechanism.say_rubbing(*pair)).collect();
+    format!("ambiguous: two balances with friction fit; what rubs is {}", names.join(", "))
+}
+
+/// A pair that does not move.
+pub(super) fn say_at_rest(model: &Model, pair: RubbingPair) -> String {
+    format!("{} does not move: its friction has no sense", model.mechanism.say_rubbing(pair))
+}
+
+/// What becomes of a balance with friction.
+pub(super) enum Found {
+    /// The only one.
+    One(Vec<f64>),
+    /// None; the pairs that lock, and at which part of the stated friction.
+    Locked(Vec<RubbingPair>, f64),
+    /// More than one.
+    Several,
+    /// Not even without friction.
+    Singular,
+}
+
+/// The search for balances with friction: equations, unknowns and the groups in which they are solved.
+struct Search<'a> {
+    balancing: &'a Balancing<'a>,
+    ordering: Ordering,
+    undetermined: Vec<bool>,
+}
+
+impl Search<'_> {
+    /// Newton's iteration at one strength of friction; with the multipliers the sense of the determinant. None where it
+    /// does not end.
+    fn newton(&self, from: &[f64], strength: &Strength) -> Result<Option<(Vec<f64>, bool)>, AnalyticError> {
+        let mut x = from.to_vec();
+        let mut last = f64::INFINITY;
+        for _ in 0..ITERATIONS {
+            let rows = self.balancing.evaluate(&x, strength, None)?;
+            let system = System::new(self.ordering.groups.clone(), &rows, x.len(), multiplier);
+            if system.blocks.iter().any(|block| block.inverse.is_none()) {
+                return Ok(None);
+            }
+            let positive =
+                system.blocks.iter().fold(true, |sign, block| sign == (block.jacobian.determinant() > 0.0));
+            let residuals: Vec<f64> = rows.iter().map(|linear| -linear.value).collect();
+            let correction = system.solve(&residuals, &self.undetermined);
+            for (x, d) in x.iter_mut().zip(&correction) {
+                *x += d;
+            }
+            if x.iter().any(|x| !x.is_finite()) {
+                return Ok(None);
+            }
+            let (size, moved) = (largest(&x), largest(&correction));
+            // What moves no less than before, and by next to nothing, is rounding.
+            if moved <= SETTLED * size || (moved >= last && moved <= SAME * SAME * size) {
+                return Ok(Some((x, positive)));
+            }
+            last = moved;
+        }
+        Ok(None)
+    }
+
+    /// Lets friction grow to its full strength. Where it locks: at which part of it.
+    fn grow(&self, senses: &[f64]) -> Result<Result<Vec<f64>, f64>, AnalyticError> {
+        let at = |part: f64| Strength { senses: senses.to_vec(), part, pushed: Vec::new() };
+        let nothing = vec![0.0; self.undetermined.len()];
+        let Some((mut x, sense)) = self.newton(&nothing, &at(0.0))? else { return Ok(Err(0.0)) };
+        let (mut part, mut step) = (0.0, FIRST_STEP);
+        while part < 1.0 {
+            let next = (part + step).min(1.0);
+            match self.newton(&x, &at(next))? {
+                Some((found, same)) if same == sense => (x, part) = (found, next),
+                _ => {
+                    step *= 0.5;
+                    if step < LEAST_STEP {
+                        return Ok(Err(part));
+                    }
+                }
+            }
+        }
+        Ok(Ok(x))
+    }
+
+    /// Whether another balance exists, by every pattern of senses of the normal forces.
+    fn another(&self, senses: &[f64], than: &[f64]) -> Result<bool, AnalyticError> {
+        let rough = self.balancing.burden.rubbing.iter().filter_map(Rubbing::normal);
+        let normals: Vec<usize> = rough.take(MOST_PATTERNS).collect();
+        for pattern in 0..1_u32 << normals.len() {
+            let pushed: Vec<f64> =
+                (0..normals.len()).map(|i| if pattern >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
+            let strength = Strength { senses: senses.to_vec(), part: 1.0, pushed: pushed.clone() };
+            let Some((found, _)) = self.newton(than, &strength)? else { continue };
+            let fits = normals.iter().zip(&pushed).all(|(at, sense)| found[*at] * sense >= 0.0);
+            let apart: Vec<f64> = found.iter().zip(than).map(|(a, b)| a - b).collect();
+            if fits && largest(&apart) > SAME * largest(&found).max(largest(than)) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn found(&self, senses: &[f64]) -> Result<Found, AnalyticError> {
+        match self.grow(senses)? {
+            Ok(x) if self.another(senses, &x)? => Ok(Found::Several),
+            Ok(x) => Ok(Found::One(x)),
+            Err(0.0) => Ok(Found::Singular),
+            Err(part) => {
+                // Those without one of which nothing locks; all where it takes several of them.
+                let all: Vec<RubbingPair> = self.balancing.burden.rubbing.iter().map(|r| r.pair).collect();
+                let mut guilty = Vec::new();
+                for (index, pair) in all.iter().enumerate() {
+                    let mut without = senses.to_vec();
+                    without[index] = 0.0;
+                    if self.grow(&without)?.is_ok() {
+                        guilty.push(*pair);
+                    }
+                }
+                Ok(Found::Locked(if guilty.is_empty() { all } else { guilty }, part))
+            }
+        }
+    }
+}
+
+fn largest(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |most, x| x.abs().max(most))
+}
+
+fn multiplier(leaf: Leaf) -> Option<usize> {
+    match leaf {
+        Leaf::Force(at) => Some(at),
+        Leaf::Pose(_) | Leaf::Rate(_) | Leaf::Accel(_) | Leaf::Param(_) => None,
+    }
+}
+
+/// Solves a balance in which pairs rub; `senses` of their motions, in their order.
+pub(super) fn balance(
+    balancing: &Balancing<'_>,
+    senses: Vec<f64>,
+) -> Result<(Found, Balance), AnalyticError> {
+    let burden: &Burden = balancing.burden;
+    let n = burden.unknowns();
+    let strength = Strength { senses, part: 1.0, pushed: Vec::new() };
+    let (_, mut known) = balancing.linear(&vec![0.0; n], &Strength::default())?;
+    // Every balance of a body that rubs hangs on the forces of the pair, whatever their size is now.
+    for rubbing in &burden.rubbing {
+        let hangs_on = rubbing.hangs_on(&burden.pairs);
+        for body in rubbing.bodies().into_iter().filter(|body| *body != 0) {
+            for axis in 0..3 {
+                known.pattern[3 * body + axis - 3].extend(&hangs_on);
+            }
+        }
+    }
+    for row in &mut known.pattern {
+        row.sort_unstable();
+        row.dedup();
+    }
+    let ordering = order(&known.pattern, n);
+    let mut undetermined = vec![false; n];
+    for column in &ordering.free {
+        undetermined[*column] = true;
+    }
+    let search = Search { balancing, ordering, undetermined };
+    let found = search.found(&strength.senses)?;
+    let x = match &found {
+        Found::One(x) => x.clone(),
+        Found::Locked(..) | Found::Several | Found::Singular => vec![0.0; n],
+    };
+    let rows: Vec<Linear> = balancing.evaluate(&x, &strength, None)?;
+    let Search { ordering, mut undetermined, .. } = search;
+    let mut system = System::new(ordering.groups, &rows, n, multiplier);
+    for index in 0..system.blocks.len() {
+        let entries = &system.entries;
+        let error = |row: usize, column: usize| {
+            let value = entries[row].iter().find(|(at, _)| *at == column).map_or(0.0, |(_, value)| *value);
+            known.errors.get(&(row, column)).copied().unwrap_or(0.0) + OF_FRICTION * U * value.abs()
+        };
+        let regular = system.is_regular(index, error);
+        if !regular {
+            system.blocks[index].inverse = None;
+        }
+        if !regular || system.uses(index, &undetermined) {
+            for column in &system.blocks[index].group.columns {
+                undetermined[*column] = true;
+            }
+        }
+    }
+    if !matches!(found, Found::One(_)) {
+        undetermined.fill(true);
+    }
+    Ok((found, Balance { x, rows, system, undetermined, strength }))
+}

@@ -1,0 +1,433 @@
+//! Friction: forces that lean by the angle of friction in guides and touch friction circles at pins.
+//!
+//! Senses come from the motion alone. Where on its circle a force acts, and to which side of the normal it leans, hangs
+//! on where it points: the forces are drawn without friction first, and again with the points of contact and the leans of
+//! the forces drawn before, until none of them moves by more than the drawing can tell. With its point of contact each
+//! force of a pin is one that passes through a known point, so that every group is balanced as without friction.
+
+use std::collections::BTreeMap;
+
+use crate::board::{Amount, Arithmetic, Direction, Point, Scale};
+use crate::given::Given;
+use crate::mechanism::force::{Party, Share};
+use crate::mechanism::friction::{FrictionCircle, Roughness, Rub, RubbedBy, RubbingPair};
+use crate::mechanism::quantity::Order;
+use crate::mechanism::{LinkId, PointId};
+use crate::plan::Plan;
+
+use super::super::draughtsman::Draughtsman;
+use super::super::missing::Missing;
+use super::{Balance, Holder, Item, Pull};
+
+/// After so many passes the forces come to no end.
+const MOST_PASSES: usize = 60;
+
+/// Before the last pass, a force below this part of the largest one has no direction to go by.
+const FAINT: f64 = 1e-9;
+
+/// What rubs in a drawing.
+#[derive(Debug, Clone)]
+pub(super) enum Rubbed {
+    /// At a pin; the radius of the circle in the sense in which the link turns on its carrier, metres.
+    Pin { pin: PointId, carrier: LinkId, link: LinkId, radius: Amount },
+    /// In a sliding pair: the direction of the guide and the normal, tan φ in the sense of the sliding, and the constant
+    /// force on the rider.
+    Slide { slide: usize, along: Direction, normal: Direction, tangent: Option<Amount>, drag: Option<Pull> },
+}
+
+/// Where forces touch their circles in a pass, and how they lean.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Leaning {
+    /// Where the force between a pin and a link acts; elsewhere it acts at the pin.
+    contacts: BTreeMap<(usize, usize), Point>,
+    /// The line of a guide's force; elsewhere it is the normal.
+    leans: BTreeMap<usize, Direction>,
+    /// Constant forces on riders, by sliding pair.
+    drags: BTreeMap<usize, Pull>,
+    /// How often the forces were drawn again.
+    passes: usize,
+    /// What rubs, for the record.
+    rubs: Vec<Rub>,
+}
+
+impl Leaning {
+    pub(super) fn passes(&self) -> usize {
+        self.passes
+    }
+
+    pub(super) fn rubs(&self) -> &[Rub] {
+        &self.rubs
+    }
+
+    pub(super) fn drag(&self, slide: usize) -> Option<Pull> {
+        self.drags.get(&slide).copied()
+    }
+}
+
+/// What a pass looks at to see whether forces have moved: direction and size of the force of each pair.
+struct Look {
+    forces: Vec<[f64; 2]>,
+    largest: f64,
+}
+
+impl Look {
+    /// How far the force of each pair has turned since, radians; a whole turn round where a guide presses on its other
+    /// side.
+    fn turned_since(&self, before: &Self) -> Vec<f64> {
+        let pairs = self.forces.iter().zip(&before.forces);
+        pairs
+            .map(|(now, then)| {
+                let (cross, dot) = (then[0] * now[1] - then[1] * now[0], then[0] * now[0] + then[1] * now[1]);
+                libm::atan2(cross, dot).abs()
+            })
+            .collect()
+    }
+
+    /// The largest turn of a force that counts: what a turn does to a moment is of second order in it and of first in
+    /// the force.
+    fn moved(&self, turns: &[f64]) -> f64 {
+        let weight = |force: &[f64; 2]| libm::sqrt(libm::hypot(force[0], force[1]) / self.largest);
+        let counted = self.forces.iter().zip(turns).map(|(force, turn)| weight(force) * turn);
+        if self.largest == 0.0 { 0.0 } else { counted.fold(0.0, f64::max) }
+    }
+}
+
+/// The balance of a mechanism in which pairs rub.
+pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Balance {
+    let refused = |why: &'static str| Balance { refused: Some(why), ..Balance::default() };
+    if !d.rubbing_pins_are_held() {
+        return refused(
+            "this version does not draw friction at a pin of several links that is carried by a link which is found later",
+        );
+    }
+    let rubbed = d.rubbed(plan);
+    let mut leaning = Leaning::default();
+    for rub in &rubbed {
+        if let Rubbed::Slide { slide, drag: Some(drag), .. } = rub {
+            leaning.drags.insert(*slide, *drag);
+        }
+    }
+    let fresh = leaning.clone();
+    let mut balance = super::whole(d, plan, share, &leaning);
+    let settled = match d.board.tape().arithmetic() {
+        Arithmetic::Single => libm::sqrt(f64::from(f32::EPSILON)),
+        Arithmetic::Double => libm::sqrt(f64::EPSILON),
+        // As well as a look, in doubles, can tell.
+        Arithmetic::DoubleDouble | Arithmetic::Wide => 64.0 * f64::EPSILON,
+    };
+    let mut before: Option<Look> = None;
+    for pass in 1..=MOST_PASSES {
+        if balance.refused.is_some() {
+            return balance;
+        }
+        let look = d.look_at(&balance, &rubbed);
+        let turns = before.as_ref().map(|before| look.turned_since(before));
+        let last = turns.as_ref().is_some_and(|turns| look.moved(turns) <= settled);
+        leaning = Leaning { passes: pass, ..fresh.clone() };
+        d.lean(&mut leaning, &balance, &rubbed, (&look, turns.as_deref().filter(|_| last)));
+        balance = super::whole(d, plan, share, &leaning);
+        if last {
+            return balance;
+        }
+        before = Some(look);
+    }
+    // Whatever hangs on friction has no place.
+    leaning = fresh;
+    let reason = d.reason_missing(Missing::Balance);
+    for rub in &rubbed {
+        match rub {
+            Rubbed::Pin { pin, link, .. } => {
+                let nowhere = d.board.nowhere(reason);
+                d.touch(&mut leaning, *pin, *link, nowhere);
+            }
+            Rubbed::Slide { slide, tangent: Some(_), .. } => {
+                let nowhere = d.board.no_direction(reason);
+                leaning.leans.insert(*slide, nowhere);
+            }
+            Rubbed::Slide { .. } => {}
+        }
+    }
+    super::whole(d, plan, share, &leaning)
+}
+
+impl Draughtsman<'_> {
+    /// Every pin of several links at which something rubs is held by its carrier.
+    fn rubbing_pins_are_held(&self) -> bool {
+        let m = self.mechanism;
+        m.forces.friction.pins.iter().all(|rubbing| {
+            let carrier = m.rubbing_carrier(rubbing.pin).map(Holder::Link);
+            m.parties_at(rubbing.pin).len() == 2 || carrier == Some(self.holder(rubbing.pin))
+        })
+    }
+
+    /// What rubs on the links of a plan, with the senses of the motion.
+    fn rubbed(&mut self, plan: &Plan) -> Vec<Rubbed> {
+        let m = self.mechanism;
+        let mut all = Vec::new();
+        for pair in m.rubbing_pairs() {
+            if !m.rubbing_links(pair).iter().any(|link| plan.forces.links.contains(link)) {
+                continue;
+            }
+            let reason = self.reason_missing(Missing::Sense(pair));
+            match pair {
+                RubbingPair::Pin { pin, carrier, link } => {
+                    let Some(circle) = m.forces.friction.circle(pin) else { continue };
+                    let turning = self.rate(Order::Velocity, link);
+                    let carried = self.rate(Order::Velocity, carrier);
+                    let turning = self.board.difference(turning, carried);
+                    let radius = match circle {
+                        FrictionCircle::Radius(radius) => self.board.amount(radius),
+                        FrictionCircle::Journal { radius, roughness } => {
+                            let radius = self.board.amount(radius);
+                            let leg = self.leaning_leg(roughness);
+                            let [_, across] = self.board.components(leg, radius);
+                            across
+                        }
+                    };
+                    let radius = self.board.in_sense_of(radius, turning, reason);
+                    all.push(Rubbed::Pin { pin, carrier, link, radius });
+                }
+                RubbingPair::Slide(slide) => {
+                    let (Some(resistance), Some(point)) =
+                        (m.forces.friction.resistance(slide), m.rubbing_point(slide))
+                    else {
+                        continue;
+                    };
+                    let at = self.at(point);
+                    let (along, normal) = self.guide_at(slide, at);
+                    let sliding = self.sliding_along(slide, point, along);
+                    let tangent = resistance.roughness().map(|roughness| {
+                        let tangent = match roughness {
+                            Roughness::Coefficient(f) => self.board.amount(f),
+                            Roughness::Angle(_) => {
+                                let leg = self.leaning_leg(roughness);
+                                let unit = self.board.amount(Given::exact(1.0));
+                                let [along, across] = self.board.components(leg, unit);
+                                self.board.quotient(across, along, reason)
+                            }
+                        };
+                        self.board.in_sense_of(tangent, sliding, reason)
+                    });
+                    let drag = resistance.drag().map(|drag| {
+                        let drag = self.board.amount(drag);
+                        let with = self.board.in_sense_of(drag, sliding, reason);
+                        let against = self.board.opposite(with);
+                        self.pull_along(along, against)
+                    });
+                    all.push(Rubbed::Slide { slide, along, normal, tangent, drag });
+                }
+            }
+        }
+        all
+    }
+
+    /// The direction that makes the angle of friction with +x: the hypotenuse over 1 and f, or by protractor.
+    fn leaning_leg(&mut self, roughness: Roughness) -> Direction {
+        match roughness {
+            Roughness::Angle(angle) => {
+                let angle = self.board.angle(angle);
+                self.board.protractor(angle)
+            }
+            Roughness::Coefficient(f) => {
+                let pole = self.board.origin();
+                let right = self.board.rightward();
+                let up = self.board.quarter_turn(right);
+                let scale = Scale { si_per_mm: 1.0 };
+                let legs = [Given::exact(1.0), f].map(|leg| {
+                    let leg = self.board.amount(leg);
+                    self.board.to_paper(leg, scale)
+                });
+                let foot = self.board.lay_off(pole, right, legs[0]);
+                let tip = self.board.lay_off(foot, up, legs[1]);
+                let reason = self.reason(&[]);
+                self.board.toward(pole, tip, reason).0
+            }
+        }
+    }
+
+    /// How fast a rider moves along its guide, by the images of its point and of the guide's point under it.
+    fn sliding_along(&mut self, slide: usize, point: PointId, along: Direction) -> Amount {
+        let guide = self.mechanism.slides[slide].guide.link;
+        let under = self.image_under(Order::Velocity, point, guide);
+        let image = self.image(Order::Velocity, point);
+        let scale = self.polygon_scale(Order::Velocity);
+        let parts = self.board.between(under, image).map(|part| self.board.read(part, scale));
+        self.part_along(parts, along)
+    }
+
+    /// The part of a vector along a direction.
+    fn part_along(&mut self, [x, y]: [Amount; 2], along: Direction) -> Amount {
+        let unit = self.board.amount(Given::exact(1.0));
+        let [ax, ay] = self.board.components(along, unit);
+        let (px, py) = (self.board.product(x, ax), self.board.product(y, ay));
+        self.board.sum(px, py)
+    }
+
+    /// The force of a pair, as it was drawn last.
+    fn force_of(&self, balance: &Balance, rubbed: &Rubbed) -> Option<Pull> {
+        match rubbed {
+            Rubbed::Slide { slide, .. } => balance.slides.get(slide).map(|force| force.pull),
+            Rubbed::Pin { pin, carrier, link, .. } => {
+                let of = |link: LinkId| balance.of_pins.get(&(pin.0, link.0)).copied();
+                let two = self.mechanism.parties_at(*pin).len() == 2;
+                of(*link).or(if two { of(*carrier).map(Self::opposite) } else { None })
+            }
+        }
+    }
+
+    /// Looks at the forces of what rubs; a guide is looked at along its normal.
+    fn look_at(&self, balance: &Balance, rubbed: &[Rubbed]) -> Look {
+        let vector = |pull: Pull| {
+            let ([x, y], [from_x, from_y]) = (pull.head.value(), pull.tail.value());
+            [x - from_x, y - from_y]
+        };
+        let all = balance.of_pins.values().copied().chain(balance.slides.values().map(|force| force.pull));
+        let largest = all.map(|pull| vector(pull)).fold(0.0_f64, |most, [x, y]| most.max(libm::hypot(x, y)));
+        let forces = rubbed.iter().map(|rub| {
+            let [x, y] = self.force_of(balance, rub).map_or([0.0; 2], vector);
+            match rub {
+                Rubbed::Pin { .. } => [x, y],
+                Rubbed::Slide { normal, .. } => {
+                    let [nx, ny] = normal.value();
+                    [x * nx + y * ny, 0.0]
+                }
+            }
+        });
+        Look { forces: forces.collect(), largest }
+    }
+
+    /// Finds points of contact and leans by the forces drawn before. In the last pass the circles have the room that
+    /// further passes would take: a line through a point of contact that has turned by δ passes its pin at r cos δ.
+    fn lean(
+        &mut self,
+        leaning: &mut Leaning,
+        balance: &Balance,
+        rubbed: &[Rubbed],
+        (look, turns): (&Look, Option<&[f64]>),
+    ) {
+        for (index, rub) in rubbed.iter().enumerate() {
+            let [x, y] = look.forces[index];
+            let size = libm::hypot(x, y);
+            if size == 0.0 || (turns.is_none() && size <= FAINT * look.largest) {
+                continue;
+            }
+            let Some(pull) = self.force_of(balance, rub) else { continue };
+            match rub {
+                Rubbed::Pin { pin, carrier, link, radius } => {
+                    let turn = turns.map_or(0.0, |turns| turns[index]);
+                    let room = Given::within(1.0, (0.5 * turn * turn).min(2.0));
+                    let room = self.board.amount(room);
+                    let radius = if turn == 0.0 { *radius } else { self.board.product(*radius, room) };
+                    let reason = self.reason(&[*carrier, *link]);
+                    let (along, _) = self.board.toward(pull.tail, pull.head, reason);
+                    let left = self.board.quarter_turn(along);
+                    let scale = self.length_scale();
+                    let mm = self.board.to_paper(radius, scale);
+                    let centre = self.at(*pin);
+                    // A force to the left of the pin turns cw about it: against a link that turns ccw.
+                    let contact = self.board.step_off(centre, left, mm);
+                    self.touch(leaning, *pin, *link, contact);
+                    let by = RubbedBy::Circle(radius.value().abs());
+                    let pair = RubbingPair::Pin { pin: *pin, carrier: *carrier, link: *link };
+                    leaning.rubs.push(Rub { pair, by, forward: radius.value() > 0.0 });
+                }
+                Rubbed::Slide { slide, along, normal, tangent, drag } => {
+                    let pair = RubbingPair::Slide(*slide);
+                    if let Some(drag) = drag {
+                        let [x, y] = self.components_of(*drag).map(|part| part.value());
+                        let [ax, ay] = along.value();
+                        let by = RubbedBy::Drag(libm::hypot(x, y));
+                        leaning.rubs.push(Rub { pair, by, forward: x * ax + y * ay < 0.0 });
+                    }
+                    let Some(tangent) = *tangent else { continue };
+                    let parts = self.components_of(pull);
+                    let pressing = self.part_along(parts, *normal);
+                    let reason = self.reason_missing(Missing::Side(pair));
+                    let sense = self.board.in_sense_of(tangent, pressing, reason);
+                    // Against the sliding: the leg along the guide is laid off backwards.
+                    let back = self.board.opposite(sense);
+                    let scale = Scale { si_per_mm: 1.0 };
+                    let unit = self.board.amount(Given::exact(1.0));
+                    let unit = self.board.to_paper(unit, scale);
+                    let leg = self.board.to_paper(back, scale);
+                    let pole = self.board.origin();
+                    let foot = self.board.lay_off(pole, *normal, unit);
+                    let tip = self.board.lay_off(foot, *along, leg);
+                    let reason = self.reason(&[]);
+                    let (lean, _) = self.board.toward(pole, tip, reason);
+                    leaning.leans.insert(*slide, lean);
+                    let by = RubbedBy::Angle(libm::atan(tangent.value().abs()));
+                    leaning.rubs.push(Rub { pair, by, forward: tangent.value() > 0.0 });
+                }
+            }
+        }
+    }
+
+    /// Notes where the force between a pin and a link acts; at a pin of two links that is one force.
+    fn touch(&self, leaning: &mut Leaning, pin: PointId, link: LinkId, at: Point) {
+        let parties = self.mechanism.parties_at(pin);
+        let of: &[LinkId] = if parties.len() == 2 { &parties } else { &[link] };
+        leaning.contacts.extend(of.iter().map(|link| ((pin.0, link.0), at)));
+    }
+
+    /// Where the force between a pin and a link acts.
+    pub(super) fn touch_at(&mut self, balance: &Balance, pin: PointId, link: LinkId) -> Point {
+        match balance.leaning.contacts.get(&(pin.0, link.0)) {
+            Some(contact) => *contact,
+            None => self.at(pin),
+        }
+    }
+
+    /// Where the force between two links of a group acts at their pin, which one of them may hold.
+    pub(super) fn inner_touch(&mut self, balance: &Balance, pin: PointId, links: [LinkId; 2]) -> Point {
+        let known = links.iter().find_map(|link| balance.leaning.contacts.get(&(pin.0, link.0)));
+        match known {
+            Some(contact) => *contact,
+            None => self.at(pin),
+        }
+    }
+
+    /// The direction of a guide under a point, and the line of its force.
+    pub(super) fn pressing_at(
+        &mut self,
+        balance: &Balance,
+        slide: usize,
+        at: Point,
+    ) -> (Direction, Direction) {
+        let (along, normal) = self.guide_at(slide, at);
+        (along, balance.leaning.leans.get(&slide).copied().unwrap_or(normal))
+    }
+
+    /// Whether forces pass a pin at a distance.
+    pub(super) fn rubs_at(balance: &Balance, pin: PointId) -> bool {
+        balance.leaning.contacts.keys().any(|(at, _)| *at == pin.0)
+    }
+
+    /// Lays the constant forces in sliding pairs off on both sides.
+    pub(super) fn lay_off_drags(&mut self, balance: &mut Balance) {
+        for (slide, drag) in balance.leaning.drags.clone() {
+            let pair = self.mechanism.slides[slide];
+            let Some(point) = self.mechanism.rubbing_point(slide) else { continue };
+            let at = self.at(point);
+            let on_rider = Item { pull: Some(drag), at, couple: None };
+            let on_guide = Item { pull: Some(Self::opposite(drag)), at, couple: None };
+            match self.mechanism.party_of(&pair.rider) {
+                Party::Link(rider) => balance.known[rider.0].push(on_rider),
+                Party::Pin(pin) => balance.push_on_pin(self, pin, on_rider),
+            }
+            balance.known[pair.guide.link.0].push(on_guide);
+        }
+    }
+
+    /// A force of a sliding pair with its drag, on the rider.
+    pub(super) fn with_drag(&mut self, balance: &Balance, slide: usize, force: Pull) -> Pull {
+        let Some(drag) = balance.leaning.drag(slide) else { return force };
+        let head = self.chained(&[force, drag]);
+        Pull { tail: self.board.origin(), head }
+    }
+}
+
+/// Whether anything rubs.
+pub(super) fn rubs(d: &Draughtsman<'_>) -> bool {
+    !d.mechanism.forces.friction.is_empty()
+}
