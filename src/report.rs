@@ -27,6 +27,11 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
             "less friction, or another position, lets it move; `expect` tells that it is meant to lock"
                 .to_owned(),
         ),
+        SolveError::Stuck { how: Stuck::AtRest, .. } => (
+            Subject::Inputs,
+            error.to_string(),
+            "turn the input a little; at this position a pair that rubs is at rest".to_owned(),
+        ),
         SolveError::Stuck { .. } => (
             Subject::Scene,
             error.to_string(),

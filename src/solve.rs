@@ -67,7 +67,7 @@ pub enum SolveError {
         /// Why there is no answer.
         why: Indeterminate,
     },
-    /// With friction no balance exists, or more than one.
+    /// With friction no balance exists, or more than one, or a pair that rubs does not move.
     #[error("{why}")]
     Stuck {
         /// Which of them.
@@ -264,13 +264,15 @@ fn unstuck(scene: &Scene) -> Result<(), SolveError> {
     if scene.mechanism.forces.friction.is_empty() || !scene.mechanism.asked.iter().any(of_forces) {
         return Ok(());
     }
-    let state = solve_analytically(scene);
-    match state.as_ref().ok().and_then(State::stuck) {
-        Some(Indeterminate::Rubbing { how, why }) if *how != Stuck::AtRest => {
-            Err(SolveError::Stuck { how: *how, why: why.clone() })
-        }
-        _ => Ok(()),
+    let Ok(state) = solve_analytically(scene) else { return Ok(()) };
+    let Some(Indeterminate::Rubbing { how, why }) = state.stuck() else { return Ok(()) };
+    let mut forces = scene.mechanism.asked.iter().filter(|asked| of_forces(asked));
+    // What does not move leaves only its own forces open.
+    let answered = |asked: &Asked| !matches!(state.answer(&asked.quantity), Answer::Indeterminate(_));
+    if *how == Stuck::AtRest && forces.any(answered) {
+        return Ok(());
     }
+    Err(SolveError::Stuck { how: *how, why: why.clone() })
 }
 
 /// Solves the same scene with the independent solver, as far as the asked quantities need.

@@ -194,7 +194,6 @@ fn what_is_not_done_is_refused_by_name() {
     for (more, key) in [
         (r#""spin": {}"#, "spin"),
         (r#""cycle": {}"#, "cycle"),
-        (r#""pins": { "A": { "radius": 5, "f": 0.1 } }"#, "f"),
         (r#""loads": [ { "on": 4, "force": { "table": [[0, 1]] } } ]"#, "force"),
         (r#""springs": [ { "links": [1, 2], "stiffness": 1, "free": 0 } ]"#, "springs"),
     ] {
@@ -256,7 +255,7 @@ fn a_pin_of_several_links() {
 }
 
 /// A generator of numbers, the same on every machine.
-struct Dice(u64);
+pub(crate) struct Dice(u64);
 
 impl Dice {
     fn next(&mut self) -> f64 {
@@ -264,18 +263,18 @@ impl Dice {
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn within(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
         ((low + (high - low) * self.next()) * 1e4).round() / 1e4
     }
 
-    fn one_in(&mut self, sides: usize) -> bool {
+    pub(crate) fn one_in(&mut self, sides: usize) -> bool {
         self.next() * (sides as f64) < 1.0
     }
 }
 
 /// A random chain with masses, weights, loads and springs: a crank, and groups that hang on what stands, all by places.
-struct Chain {
-    dice: Dice,
+pub(crate) struct Chain {
+    pub(crate) dice: Dice,
     fixed: Vec<String>,
     placed: Vec<String>,
     links: Vec<String>,
@@ -289,7 +288,7 @@ struct Chain {
 }
 
 impl Chain {
-    fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         let mut chain = Self {
             dice: Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5151),
             fixed: vec![r#""O": [0, 0]"#.to_owned()],
@@ -361,7 +360,7 @@ impl Chain {
         at
     }
 
-    fn hang(&mut self, group: usize) {
+    pub(crate) fn hang(&mut self, group: usize) {
         let (from, at) = self.any_open();
         match (self.dice.next() * 4.0) as usize {
             0 | 1 => {
@@ -408,7 +407,7 @@ impl Chain {
         }
     }
 
-    fn text(&self, find: &[String]) -> String {
+    pub(crate) fn text(&self, find: &[String]) -> String {
         let find: Vec<String> = find.iter().map(|name| format!("\"{name}\"")).collect();
         format!(
             r#"{{ "fixed": {{ {} }}, "placed": {{ {} }}, "links": {{ {} }}, "slides": [ {} ],

@@ -23,6 +23,7 @@ mod examiner;
 mod extremes;
 mod forces;
 mod formats;
+mod friction;
 #[path = "goldens/main.rs"]
 mod goldens;
 mod grade;

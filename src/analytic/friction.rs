@@ -233,11 +233,11 @@ impl<'t> Acting<'t> {
     }
 
     /// The friction of a pair: the couple on the link that turns, or the force on the rider along its guide; against
-    /// the motion, so never with its sense.
-    fn friction(&self, index: usize, rubbing: &Rubbing) -> Var<'t> {
+    /// the motion, so never with its sense. None in a balance without friction.
+    fn friction(&self, index: usize, rubbing: &Rubbing) -> Option<Var<'t>> {
         let tape = self.real.tape;
-        let against =
-            tape.constant(-self.strength.senses.get(index).copied().unwrap_or(0.0) * self.strength.part);
+        let sense = *self.strength.senses.get(index)?;
+        let against = tape.constant(-sense * self.strength.part);
         let size = match rubbing.place {
             Place::Pin { link, carrier, circle } => {
                 let zero = tape.constant(0.0);
@@ -284,7 +284,7 @@ impl<'t> Acting<'t> {
                 }
             }
         };
-        size * against
+        Some(size * against)
     }
 
     /// The place of a pair among the sliding ones whose guides are rough.
@@ -303,8 +303,7 @@ impl<'t> Acting<'t> {
             if !rubbing.bodies().contains(&body) {
                 continue;
             }
-            let moved = rubbing.moved(&virtually).d;
-            let work = self.friction(index, rubbing) * moved;
+            let work = self.friction(index, rubbing)? * rubbing.moved(&virtually).d;
             sum = Some(match sum {
                 Some(sum) => sum + work,
                 None => work,
@@ -328,7 +327,7 @@ impl<'t> Acting<'t> {
                 continue;
             }
             let sign = self.real.tape.constant(if body == moving { 1.0 } else { -1.0 });
-            let size = self.friction(index, rubbing) * sign;
+            let size = self.friction(index, rubbing)? * sign;
             let wrench = match &rubbing.place {
                 Place::Pin { .. } => [zero, zero, size],
                 Place::Slide { rider, track, .. } => {
@@ -357,9 +356,10 @@ impl<'t> Acting<'t> {
     /// The power of all friction, never positive.
     pub(super) fn friction_power(&self) -> Option<Var<'t>> {
         let rubbing = self.burden.rubbing.iter().enumerate();
-        let parts =
-            rubbing.map(|(index, rubbing)| self.friction(index, rubbing) * rubbing.moved(&self.real).d);
-        parts.reduce(|a, b| a + b)
+        let part = |(index, rubbing): (usize, &Rubbing)| {
+            Some(self.friction(index, rubbing)? * rubbing.moved(&self.real).d)
+        };
+        rubbing.filter_map(part).reduce(|a, b| a + b)
     }
 }
 
@@ -556,8 +556,11 @@ pub(super) fn balance(
     for index in 0..system.blocks.len() {
         let entries = &system.entries;
         let error = |row: usize, column: usize| {
-            let value = entries[row].iter().find(|(at, _)| *at == column).map_or(0.0, |(_, value)| *value);
-            known.errors.get(&(row, column)).copied().unwrap_or(0.0) + OF_FRICTION * U * value.abs()
+            let of_friction = entries[row].iter().filter(|(at, _)| *at == column);
+            let of_friction: f64 = of_friction.map(|(_, value)| OF_FRICTION * U * value.abs()).sum();
+            // A balance that does not hang on the unknown but by friction.
+            let given = known.errors.get(&(row, column)).into_iter().sum::<f64>();
+            given + of_friction
         };
         let regular = system.is_regular(index, error);
         if !regular {

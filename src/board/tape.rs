@@ -216,6 +216,13 @@ impl Tape {
         Self { judges: false, ..Self::default() }
     }
 
+    /// Whether the drawing will be run for other places, so that what is decided by looking holds there only where the
+    /// tape itself says so.
+    #[must_use]
+    pub fn will_be_run(&self) -> bool {
+        self.keeps && !self.judges
+    }
+
     /// A tape on which one stroke will be moved as it is drawn.
     #[must_use]
     pub fn nudged(nudge: Nudge) -> Self {

@@ -7,7 +7,7 @@
 use std::f64::consts::TAU;
 
 use crate::analytic::{self, AnalyticError};
-use crate::mechanism::quantity::{Answer, Quantity};
+use crate::mechanism::quantity::{Answer, Indeterminate, Quantity, Stuck};
 use crate::sweep::{EventKind, Sweep};
 
 /// A sweep is compared at so many positions at most.
@@ -45,6 +45,13 @@ pub enum SweepUnconfirmed {
         at: f64,
         /// Why.
         why: AnalyticError,
+    },
+    /// The sweep has a number where friction lets no balance exist, or more than one.
+    Stuck {
+        /// Where, SI units.
+        at: f64,
+        /// Which pairs rub.
+        why: String,
     },
 }
 
@@ -110,6 +117,9 @@ fn confirm_at(sweep: &Sweep, at: f64) -> Result<(), SweepUnconfirmed> {
         let (analytic, bound) = match (answer, column.axis) {
             (Answer::Scalar { value, bound }, None) => (*value, *bound),
             (Answer::Vector { value, bound }, Some(axis)) => (value[axis], *bound),
+            (Answer::Indeterminate(Indeterminate::Rubbing { how, why }), _) if *how != Stuck::AtRest => {
+                return Err(SweepUnconfirmed::Stuck { at, why: why.clone() });
+            }
             // At infinity, or not determined: the sweep has no number there either, or one that says so by its error.
             _ => continue,
         };

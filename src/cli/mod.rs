@@ -235,6 +235,9 @@ enum Command {
         /// Writes what the independent solver does not confirm, with a note that says so
         #[arg(long)]
         unchecked: bool,
+        /// Whether pairs rub, in a scene that says how
+        #[arg(long, value_enum, default_value_t = Friction::On)]
+        friction: Friction,
         /// Only these of the asked quantities, such as v(B),a(D)
         #[arg(long, value_name = "NAMES")]
         only: Option<String>,
@@ -324,6 +327,15 @@ enum Command {
         #[arg(value_enum, default_value_t = SchemaOf::Scene)]
         of: SchemaOf,
     },
+}
+
+/// Whether pairs rub.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Friction {
+    /// As the scene says.
+    On,
+    /// Nothing rubs.
+    Off,
 }
 
 /// What a JSON Schema is of.
@@ -548,13 +560,27 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             against,
             bounds,
             unchecked,
+            friction,
             only,
             lang,
             output,
         } => {
             let over = against.over();
-            let job =
-                sweep::Job { scene, steps, tolerance, from, to, over, bounds, unchecked, only, lang, output };
+            let rubs = friction == Friction::On;
+            let job = sweep::Job {
+                scene,
+                steps,
+                tolerance,
+                from,
+                to,
+                over,
+                bounds,
+                unchecked,
+                rubs,
+                only,
+                lang,
+                output,
+            };
             sweep::run(&job)
         }
         Command::Golden { action: GoldenAction::Check { folder, names, report, junit, json } } => {

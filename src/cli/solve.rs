@@ -11,6 +11,7 @@ use crate::check::{Agreement, Compared};
 use crate::double_double::DoubleDouble;
 use crate::graphical::construction::Fine;
 use crate::graphical::{Draughtsmen, HandError};
+use crate::mechanism::friction::{Rub, RubbedBy, RubbingPair};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity};
 use crate::plan::Extent;
 use crate::report::{short, significant, two_digits};
@@ -272,6 +273,11 @@ fn object(
         "quantities": quantities,
         "agreement": verdict_of,
     });
+    let sheet = solved.solution.construction.forces.as_ref().filter(|sheet| !sheet.rubs.is_empty());
+    if let (Some(sheet), Some(map)) = (sheet, object.as_object_mut()) {
+        let rubs = sheet.rubs.iter().map(|touch| friction(&touch.rub, scene, sheet.passes));
+        map.insert("friction".to_owned(), rubs.collect());
+    }
     if let (Some(power), Some(map)) = (&agreement.power, object.as_object_mut()) {
         let unit = &scene.units.power;
         let watts = |x: f64| json!(x / unit.si);
@@ -289,6 +295,30 @@ fn object(
         map.insert("power".to_owned(), told);
     }
     object
+}
+
+/// What rubs: where, in which sense it moves, by how much its force leans or misses the pin.
+fn friction(rub: &Rub, scene: &Scene, passes: usize) -> Value {
+    let m = &scene.mechanism;
+    let number = |link: crate::mechanism::LinkId| m.link(link).number;
+    let (at, between, sense) = match rub.pair {
+        RubbingPair::Pin { pin, carrier, link } => {
+            let sense = if rub.forward { "ccw" } else { "cw" };
+            (m.point(pin).name.clone(), json!([number(carrier), number(link)]), sense)
+        }
+        RubbingPair::Slide(slide) => {
+            let at = m.rubbing_point(slide).map(|point| m.point(point).name.clone());
+            let sense = if rub.forward { "forward" } else { "backward" };
+            let links: Vec<u32> = m.rubbing_links(rub.pair).into_iter().map(number).collect();
+            (at.unwrap_or_default(), json!(links), sense)
+        }
+    };
+    let (key, value) = match rub.by {
+        RubbedBy::Circle(radius) => ("circle", radius / scene.units.length.si),
+        RubbedBy::Angle(angle) => ("angle_deg", angle.to_degrees()),
+        RubbedBy::Drag(force) => ("drag", force / scene.units.force.si),
+    };
+    json!({ "at": at, "between": between, "sense": sense, key: value, "passes": passes })
 }
 
 fn quantity(compared: &Compared, length: f64) -> Value {

@@ -11,6 +11,7 @@ use super::{Ending, Failure, print, read_scene};
 use crate::check::{SweepUnconfirmed, confirm_sweep};
 use crate::files;
 use crate::live::{Live, LiveError};
+use crate::mechanism::friction::Friction;
 use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
 use crate::render::{self, Format};
 use crate::report::{diagnose, short};
@@ -35,6 +36,7 @@ pub(super) struct Job {
     pub(super) over: Over,
     pub(super) bounds: bool,
     pub(super) unchecked: bool,
+    pub(super) rubs: bool,
     pub(super) only: Option<String>,
     pub(super) lang: Option<String>,
     pub(super) output: Vec<PathBuf>,
@@ -78,6 +80,9 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let (file, mut scene) = read_scene(&job.scene)?;
     if let Some(names) = &job.only {
         choose(&mut scene, names)?;
+    }
+    if !job.rubs {
+        scene.mechanism.forces.friction = Friction::default();
     }
     let scene = &scene;
     let language = match &job.lang {
@@ -313,6 +318,7 @@ impl Report<'_> {
             SweepUnconfirmed::Refused { at, why } => {
                 format!("at {} the independent solver refuses: {why}", self.place(*at))
             }
+            SweepUnconfirmed::Stuck { at, why } => format!("at {} {why}", self.place(*at)),
             SweepUnconfirmed::Number(number) => {
                 let unit = self.unit_of(number.column);
                 let told = |value: f64| format!("{} {}", short(value / unit.si), unit.symbol);

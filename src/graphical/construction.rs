@@ -8,6 +8,7 @@ use std::fmt;
 
 use crate::double_double::DoubleDouble;
 use crate::mechanism::force::{Action, Force};
+use crate::mechanism::friction::Rub;
 use crate::mechanism::quantity::{Answer, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, Mechanism, PointId};
@@ -70,6 +71,58 @@ pub struct ForceSheet {
     pub whole: Vec<Acting>,
     /// The inertia forces, whose sum shakes the frame; empty where not all were needed.
     pub inertia: Vec<Acting>,
+    /// What rubs, and in which sense, each with the force that leans or touches its circle.
+    pub rubs: Vec<Touch>,
+    /// How often the forces were drawn again because they lean and touch circles.
+    pub passes: usize,
+}
+
+/// A force with friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// The pair, and how it moves.
+    pub rub: Rub,
+    /// On which link the force acts, and of which.
+    pub between: [LinkId; 2],
+    /// The pin, metres from the skeleton's origin.
+    pub at: [f64; 2],
+    /// A point of the line of the force.
+    pub through: [f64; 2],
+    /// Newtons.
+    pub force: [f64; 2],
+    /// The direction of a guide; none of a pin.
+    pub along: Option<[f64; 2]>,
+}
+
+/// The tangent of two friction circles along which the force of a link with two pins runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrictionAxis {
+    /// Both circles lie on one side of it.
+    Outer,
+    /// It runs between them.
+    Inner,
+}
+
+impl ForceSheet {
+    /// The friction axis of a link on which nothing acts but the forces of two pins that rub.
+    #[must_use]
+    pub fn friction_axis(&self, body: &FreeBody) -> Option<FrictionAxis> {
+        let circles: Vec<&Touch> = self
+            .rubs
+            .iter()
+            .filter(|touch| touch.along.is_none() && touch.between.contains(&body.link))
+            .collect();
+        let [first, second] = circles[..] else { return None };
+        if body.acting.len() != 2 || !body.torques.is_empty() {
+            return None;
+        }
+        // On which side of the one line each pin lies.
+        let side = |touch: &Touch| {
+            let [fx, fy] = first.force;
+            fx * (touch.at[1] - touch.through[1]) - fy * (touch.at[0] - touch.through[0])
+        };
+        Some(if side(first) * side(second) > 0.0 { FrictionAxis::Outer } else { FrictionAxis::Inner })
+    }
 }
 
 /// A link cut free.

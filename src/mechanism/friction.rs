@@ -241,6 +241,16 @@ impl Mechanism {
         }
     }
 
+    /// The name of the point by which one tells a pair that rubs.
+    #[must_use]
+    pub fn rubbing_name(&self, pair: RubbingPair) -> Option<&str> {
+        let point = match pair {
+            RubbingPair::Pin { pin, .. } => Some(pin),
+            RubbingPair::Slide(slide) => self.rubbing_point(slide),
+        };
+        point.map(|point| self.point(point).name.as_str())
+    }
+
     /// The pin of a slide, or the first joint of the link that slides.
     #[must_use]
     pub fn rubbing_point(&self, slide: usize) -> Option<PointId> {

@@ -4,6 +4,7 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Dash, Group, Mark, Pen, Shape, Tone};
+use super::friction;
 use super::human;
 use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, page};
 use super::labels::{Request, Site, place};
@@ -11,7 +12,7 @@ use super::notation::Notation;
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay};
 use super::steps::Item;
-use crate::graphical::construction::{Acting, Construction, ForceSheet, FreeBody, Knowledge};
+use crate::graphical::construction::{Acting, Construction, ForceSheet, FreeBody, FrictionAxis, Knowledge};
 use crate::mechanism::LinkId;
 use crate::mechanism::force::{Action, Force, Share};
 use crate::mechanism::quantity::Quantity;
@@ -42,6 +43,8 @@ pub enum ForcePanel {
     Whole,
     /// The inertia forces and their sum.
     Shaking,
+    /// A pair that rubs, enlarged, by its place among those that do.
+    Friction(usize),
 }
 
 impl ForcePanel {
@@ -58,6 +61,7 @@ impl ForcePanel {
                 all.push(Self::Polygon(index));
             }
         }
+        all.extend(friction::panels(sheet).map(Self::Friction));
         if chain(&sheet.whole).is_some() {
             all.push(Self::Whole);
         }
@@ -75,6 +79,10 @@ impl ForcePanel {
             (_, "forces") | (Self::Loads, "loads") | (Self::Shaking, "shaking") => true,
             (Self::Body(_), "bodies") | (Self::Polygon(_), "polygons") | (Self::Whole, "polygon(all)") => {
                 true
+            }
+            (Self::Friction(index), name) => {
+                let point = friction::point(index, sheet, notation.mechanism());
+                name == "friction" || point.is_some_and(|point| name == format!("friction({point})"))
             }
             (Self::Body(index), name) => link(index).is_some_and(|link| name == format!("body({link})")),
             (Self::Polygon(index), name) => {
@@ -98,6 +106,7 @@ impl ForcePanel {
             Self::Polygon(index) => Rich::fill(words.force_polygon_figure, &link(index)),
             Self::Whole => Rich::upright(words.outer_forces_figure),
             Self::Shaking => Rich::upright(words.shaking_figure),
+            Self::Friction(index) => friction::title(index, sheet, notation),
         }
     }
 
@@ -105,6 +114,7 @@ impl ForcePanel {
     #[must_use]
     pub fn scale(self, sheet: &ForceSheet, notation: &Notation<'_>) -> Option<Rich> {
         match self {
+            Self::Friction(index) => friction::scale(index, sheet, notation),
             Self::Polygon(_) | Self::Whole | Self::Shaking => {
                 let unit = &notation.scene.units.force;
                 let value = human::with_unit(&human::stated(per_mm(sheet) * 10.0 / unit.si), &unit.symbol);
@@ -123,6 +133,7 @@ impl ForcePanel {
         notation: &Notation<'_>,
     ) -> Option<Group> {
         match self {
+            Self::Friction(index) => friction::draw(index, sheet, notation),
             Self::Loads => Some(loads(sheet, construction, notation)),
             Self::Body(index) => Some(body(sheet.bodies.get(index)?, sheet, construction, notation)),
             Self::Polygon(index) => {
@@ -191,7 +202,7 @@ fn largest(acting: &[Acting]) -> f64 {
     acting.iter().map(|a| libm::hypot(a.force[0], a.force[1])).fold(0.0, f64::max)
 }
 
-fn symbol(action: Action, notation: &Notation<'_>) -> Rich {
+pub(super) fn symbol(action: Action, notation: &Notation<'_>) -> Rich {
     notation.symbol(Quantity::Force(Force::Vector(action), Share::Total), false)
 }
 
@@ -243,6 +254,9 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
     let most = largest(&all);
     skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
         let mut overlay = Overlay { ink: Group::new("forces"), ..Overlay::default() };
+        for link in notation.mechanism().moving() {
+            friction::circles_on(&mut overlay.ink, link, sheet, construction, notation);
+        }
         for acting in &all {
             let (at, through) = (on_page(acting.at, construction), on_page(acting.through, construction));
             if at.distance(through) > 1.0 {
@@ -301,6 +315,7 @@ fn body(body: &FreeBody, sheet: &ForceSheet, construction: &Construction, notati
             "label point-name",
         ));
     }
+    friction::circles_on(&mut group, body.link, sheet, construction, notation);
     let everything: Vec<Acting> = sheet.bodies.iter().flat_map(|body| body.acting.clone()).collect();
     let most = largest(&everything);
     for acting in &body.acting {
@@ -522,5 +537,19 @@ pub fn items(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -> Vec<I
     if !found.is_empty() {
         items.push(Item::Sentence(Rich::join(&found, &Rich::upright(words.comma)).up(".")));
     }
+    if let Some(axis) = sheet.friction_axis(body) {
+        let template = match axis {
+            FrictionAxis::Outer => words.friction_axis_outer,
+            FrictionAxis::Inner => words.friction_axis_inner,
+        };
+        let link = [("link", Rich::upright(notation.number(body.link)))];
+        items.push(Item::Sentence(Rich::fill(template, &link)));
+    }
     items
+}
+
+/// What is told of a pair that rubs.
+#[must_use]
+pub fn friction_items(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -> Vec<Item> {
+    friction::items(index, sheet, notation)
 }

@@ -6,6 +6,7 @@ use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
 use crate::mechanism::force::{Force, Heaviness, Inertia, Load, LoadKind, Pointing, Size, SpringLaw};
+use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::{
@@ -401,6 +402,44 @@ impl Teller<'_> {
                     parts.push(self.equals(symbol("F"), &human::stated_quantity(force.value, &units.force)));
                 }
                 SpringLaw::Force(_) => {}
+            }
+        }
+        self.friction(parts);
+    }
+
+    /// What rubs: f or φ of pins and guides, the radius of a circle that is given, a constant drag.
+    fn friction(&self, parts: &mut Vec<Rich>) {
+        let mechanism = self.n.mechanism();
+        let friction = &mechanism.forces.friction;
+        let rough = |roughness: Roughness, place: &str| match roughness {
+            Roughness::Coefficient(f) => self.equals(Rich::italic("f").sub(place), &human::stated(f.value)),
+            Roughness::Angle(angle) => {
+                self.equals(Rich::italic("φ").sub(place), &human::degrees(angle.value))
+            }
+        };
+        for rubbing in &friction.pins {
+            let place = self.n.index(rubbing.pin);
+            match rubbing.circle {
+                FrictionCircle::Radius(radius) => {
+                    let symbol = Rich::italic("r").sub(&format!("f,{place}"));
+                    parts.push(self.equals(symbol, &self.length(radius.value)));
+                }
+                FrictionCircle::Journal { radius, roughness } => {
+                    parts.push(self.equals(Rich::italic("r").sub(&place), &self.length(radius.value)));
+                    parts.push(rough(roughness, &place));
+                }
+            }
+        }
+        for rubbing in &friction.slides {
+            let guide = self.n.number(mechanism.slides[rubbing.slide].guide.link);
+            let point = mechanism.rubbing_point(rubbing.slide).map(|point| self.n.index(point));
+            let place = point.map_or(guide.clone(), |point| format!("{guide}{point}"));
+            if let Some(roughness) = rubbing.resistance.roughness() {
+                parts.push(rough(roughness, &place));
+            }
+            if let Some(drag) = rubbing.resistance.drag() {
+                let size = human::stated_quantity(drag.value, &self.n.scene.units.force);
+                parts.push(self.equals(Rich::italic("D").sub(&place), &size));
             }
         }
     }

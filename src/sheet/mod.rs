@@ -21,6 +21,7 @@ pub mod figure;
 pub mod font;
 mod force_names;
 mod forces;
+mod friction;
 mod given;
 mod grid;
 mod growth;

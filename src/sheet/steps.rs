@@ -145,6 +145,10 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             let items = super::forces::items(index, sheet, notation);
             more(Panel::Force(super::forces::ForcePanel::Body(index)), unnumbered(items));
         }
+        for index in super::friction::panels(sheet) {
+            let items = super::forces::friction_items(index, sheet, notation);
+            more(Panel::Force(super::forces::ForcePanel::Friction(index)), unnumbered(items));
+        }
     }
     all.retain(|told| !told.items.is_empty());
     all

@@ -27,7 +27,7 @@ pub fn figure_head(name: &str) -> &str {
 }
 
 /// The figures of forces.
-const FORCES: [&str; 7] = ["forces", "loads", "bodies", "body", "polygons", "polygon", "shaking"];
+const FORCES: [&str; 8] = ["forces", "loads", "bodies", "body", "polygons", "polygon", "shaking", "friction"];
 
 /// Whether a figure shows forces.
 #[must_use]
@@ -41,6 +41,11 @@ fn of_forces(name: &str, scene: &Scene) -> Result<(), String> {
     let takes = matches!(head, "body" | "polygon");
     let inside = name.trim().split_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).map(str::trim);
     match (takes, inside) {
+        (false, Some(point)) if head == "friction" => {
+            let pairs = scene.mechanism.rubbing_pairs();
+            let rubs = pairs.iter().any(|pair| scene.mechanism.rubbing_name(*pair) == Some(point));
+            if rubs { Ok(()) } else { Err(format!("figure {name}: nothing rubs at {point}")) }
+        }
         (true, Some("all")) if head == "polygon" => Ok(()),
         (true, Some(link)) => match link.parse().ok().and_then(|n| scene.mechanism.link_numbered(n)) {
             Some(_) => Ok(()),

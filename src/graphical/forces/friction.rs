@@ -25,6 +25,11 @@ const MOST_PASSES: usize = 60;
 /// Before the last pass, a force below this part of the largest one has no direction to go by.
 const FAINT: f64 = 1e-9;
 
+/// A drawing that is run for other places has so many passes more than its own place needs, and there counts as settled
+/// only where the last of them turns no force by more than `TURNED`, radians.
+const MORE_PASSES: usize = 2;
+const TURNED: f64 = 1e-6;
+
 /// What rubs in a drawing.
 #[derive(Debug, Clone)]
 pub(super) enum Rubbed {
@@ -48,6 +53,17 @@ pub(super) struct Leaning {
     passes: usize,
     /// What rubs, for the record.
     rubs: Vec<Rub>,
+    /// What the pass went by, by the place of the pair.
+    seen: BTreeMap<usize, Seen>,
+}
+
+/// What a pass goes by.
+#[derive(Debug, Clone, Copy)]
+enum Seen {
+    /// Where the force of a pin points.
+    Toward(Direction),
+    /// How hard, and on which side, a guide presses.
+    Pressing(Amount),
 }
 
 impl Leaning {
@@ -66,7 +82,8 @@ impl Leaning {
 
 /// What a pass looks at to see whether forces have moved: direction and size of the force of each pair.
 struct Look {
-    forces: Vec<[f64; 2]>,
+    /// None where no polygon leads to it.
+    forces: Vec<Option<[f64; 2]>>,
     largest: f64,
 }
 
@@ -77,17 +94,28 @@ impl Look {
         let pairs = self.forces.iter().zip(&before.forces);
         pairs
             .map(|(now, then)| {
+                let (Some(now), Some(then)) = (now, then) else { return 0.0 };
+                // What was too faint to go by has just begun to lean.
+                if before.is_faint(*then) && !self.is_faint(*now) {
+                    return std::f64::consts::PI;
+                }
                 let (cross, dot) = (then[0] * now[1] - then[1] * now[0], then[0] * now[0] + then[1] * now[1]);
                 libm::atan2(cross, dot).abs()
             })
             .collect()
     }
 
+    /// Whether a force has no direction to go by.
+    fn is_faint(&self, [x, y]: [f64; 2]) -> bool {
+        libm::hypot(x, y) <= FAINT * self.largest
+    }
+
     /// The largest turn of a force that counts: what a turn does to a moment is of second order in it and of first in
     /// the force.
     fn moved(&self, turns: &[f64]) -> f64 {
         let weight = |force: &[f64; 2]| libm::sqrt(libm::hypot(force[0], force[1]) / self.largest);
-        let counted = self.forces.iter().zip(turns).map(|(force, turn)| weight(force) * turn);
+        let counted = self.forces.iter().zip(turns);
+        let counted = counted.filter_map(|(force, turn)| Some(weight(force.as_ref()?) * turn));
         if self.largest == 0.0 { 0.0 } else { counted.fold(0.0, f64::max) }
     }
 }
@@ -116,15 +144,19 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         Arithmetic::DoubleDouble | Arithmetic::Wide => 64.0 * f64::EPSILON,
     };
     let mut before: Option<Look> = None;
+    let mut more = if d.board.tape().will_be_run() { MORE_PASSES } else { 0 };
     for pass in 1..=MOST_PASSES {
         if balance.refused.is_some() {
             return balance;
         }
         let look = d.look_at(&balance, &rubbed);
         let turns = before.as_ref().map(|before| look.turned_since(before));
-        let last = turns.as_ref().is_some_and(|turns| look.moved(turns) <= settled);
+        let is_settled = turns.as_ref().is_some_and(|turns| look.moved(turns) <= settled);
+        let last = is_settled && more == 0;
+        more -= usize::from(is_settled && more > 0);
+        let gone_by = std::mem::take(&mut leaning.seen);
         leaning = Leaning { passes: pass, ..fresh.clone() };
-        d.lean(&mut leaning, &balance, &rubbed, (&look, turns.as_deref().filter(|_| last)));
+        d.lean(&mut leaning, &balance, &rubbed, (&look, turns.as_deref().filter(|_| last)), &gone_by);
         balance = super::whole(d, plan, share, &leaning);
         if last {
             return balance;
@@ -284,14 +316,14 @@ impl Draughtsman<'_> {
         let all = balance.of_pins.values().copied().chain(balance.slides.values().map(|force| force.pull));
         let largest = all.map(|pull| vector(pull)).fold(0.0_f64, |most, [x, y]| most.max(libm::hypot(x, y)));
         let forces = rubbed.iter().map(|rub| {
-            let [x, y] = self.force_of(balance, rub).map_or([0.0; 2], vector);
-            match rub {
+            let [x, y] = vector(self.force_of(balance, rub)?);
+            Some(match rub {
                 Rubbed::Pin { .. } => [x, y],
                 Rubbed::Slide { normal, .. } => {
                     let [nx, ny] = normal.value();
                     [x * nx + y * ny, 0.0]
                 }
-            }
+            })
         });
         Look { forces: forces.collect(), largest }
     }
@@ -304,22 +336,34 @@ impl Draughtsman<'_> {
         balance: &Balance,
         rubbed: &[Rubbed],
         (look, turns): (&Look, Option<&[f64]>),
+        gone_by: &BTreeMap<usize, Seen>,
     ) {
+        let guards = turns.is_some() && self.board.tape().will_be_run();
         for (index, rub) in rubbed.iter().enumerate() {
-            let [x, y] = look.forces[index];
-            let size = libm::hypot(x, y);
-            if size == 0.0 || (turns.is_none() && size <= FAINT * look.largest) {
+            let Some([x, y]) = look.forces[index] else { continue };
+            if (x == 0.0 && y == 0.0) || (turns.is_none() && look.is_faint([x, y])) {
                 continue;
             }
             let Some(pull) = self.force_of(balance, rub) else { continue };
             match rub {
                 Rubbed::Pin { pin, carrier, link, radius } => {
-                    let turn = turns.map_or(0.0, |turns| turns[index]);
-                    let room = Given::within(1.0, (0.5 * turn * turn).min(2.0));
-                    let room = self.board.amount(room);
-                    let radius = if turn == 0.0 { *radius } else { self.board.product(*radius, room) };
+                    let mut turn = match turns {
+                        Some(turns) => turns[index],
+                        // Before the last pass nothing is left to be done by further ones.
+                        None => 0.0,
+                    };
                     let reason = self.reason(&[*carrier, *link]);
                     let (along, _) = self.board.toward(pull.tail, pull.head, reason);
+                    let mut radius = *radius;
+                    if let (true, Some(Seen::Toward(then))) = (guards, gone_by.get(&index)) {
+                        radius = self.unturned(radius, *then, along);
+                        turn = TURNED;
+                    }
+                    leaning.seen.insert(index, Seen::Toward(along));
+                    if turn != 0.0 {
+                        let room = self.board.amount(Given::within(1.0, (0.5 * turn * turn).min(2.0)));
+                        radius = self.board.product(radius, room);
+                    }
                     let left = self.board.quarter_turn(along);
                     let scale = self.length_scale();
                     let mm = self.board.to_paper(radius, scale);
@@ -342,6 +386,12 @@ impl Draughtsman<'_> {
                     let Some(tangent) = *tangent else { continue };
                     let parts = self.components_of(pull);
                     let pressing = self.part_along(parts, *normal);
+                    let mut tangent = tangent;
+                    if let (true, Some(Seen::Pressing(then))) = (guards, gone_by.get(&index)) {
+                        let same = self.board.product(pressing, *then);
+                        tangent = self.only_where(tangent, same);
+                    }
+                    leaning.seen.insert(index, Seen::Pressing(pressing));
                     let reason = self.reason_missing(Missing::Side(pair));
                     let sense = self.board.in_sense_of(tangent, pressing, reason);
                     // Against the sliding: the leg along the guide is laid off backwards.
@@ -361,6 +411,30 @@ impl Draughtsman<'_> {
                 }
             }
         }
+    }
+
+    /// An amount where another one is positive; elsewhere whatever is read from it is refused.
+    fn only_where(&mut self, amount: Amount, positive: Amount) -> Amount {
+        let reason = self.reason_missing(Missing::Balance);
+        let one = self.board.amount(Given::exact(1.0));
+        let sense = self.board.in_sense_of(one, positive, reason);
+        // Two, or nothing.
+        let both = self.board.sum(one, sense);
+        let twice = self.board.product(amount, both);
+        self.board.quotient(twice, both, reason)
+    }
+
+    /// An amount where a direction has not turned by more than the last pass may turn it.
+    fn unturned(&mut self, amount: Amount, then: Direction, now: Direction) -> Amount {
+        let unit = self.board.amount(Given::exact(1.0));
+        let [x, y] = self.board.components(then, unit);
+        let [nx, ny] = self.board.components(now, unit);
+        let (ccw, cw) = (self.board.product(x, ny), self.board.product(y, nx));
+        let sine = self.board.difference(ccw, cw);
+        let square = self.board.product(sine, sine);
+        let most = self.board.amount(Given::exact(TURNED * TURNED));
+        let room = self.board.difference(most, square);
+        self.only_where(amount, room)
     }
 
     /// Notes where the force between a pin and a link acts; at a pin of two links that is one force.

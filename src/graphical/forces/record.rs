@@ -1,11 +1,12 @@
 //! What the balance leaves on the paper: the free bodies in the order of solution, and the whole.
 
 use crate::mechanism::force::{Action, Force, LoadKind, Party, Share, Sought, SpringKind};
+use crate::mechanism::friction::{Rub, RubbingPair};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
-use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge};
+use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge, Touch};
 use super::super::draughtsman::Draughtsman;
 
 /// A line of inertia farther off than this part of the skeleton's size has no room on the paper.
@@ -17,6 +18,8 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     if balance.refused.is_some() {
         return None;
     }
+    let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
+    let rubs = rubs.into_iter().filter_map(|rub| d.touching(rub)).collect();
     let mut bodies = Vec::new();
     for &group in plan.forces.groups.iter().rev() {
         let mut links = d.structure.groups[group].links.clone();
@@ -36,7 +39,7 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         }
         false => Vec::new(),
     };
-    (!bodies.is_empty()).then_some(ForceSheet { bodies, whole, inertia })
+    (!bodies.is_empty()).then_some(ForceSheet { bodies, whole, inertia, rubs, passes })
 }
 
 /// The forces of a sheet, each once, as quantities.
@@ -76,6 +79,29 @@ impl Draughtsman<'_> {
         let per_mm = self.length_scale().si_per_mm;
         let [at, foot] = [at, foot].map(|place| place.map(|mm| mm * per_mm));
         Some(Acting { action, at, through: if with_couple { at } else { foot }, force, known, with_couple })
+    }
+
+    /// The force of a pair that rubs, as it stands on the paper.
+    fn touching(&mut self, rub: Rub) -> Option<Touch> {
+        let m = self.mechanism;
+        let (action, between, point, along) = match rub.pair {
+            RubbingPair::Pin { pin, carrier, link } => (Action::OfPin(pin, link), [link, carrier], pin, None),
+            RubbingPair::Slide(slide) => {
+                let point = m.rubbing_point(slide)?;
+                let guide = m.slides[slide].guide.link;
+                let at = self.at(point);
+                let (along, _) = self.guide_at(slide, at);
+                let (action, on) = match m.party_of(&m.slides[slide].rider) {
+                    Party::Link(rider) => (Action::Pair { by: guide, on: rider }, rider),
+                    Party::Pin(pin) => (Action::OnPin(guide, pin), *m.point(pin).links.first()?),
+                };
+                (action, [on, guide], point, Some(along.value()))
+            }
+        };
+        let acting = self.acting(action, Knowledge::Line)?;
+        let per_mm = self.length_scale().si_per_mm;
+        let at = self.at(point).value().map(|mm| mm * per_mm);
+        Some(Touch { rub, between, at, through: acting.through, force: acting.force, along })
     }
 
     /// The larger side of the skeleton, paper millimetres.
