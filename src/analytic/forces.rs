@@ -79,7 +79,10 @@ impl State {
             return undefined("forces were not solved");
         };
         let Some((_, balance)) = self.balances.iter().find(|(of, _)| *of == share) else {
-            return undefined("this part of the forces was not solved");
+            return match &self.stuck {
+                Some(stuck) => Err(stuck.clone()),
+                None => undefined("this part of the forces was not solved"),
+            };
         };
         let (order, solved) = (self.motion_order(), self.solved.as_ref());
         let moves = order >= 2;

@@ -84,6 +84,9 @@ pub enum AnalyticError {
         /// Why not, one clause.
         why: String,
     },
+    /// A load against the motion of a point at rest, or a spring without length: it points nowhere.
+    #[error("a force points along a line without length")]
+    Directionless,
     /// The mechanism is not one: an index out of range, a dimension of zero, a point without coordinates.
     #[error("not a mechanism: {what}")]
     Malformed {

@@ -42,7 +42,7 @@ pub struct State {
     pub(super) burden: Option<Burden>,
     /// The balance of each share that was asked.
     pub(super) balances: Vec<(Share, Balance)>,
-    /// Why friction leaves no force of a pair.
+    /// Why friction, or a load that points nowhere, leaves no force of a pair.
     pub(super) stuck: Option<Indeterminate>,
 }
 
@@ -105,12 +105,19 @@ impl State {
                     let solved = state.solved.as_ref();
                     let balancing = Balancing::new(&state.model, burden, &state.located, solved, share);
                     let found = if burden.rubbing.is_empty() {
-                        balance(&balancing)?
+                        balance(&balancing).map(|found| (found, None))
                     } else {
-                        let (found, why) = state.rubbed(&balancing)?;
-                        stuck = stuck.or(why);
-                        found
+                        state.rubbed(&balancing)
                     };
+                    let (found, why) = match found {
+                        // Not a fault of the mechanism, but of this position.
+                        Err(error @ AnalyticError::Directionless) => {
+                            stuck = Some(Indeterminate::Undefined { why: error.to_string() });
+                            continue;
+                        }
+                        found => found?,
+                    };
+                    stuck = stuck.or(why);
                     balances.push((share, found));
                 }
             }

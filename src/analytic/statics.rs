@@ -704,9 +704,7 @@ impl<'a> Balancing<'a> {
                 }
                 let linear = tape.sweep(sum);
                 let sound = !tape.broken() && linear.value.is_finite() && linear.rounding.is_finite();
-                sound.then_some(linear).ok_or_else(|| AnalyticError::Malformed {
-                    what: "a force points along a line without length".into(),
-                })
+                sound.then_some(linear).ok_or(AnalyticError::Directionless)
             })
             .collect()
     }

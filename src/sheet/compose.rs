@@ -79,6 +79,7 @@ pub const fn figure_names() -> &'static [&'static str] {
         "polygons",
         "polygon",
         "shaking",
+        "friction",
     ]
 }
 
