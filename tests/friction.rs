@@ -202,9 +202,7 @@ fn four_bars_are_what_newton_and_euler_say() {
     for _ in 0..200 {
         let couple = |pair: usize| {
             let (by, on, _) = pairs[pair];
-            -circles[pair]
-                * libm::hypot(x[2 * pair], x[2 * pair + 1])
-                * (omegas[on] - omegas[by] as f64).signum()
+            -circles[pair] * libm::hypot(x[2 * pair], x[2 * pair + 1]) * (omegas[on] - omegas[by]).signum()
         };
         let couples: Vec<f64> = (0..4).map(couple).collect();
         let mut rows = vec![vec![0.0; 10]; 9];

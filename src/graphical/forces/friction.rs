@@ -314,7 +314,7 @@ impl Draughtsman<'_> {
             [x - from_x, y - from_y]
         };
         let all = balance.of_pins.values().copied().chain(balance.slides.values().map(|force| force.pull));
-        let largest = all.map(|pull| vector(pull)).fold(0.0_f64, |most, [x, y]| most.max(libm::hypot(x, y)));
+        let largest = all.map(vector).fold(0.0_f64, |most, [x, y]| most.max(libm::hypot(x, y)));
         let forces = rubbed.iter().map(|rub| {
             let [x, y] = vector(self.force_of(balance, rub)?);
             Some(match rub {
