@@ -17,8 +17,8 @@ use crate::mechanism::Mechanism;
 use crate::mechanism::force::{Action, Through};
 use crate::mechanism::friction::{RubbedBy, RubbingPair};
 
-/// Radius of an enlarged friction circle, mm.
-const CIRCLE: f64 = 9.0;
+/// Radius of an enlarged friction circle, mm: so much at most, for a round scale.
+const CIRCLE: f64 = 12.0;
 /// Half the length of a line of force in an enlarged figure, mm.
 const LINE: f64 = 24.0;
 /// A circle of a smaller radius is not seen on a skeleton, mm.
@@ -64,7 +64,9 @@ pub(super) fn title(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -
 /// Metres of a millimetre of an enlarged figure.
 fn metres_per_mm(touch: &Touch) -> Option<f64> {
     match touch.rub.by {
-        RubbedBy::Circle(radius) => Some(radius / CIRCLE).filter(|scale| scale.is_normal()),
+        RubbedBy::Circle(radius) => {
+            super::scale::choose_length(2.0 * radius, 2.0 * radius, (2.0 * CIRCLE, 2.0 * CIRCLE))
+        }
         RubbedBy::Angle(_) | RubbedBy::Drag(_) => None,
     }
 }
@@ -115,14 +117,15 @@ pub(super) fn draw(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) ->
     let pin = Point::ORIGIN;
     let text = symbol(action(touch, notation.mechanism()), notation);
     match (touch.rub.by, touch.along) {
-        (RubbedBy::Circle(_), _) => {
+        (RubbedBy::Circle(circle), _) => {
             let per_mm = metres_per_mm(touch)?;
+            let circle = circle / per_mm;
             let off = [0, 1].map(|axis| (touch.through[axis] - touch.at[axis]) / per_mm);
             // The foot of the line from the pin.
             let through = page(off).to_vec2();
             let foot = pin + (through - along * through.dot(along));
-            let circle = Shape::Circle { centre: pin, radius: CIRCLE };
-            group.mark(Mark::stroke(circle, Pen::solid(THIN)).class("friction-circle").precise());
+            let ring = Shape::Circle { centre: pin, radius: circle };
+            group.mark(Mark::stroke(ring, Pen::solid(THIN)).class("friction-circle").precise());
             let radius = Shape::Line(pin, foot);
             group.mark(Mark::stroke(radius, Pen { width: FINE, dash: Dash::Dashed }).precise());
             let name_of_radius = Rich::italic("r").sub("f");
@@ -138,11 +141,11 @@ pub(super) fn draw(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) ->
             // How the link turns on its carrier.
             let (start, sweep) = if touch.rub.forward { (0.5, 2.2) } else { (2.6, -2.2) };
             let mut own = Group::new("rotation");
-            arc_arrow(&mut own, pin, CIRCLE + 4.0, start, sweep, THIN);
+            arc_arrow(&mut own, pin, circle + 4.0, start, sweep, THIN);
             group.group(own);
             let [link, carrier] = touch.between.map(|link| notation.number(link));
             let omega = Rich::italic("ω").sub(&format!("{link}{carrier}"));
-            let site = Site::Around { at: pin, radius: CIRCLE + 4.6, toward: Some(1.6) };
+            let site = Site::Around { at: pin, radius: circle + 4.6, toward: Some(1.6) };
             requests.push(Request::new(omega, SMALL, site, "label rotation-name"));
         }
         (RubbedBy::Angle(angle), Some(guide)) => {
