@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::mechanism::engine::Engine;
 use crate::mechanism::force::{
-    Action, Force, Heaviness, Inertia, LoadKind, Mass, Pointing, Share, SpringKind,
+    Action, Force, Heaviness, Inertia, LoadKind, Mass, Pointing, Share, Sought, SpringKind,
 };
 use crate::mechanism::friction::RubbingPair;
 use crate::mechanism::quantity::{Asked, DiagramKind, Method, Order, Quantity};
@@ -425,7 +425,8 @@ impl Wanted<'_> {
             }
             Action::OfPin(pin, _) | Action::OnPin(_, pin) => moving(mechanism.parties_at(pin)),
             Action::Load(index) if mechanism.forces.loads[index].is_sought() => all(),
-            Action::Inertia(_) | Action::Shaking | Action::Load(_) => Vec::new(),
+            Action::Centrifugal(_) if mechanism.named_sought().contains(&Sought::Spin) => all(),
+            Action::Inertia(_) | Action::Centrifugal(_) | Action::Shaking | Action::Load(_) => Vec::new(),
             // Drawn beside what is asked.
             Action::Weight(_) | Action::Spring { .. } | Action::Drive(_) => Vec::new(),
             Action::OnFrame => all(),
@@ -433,7 +434,7 @@ impl Wanted<'_> {
         let mut balanced = match force {
             Force::Vector(action) | Force::Moment(action, _) | Force::Arm(action, _) => of_action(action),
             Force::Along { by, on, .. } | Force::Across { by, on, .. } => of_action(Action::Pair { by, on }),
-            Force::Torque(_) | Force::Drive(_) => all(),
+            Force::Torque(_) | Force::Drive(_) | Force::Spin => all(),
             Force::LoadTorque(index) if mechanism.forces.loads[index].is_sought() => all(),
             Force::Pull(index) if mechanism.forces.springs[index].is_sought() => all(),
             Force::LoadTorque(_)
@@ -473,6 +474,9 @@ impl Wanted<'_> {
             Force::Vector(Action::Inertia(link))
             | Force::Moment(Action::Inertia(link), _)
             | Force::Arm(Action::Inertia(link), _)
+            | Force::Vector(Action::Centrifugal(link))
+            | Force::Moment(Action::Centrifugal(link), _)
+            | Force::Arm(Action::Centrifugal(link), _)
             | Force::InertiaTorque(link)
             | Force::Offset(link) => {
                 if let Some(mass) = mechanism.forces.mass(link).copied() {
@@ -640,6 +644,8 @@ impl Wanted<'_> {
         let order = quantity.order();
         match *quantity {
             Quantity::Force(force, share) => self.force(force, share),
+            // It is drawn from whole turns, not from this instant.
+            Quantity::Cycle(_) => {}
             Quantity::Velocity(p)
             | Quantity::Acceleration(p)
             | Quantity::Normal(p)

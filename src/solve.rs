@@ -5,8 +5,12 @@ use std::collections::BTreeSet;
 use crate::analytic::{self, AnalyticError, State};
 pub use crate::board::{Arithmetic, Hand};
 use crate::graphical::construction::Reading;
+use crate::graphical::cycle::OwnTorque;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Order, Quantity, Stuck};
+use crate::mechanism::Mechanism;
+use crate::mechanism::cycle::{Cycle, CycleQuantity};
+use crate::mechanism::force::{Force, Share};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity, Stuck, Unit};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
@@ -99,6 +103,9 @@ impl SolveError {
                 Some(Refusal::Locked)
             }
             Self::Stuck { how: Stuck::Ambiguous, .. } => Some(Refusal::Ambiguous),
+            Self::Indeterminate { why: Indeterminate::NoEquilibrium { .. }, .. } => {
+                Some(Refusal::NoEquilibrium)
+            }
             Self::Stuck { how: Stuck::AtRest, .. } | Self::Indeterminate { .. } => {
                 Some(Refusal::Indeterminate)
             }
@@ -165,9 +172,107 @@ pub fn solve_with(
         (scales, solution) = draw(&plan)?;
     }
     unstuck(scene)?;
+    turn(scene, settings, &mut solution);
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     solution.construction.others = others;
     Ok(Solved { structure, plan, scales, solution, left_out })
+}
+
+/// Draws the turning-moment diagram, where the scene has one, and reads off what is asked of it.
+fn turn(scene: &Scene, settings: Settings, solution: &mut Solution) {
+    let forces = &scene.mechanism.forces;
+    let Some(cycle) = &forces.cycle else { return };
+    let asked = scene.mechanism.asked.iter().filter_map(|asked| match asked.quantity {
+        Quantity::Cycle(of) => Some(of),
+        _ => None,
+    });
+    let asked: Vec<CycleQuantity> = asked.collect();
+    let turned = turned(&scene.mechanism, cycle);
+    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.torque(angle));
+    let own: Option<OwnTorque<'_>> = if turned.is_some() { Some(&at) } else { None };
+    let drawn = graphical::cycle::draw(settings.arithmetic, cycle, forces.gravity.g, &asked, own);
+    let construction = &mut solution.construction;
+    for (asked, reading) in scene.mechanism.asked.iter().zip(&mut construction.answers) {
+        let Quantity::Cycle(of) = asked.quantity else { continue };
+        reading.answer = match &drawn {
+            Ok(sheet) => sheet.answer(of),
+            Err(why) => Answer::Indeterminate(Indeterminate::Undefined { why: why.clone() }),
+        };
+    }
+    construction.cycle = drawn.ok();
+}
+
+/// A mechanism whose own torque is a side of its turning-moment diagram, ready to be led through the period.
+struct Turned(sweep::Sweep);
+
+/// The mechanism at constant speed of its input, where the diagram wants its torque.
+fn turned(mechanism: &Mechanism, cycle: &Cycle) -> Option<Turned> {
+    cycle.of()?;
+    let mut mechanism = mechanism.clone();
+    mechanism.forces.cycle = None;
+    let torque = Force::Torque(0);
+    mechanism.asked = vec![Asked {
+        name: torque.name(&mechanism),
+        quantity: Quantity::Force(torque, Share::Total),
+        unit: Unit { symbol: "N*m".to_owned(), si: 1.0 },
+        method: Method::default(),
+    }];
+    mechanism.run_steadily();
+    sweep::Sweep::new(&mechanism, None).ok().map(Turned)
+}
+
+/// So far beside a place where a load has no direction it has one, radians.
+const BESIDE: f64 = 1e-6;
+
+/// A number of a sweep is known within so many of its errors.
+const ERRORS: f64 = 8.0;
+
+impl Turned {
+    /// The place of the sweep at which the input stands at this angle.
+    fn place(&self, angle: f64) -> f64 {
+        let [from, to] = self.0.range;
+        let turns = libm::floor((angle - from) / std::f64::consts::TAU);
+        (angle - turns * std::f64::consts::TAU).clamp(from, to)
+    }
+
+    /// T(2), N m, and how far it may be off.
+    fn torque(&self, angle: f64) -> Option<(f64, f64)> {
+        if let Some(found) = self.at(angle) {
+            return Some(found);
+        }
+        // Where a loaded point turns back its direction is none, and the torque that of either side.
+        let side = |step: f64| -> Option<(f64, f64)> {
+            let [one, two, three] =
+                [self.at(angle + step)?, self.at(angle + 2.0 * step)?, self.at(angle + 3.0 * step)?];
+            // On along a straight line; a parabola tells how far off that may be.
+            let (line, curve) = (2.0 * one.0 - two.0, 3.0 * (one.0 - two.0) + three.0);
+            Some((line, 3.0 * (one.1 + two.1 + three.1) + 2.0 * (line - curve).abs()))
+        };
+        let (before, after) = (side(-BESIDE)?, side(BESIDE)?);
+        Some((f64::midpoint(before.0, after.0), before.1 + after.1 + (before.0 - after.0).abs()))
+    }
+
+    fn at(&self, angle: f64) -> Option<(f64, f64)> {
+        let torque = self.0.at(self.place(angle))?.first().copied().flatten()?;
+        let (value, error) = (torque.value, ERRORS * torque.error);
+        // What is told no better than by its size is told by its neighbours.
+        (value.is_finite() && error.is_finite() && error <= value.abs().max(1e-9)).then_some((value, error))
+    }
+}
+
+/// Solves what a scene asks besides with the independent solver.
+///
+/// # Errors
+/// See [`AnalyticError`].
+pub fn solve_analytically_for(scene: &Scene, quantities: &[Quantity]) -> Result<State, AnalyticError> {
+    let mechanism = &scene.mechanism;
+    let Some(cycle) = &mechanism.forces.cycle else {
+        return analytic::solve_for(mechanism, quantities);
+    };
+    let turned = turned(mechanism, cycle);
+    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.0.mechanism_at(turned.place(angle)));
+    let standing: Option<analytic::Standing<'_>> = if turned.is_some() { Some(&at) } else { None };
+    analytic::solve_cycle(mechanism, quantities, standing)
 }
 
 /// A plan for as much of the skeleton as can be drawn: the groups that cannot, and what depends on them, are left out,
@@ -281,5 +386,5 @@ fn unstuck(scene: &Scene) -> Result<(), SolveError> {
 /// See [`AnalyticError`].
 pub fn solve_analytically(scene: &Scene) -> Result<State, AnalyticError> {
     let asked: Vec<Quantity> = scene.mechanism.asked.iter().map(|asked| asked.quantity).collect();
-    analytic::solve_for(&scene.mechanism, &asked)
+    solve_analytically_for(scene, &asked)
 }

@@ -192,8 +192,6 @@ fn what_is_sought_in_the_place_of_the_effort() {
 #[test]
 fn what_is_not_done_is_refused_by_name() {
     for (more, key) in [
-        (r#""spin": {}"#, "spin"),
-        (r#""cycle": {}"#, "cycle"),
         (r#""loads": [ { "on": 4, "force": { "table": [[0, 1]] } } ]"#, "force"),
         (r#""springs": [ { "links": [1, 2], "stiffness": 1, "free": 0 } ]"#, "springs"),
     ] {

@@ -22,6 +22,8 @@ mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
 mod forces;
+mod forces_cycle;
+mod forces_spin;
 mod formats;
 mod friction;
 #[path = "goldens/main.rs"]

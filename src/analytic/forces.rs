@@ -78,6 +78,11 @@ impl State {
         let Some(burden) = &self.burden else {
             return undefined("forces were not solved");
         };
+        let mechanism = &self.model.mechanism;
+        let drags = mechanism.forces.spin.filter(|spin| spin.drag.is_some());
+        if drags.is_some_and(|spin| spin.sense(share, mechanism).is_none()) {
+            return undefined("the sleeve rests, and its drag has no sense");
+        }
         let Some((_, balance)) = self.balances.iter().find(|(of, _)| *of == share) else {
             return match &self.stuck {
                 Some(stuck) => Err(stuck.clone()),
@@ -148,6 +153,18 @@ impl State {
             Force::Pull(index) => {
                 let [m] = self.act(share, |s| [s.pull(&s.burden.springs[index])])?;
                 Ok(scalar(m, newton))
+            }
+            Force::Spin => {
+                let place =
+                    self.burden.as_ref().and_then(|b| b.sought.iter().position(|s| *s == Sought::Spin));
+                let Some(place) = place else { return undefined("it is not sought here") };
+                let [square] = self.act(share, |s| [s.effort(place)])?;
+                if square.value < 0.0 {
+                    let why = "at no speed is there equilibrium".to_owned();
+                    return Err(Indeterminate::NoEquilibrium { why });
+                }
+                let [m] = self.act(share, |s| [s.effort(place).sqrt()])?;
+                Ok(scalar(m, 1.0 / self.model.time))
             }
             Force::Twist(_) => undefined("torsion springs are not solved"),
             Force::InertiaTorque(link) => {
@@ -314,6 +331,11 @@ impl State {
                 bodies.fold([zero; 3], |sum, body| add(sum, through(pair, body), -sign))
             }
             Action::Inertia(link) => self.heavy(s, link).map_or([zero; 3], inertial),
+            Action::Centrifugal(link) => self.heavy(s, link).map_or([zero; 3], |heavy| {
+                let [x, y] = s.centrifugal(heavy);
+                let at = s.real.site(&heavy.centre).map(|c| c.v);
+                [x, y, (at[0] - about[0]) * y - (at[1] - about[1]) * x]
+            }),
             Action::Shaking => s.burden.masses.iter().fold([zero; 3], |sum, h| add(sum, inertial(h), 1.0)),
             Action::OnFrame => {
                 let bodies = 1..self.model.bodies;

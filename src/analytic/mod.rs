@@ -24,6 +24,8 @@
 
 mod assembly;
 mod constraints;
+mod cycle;
+mod cycle_work;
 mod figure;
 mod forces;
 mod friction;
@@ -44,6 +46,7 @@ use thiserror::Error;
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::{Order, Quantity};
 
+pub use cycle::Standing;
 pub use forces::Power;
 pub use state::{Spot, State};
 
@@ -122,6 +125,25 @@ pub fn solve_for(mechanism: &Mechanism, quantities: &[Quantity]) -> Result<State
         order
     };
     State::new(mechanism, order, 0.0, Some(quantities))
+}
+
+/// As [`solve_for`], with the turning-moment diagram: `standing` gives the mechanism at other angles of its input.
+///
+/// # Errors
+/// See [`solve`].
+pub fn solve_cycle(
+    mechanism: &Mechanism,
+    quantities: &[Quantity],
+    standing: Option<Standing<'_>>,
+) -> Result<State, AnalyticError> {
+    let mut state = solve_for(mechanism, quantities)?;
+    if let Some(cycle) = &mechanism.forces.cycle {
+        let of_steepest =
+            |quantity: &Quantity| matches!(quantity, Quantity::Cycle(of) if of.is_of_steepest());
+        let steepest = quantities.iter().any(of_steepest);
+        state.cycle = Some(cycle::turning(cycle, mechanism.forces.gravity.g, standing, steepest));
+    }
+    Ok(state)
 }
 
 /// As [`solve`], but Newton's iteration ends where no equation of the position misses by more than

@@ -386,7 +386,7 @@ impl Model {
         [0, 1].map(|i| self.given_from(self.reference[i], place[i]))
     }
 
-    fn given_own(&mut self, link: LinkId, own: GivenPoint) -> [Num; 2] {
+    pub(super) fn given_own(&mut self, link: LinkId, own: GivenPoint) -> [Num; 2] {
         if link == LinkId::FRAME || matches!(self.mechanism.links[link.0].form, Form::Placed) {
             return self.given_place(own);
         }

@@ -97,6 +97,11 @@ impl State {
             Quantity::Angle(link) => self.scalar(0, 1.0, |s| s.angle(link.0).v.wrapped()),
             Quantity::Transmission(coupler, output) => self.transmission(coupler, output),
             Quantity::Force(force, share) => self.force(force, share).and_then(finite),
+            Quantity::Cycle(of) => match &self.cycle {
+                Some(Ok(turning)) => Ok(turning.answer(of)),
+                Some(Err(why)) => undefined(why.clone()),
+                None => undefined("the turning-moment diagram was not solved"),
+            },
         }
     }
 

@@ -3,6 +3,7 @@
 use super::AnalyticError;
 use super::assembly::assemble;
 use super::constraints::{Motion, Scope};
+use super::cycle::Turning;
 use super::figure;
 use super::friction::{self, Found};
 use super::model::Model;
@@ -40,6 +41,8 @@ pub struct State {
     pub(super) unit: Option<Solved>,
     /// What acts on the bodies; `None` where no force was asked.
     pub(super) burden: Option<Burden>,
+    /// The turning-moment diagram, or why there is none; `None` where none was asked.
+    pub(super) cycle: Option<Result<Turning, String>>,
     /// The balance of each share that was asked.
     pub(super) balances: Vec<(Share, Balance)>,
     /// Why friction, or a load that points nowhere, leaves no force of a pair.
@@ -82,6 +85,7 @@ impl State {
             solved: None,
             unit: None,
             burden,
+            cycle: None,
             balances: Vec::new(),
             stuck: None,
         };
@@ -100,7 +104,7 @@ impl State {
             // The balance of powers is that of all that acts.
             shares.push(Share::Total);
             let (mut balances, mut stuck) = (Vec::new(), None);
-            for share in [Share::Total, Share::Static, Share::Inertia] {
+            for share in [Share::Total, Share::Static, Share::Inertia, Share::Rising, Share::Falling] {
                 if shares.contains(&share) {
                     let solved = state.solved.as_ref();
                     let balancing = Balancing::new(&state.model, burden, &state.located, solved, share);

@@ -19,6 +19,7 @@ use super::tape::{Calculus, Jet, Leaf, Linear, Tape, U, Var, dot, minus};
 use crate::mechanism::force::{
     Area, Heaviness, Inertia, LoadKind, Pointing, Share, Size, Sought, SpringKind, SpringLaw,
 };
+use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 
 /// Rounds of iterative refinement.
@@ -33,6 +34,8 @@ pub(super) struct Burden {
     pub(super) masses: Vec<HeavyBody>,
     pub(super) loads: Vec<BodyLoad>,
     pub(super) springs: Vec<BodySpring>,
+    /// The axis of a governor.
+    spin: Option<BodySpin>,
     /// The equations of the pairs, without those of inputs.
     pub(super) pairs: Vec<(Row, Tie)>,
     /// What is sought, in the order of the unknowns after the pairs.
@@ -110,6 +113,17 @@ enum BodyLaw {
     StiffnessSought(usize, Num),
     Force(Num),
     ForceSought(usize),
+}
+
+/// A plane that turns about an axis in it.
+#[derive(Debug, Clone, Copy)]
+struct BodySpin {
+    through: [Num; 2],
+    angle: Num,
+    /// Given, or the place of ω² among what is sought.
+    omega: Result<Num, usize>,
+    /// Where the sleeve rides, along which line, and the drag against it.
+    drag: Option<(Site, Straight, Num)>,
 }
 
 /// Balance of one share of what acts.
@@ -344,6 +358,13 @@ impl<'t> Acting<'t> {
         dot(along, along).sqrt()
     }
 
+    /// A spring on what all halves of a governor share is shared too.
+    fn part_of_spring(&self, spring: &BodySpring) -> Var<'t> {
+        let shared = |end: &Site| self.model.mechanism.shared_by(LinkId(end.body)) != 1.0;
+        let body = spring.ends.iter().find(|end| shared(end)).unwrap_or(&spring.ends[0]).body;
+        self.part(body)
+    }
+
     /// The pull of a spring.
     pub(super) fn pull(&self, spring: &BodySpring) -> Var<'t> {
         self.pull_of(spring, Self::length(&self.real, spring).v)
@@ -355,6 +376,55 @@ impl<'t> Acting<'t> {
         let (length, pull) = (Self::length(&self.real, spring).v, self.pull(spring));
         let along = minus(other, own);
         (along.map(|c| c.v / length * pull), own.map(|c| c.v))
+    }
+
+    /// The part of what acts on a body that counts in the half of a governor that is drawn.
+    fn part(&self, body: usize) -> Var<'t> {
+        let shared = self.model.mechanism.shared_by(LinkId(body));
+        self.tape().constant(1.0) / self.tape().constant(shared)
+    }
+
+    /// M r of a mass, away from the axis of a governor: its force at unit ω².
+    fn away(&self, spin: &BodySpin, heavy: &HeavyBody) -> [Var<'t>; 2] {
+        let [cos, sin] = self.real.num(spin.angle).cos_sin().map(|c| c.v);
+        let out = minus(self.real.site(&heavy.centre), self.real.pair(spin.through)).map(|c| c.v);
+        // What of the way out is along the axis is taken off.
+        let along = out[0] * cos + out[1] * sin;
+        let mass = self.mass(heavy);
+        [(out[0] - cos * along) * mass, (out[1] - sin * along) * mass]
+    }
+
+    /// ω² of a governor.
+    fn spin_squared(&self, spin: &BodySpin) -> Var<'t> {
+        match spin.omega {
+            Ok(omega) => {
+                let omega = self.real.num(omega).v;
+                omega * omega
+            }
+            Err(index) => self.effort(index),
+        }
+    }
+
+    /// M ω² r of a mass; nothing where the plane does not turn.
+    pub(super) fn centrifugal(&self, heavy: &HeavyBody) -> [Var<'t>; 2] {
+        match &self.burden.spin {
+            Some(spin) => {
+                let square = self.spin_squared(spin);
+                self.away(spin, heavy).map(|c| c * square)
+            }
+            None => [self.tape().constant(0.0); 2],
+        }
+    }
+
+    /// The drag of the sleeve as it counts in one half, along its guide.
+    fn drag(&self, spin: &BodySpin) -> Option<(Row, Var<'t>)> {
+        let (site, line, size) = spin.drag?;
+        let told = self.model.mechanism.forces.spin?;
+        let sense = told.sense(self.share, &self.model.mechanism)?;
+        let zero = Num::Exact(0.0);
+        let row = Row::Push(site, line, Drive { value: zero, rate: zero, arm: None, second: zero });
+        let size = self.real.num(size).v * self.part(told.sleeve?.0);
+        Some((row, size * self.tape().constant(-sense)))
     }
 
     fn statical(&self) -> bool {
@@ -407,9 +477,9 @@ impl<'t> Acting<'t> {
             match load.size {
                 LoadSize::Sought(index) => {
                     let (index, alone) = unit(index);
-                    slopes.push((index, of(&alone)));
+                    slopes.push((index, of(&alone) * self.part(body)));
                 }
-                _ if self.statical() => sum = sum + of(load),
+                _ if self.statical() => sum = sum + of(load) * self.part(body),
                 _ => {}
             }
         }
@@ -418,7 +488,7 @@ impl<'t> Acting<'t> {
                 continue;
             }
             let length = Self::length(&virtually, spring);
-            let stretch = -length.d;
+            let stretch = -(length.d * self.part_of_spring(spring));
             match spring.law {
                 BodyLaw::StiffnessSought(index, free) => {
                     let longer = length.v - self.real.num(free).v;
@@ -433,15 +503,29 @@ impl<'t> Acting<'t> {
             if self.statical()
                 && let Some(weight) = self.weight(heavy)
             {
-                sum = sum + work(weight, &heavy.centre);
+                sum = sum + work(weight, &heavy.centre) * self.part(body);
             }
             if self.inertial_too() {
                 let (force, couple) = self.inertial(heavy);
-                sum = sum + work(force, &heavy.centre);
+                sum = sum + work(force, &heavy.centre) * self.part(body);
                 if axis == 2 {
-                    sum = sum + couple;
+                    sum = sum + couple * self.part(body);
                 }
             }
+            if let Some(spin) = &self.burden.spin {
+                let away = work(self.away(spin, heavy), &heavy.centre) * self.part(body);
+                match spin.omega {
+                    Err(index) => slopes.push((pairs + index, away)),
+                    Ok(_) if self.share != Share::Static => sum = sum + away * self.spin_squared(spin),
+                    Ok(_) => {}
+                }
+            }
+        }
+        if let (Some(spin), true) = (&self.burden.spin, self.statical())
+            && let Some((row, size)) = self.drag(spin)
+            && row.hangs_on(body)
+        {
+            sum = sum + virtually.row(&row).d * size;
         }
         for (index, slope) in &slopes {
             sum = sum + *slope * self.unknown(*index);
@@ -475,6 +559,7 @@ impl<'t> Acting<'t> {
                 Some(at) => power([x, y], at),
                 None => torque * s.angle(load.body).d,
             };
+            let of = of * self.part(load.body);
             match load.size {
                 LoadSize::Sought(_) => efforts = efforts + of,
                 _ => loads = loads + of,
@@ -482,7 +567,7 @@ impl<'t> Acting<'t> {
         }
         for spring in &self.burden.springs {
             let length = Self::length(s, spring);
-            let of = -(self.pull_of(spring, length.v) * length.d);
+            let of = -(self.pull_of(spring, length.v) * length.d * self.part_of_spring(spring));
             match spring.law {
                 BodyLaw::StiffnessSought(..) | BodyLaw::ForceSought(_) => efforts = efforts + of,
                 _ => springs = springs + of,
@@ -490,12 +575,24 @@ impl<'t> Acting<'t> {
         }
         for heavy in &self.burden.masses {
             if let Some(weight) = self.weight(heavy) {
-                weights = weights + power(weight, &heavy.centre);
+                weights = weights + power(weight, &heavy.centre) * self.part(heavy.centre.body);
             }
             if self.moves {
                 let (force, couple) = self.inertial(heavy);
-                inertia = inertia + power(force, &heavy.centre) + couple * s.angle(heavy.centre.body).d;
+                let of = power(force, &heavy.centre) + couple * s.angle(heavy.centre.body).d;
+                inertia = inertia + of * self.part(heavy.centre.body);
             }
+            if let Some(spin) = &self.burden.spin {
+                let of = power(self.centrifugal(heavy), &heavy.centre) * self.part(heavy.centre.body);
+                match spin.omega {
+                    Ok(_) => inertia = inertia + of,
+                    Err(_) => efforts = efforts + of,
+                }
+            }
+        }
+        // The drag of a sleeve is a load on it.
+        if let Some((row, size)) = self.burden.spin.as_ref().and_then(|spin| self.drag(spin)) {
+            loads = loads + size * s.row(&row).d;
         }
         let friction = self.friction_power().unwrap_or(zero);
         let sum = efforts + loads + weights + springs + inertia + friction;
@@ -584,6 +681,29 @@ impl Burden {
                 SpringLaw::Force(_) => BodyLaw::ForceSought(index),
             };
             burden.springs.push(BodySpring { ends, law });
+        }
+        if let Some(spin) = &forces.spin {
+            let drag = match spin.drag {
+                Some(drag) => {
+                    let pair = mechanism.slides[drag.slide];
+                    let site = model.rider_site(&pair.rider, pair.guide.link)?;
+                    let size = model.given(drag.size, force);
+                    match model.track(drag.slide) {
+                        Some(Track::Line(line)) => Some((site, *line, size)),
+                        Some(Track::Arc(_)) | None => None,
+                    }
+                }
+                None => None,
+            };
+            burden.spin = Some(BodySpin {
+                through: model.given_own(LinkId::FRAME, spin.through),
+                angle: model.given(spin.angle, 1.0),
+                omega: match spin.omega {
+                    SpinSpeed::Given(omega) => Ok(model.given(omega, 1.0 / time)),
+                    SpinSpeed::Sought => Err(place(Sought::Spin)),
+                },
+                drag,
+            });
         }
         burden.pairs = model.pair_rows()?;
         burden.rubbing = Rubbing::all(model, &burden.pairs)?;

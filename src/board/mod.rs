@@ -278,6 +278,11 @@ impl Board {
         Amount(self.div(a.0, b.0, reason))
     }
 
+    /// √a, as ω of ω².
+    pub fn root(&mut self, a: Amount) -> Amount {
+        Amount(self.sqrt(a.0))
+    }
+
     /// a · b, as in V = ω l.
     pub fn product(&mut self, a: Amount, b: Amount) -> Amount {
         Amount(self.mul(a.0, b.0))

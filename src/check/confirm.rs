@@ -128,7 +128,7 @@ pub fn confirm(scene: &Scene, solved: &Solved) -> Result<(), Unconfirmed> {
     let shown = solved.solution.shown.iter().map(|shown| shown.quantity);
     let beside = beside::quantities(scene, &solved.solution.construction);
     let quantities: Vec<Quantity> = asked.chain(shown).chain(beside).collect();
-    let state = analytic::solve_for(&scene.mechanism, &quantities)?;
+    let state = crate::solve::solve_analytically_for(scene, &quantities)?;
     confirm_by(scene, solved, &state)?;
     beside::confirm_positions(scene, &solved.solution.construction)
 }

@@ -684,7 +684,7 @@ fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
 /// Refuses to set or to mark what has no sheets yet.
 fn without_forces(scene: &Scene) -> Result<(), Failure> {
     let asked = &scene.mechanism.asked;
-    if asked.iter().any(|asked| matches!(asked.quantity, Quantity::Force(..))) {
+    if asked.iter().any(|asked| matches!(asked.quantity, Quantity::Force(..) | Quantity::Cycle(_))) {
         let why = "this version sets and marks no questions on forces yet; `linkgram solve`, `draw` and `sweep` answer this scene";
         return Err(Failure(why.to_owned()));
     }

@@ -94,7 +94,10 @@ fn table(solved: &crate::solve::Solved, agreement: &Agreement, by_hand: &[HandEr
     // A name that is too long has a line of its own.
     widths[0] = widths[0].min((WIDEST + widths[0]).saturating_sub(total(widths)).max("quantity".len()));
     let mut out = String::new();
-    let _ = writeln!(out, "{}\n", solved.structure.mobility);
+    // A turning-moment diagram may have no mechanism.
+    if solved.structure.mobility.links > 1 {
+        let _ = writeln!(out, "{}\n", solved.structure.mobility);
+    }
     for (index, [name, value, direction, other, off]) in rows.iter().enumerate() {
         let [first, second, third, fourth, fifth] = widths;
         let mut name = name.as_str();

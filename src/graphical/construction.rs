@@ -15,6 +15,7 @@ use crate::mechanism::{LinkId, Mechanism, PointId};
 
 use super::auxiliary::AuxiliaryDrawing;
 pub use super::centres::CentreLine;
+use super::cycle::CycleSheet;
 
 /// A place on the paper, millimetres in the diagram's own frame.
 pub type Mm2 = [f64; 2];
@@ -30,6 +31,8 @@ pub struct Construction {
     pub circle: Option<CircleDiagram>,
     /// The balance of forces, if any asked quantity needs it.
     pub forces: Option<ForceSheet>,
+    /// The turning-moment diagram, if anything of it is asked.
+    pub cycle: Option<CycleSheet>,
     /// The other constructions on the skeleton, in the order of the plan.
     pub auxiliary: Vec<AuxiliaryDrawing>,
     /// Other positions of the mechanism that the skeleton shows, in the order in which they were wished.

@@ -264,6 +264,7 @@ impl<'m> Draughtsman<'m> {
                 diagrams: Vec::new(),
                 circle: None,
                 forces: None,
+                cycle: None,
                 auxiliary: Vec::new(),
                 others: Vec::new(),
                 steps: Vec::new(),

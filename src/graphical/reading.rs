@@ -138,6 +138,12 @@ impl Draughtsman<'_> {
         let undefined = |why: &str| Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() });
         let numbers = match &read.numbers {
             Ok(numbers) => numbers,
+            Err(why) if *why == super::forces::NO_SPEED => {
+                return (
+                    Answer::Indeterminate(Indeterminate::NoEquilibrium { why: (*why).to_owned() }),
+                    None,
+                );
+            }
             Err(why) => return (undefined(why), None),
         };
         let weak = judged.iter().find_map(|number| number.weakness);
@@ -263,6 +269,7 @@ impl Draughtsman<'_> {
             | Quantity::CoincidentNormal(_, link)
             | Quantity::CoincidentTangential(_, link) => self.read_part(Order::Acceleration, quantity, link),
             Quantity::Centre(i, j) => self.read_centre(i, j),
+            Quantity::Cycle(_) => Read::Undefined("it is read off the turning-moment diagram"),
             Quantity::Force(force, share) => match self.read_force(force, share) {
                 ForceRead::Vector(components) => Read::Vector(components),
                 ForceRead::Scalar(amount) => Read::Scalar(amount),

@@ -3,8 +3,10 @@
 //! As everywhere in this room the numbers stand as they were given: a weight stays a weight, a moment of inertia about
 //! a pin stays that. Forces are in newtons, masses in kilograms, torques in newton metres, ccw positive.
 
+use super::cycle::Cycle;
 use super::friction::Friction;
 use super::quantity::Order;
+use super::spin::{Spin, SpinSpeed};
 use super::{Given, Input, LinkId, Mechanism, PointId, Rider};
 
 /// Everything that a scene says of forces; empty where it says nothing.
@@ -22,6 +24,10 @@ pub struct Forces {
     pub carriers: Vec<(PointId, LinkId)>,
     /// What rubs.
     pub friction: Friction,
+    /// The turning-moment diagram.
+    pub cycle: Option<Cycle>,
+    /// The axis about which the plane turns, of a governor.
+    pub spin: Option<Spin>,
 }
 
 impl Default for Forces {
@@ -34,6 +40,8 @@ impl Default for Forces {
             springs: Vec::new(),
             carriers: Vec::new(),
             friction: Friction::default(),
+            cycle: None,
+            spin: None,
         }
     }
 }
@@ -293,6 +301,8 @@ pub enum Sought {
     Load(usize),
     /// A spring, by its index.
     Spring(usize),
+    /// ω² of the plane of a governor.
+    Spin,
 }
 
 impl Forces {
@@ -335,7 +345,8 @@ impl Mechanism {
         let loads = self.forces.loads.iter().enumerate().filter(|(_, load)| load.is_sought());
         let springs = self.forces.springs.iter().enumerate().filter(|(_, spring)| spring.is_sought());
         let loads = loads.map(|(index, _)| Sought::Load(index));
-        loads.chain(springs.map(|(index, _)| Sought::Spring(index))).collect()
+        let spin = self.forces.spin.filter(|spin| spin.omega == SpinSpeed::Sought).map(|_| Sought::Spin);
+        loads.chain(springs.map(|(index, _)| Sought::Spring(index))).chain(spin).collect()
     }
 
     /// The link or the pin that rides in a sliding pair.
@@ -464,6 +475,8 @@ pub enum Action {
     OnPin(LinkId, PointId),
     /// `Fin(3)`: −M A_G of a link, with its couple.
     Inertia(LinkId),
+    /// `Fc(3)`: M ω² r of a link in the plane of a governor.
+    Centrifugal(LinkId),
     /// `FS`: the sum of all inertia forces.
     Shaking,
     /// `F(frame)`: all that moving links exert on the frame through pairs.
@@ -516,6 +529,8 @@ pub enum Force {
     Pull(usize),
     /// `spring(S)`: the torque of a torsion spring on its second link, by its index. Signed scalar.
     Twist(usize),
+    /// `spin`, `spin(rising)`, `spin(falling)`: the speed at which a governor is in equilibrium. Scalar, not negative.
+    Spin,
     /// `Tin(3)`: −I_G ε of a link. Signed scalar.
     InertiaTorque(LinkId),
     /// `h(3)`: |Tin| / |Fin|. Scalar, not negative, or at infinity.
@@ -536,6 +551,10 @@ pub enum Share {
     Static,
     /// From inertia alone.
     Inertia,
+    /// From everything, while the sleeve of a governor is about to move along its guide.
+    Rising,
+    /// The same, while it is about to move back.
+    Falling,
 }
 
 impl Share {
@@ -546,6 +565,8 @@ impl Share {
             Self::Total => "",
             Self::Static => ".static",
             Self::Inertia => ".inertia",
+            Self::Rising => "(rising)",
+            Self::Falling => "(falling)",
         }
     }
 }
@@ -561,6 +582,7 @@ impl Action {
             Self::OfPin(pin, link) => format!("F({},{})", p(pin), l(link)),
             Self::OnPin(link, pin) => format!("F({},{})", l(link), p(pin)),
             Self::Inertia(link) => format!("Fin({})", l(link)),
+            Self::Centrifugal(link) => format!("Fc({})", l(link)),
             Self::Shaking => "FS".to_owned(),
             Self::OnFrame => "F(frame)".to_owned(),
             Self::Load(index) => format!("load({})", mechanism.forces.loads[index].name),
@@ -576,7 +598,9 @@ impl Action {
         match self {
             Self::Pair { by, on } => ([None; 2], [Some(by), Some(on)]),
             Self::OfPin(pin, link) | Self::OnPin(link, pin) => ([Some(pin), None], [Some(link), None]),
-            Self::Inertia(link) | Self::Weight(link) => ([None; 2], [Some(link), None]),
+            Self::Inertia(link) | Self::Centrifugal(link) | Self::Weight(link) => {
+                ([None; 2], [Some(link), None])
+            }
             Self::Shaking | Self::OnFrame | Self::Load(_) | Self::Spring { .. } | Self::Drive(_) => {
                 ([None; 2], [None; 2])
             }
@@ -609,6 +633,7 @@ impl Force {
             Self::Pull(index) | Self::Twist(index) => {
                 format!("spring({})", mechanism.forces.springs[index].name)
             }
+            Self::Spin => "spin".to_owned(),
             Self::InertiaTorque(link) => format!("Tin({})", l(link)),
             Self::Offset(link) => format!("h({})", l(link)),
             Self::Moment(action, about) => format!("moment({},{})", action.name(mechanism), p(about)),
@@ -629,9 +654,12 @@ impl Force {
                 let ([pin, _], links) = action.about();
                 ([pin, Some(about)], links)
             }
-            Self::Torque(_) | Self::Drive(_) | Self::LoadTorque(_) | Self::Pull(_) | Self::Twist(_) => {
-                ([None; 2], [None; 2])
-            }
+            Self::Torque(_)
+            | Self::Drive(_)
+            | Self::LoadTorque(_)
+            | Self::Pull(_)
+            | Self::Twist(_)
+            | Self::Spin => ([None; 2], [None; 2]),
         }
     }
 

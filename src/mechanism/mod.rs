@@ -6,6 +6,8 @@
 //!
 //! **Architecture Invariant:** nothing here knows a file format, paper or a solver.
 
+pub mod curve;
+pub mod cycle;
 pub mod engine;
 pub mod force;
 pub mod friction;
@@ -13,6 +15,7 @@ pub mod group;
 pub mod quantity;
 pub mod report;
 pub mod slider_crank;
+pub mod spin;
 pub mod statement;
 pub mod structure;
 

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::cycle::CycleQuantity;
 use super::force::{Force, Share};
 use super::{LinkId, Mechanism, PointId};
 
@@ -72,6 +73,8 @@ pub enum Quantity {
     Transmission(LinkId, LinkId),
     /// `F(2,3)`, `T(2)`, `h(3)` and the like: a force, a torque, an arm.
     Force(Force, Share),
+    /// `Ef`, `crossing(2)` and the like: a number of the turning-moment diagram. Scalar.
+    Cycle(CycleQuantity),
 }
 
 /// Whether a quantity needs positions only, velocities, or accelerations.
@@ -187,6 +190,7 @@ impl Quantity {
             // The pin is on both links, and only their turning counts.
             Self::Rub(p, i, j) => ([Some(p), None], [Some(i), Some(j)]),
             Self::Force(force, _) => force.about(),
+            Self::Cycle(_) => ([None; 2], [None; 2]),
         }
     }
 
@@ -227,6 +231,7 @@ impl Quantity {
             Self::Angle(a) => format!("angle({})", l(a)),
             Self::Transmission(a, b) => format!("transmission({}/{})", l(a), l(b)),
             Self::Force(force, share) => force.name(mechanism) + share.suffix(),
+            Self::Cycle(of) => of.name(),
         }
     }
 
@@ -235,7 +240,11 @@ impl Quantity {
     #[must_use]
     pub fn order(&self) -> Order {
         match self {
-            Self::Position(_) | Self::Angle(_) | Self::Transmission(..) | Self::Force(..) => Order::Position,
+            Self::Position(_)
+            | Self::Angle(_)
+            | Self::Transmission(..)
+            | Self::Force(..)
+            | Self::Cycle(_) => Order::Position,
             Self::Velocity(_)
             | Self::RelativeVelocity(..)
             | Self::Omega(_)
@@ -395,6 +404,11 @@ pub enum Indeterminate {
         /// In plain English, one clause.
         why: String,
     },
+    /// No equilibrium is possible: a contact would have to pull, a speed to be imaginary.
+    NoEquilibrium {
+        /// In plain English, one clause.
+        why: String,
+    },
     /// The asked direction does not exist (a centre of two links that do not move against each other).
     Undefined {
         /// In plain English, one clause.
@@ -418,7 +432,7 @@ impl fmt::Display for Indeterminate {
                 }
             }
             Self::Singular => write!(f, "dead centre: the motion is not determined by the input here"),
-            Self::Rubbing { why, .. } | Self::Undefined { why } => write!(f, "{why}"),
+            Self::Rubbing { why, .. } | Self::Undefined { why } | Self::NoEquilibrium { why } => write!(f, "{why}"),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Names of quantities: `v(B/A)`, `omega(3)`, `I(1,3)`.
 
+use super::cycle::{self, CYCLE};
 use super::diagnostic::{Fault, Res, list};
 use super::draft::{Draft, is_straight};
 use super::force_names::{self, FORCES};
@@ -20,7 +21,7 @@ pub struct Named {
 }
 
 /// Every name that a scene may ask for.
-pub const QUANTITIES: [Named; 32] = [
+pub const QUANTITIES: [Named; 49] = [
     Named {
         head: "v",
         forms: &[
@@ -114,6 +115,23 @@ pub const QUANTITIES: [Named; 32] = [
     FORCES[10],
     FORCES[11],
     FORCES[12],
+    FORCES[13],
+    FORCES[14],
+    CYCLE[0],
+    CYCLE[1],
+    CYCLE[2],
+    CYCLE[3],
+    CYCLE[4],
+    CYCLE[5],
+    CYCLE[6],
+    CYCLE[7],
+    CYCLE[8],
+    CYCLE[9],
+    CYCLE[10],
+    CYCLE[11],
+    CYCLE[12],
+    CYCLE[13],
+    CYCLE[14],
 ];
 
 /// The forms of a name, for messages.
@@ -239,6 +257,7 @@ pub(crate) fn measure(quantity: &Quantity) -> Measure {
         Quantity::Ratio(..) | Quantity::Advantage(..) => Measure::Number,
         Quantity::Centre(..) | Quantity::Position(_) | Quantity::PathRadius(_) => Measure::Length,
         Quantity::Angle(_) | Quantity::Transmission(..) => Measure::Angle,
+        Quantity::Cycle(of) => cycle::measure(*of),
         Quantity::Force(force, _) => match force {
             Force::Vector(_)
             | Force::Along { .. }
@@ -251,6 +270,7 @@ pub(crate) fn measure(quantity: &Quantity) -> Measure {
             | Force::InertiaTorque(_)
             | Force::Moment(..) => Measure::Torque,
             Force::Offset(_) | Force::Arm(..) => Measure::Length,
+            Force::Spin => Measure::AngularVelocity,
         },
     }
 }
@@ -274,6 +294,12 @@ fn everything(draft: &Draft<'_>) -> Vec<Asked> {
     let mut ask = |name: String, quantity: Quantity| {
         asked.push(Asked { name, quantity, unit: unit(measure(&quantity)), method: Method::default() });
     };
+    if let Some(cycle) = &mechanism.forces.cycle {
+        for of in cycle::everything(cycle) {
+            ask(of.name(), Quantity::Cycle(of));
+        }
+        return asked;
+    }
     if !mechanism.forces.is_empty() {
         for force in force_names::everything(draft) {
             ask(force.name(mechanism), Quantity::Force(force, Share::Total));
@@ -319,6 +345,9 @@ fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Quantity> {
             None => fault.known(head, heads()),
         }
     };
+    if let Some(of_cycle) = cycle::parse(name, at, draft)? {
+        return Ok(of_cycle);
+    }
     if let Some(force) = force_names::parse(name, at, draft)? {
         return Ok(force);
     }

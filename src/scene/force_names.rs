@@ -6,10 +6,11 @@ use super::draft::Draft;
 use super::forces::{effort_of_link, effort_of_slide};
 use crate::mechanism::force::{Action, Force, Inertia, Share, Sought, SpringKind};
 use crate::mechanism::quantity::Quantity;
+use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{LinkId, PointId, Rider};
 
 /// The names of forces that a scene may ask for.
-pub(super) const FORCES: [Named; 13] = [
+pub(super) const FORCES: [Named; 15] = [
     Named {
         head: "F",
         forms: &[
@@ -43,6 +44,15 @@ pub(super) const FORCES: [Named; 13] = [
         forms: &[("moment(F(1,6),D)", "moment of a force about a point, with its couple")],
     },
     Named { head: "arm", forms: &[("arm(FS,O2)", "distance of the line of a force from a point")] },
+    Named { head: "Fc", forms: &[("Fc(3)", "force M ω² r of link 3 away from the axis of a governor")] },
+    Named {
+        head: "spin",
+        forms: &[
+            ("spin", "speed at which a governor is in equilibrium"),
+            ("spin(rising)", "the same with the sleeve about to move along its guide"),
+            ("spin(falling)", "the same with the sleeve about to move back"),
+        ],
+    },
 ];
 
 /// Reads the name of a force; `None` where it is none.
@@ -66,6 +76,9 @@ pub(super) fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Option<Quan
         return Err(name
             .fault("with friction the parts of a force do not add up to it")
             .mend(format!("ask for {bare}")));
+    }
+    if head == "spin" {
+        return name.spin(bare).map(|share| Some(Quantity::Force(Force::Spin, share)));
     }
     Ok(Some(Quantity::Force(name.force(bare)?, share)))
 }
@@ -112,6 +125,7 @@ fn of_sought(sought: Sought, draft: &Draft<'_>) -> Force {
             SpringKind::Pull(_) => Force::Pull(index),
             SpringKind::Torsion(_) => Force::Twist(index),
         },
+        Sought::Spin => Force::Spin,
     }
 }
 
@@ -186,7 +200,7 @@ impl ForceName<'_, '_, '_> {
     fn force(&self, text: &str) -> Res<Force> {
         let head = text.split('(').next().unwrap_or_default().trim();
         match head {
-            "F" | "FS" | "Fin" | "load" => self.action_or_scalar(text),
+            "F" | "FS" | "Fin" | "Fc" | "load" => self.action_or_scalar(text),
             "Fn" | "Ft" => {
                 let (head, inside) = self.inside(text)?;
                 let (pair, from) = inside.split_once('/').ok_or_else(|| {
@@ -268,6 +282,28 @@ impl ForceName<'_, '_, '_> {
         }
     }
 
+    /// In which sense a governor is about to move, of a speed that is asked.
+    fn spin(&self, text: &str) -> Res<Share> {
+        let forces = &self.draft.mechanism.forces;
+        let Some(spin) = forces.spin.filter(|spin| spin.omega == SpinSpeed::Sought) else {
+            return Err(self.fault("no speed is sought").mend("give `spin` with \"omega\": \"?\""));
+        };
+        let share = match text.split_once('(').map(|(_, rest)| rest.trim_end_matches(')').trim()) {
+            None => return Ok(Share::Total),
+            Some("rising") => Share::Rising,
+            Some("falling") => Share::Falling,
+            Some(_) => {
+                return Err(self
+                    .fault("a sleeve is `rising` or `falling`")
+                    .mend("spin(rising), spin(falling)"));
+            }
+        };
+        if spin.sleeve.is_none() {
+            return Err(self.fault("no sleeve is named").mend("name it in `spin`: \"sleeve\": 4"));
+        }
+        Ok(share)
+    }
+
     /// A link that has a moment of inertia.
     fn turning(&self, text: &str) -> Res<LinkId> {
         let link = self.massive(text)?;
@@ -291,6 +327,7 @@ impl ForceName<'_, '_, '_> {
                 Sought::Load(index) => forces.loads[index].name.as_str(),
                 Sought::Spring(index) => forces.springs[index].name.as_str(),
                 Sought::Effort(_) => "the effort",
+                Sought::Spin => "spin",
             })
             .collect();
         if names.is_empty() {
@@ -373,6 +410,12 @@ impl ForceName<'_, '_, '_> {
                 }
             }
             "Fin" => Action::Inertia(self.massive(inside)?),
+            "Fc" => {
+                if self.draft.mechanism.forces.spin.is_none() {
+                    return Err(self.fault("nothing turns about an axis").mend("give `spin`"));
+                }
+                Action::Centrifugal(self.massive(inside)?)
+            }
             "load" => {
                 let loads = &self.draft.mechanism.forces.loads;
                 let index = loads.iter().position(|load| load.name == inside).ok_or_else(|| {

@@ -22,11 +22,6 @@ fn undone(entry: &Entry<'_>, what: &str) -> Fault {
 
 /// Refuses what is not built yet, so that no answer leaves it out unsaid.
 pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
-    for (key, what) in [("spin", "governors"), ("cycle", "turning-moment diagrams")] {
-        if let Some(entry) = scene.entry(key) {
-            return Err(undone(entry, what));
-        }
-    }
     let inside = |list: Option<&Value<'_>>, wanted: &[(&str, &str)]| -> Res<()> {
         let items: Vec<&Value<'_>> = match list.map(|list| (&list.kind, list)) {
             Some((Kind::List(items), _)) => items.iter().collect(),
@@ -43,6 +38,11 @@ pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
         }
         Ok(())
     };
+    if scene.entry("spin").is_some() {
+        let rubs = [("f", "friction in a governor"), ("circle", "friction in a governor")];
+        inside(scene.get("slides"), &rubs)?;
+        inside(scene.get("pins"), &rubs)?;
+    }
     inside(scene.get("rolls"), &[("pressure", "forces in rolling pairs")])
 }
 
@@ -129,6 +129,7 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     masses(scene.get("masses"), draft)?;
     loads(scene.get("loads"), draft)?;
     springs(scene.get("springs"), draft)?;
+    super::spin::read(scene, draft)?;
     if draft.mechanism.forces.is_empty() {
         return Ok(());
     }

@@ -22,7 +22,9 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
         for (index, item) in slides.list("a list of sliding pairs")?.iter().enumerate() {
             let fields = Fields::of(item, keys::SLIDE, "a sliding pair")?;
             let roughness = fields.get("f").map(|f| roughness(f, draft)).transpose()?.flatten();
-            let drag = fields.get("drag").map(|drag| drag_of(drag, draft)).transpose()?.flatten();
+            // In a governor it is that of the sleeve, and read with it.
+            let drag = fields.get("drag").filter(|_| scene.entry("spin").is_none());
+            let drag = drag.map(|drag| drag_of(drag, draft)).transpose()?.flatten();
             let resistance = match (roughness, drag) {
                 (Some(roughness), Some(drag)) => Resistance::Both(roughness, drag),
                 (Some(roughness), None) => Resistance::Friction(roughness),

@@ -51,6 +51,15 @@ pub(super) const INPUT: &[&str] =
 pub(super) const FIND: &[&str] = &["name", "unit", "method"];
 pub(super) const PIN: &[&str] = &["radius", "diameter", "f", "circle", "carrier"];
 pub(super) const PUBLISHED: &[&str] = &["value", "within", "why"];
+pub(super) const SPIN: &[&str] = &["axis", "omega", "balls", "sleeve"];
+pub(super) const AXIS: &[&str] = &["through", "angle"];
+pub(super) const CYCLE: &[&str] = &["torque", "load", "period", "copies", "rotating", "fluctuation"];
+pub(super) const COURSE: &[&str] = &["of", "table", "harmonics"];
+pub(super) const HARMONICS: &[&str] = &["constant", "sin", "cos"];
+pub(super) const AREAS: &[&str] = &["areas", "scale", "total"];
+pub(super) const AREA_SCALE: &[&str] = &["torque", "angle"];
+pub(super) const COPIES: &[&str] = &["number", "shift"];
+pub(super) const ROTATING: &[&str] = &["inertia", "mass", "weight", "gyration", "ratio"];
 pub(super) const SHEET: &[&str] = &[
     "paper",
     "language",

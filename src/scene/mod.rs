@@ -4,6 +4,7 @@
 //! [`Mechanism`] in SI units and this room is left.
 
 pub(crate) mod asked;
+mod cycle;
 pub(crate) mod diagnostic;
 mod draft;
 mod figure;
@@ -21,6 +22,7 @@ mod rolls;
 mod schema;
 mod sheet;
 mod source;
+mod spin;
 #[cfg(test)]
 mod tests;
 mod twice;
@@ -115,18 +117,22 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     forces::not_yet(&fields)?;
     links::read(&fields, &mut draft)?;
     forces::spots(&fields, &mut draft)?;
-    if draft.mechanism.moving().next().is_none() {
+    let diagram_alone = cycle::is_alone(&fields, &draft);
+    if draft.mechanism.moving().next().is_none() && !diagram_alone {
         return Err(Fault::new(root.at, "nothing moves: the scene has no links")
             .mend("list them in `links`; `linkgram new four-bar` writes a ready scene"));
     }
     guides::slides(fields.get("slides"), &mut draft)?;
     rolls::read(fields.get("rolls"), &mut draft)?;
-    inputs::read(&fields, &mut draft)?;
+    if !diagram_alone {
+        inputs::read(&fields, &mut draft)?;
+    }
     placing::along_by_places(&mut draft)?;
     placing::settle(&mut draft)?;
     figure::read(&fields, &mut draft)?;
     placing::directed_by_places(&mut draft);
     forces::read(&fields, &mut draft)?;
+    cycle::read(&fields, &mut draft)?;
     twice::settle(&mut draft)?;
     asked::read(fields.get("find"), &mut draft)?;
     let published = published::read(fields.get("published"), &mut draft)?;

@@ -6,6 +6,7 @@ use super::draft::Draft;
 use super::json::{Entry, Fields, Kind, Value};
 use super::units::Words;
 use super::{Published, Refusal, keys};
+use crate::mechanism::quantity::Quantity;
 
 /// Reads `published`.
 pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<Vec<Published>> {
@@ -23,7 +24,11 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<Vec<
         };
         let measure = measure(&asked.quantity);
         let default = default_scale(&asked.quantity, draft.scales);
-        let stated = draft.scales.stated(number, measure, measure.turns(), &default)?;
+        let mut stated = draft.scales.stated(number, measure, measure.turns(), &default)?;
+        if matches!(asked.quantity, Quantity::Cycle(of) if of.is_angle()) {
+            // An angle of a cycle keeps its turns.
+            stated.given = draft.scales.whole_angle(number)?;
+        }
         asked.unit = stated.scale.unit();
         let optional = |key: &str| fields.as_ref().and_then(|f| f.get(key));
         published.push(Published {

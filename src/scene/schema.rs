@@ -105,8 +105,8 @@ fn scene() -> Value {
             },
             "loads": { "type": "array", "description": "Forces and torques on links, given or sought.", "items": reference("load") },
             "springs": { "type": "array", "description": "Springs.", "items": reference("spring") },
-            "spin": { "description": "Governors. This version does not read it." },
-            "cycle": { "description": "The turning-moment diagram. This version does not read it." },
+            "spin": reference("spin"),
+            "cycle": reference("cycle"),
             "published": {
                 "type": "object", "propertyNames": reference("quantity"), "additionalProperties": reference("published"),
                 "description": "What somebody printed, by name of the quantity. Never used in the solution.",
@@ -140,7 +140,7 @@ fn scene() -> Value {
 
 fn definitions() -> serde_json::Map<String, Value> {
     let mut all = serde_json::Map::new();
-    let parts = [values(), links(), pairs(), motion(), forces(), results(), sheet()];
+    let parts = [values(), links(), pairs(), motion(), forces(), cycle(), results(), sheet()];
     for part in parts {
         if let Value::Object(part) = part {
             all.extend(part);
@@ -347,7 +347,9 @@ fn motion() -> Value {
             "acceleration": described("acceleration", "Acceleration along the guide."),
         }),
     );
-    input["oneOf"] = json!([{ "required": ["link"] }, { "required": ["slide"] }]);
+    // Of a turning-moment diagram without links only `omega` is given.
+    let neither = json!({ "required": ["omega"], "not": { "anyOf": [{ "required": ["link"] }, { "required": ["slide"] }] } });
+    input["oneOf"] = json!([{ "required": ["link"] }, { "required": ["slide"] }, neither]);
     json!({ "input": input })
 }
 
@@ -461,6 +463,112 @@ fn roughness() -> Value {
     })
 }
 
+/// The turning-moment diagram.
+fn cycle() -> Value {
+    let number = |description: &str, examples: Value| {
+        json!({
+            "oneOf": [{ "type": "number" }, { "type": "string" }],
+            "description": description, "examples": examples,
+        })
+    };
+    let pairs = |description: &str, example: Value| {
+        let pair = json!({
+            "type": "array", "minItems": 2, "maxItems": 2,
+            "items": { "oneOf": [{ "type": "number" }, { "type": "string" }] },
+        });
+        json!({ "type": "array", "items": pair, "description": description, "examples": [example] })
+    };
+    let cycle = object(
+        "The turning-moment diagram. Of `torque` and `load` one may be left out: it is constant, the mean.",
+        &[],
+        json!({
+            "torque": { "oneOf": [reference("course"), reference("areas")], "description": "The driving torque, at the first input." },
+            "load": described("course", "The resisting torque, at the first input."),
+            "period": number("After which angle everything comes again; one turn where it is left out.", json!([720])),
+            "copies": reference("copies"),
+            "rotating": { "type": "array", "items": reference("rotating"), "description": "Known inertias that turn with the input." },
+            "fluctuation": { "type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 2, "description": "Wanted (ω_max − ω_min)/ω, 0.02 for ±1 %; a flywheel is sought." },
+        }),
+    );
+    let course = object(
+        "A torque over the angle of the input.",
+        &[],
+        json!({
+            "of": described("movingLink", "What the mechanism gives, or as a load needs, at its driven link."),
+            "table": pairs("Angle and size, straight between; a leap where an angle stands twice.", json!([[0, 0], [60, 800], [180, 0]])),
+            "harmonics": reference("harmonics"),
+        }),
+    );
+    let harmonics = object(
+        "A constant with sines and cosines.",
+        &[],
+        json!({
+            "constant": number("What is there without waves.", json!([2500])),
+            "sin": pairs("Order (waves in a turn) and size.", json!([[2, 675]])),
+            "cos": pairs("Order (waves in a turn) and size.", json!([[1, 270]])),
+        }),
+    );
+    let areas = object(
+        "Areas between the driving torque and its mean, off the paper.",
+        &["areas", "scale", "total"],
+        json!({
+            "areas": { "type": "array", "items": { "type": "number" }, "description": "From the first crossing on, above the mean positive." },
+            "scale": reference("areaScale"),
+            "total": { "type": "number", "description": "The whole area under the curve." },
+        }),
+    );
+    let scale = object(
+        "What a unit of length of the paper stands for.",
+        &["torque", "angle"],
+        json!({
+            "torque": number("A torque.", json!(["150 N*m"])),
+            "angle": number("An angle.", json!(["12 deg"])),
+        }),
+    );
+    let copies = object(
+        "The same curves again, as of several cylinders.",
+        &["number", "shift"],
+        json!({
+            "number": { "type": "integer", "minimum": 1, "description": "How many curves there are in all." },
+            "shift": number("By which angle each follows the one before.", json!([120])),
+        }),
+    );
+    let rotating = object(
+        "An inertia that turns with the input: `inertia`, or `mass` or `weight` with `gyration`.",
+        &[],
+        json!({
+            "inertia": number("Moment of inertia.", json!([0.9])),
+            "mass": number("Mass.", json!([20])),
+            "weight": number("Weight.", json!(["70 N"])),
+            "gyration": described("length", "Radius of gyration."),
+            "ratio": { "type": "number", "default": 1, "description": "Its speed over that of the input." },
+        }),
+    );
+    let axis = object(
+        "The axis about which the plane turns.",
+        &["through", "angle"],
+        json!({
+            "through": described("place", "A point of it, in the world."),
+            "angle": described("angle", "Its direction from +x."),
+        }),
+    );
+    let spin = object(
+        "A governor: the whole plane turns about an axis in it.",
+        &["axis", "omega"],
+        json!({
+            "axis": reference("axis"),
+            "omega": { "oneOf": [{ "type": "number" }, { "type": "string" }], "description": "How fast it turns; \"?\" seeks the speed of equilibrium.", "examples": ["300 rpm", "?"] },
+            "balls": { "type": "integer", "minimum": 1, "default": 1, "description": "Of so many equal halves one is drawn." },
+            "sleeve": described("movingLink", "The link that all halves share."),
+        }),
+    );
+    json!({
+        "spin": spin, "axis": axis,
+        "cycle": cycle, "course": course, "harmonics": harmonics, "areas": areas, "areaScale": scale,
+        "copies": copies, "rotating": rotating,
+    })
+}
+
 fn results() -> Value {
     let mut pin = object(
         "A pin's journal.",
@@ -501,7 +609,7 @@ fn results() -> Value {
     json!({
         "quantity": {
             "type": "string",
-            "pattern": format!(r"^\s*(FS|({})\s*\(.+\))(\.static|\.inertia)?\s*$", heads.join("|")),
+            "pattern": format!(r"^\s*(FS|spin|Tmean|E|power|Emax|Emin|Ef|Ke|Ks|If|I|({})\s*\(.+\))(\.static|\.inertia)?\s*$", heads.join("|")),
             "description": format!("Name of a quantity; `/` reads \"relative to\", `@` \"on\". {}.", meanings.join("; ")),
             "examples": examples,
         },
@@ -587,7 +695,7 @@ mod tests {
     #[test]
     fn same_keys_as_the_reader() {
         let schema = schema();
-        let tables: [(&str, &[&str]); 21] = [
+        let tables: [(&str, &[&str]); 30] = [
             ("", keys::SCENE),
             ("/$defs/units", keys::UNITS),
             ("/$defs/placeWithin", keys::PLACED),
@@ -609,6 +717,15 @@ mod tests {
             ("/$defs/pointing", keys::POINTING),
             ("/$defs/spring", keys::SPRING),
             ("/$defs/springEnd", keys::SPRING_END),
+            ("/$defs/spin", keys::SPIN),
+            ("/$defs/axis", keys::AXIS),
+            ("/$defs/cycle", keys::CYCLE),
+            ("/$defs/course", keys::COURSE),
+            ("/$defs/harmonics", keys::HARMONICS),
+            ("/$defs/areas", keys::AREAS),
+            ("/$defs/areaScale", keys::AREA_SCALE),
+            ("/$defs/copies", keys::COPIES),
+            ("/$defs/rotating", keys::ROTATING),
         ];
         for (place, keys) in tables {
             let object = schema.pointer(place).unwrap();

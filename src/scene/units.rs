@@ -407,6 +407,18 @@ impl Scale {
         self.refined(value, error, read.double_double(), read.low_error)
     }
 
+    /// A number of this unit as an angle with all its turns; quarter turns are the doubles nearest to their values.
+    fn whole_angle(&self, read: Given) -> Given {
+        let quarters = self.turn.map_or(0.5, |turn| read.value / (turn / 4.0));
+        let (value, rounding) = if quarters.fract() == 0.0 {
+            (quarters * FRAC_PI_2, HALF_ULP)
+        } else {
+            (read.value * self.numerator / self.denominator, self.error + 2.0 * HALF_ULP)
+        };
+        let error = read.error * self.si() + value.abs() * rounding;
+        self.refined(value, error, read.double_double(), read.low_error)
+    }
+
     /// A converted number with what its nearest double leaves.
     fn refined(&self, value: f64, error: f64, read: DoubleDouble, read_error: f64) -> Given {
         let fine = read * self.fine;
@@ -662,6 +674,18 @@ impl Scales {
             return Err(Fault::new(value.at, what).mend("take whole turns off"));
         }
         Ok(Stated { given, scale, sense: stated.sense })
+    }
+
+    /// An angle with all its turns.
+    pub(crate) fn whole_angle(&self, value: &Value<'_>) -> Res<Given> {
+        let stated = self.stated(value, Measure::Angle, false, self.bare(Measure::Angle))?;
+        let digits = match &value.kind {
+            Kind::Number(digits) => Some(&**digits),
+            Kind::Text(text) => Words::split(text).map(|words| words.digits),
+            _ => None,
+        };
+        let read = digits.map(|digits| number(digits, value.at)).transpose()?;
+        Ok(read.map_or(stated.given, |read| stated.scale.whole_angle(read)))
     }
 
     /// A length greater than zero.

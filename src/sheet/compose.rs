@@ -2,6 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::cycle::CyclePanel;
 use super::feet::told_apart;
 use super::figure::{Figure, Group, Mark, Moment, Node, Pen, Shape};
 use super::font::Face;
@@ -80,6 +81,8 @@ pub const fn figure_names() -> &'static [&'static str] {
         "polygon",
         "shaking",
         "friction",
+        "turning-moment",
+        "energy",
     ]
 }
 
@@ -385,7 +388,7 @@ impl<'a> Blackboard<'a> {
     /// The picture of a drawing after this act; none where nothing new is in it.
     fn picture(&mut self, of: Panel, upto: Moment) -> Option<Block> {
         match of {
-            Panel::Transfer(_) | Panel::Auxiliary(_) | Panel::Force(_) => {
+            Panel::Transfer(_) | Panel::Auxiliary(_) | Panel::Force(_) | Panel::Cycle(_) => {
                 of.block(self.construction, self.notation)
             }
             of => {
@@ -491,6 +494,11 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
             (table.draw("results", 0, table.rows.len()), words.results)
         }
         "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
+        "turning-moment" | "energy" => {
+            let sheet = construction.cycle.as_ref()?;
+            let panel = CyclePanel::all(sheet).into_iter().find(|panel| panel.figure() == name)?;
+            (block(Panel::Cycle(panel))?, words.turning_moment_figure)
+        }
         name if wanted::is_of_forces(name) => {
             let sheet = construction.forces.as_ref()?;
             let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();

@@ -16,6 +16,9 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         Share::Total => "",
         Share::Static => "s",
         Share::Inertia => "d",
+        // A dash and two, as governors have them.
+        Share::Rising => "′",
+        Share::Falling => "″",
     };
     let two = |a: String, b: String| {
         let comma = if a.chars().count() > 1 || b.chars().count() > 1 { "," } else { "" };
@@ -44,6 +47,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
             marked("F", "", &format!("{},{}", notation.number(link), notation.index(pin)))
         }
         Action::Inertia(link) => marked("F", INERTIA, &notation.number(link)),
+        Action::Centrifugal(link) => marked("F", "", &format!("c{}", notation.number(link))),
         Action::Shaking => marked("F", "", "S"),
         Action::OnFrame => marked("F", "", "1"),
         Action::Load(index) => Rich::italic(&mechanism.forces.loads[index].name),
@@ -70,6 +74,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
             let letter = if matches!(spring.kind, SpringKind::Pull(_)) { "F" } else { "T" };
             marked(letter, "", &spring.name)
         }
+        Force::Spin => marked("ω", "", ""),
         Force::InertiaTorque(link) => marked("T", INERTIA, &notation.number(link)),
         Force::Offset(link) => marked("h", "", &notation.number(link)),
         Force::Moment(of, about) => {

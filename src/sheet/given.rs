@@ -96,6 +96,7 @@ fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> 
     }
     parts.extend(teller.journals());
     teller.forces(&mut parts);
+    super::cycle::given(notation, &mut parts);
     for (i, input) in mechanism.inputs.iter().enumerate() {
         teller.input(i, input, &mut parts);
     }
@@ -669,6 +670,7 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         words.asked_forces,
         words.asked_torques,
         words.asked_arms,
+        words.asked_cycle,
     ];
     let kind = |quantity: Quantity| match quantity {
         Quantity::Position(_) => 0,
@@ -683,11 +685,12 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         Quantity::Force(force, _) if force.turns() => 12,
         Quantity::Force(Force::Offset(_) | Force::Arm(..), _) => 13,
         Quantity::Force(..) => 11,
+        Quantity::Cycle(_) => 14,
         other if other.order() == Order::Acceleration => 8,
         _ => 4,
     };
     // A quantity that is asked by several methods is one quantity.
-    let mut lists: [Vec<(Quantity, Vec<&str>)>; 14] = Default::default();
+    let mut lists: [Vec<(Quantity, Vec<&str>)>; 15] = Default::default();
     let all = &notation.mechanism().asked;
     let open: Vec<&Asked> = all.iter().filter(|asked| !is_stated(asked.quantity, notation)).collect();
     // Where nothing else is asked, that is the question.

@@ -13,6 +13,7 @@ mod centres;
 mod circle;
 mod compose;
 mod coriolis;
+mod cycle;
 mod detail;
 pub mod diagrams;
 mod dimensions;

@@ -225,6 +225,7 @@ impl<'a> Notation<'a> {
             Quantity::Angle(l) => Rich::italic("θ").sub(&self.number(l)),
             Quantity::Transmission(a, b) => Rich::italic("μ").sub(&numbers(a, b)),
             Quantity::Force(force, share) => super::force_names::symbol(self, force, share),
+            Quantity::Cycle(of) => super::cycle::symbol(self, of),
         }
     }
 

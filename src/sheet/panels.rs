@@ -3,6 +3,7 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::compose::{ARABIC_LEADING, TEXT, clear_of};
+use super::cycle::CyclePanel;
 use super::figure::Group;
 use super::forces::ForcePanel;
 use super::growth::Births;
@@ -33,6 +34,8 @@ pub enum Panel {
     Auxiliary(usize),
     /// A free body, a force polygon.
     Force(ForcePanel),
+    /// The turning-moment diagram, the levels of energy.
+    Cycle(CyclePanel),
 }
 
 impl Panel {
@@ -42,7 +45,9 @@ impl Panel {
     /// What a construction has drawn, in order.
     #[must_use]
     pub fn all(construction: &Construction) -> Vec<Self> {
-        let mut all = vec![Self::SKELETON];
+        // A turning-moment diagram may have no mechanism.
+        let bare = construction.cycle.is_some() && construction.space.places.is_empty();
+        let mut all = if bare { Vec::new() } else { vec![Self::SKELETON] };
         all.extend(construction.diagrams.iter().map(|diagram| Self::Diagram(diagram.kind)));
         if let Some(circle) = &construction.circle {
             all.extend([Self::Centres, Self::Circle]);
@@ -53,6 +58,9 @@ impl Panel {
         all.extend(drawn.map(|(index, _)| Self::Auxiliary(index)));
         if let Some(sheet) = &construction.forces {
             all.extend(ForcePanel::all(sheet).into_iter().map(Self::Force));
+        }
+        if let Some(sheet) = &construction.cycle {
+            all.extend(CyclePanel::all(sheet).into_iter().map(Self::Cycle));
         }
         all
     }
@@ -106,6 +114,7 @@ impl Panel {
                 Some(auxiliary::draw(construction.auxiliary.get(index)?, construction, notation))
             }
             Self::Force(panel) => panel.draw(construction.forces.as_ref()?, construction, notation),
+            Self::Cycle(panel) => Some(panel.draw(construction.cycle.as_ref()?, notation)),
         }
     }
 
@@ -136,6 +145,9 @@ impl Panel {
                 let sheet = construction.forces.as_ref()?;
                 let scale = panel.scale(sheet, notation);
                 (panel.title(sheet, notation), scale.unwrap_or_else(skeleton))
+            }
+            Self::Cycle(panel) => {
+                (panel.title(notation), panel.scale(construction.cycle.as_ref()?, notation))
             }
         };
         let place = Self::all(construction).iter().position(|panel| *panel == self)?;

@@ -150,6 +150,10 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             more(Panel::Force(super::forces::ForcePanel::Friction(index)), unnumbered(items));
         }
     }
+    if let Some(sheet) = &construction.cycle {
+        let drawn = Panel::Cycle(super::cycle::CyclePanel::Energy);
+        more(drawn, unnumbered(super::cycle::items(sheet, notation)));
+    }
     all.retain(|told| !told.items.is_empty());
     all
 }

@@ -6,6 +6,7 @@ use crate::mechanism::force::{
     Area, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Share, Size, Sought, SpringKind, SpringLaw,
 };
 use crate::mechanism::quantity::Order;
+use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
 
@@ -24,6 +25,7 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
                 continue;
             }
             let item = d.load(load, assumed);
+            let item = d.part_of_shared(load.link, item);
             balance.known[load.link.0].push(item);
         }
     }
@@ -42,8 +44,27 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
         let (toward, _) = d.board.toward(first, second, reason);
         let on_first = d.pull_along(toward, pull);
         let items = [(first, on_first), (second, Draughtsman::opposite(on_first))];
+        // A spring on what all halves share is shared too.
+        let shared = ends.iter().map(|(link, _)| *link).find(|link| d.mechanism.shared_by(*link) != 1.0);
         for ((link, _), (at, pull)) in ends.into_iter().zip(items) {
-            balance.known[link.0].push(Item { pull: Some(pull), at, couple: None });
+            let item = Item { pull: Some(pull), at, couple: None };
+            let item = d.part_of_shared(shared.unwrap_or(link), item);
+            balance.known[link.0].push(item);
+        }
+    }
+    if let Some(spin) = &forces.spin {
+        let sought = spin.omega == SpinSpeed::Sought;
+        let assumed = balance.assumed.iter().find(|(s, _)| *s == Sought::Spin).map(|(_, a)| *a);
+        for mass in forces.masses.iter().filter(|mass| drawn(mass.link)) {
+            if (sought || share != Share::Static)
+                && let Some(item) = d.centrifugal(spin, mass, assumed)
+            {
+                let item = d.part_of_shared(mass.link, item);
+                balance.known[mass.link.0].push(item);
+            }
+        }
+        if share != Share::Inertia {
+            d.lay_off_drag(spin, share, balance);
         }
     }
     for mass in forces.masses.iter().filter(|mass| drawn(mass.link)) {
@@ -51,12 +72,14 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
         if share != Share::Inertia
             && let Some(pull) = d.weight(mass)
         {
-            balance.known[mass.link.0].push(Item { pull: Some(pull), at, couple: None });
+            let item = d.part_of_shared(mass.link, Item { pull: Some(pull), at, couple: None });
+            balance.known[mass.link.0].push(item);
         }
         if share != Share::Static {
             let (pull, couple) = (d.inertia_force(mass), d.inertia_torque(mass));
             if pull.is_some() || couple.is_some() {
-                balance.known[mass.link.0].push(Item { pull, at, couple });
+                let item = d.part_of_shared(mass.link, Item { pull, at, couple });
+                balance.known[mass.link.0].push(item);
             }
         }
     }
@@ -64,7 +87,7 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
 
 impl Draughtsman<'_> {
     /// The mass of a link; none of a flywheel.
-    fn mass(&mut self, mass: &Mass) -> Option<Amount> {
+    pub(super) fn kilograms(&mut self, mass: &Mass) -> Option<Amount> {
         match mass.heaviness {
             Heaviness::Mass(given) => Some(self.board.amount(given)),
             Heaviness::Weight(weight) => {
@@ -100,7 +123,7 @@ impl Draughtsman<'_> {
         if self.mechanism.is_fixed(mass.centre) {
             return None;
         }
-        let kilograms = self.mass(mass)?;
+        let kilograms = self.kilograms(mass)?;
         let image = self.image(Order::Acceleration, mass.centre);
         let pole = self.board.origin();
         let (from, to) = (self.polygon_scale(Order::Acceleration), self.force_scale());
@@ -121,12 +144,12 @@ impl Draughtsman<'_> {
             Inertia::Gyration(radius) => {
                 let radius = self.board.amount(radius);
                 let square = self.board.product(radius, radius);
-                let kilograms = self.mass(mass)?;
+                let kilograms = self.kilograms(mass)?;
                 Some(self.board.product(kilograms, square))
             }
             Inertia::About(point, given) => {
                 let about = self.board.amount(given);
-                let Some(kilograms) = self.mass(mass) else { return Some(about) };
+                let Some(kilograms) = self.kilograms(mass) else { return Some(about) };
                 if point == mass.centre {
                     return Some(about);
                 }

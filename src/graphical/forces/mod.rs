@@ -9,9 +9,11 @@ mod groups;
 mod loads;
 mod read;
 mod record;
+mod spin;
 
 pub(super) use read::ForceRead;
 pub(super) use record::{quantities, record};
+pub(super) use spin::NO_SPEED;
 
 use std::collections::BTreeMap;
 
@@ -251,6 +253,9 @@ fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, leaning: &Leaning) 
                 balance.efforts.iter().find(of).map(|(_, size)| *size)
             };
             let without = one(d, plan, (share, leaning), vec![(only, rest)]);
+            if without.refused.is_some() {
+                return without;
+            }
             let unit = d.board.amount(crate::given::Given::exact(TRIAL));
             let with = one(d, plan, (share, leaning), vec![(only, unit)]);
             let (Some(without_effort), Some(with_effort)) = (effort(&without), effort(&with)) else {
@@ -286,6 +291,9 @@ fn one(
         ..Balance::default()
     };
     loads::lay_off(d, plan, share, &mut balance);
+    if balance.refused.is_some() {
+        return balance;
+    }
     d.lay_off_drags(&mut balance);
     for &group in plan.forces.groups.iter().rev() {
         let group = d.structure.groups[group].clone();

@@ -2,6 +2,7 @@
 
 use crate::board::{Amount, Line, Point};
 use crate::mechanism::force::{Action, Force, Share, Sought, Through};
+use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{LinkId, PointId};
 
 use super::super::draughtsman::Draughtsman;
@@ -83,6 +84,13 @@ impl Draughtsman<'_> {
                 };
                 ForceRead::Scalar(self.spring_pull(spring.law, ends.map(|(_, p)| p), assumed))
             }
+            Force::Spin => {
+                let square = self.effort_of(Sought::Spin, share)?;
+                if square.value() < 0.0 {
+                    return Err(super::NO_SPEED);
+                }
+                ForceRead::Scalar(self.board.root(square))
+            }
             Force::Twist(_) => return Err("torsion springs are not drawn"),
             Force::InertiaTorque(link) => {
                 let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
@@ -143,6 +151,15 @@ impl Draughtsman<'_> {
             Action::Inertia(link) => {
                 let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
                 Ok(self.inertia_items(&mass, share))
+            }
+            Action::Centrifugal(link) => {
+                let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
+                let spin = self.mechanism.forces.spin.ok_or(NOT_DRAWN)?;
+                let assumed = match spin.omega {
+                    SpinSpeed::Sought => Some(self.effort_of(Sought::Spin, share)?),
+                    SpinSpeed::Given(_) => None,
+                };
+                Ok(self.centrifugal(&spin, &mass, assumed).into_iter().collect())
             }
             Action::Shaking => {
                 let masses = self.mechanism.forces.masses.clone();

@@ -71,7 +71,15 @@ impl Draughtsman<'_> {
         let at = items.first()?.at.value();
         let foot = self.foot_of_line(&items)?.value();
         let sum = self.sum_of(&items);
-        let force = self.components_of(sum).map(|part| part.value());
+        // Of what all halves of a governor share the half that is drawn has its part.
+        let shared = match action {
+            Action::Load(index) => self.mechanism.shared_by(self.mechanism.forces.loads[index].link),
+            Action::Weight(link) | Action::Inertia(link) | Action::Centrifugal(link) => {
+                self.mechanism.shared_by(link)
+            }
+            _ => 1.0,
+        };
+        let force = self.components_of(sum).map(|part| part.value() / shared);
         // The line of inertia that lies off the paper is not drawn: force and couple act side by side at the mass centre.
         let inertia = matches!(action, Action::Inertia(_));
         let beyond = libm::hypot(foot[0] - at[0], foot[1] - at[1]) > REACH * self.size_of_skeleton();
@@ -151,6 +159,9 @@ impl Draughtsman<'_> {
         let mut wanted: Vec<(Action, Knowledge)> = Vec::new();
         if let Some(mass) = forces.mass(link) {
             wanted.push((Action::Inertia(mass.link), Knowledge::Full));
+            if forces.spin.is_some() {
+                wanted.push((Action::Centrifugal(mass.link), Knowledge::Line));
+            }
             if forces.gravity.acts {
                 wanted.push((Action::Weight(mass.link), Knowledge::Full));
             }
@@ -254,6 +265,9 @@ impl Draughtsman<'_> {
         let mut wanted: Vec<(Action, Knowledge)> = Vec::new();
         for mass in &forces.masses {
             wanted.push((Action::Inertia(mass.link), Knowledge::Full));
+            if forces.spin.is_some() {
+                wanted.push((Action::Centrifugal(mass.link), Knowledge::Line));
+            }
             if forces.gravity.acts {
                 wanted.push((Action::Weight(mass.link), Knowledge::Full));
             }

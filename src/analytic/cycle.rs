@@ -1,0 +1,713 @@
+//! The turning-moment diagram in closed form: integrals of tables and harmonics, crossings by bracketing and Newton's
+//! iteration, and of a mechanism's own torque the work from energies: what kinetic energy, weights and springs have at one
+//! angle less what they had at another, and the work of the loads between.
+//!
+//! Nothing here knows a trapezium, a parabola or a drawn height.
+
+use super::cycle_work::OwnTorque;
+use super::tape::U;
+use crate::mechanism::curve::{Curve, Harmonic};
+use crate::mechanism::cycle::{Course, Cycle, CycleQuantity, RotatingInertia, Sides};
+use crate::mechanism::quantity::{Answer, Indeterminate};
+use crate::mechanism::{Given, Mechanism};
+
+/// The mechanism with its input at an angle; none where it cannot stand there.
+pub type Standing<'a> = &'a dyn Fn(f64) -> Option<Mechanism>;
+
+/// Between two angles of a period a smooth curve is looked at so often.
+const LOOKS: u32 = 1440;
+/// Of a mechanism, whose every look is a solution, so often.
+const FEW_LOOKS: u32 = 90;
+/// Less than this part of the largest torque is zero.
+const ZERO: f64 = 1e-12;
+
+/// A diagram solved in closed form.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Turning {
+    period: f64,
+    omega: f64,
+    fluctuation: Option<f64>,
+    inertia: Option<f64>,
+    mean: Known,
+    crossings: Vec<Known>,
+    levels: Vec<Known>,
+    areas: Vec<Known>,
+    by_areas: bool,
+    extremes: Option<[usize; 2]>,
+    /// The greatest and the least difference of the torques: where and how much.
+    steepest: Option<[(Known, Known); 2]>,
+}
+
+/// A number with its bound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Known {
+    pub(super) value: f64,
+    pub(super) bound: f64,
+}
+
+impl Known {
+    fn times(self, by: f64) -> Self {
+        let value = self.value * by;
+        Self { value, bound: self.bound * by.abs() + 16.0 * U * value.abs() }
+    }
+
+    fn less(self, other: Self) -> Self {
+        let value = self.value - other.value;
+        Self { value, bound: self.bound + other.bound + 2.0 * U * value.abs() }
+    }
+
+    fn answer(self) -> Answer {
+        Answer::Scalar { value: self.value, bound: self.bound }
+    }
+}
+
+pub(super) type Told<T> = Result<T, String>;
+
+/// A torque that can be asked for its value and its integral.
+enum Torque<'a> {
+    Table { start: f64, knots: Vec<[f64; 2]>, period: f64 },
+    Harmonics { constant: f64, sin: Vec<[f64; 2]>, cos: Vec<[f64; 2]> },
+    Of(OwnTorque<'a>),
+}
+
+fn waves(of: &[Harmonic]) -> Vec<[f64; 2]> {
+    of.iter().map(|wave| [wave.order.value, wave.size.value]).collect()
+}
+
+impl<'a> Torque<'a> {
+    fn new(course: &Course, sign: f64, standing: Option<Standing<'a>>) -> Told<Self> {
+        Ok(match course {
+            Course::Of(_) => Self::Of(OwnTorque::new(standing.ok_or("the mechanism does not move")?, sign)),
+            Course::Curve(Curve::Table { knots, period }) => Self::Table {
+                start: knots.first().ok_or("the table is empty")?[0].value,
+                knots: knots.iter().map(|[at, size]| [at.value, size.value]).collect(),
+                period: period.value,
+            },
+            Course::Curve(Curve::Harmonics { constant, sin, cos }) => {
+                Self::Harmonics { constant: constant.value, sin: waves(sin), cos: waves(cos) }
+            }
+        })
+    }
+
+    /// The segments of a table over its own period, with the one that closes it.
+    fn segments(knots: &[[f64; 2]], period: f64) -> Vec<[[f64; 2]; 2]> {
+        let mut all: Vec<[[f64; 2]; 2]> = knots.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        if let (Some(first), Some(last)) = (knots.first(), knots.last()) {
+            all.push([*last, [first[0] + period, first[1]]]);
+        }
+        all
+    }
+
+    /// The value just before or just after an angle.
+    fn value(&self, at: f64, after: bool) -> Told<f64> {
+        match self {
+            Self::Table { start, knots, period } => {
+                let room = 64.0 * U * (at.abs() + period);
+                let turns = libm::floor((at - start) / period);
+                // Half a room to the side from which one comes.
+                let mut here = at - turns * period;
+                if (here - start).abs() <= room && !after {
+                    here += period;
+                } else if (start + period - here).abs() <= room && after {
+                    here -= period;
+                }
+                let mut found = None;
+                for [from, to] in Self::segments(knots, *period) {
+                    if to[0] - from[0] <= room {
+                        continue;
+                    }
+                    let inside = if after {
+                        from[0] - room <= here && here < to[0] - room
+                    } else {
+                        from[0] + room < here && here <= to[0] + room
+                    };
+                    if inside {
+                        let part = ((here - from[0]) / (to[0] - from[0])).clamp(0.0, 1.0);
+                        found = Some(from[1] + (to[1] - from[1]) * part);
+                    }
+                }
+                found.ok_or_else(|| "the table says nothing there".to_owned())
+            }
+            Self::Harmonics { constant, sin, cos } => {
+                let of_sin = sin.iter().map(|[k, size]| size * libm::sin(k * at));
+                let of_cos = cos.iter().map(|[k, size]| size * libm::cos(k * at));
+                Ok(constant + of_sin.sum::<f64>() + of_cos.sum::<f64>())
+            }
+            Self::Of(own) => own.torque(at).map(|torque| torque.value),
+        }
+    }
+
+    /// ∫ from 0.
+    fn integral(&self, at: f64) -> Told<f64> {
+        match self {
+            Self::Table { start, knots, period } => {
+                let segments = Self::segments(knots, *period);
+                let whole: f64 = segments.iter().map(|[a, b]| 0.5 * (a[1] + b[1]) * (b[0] - a[0])).sum();
+                let from_start = |angle: f64| {
+                    let turns = libm::floor((angle - start) / period);
+                    let rest = angle - turns * period;
+                    let parts = segments.iter().map(|[a, b]| {
+                        let width = b[0] - a[0];
+                        let x = (rest - a[0]).clamp(0.0, width.max(0.0));
+                        if width <= 0.0 { 0.0 } else { a[1] * x + (b[1] - a[1]) * x * x / (2.0 * width) }
+                    });
+                    turns * whole + parts.sum::<f64>()
+                };
+                Ok(from_start(at) - from_start(0.0))
+            }
+            Self::Harmonics { constant, sin, cos } => {
+                let of_sin = sin.iter().map(|[k, size]| {
+                    // 1 − cos, without cancelling.
+                    let half = libm::sin(k * at / 2.0);
+                    size * 2.0 * half * half / k
+                });
+                let of_cos = cos.iter().map(|[k, size]| size * libm::sin(k * at) / k);
+                Ok(constant * at + of_sin.sum::<f64>() + of_cos.sum::<f64>())
+            }
+            Self::Of(own) => own.work(at).map(|work| work.value),
+        }
+    }
+
+    fn size(&self) -> f64 {
+        match self {
+            Self::Table { knots, .. } => knots.iter().map(|knot| knot[1].abs()).fold(0.0, f64::max),
+            Self::Harmonics { constant, sin, cos } => {
+                constant.abs() + sin.iter().chain(cos).map(|wave| wave[1].abs()).sum::<f64>()
+            }
+            Self::Of(_) => 0.0,
+        }
+    }
+
+    /// How far a value may be off besides the rounding of what is given.
+    fn loose(&self, at: f64) -> Told<f64> {
+        match self {
+            Self::Of(own) => own.torque(at).map(|torque| torque.bound),
+            Self::Table { .. } | Self::Harmonics { .. } => Ok(0.0),
+        }
+    }
+
+    /// The same of the integral.
+    fn loose_work(&self, at: f64) -> Told<f64> {
+        match self {
+            Self::Of(own) => own.work(at).map(|work| work.bound),
+            Self::Table { .. } | Self::Harmonics { .. } => Ok(0.0),
+        }
+    }
+}
+
+/// Both torques with their copies.
+struct Curves<'a> {
+    sides: [Option<Torque<'a>>; 2],
+    copies: (u32, f64),
+    means: [f64; 2],
+    scale: f64,
+    period: f64,
+}
+
+impl Curves<'_> {
+    fn side(&self, side: usize, at: f64, after: bool) -> Told<f64> {
+        let Some(torque) = &self.sides[side] else { return Ok(self.means[1 - side]) };
+        let (number, shift) = self.copies;
+        (0..number).map(|copy| torque.value(at - f64::from(copy) * shift, after)).sum()
+    }
+
+    /// How far the difference may be off where a mechanism gives one of the torques.
+    fn loose(&self, at: f64) -> Told<f64> {
+        let (number, shift) = self.copies;
+        let mut sum = 0.0;
+        for torque in self.sides.iter().flatten() {
+            for copy in 0..number {
+                sum += torque.loose(at - f64::from(copy) * shift)?;
+            }
+        }
+        Ok(sum)
+    }
+
+    fn loose_work(&self, at: f64) -> Told<f64> {
+        let (number, shift) = self.copies;
+        let mut sum = 0.0;
+        for torque in self.sides.iter().flatten() {
+            for copy in 0..number {
+                let by = f64::from(copy) * shift;
+                sum += torque.loose_work(at - by)? + torque.loose_work(-by)?;
+            }
+        }
+        Ok(sum)
+    }
+
+    /// At so many angles of a period a smooth curve is looked at.
+    fn many(&self) -> u32 {
+        let own = self.sides.iter().flatten().any(|torque| matches!(torque, Torque::Of(_)));
+        if own { FEW_LOOKS } else { LOOKS }
+    }
+
+    fn net(&self, at: f64, after: bool) -> Told<f64> {
+        Ok(self.side(0, at, after)? - self.side(1, at, after)?)
+    }
+
+    fn work(&self, side: usize, at: f64) -> Told<f64> {
+        let Some(torque) = &self.sides[side] else { return Ok(self.means[1 - side] * at) };
+        let (number, shift) = self.copies;
+        (0..number)
+            .map(|copy| {
+                let by = f64::from(copy) * shift;
+                Ok(torque.integral(at - by)? - torque.integral(-by)?)
+            })
+            .sum()
+    }
+
+    fn level(&self, at: f64) -> Told<f64> {
+        Ok(self.work(0, at)? - self.work(1, at)?)
+    }
+
+    /// Angles at which a table bends, ascending within the period, with both ends.
+    fn knots(&self) -> Vec<f64> {
+        let (number, shift) = self.copies;
+        let room = 64.0 * U * self.period;
+        let mut knots = vec![0.0, self.period];
+        for torque in self.sides.iter().flatten() {
+            let Torque::Table { knots: own, period, .. } = torque else { continue };
+            for copy in 0..number {
+                for knot in own {
+                    let angle = knot[0] + f64::from(copy) * shift;
+                    let mut at = angle - libm::floor(angle / period) * period;
+                    while at < self.period {
+                        knots.push(at);
+                        at += period;
+                    }
+                }
+            }
+        }
+        knots.sort_by(f64::total_cmp);
+        knots.dedup_by(|a, b| (*a - *b).abs() <= room);
+        knots.retain(|at| *at <= self.period);
+        knots
+    }
+
+    fn smooth(&self) -> bool {
+        self.sides.iter().flatten().any(|torque| !matches!(torque, Torque::Table { .. }))
+    }
+}
+
+/// Solves a diagram.
+///
+/// # Errors
+/// Why there is none, one clause.
+pub(super) fn turning(
+    cycle: &Cycle,
+    g: Given,
+    standing: Option<Standing<'_>>,
+    steepest: bool,
+) -> Result<Turning, String> {
+    let inertia = cycle.rotating.iter().map(|rotating| {
+        let central = match rotating.inertia {
+            RotatingInertia::Central(inertia) => inertia.value,
+            RotatingInertia::Mass(mass, radius) => mass.value * radius.value * radius.value,
+            RotatingInertia::Weight(weight, radius) => weight.value / g.value * radius.value * radius.value,
+        };
+        central * rotating.ratio.value * rotating.ratio.value
+    });
+    let inertia = inertia.reduce(|sum, more| sum + more);
+    let mut turning = Turning {
+        period: cycle.period.value,
+        omega: cycle.omega.value,
+        fluctuation: cycle.fluctuation.map(|given| given.value),
+        inertia,
+        mean: Known { value: 0.0, bound: 0.0 },
+        crossings: Vec::new(),
+        levels: Vec::new(),
+        areas: Vec::new(),
+        by_areas: false,
+        extremes: None,
+        steepest: None,
+    };
+    let sides = match &cycle.sides {
+        Sides::Areas { areas, torque, angle, total } => {
+            turning.of_areas(areas, torque.value * angle.value, total.value)?;
+            return Ok(turning);
+        }
+        Sides::Torque(torque) => [Some(Torque::new(torque, -1.0, standing)?), None],
+        Sides::Load(load) => [None, Some(Torque::new(load, 1.0, standing)?)],
+        Sides::Both { torque, load } => {
+            [Some(Torque::new(torque, -1.0, standing)?), Some(Torque::new(load, 1.0, standing)?)]
+        }
+    };
+    let number = cycle.copies.number;
+    let sizes: f64 = sides.iter().flatten().map(Torque::size).sum();
+    let mut curves = Curves {
+        sides,
+        copies: (number, cycle.copies.shift.value),
+        means: [0.0; 2],
+        scale: sizes * f64::from(number),
+        period: cycle.period.value,
+    };
+    turning.of_curves(&mut curves, steepest)?;
+    Ok(turning)
+}
+
+impl Turning {
+    fn of_areas(&mut self, areas: &[Given], unit: f64, total: f64) -> Told<()> {
+        let all: f64 = areas.iter().map(|area| area.value.abs()).sum();
+        let sum: f64 = areas.iter().map(|area| area.value).sum();
+        if sum.abs() > 1e-3 * all {
+            return Err("the areas above and below the mean differ".to_owned());
+        }
+        if total == 0.0 {
+            return Err("the mean torque is zero".to_owned());
+        }
+        let room = 64.0 * U * all * unit.abs();
+        self.mean =
+            Known { value: total * unit / self.period, bound: 32.0 * U * (total * unit / self.period).abs() };
+        self.areas = areas.iter().map(|area| Known { value: area.value * unit, bound: room }).collect();
+        let mut level = 0.0;
+        for area in areas {
+            level += area.value;
+            self.levels.push(Known { value: level * unit, bound: room });
+        }
+        self.by_areas = true;
+        self.find_extremes();
+        Ok(())
+    }
+
+    fn find_extremes(&mut self) {
+        let levels: Vec<f64> = self.levels.iter().map(|level| level.value).collect();
+        let (Some(most), Some(least)) =
+            (levels.iter().copied().reduce(f64::max), levels.iter().copied().reduce(f64::min))
+        else {
+            return;
+        };
+        let room = 1e-9 * (most - least);
+        let first =
+            |wanted: &dyn Fn(f64) -> bool| levels.iter().position(|level| wanted(*level)).unwrap_or(0);
+        self.extremes = Some([first(&|level| level >= most - room), first(&|level| level <= least + room)]);
+    }
+
+    fn of_curves(&mut self, curves: &mut Curves<'_>, steepest: bool) -> Told<()> {
+        let period = self.period;
+        for torque in curves.sides.iter().flatten() {
+            // A mechanism's torque is as large as it is seen to be.
+            let Torque::Of(own) = torque else { continue };
+            let mut most = 0.0_f64;
+            for look in 0..FEW_LOOKS {
+                most = most.max(own.torque(f64::from(look) / f64::from(FEW_LOOKS) * period)?.value.abs());
+            }
+            curves.scale += most * f64::from(curves.copies.0);
+        }
+        let works = [0, 1].map(|side| curves.sides[side].as_ref().map(|_| curves.work(side, period)));
+        let [torque, load] = works;
+        let (torque, load) = (torque.transpose()?, load.transpose()?);
+        if curves.scale == 0.0 {
+            return Err("the torque is zero throughout".to_owned());
+        }
+        let work = torque.or(load).ok_or("there is no curve")?;
+        if work.abs() <= 1e-9 * curves.scale * period {
+            return Err("the mean torque is zero".to_owned());
+        }
+        if let (Some(torque), Some(load)) = (torque, load)
+            && (torque - load).abs() > 1e-3 * torque.abs().max(load.abs())
+        {
+            return Err("the two torques have different means".to_owned());
+        }
+        curves.means = [torque, load].map(|work| work.unwrap_or(0.0) / period);
+        let knots = curves.knots();
+        let many = 64.0 + 8.0 * knots.len() as f64;
+        let height = many * U * curves.scale;
+        let whole = curves.loose_work(period)?;
+        let area = many * U * curves.scale * period + whole;
+        let height = height + whole / period;
+        self.mean = Known { value: work / period, bound: area / period };
+        self.find_crossings(curves, &knots, height)?;
+        for at in &self.crossings {
+            let loose = curves.loose_work(at.value)?;
+            self.levels.push(Known { value: curves.level(at.value)?, bound: area + loose });
+        }
+        let whole = curves.level(period)?;
+        for (index, from) in self.levels.iter().enumerate() {
+            let to = self.levels.get(index + 1).map_or(self.levels[0].value + whole, |to| to.value);
+            self.areas.push(Known { value: to - from.value, bound: 2.0 * area + from.bound });
+        }
+        self.find_extremes();
+        if steepest { self.find_steepest(curves, &knots, height) } else { Ok(()) }
+    }
+
+    /// The angles of the pieces in which nothing leaps or bends.
+    fn looks(curves: &Curves<'_>, knots: &[f64]) -> Vec<f64> {
+        if !curves.smooth() {
+            return knots.to_vec();
+        }
+        let mut looks = knots.to_vec();
+        let many = curves.many();
+        looks.extend((1..many).map(|i| f64::from(i) / f64::from(many) * curves.period));
+        looks.sort_by(f64::total_cmp);
+        let room = 1e-9 * curves.period;
+        // A knot stays where it is.
+        let mut kept: Vec<f64> = Vec::new();
+        for at in looks {
+            match kept.last_mut() {
+                Some(last) if at - *last <= room => {
+                    if knots.contains(&at) {
+                        *last = at;
+                    }
+                }
+                _ => kept.push(at),
+            }
+        }
+        kept
+    }
+
+    fn find_crossings(&mut self, curves: &Curves<'_>, knots: &[f64], height: f64) -> Told<()> {
+        let zero = ZERO * curves.scale;
+        let sense = |net: f64| {
+            if net.abs() <= zero {
+                0
+            } else if net > 0.0 {
+                1
+            } else {
+                -1
+            }
+        };
+        let looks = Self::looks(curves, knots);
+        // Every value in its order, with the place it stands at.
+        let mut values = Vec::new();
+        let period = self.period;
+        for (index, &at) in looks.iter().enumerate() {
+            if index + 1 == looks.len() {
+                values.push((at, curves.net(at, false)?));
+                break;
+            }
+            let before = if index == 0 { curves.net(period, false)? } else { curves.net(at, false)? };
+            values.push((at, before));
+            values.push((at, curves.net(at, true)?));
+        }
+        let ended = values.iter().rev().map(|(_, net)| sense(*net)).find(|sense| *sense != 0);
+        let Some(mut last) = ended else { return Ok(()) };
+        let mut nonzero: Option<f64> = None;
+        let mut resting: Option<f64> = None;
+        for (at, net) in values {
+            let now = sense(net);
+            if now == 0 {
+                resting.get_or_insert(at);
+                continue;
+            }
+            if now != last {
+                let place = match (resting, nonzero) {
+                    (Some(rest), _) => rest,
+                    (None, Some(from)) if from < at => Self::root(curves, from, at)?,
+                    (None, _) => at,
+                };
+                if place < period {
+                    let near = 1e-7 * period;
+                    let [low, high] = [place - near, place + near].map(|at| curves.net(at, true));
+                    let slope = ((high? - low?) / (2.0 * near)).abs();
+                    // At a knot the place is the knot's.
+                    let of_place = 32.0 * U * (period + place.abs());
+                    let height = height + curves.loose(place)?;
+                    let bound = of_place + if slope > 0.0 { 2.0 * height / slope } else { 0.0 };
+                    self.crossings.push(Known { value: place, bound });
+                }
+                last = now;
+            }
+            nonzero = Some(at);
+            resting = None;
+        }
+        Ok(())
+    }
+
+    /// The root between two angles: Newton's steps by a secant slope, kept within halves of the bracket.
+    fn root(curves: &Curves<'_>, from: f64, to: f64) -> Told<f64> {
+        let (mut low, mut high) = (from, to);
+        let (low_net, high_net) = (curves.net(low, true)?, curves.net(high, false)?);
+        let rises = high_net > low_net;
+        let mut at = low - low_net * (high - low) / (high_net - low_net);
+        for _ in 0..200 {
+            if !(at > low && at < high) {
+                at = f64::midpoint(low, high);
+            }
+            let net = curves.net(at, true)?;
+            if net == 0.0 || high - low <= 4.0 * U * high.abs() {
+                break;
+            }
+            if (net > 0.0) == rises {
+                high = at
+            } else {
+                low = at
+            }
+            let step = (1e-6 * (to - from)).max(16.0 * U * at.abs());
+            let ends = [(at - step).max(from), (at + step).min(to)];
+            let slope = (curves.net(ends[1], false)? - curves.net(ends[0], true)?) / (ends[1] - ends[0]);
+            let next = at - net / slope;
+            if next == at {
+                break;
+            }
+            at = next;
+        }
+        Ok(at.clamp(from, to))
+    }
+
+    fn find_steepest(&mut self, curves: &Curves<'_>, knots: &[f64], height: f64) -> Told<()> {
+        let looks = Self::looks(curves, knots);
+        let mut found = Vec::new();
+        for up in [1.0, -1.0] {
+            let net = |at: f64, after: bool| curves.net(at, after).map(|net| up * net);
+            let mut values = Vec::new();
+            for (index, &at) in looks.iter().enumerate() {
+                if index > 0 {
+                    values.push((at, net(at, false)?));
+                }
+                if index + 1 < looks.len() {
+                    values.push((at, net(at, true)?));
+                }
+            }
+            // What comes before angle 0 is the end of the period.
+            if let Some((at, value)) = values.last().copied()
+                && looks.len() > 1
+            {
+                values.insert(0, (at - self.period, value));
+            }
+            let most = values.iter().map(|(_, value)| *value).fold(f64::NEG_INFINITY, f64::max);
+            let room = 1e-9 * curves.scale;
+            let index = values.iter().position(|(_, value)| *value >= most - room).unwrap_or(0);
+            let (mut at, mut value) = values[index];
+            let mut loose = 32.0 * U * self.period;
+            if curves.smooth() {
+                let step = self.period / f64::from(curves.many());
+                let height = height + curves.loose(at)?;
+                let beyond = |from: f64, by: f64| {
+                    let end = from + by;
+                    let inside = knots.iter().find(|knot| (**knot - end) * (**knot - from) < 0.0);
+                    inside.copied().unwrap_or(end)
+                };
+                let (mut low, mut high) = (beyond(at, -step), beyond(at, step));
+                let golden = 0.618_033_988_749_894_9;
+                for _ in 0..90 {
+                    let (a, b) = (high - golden * (high - low), low + golden * (high - low));
+                    if net(a, true)? >= net(b, true)? { high = b } else { low = a }
+                }
+                let top = f64::midpoint(low, high);
+                let at_top = net(top, true)?;
+                if at_top > value {
+                    let bend = (net(top - step / 4.0, true)? - 2.0 * at_top + net(top + step / 4.0, true)?)
+                        / (step * step / 16.0);
+                    if bend < 0.0 {
+                        loose += 2.0 * libm::sqrt(2.0 * (height + 64.0 * U * curves.scale) / -bend);
+                    }
+                    (at, value) = (top, at_top);
+                }
+            }
+            if at < 0.0 && at > -loose {
+                at = 0.0;
+            }
+            let place = if at < 0.0 { at + self.period } else { at };
+            found.push((
+                Known { value: place, bound: loose },
+                Known { value: up * value, bound: height + self.mean.bound + curves.loose(place)? },
+            ));
+        }
+        if let [most, least] = found[..] {
+            self.steepest = Some([most, least]);
+        }
+        Ok(())
+    }
+
+    fn fluctuation_of_energy(&self) -> Told<Known> {
+        let [highest, lowest] = self.extremes.ok_or("the curves do not cross")?;
+        Ok(self.levels[highest].less(self.levels[lowest]))
+    }
+
+    fn square(&self) -> Told<f64> {
+        if self.omega == 0.0 { Err("the input rests".to_owned()) } else { Ok(self.omega * self.omega) }
+    }
+
+    fn needed(&self, wanted: f64) -> Told<Known> {
+        Ok(self.fluctuation_of_energy()?.times(1.0 / (wanted * self.square()?)))
+    }
+
+    fn all_that_turns(&self) -> Told<Known> {
+        let there = self.inertia.map(|inertia| Known { value: inertia, bound: 32.0 * U * inertia });
+        let needed = self.fluctuation.map(|wanted| self.needed(wanted)).transpose()?;
+        match (needed, there) {
+            (Some(needed), Some(there)) if there.value > needed.value => Ok(there),
+            (Some(needed), _) => Ok(needed),
+            (None, Some(there)) => Ok(there),
+            (None, None) => Err("nothing is said of what turns".to_owned()),
+        }
+    }
+
+    /// A number of the diagram.
+    pub(super) fn answer(&self, of: CycleQuantity) -> Answer {
+        self.told(of)
+            .map_or_else(|why| Answer::Indeterminate(Indeterminate::Undefined { why }), Known::answer)
+    }
+
+    fn told(&self, of: CycleQuantity) -> Told<Known> {
+        let quotient = |a: Known, b: Known| {
+            let value = a.value / b.value;
+            let bound = (a.bound + value.abs() * b.bound) / b.value.abs() + 16.0 * U * value.abs();
+            Known { value, bound: 1.01 * bound }
+        };
+        let at = |k: u32, of: &[Known]| -> Told<Known> {
+            (k as usize)
+                .checked_sub(1)
+                .and_then(|index| of.get(index))
+                .copied()
+                .ok_or_else(|| format!("there are {} of them", of.len()))
+        };
+        let extreme =
+            |which: usize| -> Told<usize> { Ok(self.extremes.ok_or("the curves do not cross")?[which]) };
+        let unplaced = "areas alone do not say at which angle";
+        match of {
+            CycleQuantity::Mean => Ok(self.mean),
+            CycleQuantity::Work => Ok(self.mean.times(self.period)),
+            CycleQuantity::Power => {
+                self.square()?;
+                Ok(self.mean.times(self.omega))
+            }
+            CycleQuantity::Highest => Ok(self.levels[extreme(0)?]),
+            CycleQuantity::Lowest => Ok(self.levels[extreme(1)?]),
+            CycleQuantity::Fluctuation => self.fluctuation_of_energy(),
+            CycleQuantity::OfEnergy => {
+                let work = self.mean.times(self.period);
+                let work = Known { value: work.value.abs(), ..work };
+                Ok(quotient(self.fluctuation_of_energy()?, work))
+            }
+            CycleQuantity::OfSpeed => {
+                if let Some(wanted) = self.fluctuation {
+                    return Ok(Known { value: wanted, bound: 4.0 * U * wanted });
+                }
+                let by = self.all_that_turns()?.times(self.square()?);
+                let part = quotient(self.fluctuation_of_energy()?, by);
+                if part.value >= 2.0 { Err("what turns is too light".to_owned()) } else { Ok(part) }
+            }
+            CycleQuantity::Flywheel => {
+                let wanted = self.fluctuation.ok_or("no `fluctuation` is wanted")?;
+                let there = self.inertia.unwrap_or(0.0);
+                let needed = self.needed(wanted)?;
+                let still = needed.less(Known { value: there, bound: 32.0 * U * there });
+                if still.value < 0.0 { Err("no flywheel is needed".to_owned()) } else { Ok(still) }
+            }
+            CycleQuantity::Inertia => {
+                let there = self.inertia.ok_or("nothing is said of what turns")?;
+                Ok(Known { value: there, bound: 32.0 * U * there })
+            }
+            CycleQuantity::Crossing(_) | CycleQuantity::AtHighest | CycleQuantity::AtLowest
+                if self.by_areas =>
+            {
+                Err(unplaced.to_owned())
+            }
+            CycleQuantity::Crossing(k) => at(k, &self.crossings),
+            CycleQuantity::Area(k) => at(k, &self.areas),
+            CycleQuantity::Level(k) => at(k, &self.levels),
+            CycleQuantity::AtHighest => Ok(self.crossings[extreme(0)?]),
+            CycleQuantity::AtLowest => Ok(self.crossings[extreme(1)?]),
+            CycleQuantity::Most | CycleQuantity::Least => {
+                let steepest = self.steepest.ok_or(unplaced)?;
+                let (_, net) = steepest[usize::from(of == CycleQuantity::Least)];
+                Ok(quotient(net, self.all_that_turns()?))
+            }
+            CycleQuantity::AtMost | CycleQuantity::AtLeast => {
+                let steepest = self.steepest.ok_or(unplaced)?;
+                Ok(steepest[usize::from(of == CycleQuantity::AtLeast)].0)
+            }
+        }
+    }
+}

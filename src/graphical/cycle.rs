@@ -1,0 +1,1104 @@
+//! The turning-moment diagram on the board: the curves over the angle, the mean line, their meets, the areas between as
+//! sums of trapezia and parabolic pieces, and the running levels.
+//!
+//! Angles run to the right from 0, torques upwards. A harmonic is the height of a turning arrow, read off when it stands
+//! at its angle. Where both curves are straight an area is a trapezium and a crossing the meet of two lines; elsewhere
+//! pieces are so short that a parabola through three heights misses less than is told in the bound, and a crossing is
+//! found by false position.
+
+use crate::board::{Amount, Arithmetic, Board, Line, Mm, Point, Reason, Scale, Tape};
+use crate::given::Given;
+use crate::mechanism::curve::Curve;
+use crate::mechanism::cycle::{Course, Cycle, CycleQuantity, RotatingInertia, Sides};
+use crate::mechanism::quantity::{Answer, Indeterminate};
+
+/// What the mechanism's own torque is at an angle of the input: N m, and how far it may be off; none where it is not
+/// determined.
+pub type OwnTorque<'a> = &'a dyn Fn(f64) -> Option<(f64, f64)>;
+
+/// A weak divisor has no better name here.
+const REASON: Reason = 0;
+/// Two angles of the scene nearer than this part of the period are one.
+const SAME: f64 = 1e-14;
+/// Less than this part of the largest torque is zero.
+const ZERO: f64 = 1e-12;
+/// By this part of the largest torque a parabola may miss its piece.
+const MISS: f64 = 3e-11;
+/// Where a curve has a corner pieces end at this part of the largest area.
+const CORNER: f64 = 1e-14;
+/// A piece is halved so often at most.
+const HALVINGS: u32 = 40;
+/// Pieces of a curve before any is halved.
+const PIECES: u32 = 48;
+/// Two curves must have one mean within this part.
+const ONE_MEAN: f64 = 1e-3;
+
+/// A turning-moment diagram as drawn, in SI units and radians.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct CycleSheet {
+    /// After which angle everything comes again.
+    pub period: f64,
+    /// The driving and the resisting torque: points of the curves; none where only areas are given.
+    pub curves: [Vec<[f64; 2]>; 2],
+    /// Which of the two is a line at the mean of the other.
+    pub constant: Option<usize>,
+    /// Where the curves cross, ascending.
+    pub crossings: Vec<CycleCrossing>,
+    /// Areas between them: from each crossing to the next, or as they were given.
+    pub areas: Vec<f64>,
+    /// The levels of energy: at each crossing, or after each given area.
+    pub levels: Vec<f64>,
+    /// Which level is the highest, and which the lowest.
+    pub extremes: Option<[usize; 2]>,
+    /// What was read off.
+    numbers: Vec<(CycleQuantity, Answer)>,
+}
+
+/// A crossing of the two curves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleCrossing {
+    /// The angle.
+    pub at: f64,
+    /// The torque there; of a leap the mean torque.
+    pub torque: f64,
+    /// The driving torque comes from below: speed is least here.
+    pub rises: bool,
+}
+
+impl CycleSheet {
+    /// What was read off for a quantity.
+    #[must_use]
+    pub fn answer(&self, of: CycleQuantity) -> Answer {
+        let found = self.numbers.iter().find(|(known, _)| *known == of);
+        found.map_or_else(|| undefined("it was not drawn"), |(_, answer)| answer.clone())
+    }
+}
+
+fn undefined(why: impl Into<String>) -> Answer {
+    Answer::Indeterminate(Indeterminate::Undefined { why: why.into() })
+}
+
+/// Draws a diagram and reads these quantities off.
+///
+/// # Errors
+/// Why there is no diagram, one clause.
+pub fn draw(
+    arithmetic: Arithmetic,
+    cycle: &Cycle,
+    g: Given,
+    asked: &[CycleQuantity],
+    of: Option<OwnTorque<'_>>,
+) -> Result<CycleSheet, String> {
+    let board = Board::new(Tape::of(arithmetic));
+    let mut desk = Desk { board, cycle, of, missed: 0.0, largest: 0.0 };
+    let drawn = match &cycle.sides {
+        Sides::Areas { areas, torque, angle, total } => desk.by_areas(areas, *torque, *angle, *total)?,
+        _ => desk.by_curves()?,
+    };
+    let mut sheet = drawn.sheet(cycle.period.value);
+    let mut asked = asked.to_vec();
+    asked.sort_unstable_by_key(|of| of.name());
+    asked.dedup();
+    let read: Vec<(CycleQuantity, Result<Number, String>)> =
+        asked.into_iter().map(|of| (of, desk.read(&drawn, g, of))).collect();
+    let marks: Vec<u32> = read.iter().filter_map(|(_, n)| n.as_ref().ok()).map(|n| n.amount.mark()).collect();
+    let mut judged = desk.board.tape().judged(&marks).into_iter();
+    for (of, number) in read {
+        let answer = match number {
+            Err(why) => undefined(why),
+            Ok(number) => match judged.next() {
+                Some(judged) if judged.weakness.is_none() && judged.bound.is_finite() => {
+                    let value = number.amount.value();
+                    Answer::Scalar { value, bound: judged.bound + number.beside + value.abs() * f64::EPSILON }
+                }
+                _ => undefined("it is divided by what may be zero"),
+            },
+        };
+        sheet.numbers.push((of, answer));
+    }
+    Ok(sheet)
+}
+
+/// A number on the tape, and what its bound has besides that of the tape.
+#[derive(Debug, Clone, Copy)]
+struct Number {
+    amount: Amount,
+    beside: f64,
+}
+
+/// A torque on the board.
+enum Drawn {
+    Table { knots: Vec<[Amount; 2]>, period: Amount },
+    Harmonics { constant: Amount, waves: Vec<Wave> },
+    Of { sign: f64 },
+}
+
+struct Wave {
+    order: Amount,
+    size: Amount,
+    sine: bool,
+}
+
+/// From which side one comes to an angle.
+#[derive(Clone, Copy, PartialEq)]
+enum Limit {
+    Before,
+    After,
+}
+
+/// An angle at which pieces meet, with the heights of both curves on either side of it.
+#[derive(Clone, Copy)]
+struct Node {
+    at: Amount,
+    before: [Amount; 2],
+    after: [Amount; 2],
+}
+
+/// What lies between two nodes: the heights in its middle, where it is not straight.
+type Piece = Option<[Amount; 2]>;
+
+/// The diagram while it is drawn.
+struct Diagram {
+    nodes: Vec<Node>,
+    mean: Amount,
+    work: Amount,
+    constant: Option<usize>,
+    crossings: Vec<Crossing>,
+    areas: Vec<Amount>,
+    levels: Vec<Amount>,
+    by_areas: bool,
+    extremes: Option<[usize; 2]>,
+    /// The greatest and the least of the difference: where, how much, and how far the place may be off.
+    steepest: Option<[(Amount, Amount, f64); 2]>,
+}
+
+#[derive(Clone, Copy)]
+struct Crossing {
+    at: Amount,
+    node: usize,
+    rises: bool,
+}
+
+impl Diagram {
+    fn sheet(&self, period: f64) -> CycleSheet {
+        let value = |amounts: &[Amount]| amounts.iter().map(Amount::value).collect();
+        let mut curves = [Vec::new(), Vec::new()];
+        for node in &self.nodes {
+            for (side, curve) in curves.iter_mut().enumerate() {
+                let at = node.at.value();
+                for height in [node.before[side].value(), node.after[side].value()] {
+                    if curve.last() != Some(&[at, height]) {
+                        curve.push([at, height]);
+                    }
+                }
+            }
+        }
+        let crossings = self.crossings.iter().map(|crossing| {
+            let node = &self.nodes[crossing.node];
+            CycleCrossing { at: crossing.at.value(), torque: node.after[1].value(), rises: crossing.rises }
+        });
+        CycleSheet {
+            period,
+            curves,
+            constant: self.constant,
+            crossings: crossings.collect(),
+            areas: value(&self.areas),
+            levels: value(&self.levels),
+            extremes: self.extremes,
+            numbers: Vec::new(),
+        }
+    }
+}
+
+struct Desk<'a> {
+    board: Board,
+    cycle: &'a Cycle,
+    of: Option<OwnTorque<'a>>,
+    /// How much area the parabolas may miss.
+    missed: f64,
+    /// The largest torque.
+    largest: f64,
+}
+
+impl Desk<'_> {
+    fn exact(&mut self, value: f64) -> Amount {
+        self.board.amount(Given::exact(value))
+    }
+
+    /// Half of a number, or a sixth.
+    fn over(&mut self, amount: Amount, by: f64) -> Amount {
+        let by = self.exact(by);
+        self.board.quotient(amount, by, REASON)
+    }
+
+    fn course(&mut self, course: &Course, sign: f64) -> Drawn {
+        match course {
+            Course::Of(_) => Drawn::Of { sign },
+            Course::Curve(Curve::Table { knots, period }) => Drawn::Table {
+                knots: knots.iter().map(|knot| knot.map(|number| self.board.amount(number))).collect(),
+                period: self.board.amount(*period),
+            },
+            Course::Curve(Curve::Harmonics { constant, sin, cos }) => {
+                let constant = self.board.amount(*constant);
+                let all = sin.iter().map(|wave| (wave, true)).chain(cos.iter().map(|wave| (wave, false)));
+                let waves = all.map(|(wave, sine)| Wave {
+                    order: self.board.amount(wave.order),
+                    size: self.board.amount(wave.size),
+                    sine,
+                });
+                Drawn::Harmonics { constant, waves: waves.collect() }
+            }
+        }
+    }
+
+    /// An angle with the copy's shift taken off.
+    fn shifted(&mut self, at: Amount, copy: u32) -> Amount {
+        if copy == 0 {
+            return at;
+        }
+        let shift = self.board.amount(self.cycle.copies.shift);
+        let by = self.exact(f64::from(copy));
+        let by = self.board.product(by, shift);
+        self.board.difference(at, by)
+    }
+
+    /// The height of a curve at an angle, all copies together.
+    fn height(&mut self, course: &Drawn, at: Amount, limit: Limit) -> Result<Amount, String> {
+        let mut sum: Option<Amount> = None;
+        for copy in 0..self.cycle.copies.number {
+            let angle = self.shifted(at, copy);
+            let height = match course {
+                Drawn::Table { knots, period } => self.table(knots, *period, angle, limit),
+                Drawn::Harmonics { constant, waves } => self.harmonics(*constant, waves, angle),
+                Drawn::Of { sign } => {
+                    let found = self.of.and_then(|of| of(angle.value()));
+                    let (value, error) = found.ok_or_else(|| {
+                        format!(
+                            "the mechanism's torque is not determined at {:.6} deg of its input",
+                            angle.value().to_degrees()
+                        )
+                    })?;
+                    self.board.amount(Given::within(sign * value, error))
+                }
+            };
+            sum = Some(match sum {
+                Some(sum) => self.board.sum(sum, height),
+                None => height,
+            });
+        }
+        sum.ok_or_else(|| "there is no curve".to_owned())
+    }
+
+    fn table(&mut self, knots: &[[Amount; 2]], period: Amount, at: Amount, limit: Limit) -> Amount {
+        let ([first, last], room) =
+            ([knots[0], knots[knots.len() - 1]], SAME * self.cycle.period.value.max(period.value()));
+        let turns = libm::floor((at.value() - first[0].value() + room) / period.value());
+        let at = if turns == 0.0 {
+            at
+        } else {
+            let by = self.exact(turns);
+            let by = self.board.product(by, period);
+            self.board.difference(at, by)
+        };
+        let here = |knot: &&[Amount; 2]| (knot[0].value() - at.value()).abs() <= room;
+        let closes = last[0].value() - first[0].value() >= period.value() - room;
+        let at_first = (first[0].value() - at.value()).abs() <= room;
+        match limit {
+            Limit::Before if at_first && closes => return last[1],
+            Limit::Before => {
+                if let Some(knot) = knots.iter().find(here) {
+                    return knot[1];
+                }
+            }
+            Limit::After => {
+                if let Some(knot) = knots.iter().rev().find(here) {
+                    return knot[1];
+                }
+            }
+        }
+        let next = knots.partition_point(|knot| knot[0].value() <= at.value());
+        let from = if next == 0 { last } else { knots[next - 1] };
+        let to = match knots.get(next) {
+            Some(to) => *to,
+            None => [self.board.sum(first[0], period), first[1]],
+        };
+        let width = self.board.difference(to[0], from[0]);
+        let rise = self.board.difference(to[1], from[1]);
+        let along = self.board.difference(at, from[0]);
+        let part = self.board.product(rise, along);
+        let part = self.board.quotient(part, width, REASON);
+        self.board.sum(from[1], part)
+    }
+
+    /// The heights of turning arrows.
+    fn harmonics(&mut self, constant: Amount, waves: &[Wave], at: Amount) -> Amount {
+        const ONE: Scale = Scale { si_per_mm: 1.0 };
+        let unit = self.exact(1.0);
+        let radius = self.board.to_paper(unit, ONE);
+        let mut sum = constant;
+        for wave in waves {
+            let turn = self.board.product(wave.order, at);
+            let arc = self.board.to_paper(turn, ONE);
+            let angle = self.board.arc_angle(arc, radius, REASON);
+            let arrow = self.board.protractor(angle);
+            let [x, y] = self.board.components(arrow, wave.size);
+            sum = self.board.sum(sum, if wave.sine { y } else { x });
+        }
+        sum
+    }
+
+    /// Both curves of the diagram; none for one that is the mean of the other.
+    fn courses(&mut self) -> [Option<Drawn>; 2] {
+        let cycle = self.cycle;
+        match &cycle.sides {
+            Sides::Torque(torque) => [Some(self.course(torque, -1.0)), None],
+            Sides::Load(load) => [None, Some(self.course(load, 1.0))],
+            Sides::Both { torque, load } => [Some(self.course(torque, -1.0)), Some(self.course(load, 1.0))],
+            Sides::Areas { .. } => [None, None],
+        }
+    }
+
+    /// The heights of both curves; zero stands for one that is not known yet.
+    fn heights(
+        &mut self,
+        courses: &[Option<Drawn>; 2],
+        at: Amount,
+        limit: Limit,
+    ) -> Result<[Amount; 2], String> {
+        let mut heights = [self.exact(0.0); 2];
+        for (height, course) in heights.iter_mut().zip(courses) {
+            if let Some(course) = course {
+                *height = self.height(course, at, limit)?;
+            }
+        }
+        Ok(heights)
+    }
+
+    /// The angles at which a table bends, and both ends of the period.
+    fn breaks(&mut self, courses: &[Option<Drawn>; 2]) -> Vec<Amount> {
+        let period = self.cycle.period.value;
+        let room = SAME * period;
+        let mut breaks = vec![self.exact(0.0), self.board.amount(self.cycle.period)];
+        for course in courses.iter().flatten() {
+            let Drawn::Table { knots, period: own } = course else { continue };
+            let again = libm::ceil(period / own.value()) as i32;
+            for copy in 0..self.cycle.copies.number {
+                for knot in knots {
+                    let shift = self.board.amount(self.cycle.copies.shift);
+                    let by = self.exact(f64::from(copy));
+                    let by = self.board.product(by, shift);
+                    let angle = self.board.sum(knot[0], by);
+                    let down = libm::floor((angle.value() + room) / own.value());
+                    for turn in 0..again {
+                        let turns = f64::from(turn) - down;
+                        let at = if turns == 0.0 {
+                            angle
+                        } else {
+                            let by = self.exact(turns);
+                            let by = self.board.product(by, *own);
+                            self.board.sum(angle, by)
+                        };
+                        let taken = |known: &Amount| (known.value() - at.value()).abs() <= room;
+                        if at.value() > 0.0 && at.value() < period && !breaks.iter().any(taken) {
+                            breaks.push(at);
+                        }
+                    }
+                }
+            }
+        }
+        breaks.sort_by(|a, b| a.value().total_cmp(&b.value()));
+        breaks
+    }
+
+    /// A desk of scratch paper, to look before anything is drawn.
+    fn scratch(&self) -> Desk<'_> {
+        Desk { board: Board::scratch(), cycle: self.cycle, of: self.of, missed: 0.0, largest: self.largest }
+    }
+
+    /// The heights of both curves without a record.
+    fn look(&self, at: f64) -> Result<[f64; 2], String> {
+        let mut scratch = self.scratch();
+        let courses = scratch.courses();
+        let at = scratch.exact(at);
+        Ok(scratch.heights(&courses, at, Limit::After)?.map(|height| height.value()))
+    }
+
+    /// Divides a piece until parabolas through three heights miss little: the angles of its parts, without its ends.
+    fn divide(
+        &mut self,
+        ends: [(f64, [f64; 2]); 2],
+        middle: [f64; 2],
+        depth: u32,
+        into: &mut Vec<f64>,
+    ) -> Result<(), String> {
+        let [(a, from), (b, to)] = ends;
+        let (width, half) = (b - a, f64::midpoint(a, b));
+        let quarters = [f64::midpoint(a, half), f64::midpoint(half, b)];
+        let [left, right] = [self.look(quarters[0])?, self.look(quarters[1])?];
+        let simpson = |a: f64, m: f64, b: f64, width: f64| (a + 4.0 * m + b) / 6.0 * width;
+        let off = [0, 1].map(|side| {
+            let once = simpson(from[side], middle[side], to[side], width);
+            let twice = simpson(from[side], left[side], middle[side], width / 2.0)
+                + simpson(middle[side], right[side], to[side], width / 2.0);
+            (once - twice).abs()
+        });
+        let off = off[0].max(off[1]);
+        let period = self.cycle.period.value;
+        if off <= self.largest * (MISS * width).max(CORNER * period) || depth == 0 {
+            self.missed += off;
+            into.push(half);
+            return Ok(());
+        }
+        self.divide([(a, from), (half, middle)], left, depth - 1, into)?;
+        into.push(half);
+        self.divide([(half, middle), (b, to)], right, depth - 1, into)
+    }
+
+    fn by_curves(&mut self) -> Result<Diagram, String> {
+        let courses = self.courses();
+        let breaks = self.breaks(&courses);
+        let period = self.cycle.period.value;
+        let curved = courses.iter().flatten().any(|course| !matches!(course, Drawn::Table { .. }));
+        // How large torques are.
+        let looks = (0..=PIECES).map(|i| f64::from(i) / f64::from(PIECES) * period);
+        for at in breaks.iter().map(Amount::value).chain(looks) {
+            self.largest =
+                self.look(at)?.into_iter().fold(self.largest, |most, height| most.max(height.abs()));
+        }
+        if self.largest == 0.0 {
+            return Err("the torque is zero throughout".to_owned());
+        }
+        let mut nodes = Vec::new();
+        let mut pieces: Vec<Piece> = Vec::new();
+        for (index, at) in breaks.iter().enumerate() {
+            if let (true, Some(before)) = (curved, index.checked_sub(1).map(|i| breaks[i])) {
+                let (from, to) = (before.value(), at.value());
+                let parts = libm::ceil((to - from) / period * f64::from(PIECES)).max(1.0);
+                let mut inside = Vec::new();
+                for part in 0..parts as u32 {
+                    let [a, b] = [part, part + 1].map(|k| from + (to - from) * f64::from(k) / parts);
+                    if part > 0 {
+                        inside.push(a);
+                    }
+                    // Just inside, where a table may leap at the end.
+                    let nudge = (b - a) * 1e-12;
+                    let ends = [(a, self.look(a)?), (b, self.look(b - nudge)?)];
+                    let middle = self.look(f64::midpoint(a, b))?;
+                    self.divide(ends, middle, HALVINGS, &mut inside)?;
+                }
+                for angle in inside {
+                    let leaf = self.exact(angle);
+                    let heights = self.heights(&courses, leaf, Limit::After)?;
+                    nodes.push(Node { at: leaf, before: heights, after: heights });
+                }
+            }
+            let before = self.heights(&courses, *at, Limit::Before)?;
+            let after = self.heights(&courses, *at, Limit::After)?;
+            nodes.push(Node { at: *at, before, after });
+        }
+        for ends in nodes.windows(2) {
+            pieces.push(if curved {
+                let middle = self.exact(f64::midpoint(ends[0].at.value(), ends[1].at.value()));
+                Some(self.heights(&courses, middle, Limit::After)?)
+            } else {
+                None
+            });
+        }
+        let (mean, work, constant) = self.mean(&courses, &mut nodes, &mut pieces)?;
+        let crossings = self.crossings(&courses, constant, mean, &mut nodes, &mut pieces)?;
+        Ok(self.balance(Parts { nodes, pieces, mean, work, constant, crossings, courses: &courses })?)
+    }
+
+    /// The area under one curve, piece by piece, or between both.
+    fn area(
+        &mut self,
+        ends: [&Node; 2],
+        middle: Piece,
+        of: impl Fn(&mut Self, [Amount; 2]) -> Amount,
+    ) -> Amount {
+        let width = self.board.difference(ends[1].at, ends[0].at);
+        let (from, to) = (of(self, ends[0].after), of(self, ends[1].before));
+        let both = self.board.sum(from, to);
+        match middle {
+            None => {
+                let area = self.board.product(both, width);
+                self.over(area, 2.0)
+            }
+            Some(middle) => {
+                let middle = of(self, middle);
+                let four = self.exact(4.0);
+                let middle = self.board.product(four, middle);
+                let sum = self.board.sum(both, middle);
+                let area = self.board.product(sum, width);
+                self.over(area, 6.0)
+            }
+        }
+    }
+
+    /// The mean torque and the work of a period; a curve that is missing is drawn at the mean.
+    fn mean(
+        &mut self,
+        courses: &[Option<Drawn>; 2],
+        nodes: &mut [Node],
+        pieces: &mut [Piece],
+    ) -> Result<(Amount, Amount, Option<usize>), String> {
+        let mut works = [None, None];
+        for side in 0..2 {
+            if courses[side].is_none() {
+                continue;
+            }
+            let mut work = self.exact(0.0);
+            for (ends, middle) in nodes.windows(2).zip(pieces.iter()) {
+                let area = self.area([&ends[0], &ends[1]], *middle, |_, heights| heights[side]);
+                work = self.board.sum(work, area);
+            }
+            works[side] = Some(work);
+        }
+        let work = works[0].or(works[1]).ok_or_else(|| "there is no curve".to_owned())?;
+        let period = self.board.amount(self.cycle.period);
+        let mean = self.board.quotient(work, period, REASON);
+        if mean.value().abs() <= 1e-9 * self.largest {
+            return Err("the mean torque is zero: no work is done in a period".to_owned());
+        }
+        if let [Some(torque), Some(load)] = works {
+            let (torque, load) = (torque.value(), load.value());
+            if (torque - load).abs() > ONE_MEAN * torque.abs().max(load.abs()) {
+                let means = [torque, load].map(|work| work / self.cycle.period.value);
+                return Err(format!(
+                    "the two torques have different means, {:.6} N m and {:.6} N m: the speed would not come back",
+                    means[0], means[1]
+                ));
+            }
+        }
+        let constant = courses.iter().position(Option::is_none);
+        if let Some(side) = constant {
+            for node in nodes.iter_mut() {
+                node.before[side] = mean;
+                node.after[side] = mean;
+            }
+            for middle in pieces.iter_mut().flatten() {
+                middle[side] = mean;
+            }
+        }
+        Ok((mean, work, constant))
+    }
+
+    /// The difference of the two curves.
+    fn net(&mut self, [torque, load]: [Amount; 2]) -> Amount {
+        self.board.difference(torque, load)
+    }
+
+    /// Where the curves cross: a leap through counts, a touch does not. Each becomes a node.
+    fn crossings(
+        &mut self,
+        courses: &[Option<Drawn>; 2],
+        constant: Option<usize>,
+        mean: Amount,
+        nodes: &mut Vec<Node>,
+        pieces: &mut Vec<Piece>,
+    ) -> Result<Vec<Crossing>, String> {
+        let zero = ZERO * self.largest;
+        let sign = |[torque, load]: [Amount; 2]| {
+            let net = torque.value() - load.value();
+            if net.abs() <= zero { 0.0 } else { net.signum() }
+        };
+        // As the period before ends.
+        let reversed = nodes.iter().rev().flat_map(|node| [node.before, node.after]);
+        let mut last = reversed.map(sign).find(|sign| *sign != 0.0).unwrap_or(0.0);
+        let mut crossings: Vec<Crossing> = Vec::new();
+        let mut touched: Option<usize> = None;
+        let mut index = 0;
+        while index + 1 < nodes.len() {
+            // At the node itself: what comes before angle 0 is the end of the period.
+            let node = nodes[index];
+            let before = if index == 0 { sign(nodes[nodes.len() - 1].before) } else { sign(node.before) };
+            if before == 0.0 && touched.is_none() {
+                touched = Some(index);
+            }
+            let after = sign(node.after);
+            if after == 0.0 && touched.is_none() {
+                touched = Some(index);
+            }
+            if after != 0.0 {
+                if after != last && last != 0.0 {
+                    let node = touched.unwrap_or(index);
+                    crossings.push(Crossing { at: nodes[node].at, node, rises: after > 0.0 });
+                }
+                last = after;
+                touched = None;
+            }
+            // Within the piece that follows.
+            let next = sign(nodes[index + 1].before);
+            if next != 0.0 && next != last && after != 0.0 {
+                let (node, at, halves) = self.meet(
+                    courses,
+                    constant,
+                    mean,
+                    [nodes[index], nodes[index + 1]],
+                    pieces[index].is_some(),
+                )?;
+                nodes.insert(index + 1, node);
+                pieces.splice(index..=index, halves);
+                crossings.push(Crossing { at, node: index + 1, rises: next > 0.0 });
+                last = next;
+                index += 1;
+            }
+            index += 1;
+        }
+        Ok(crossings)
+    }
+
+    /// Where the curves cross within a piece: a node there, its angle, and the two halves of the piece.
+    fn meet(
+        &mut self,
+        courses: &[Option<Drawn>; 2],
+        constant: Option<usize>,
+        mean: Amount,
+        ends: [Node; 2],
+        curved: bool,
+    ) -> Result<(Node, Amount, [Piece; 2]), String> {
+        if !curved {
+            let crossing = self.meet_of_lines(ends);
+            return Ok((crossing, crossing.at, [None, None]));
+        }
+        let with_mean = |heights: [f64; 2]| {
+            let mut heights = heights;
+            if let Some(side) = constant {
+                heights[side] = mean.value();
+            }
+            heights[0] - heights[1]
+        };
+        let [mut from, mut to] = ends.map(|node| node.at.value());
+        let [a, b] = [from, to];
+        let rises = ends[1].before[0].value() > ends[1].before[1].value();
+        loop {
+            let middle = f64::midpoint(from, to);
+            if middle <= from || middle >= to {
+                break;
+            }
+            if (with_mean(self.look(middle)?) > 0.0) == rises {
+                to = middle;
+            } else {
+                from = middle;
+            }
+        }
+        let slope = {
+            let (low, high) = (with_mean(self.look(a)?), with_mean(self.look(b - (b - a) * 1e-12)?));
+            let near = (b - a) * 1e-3;
+            let (left, right) = ((from - near).max(a), (from + near).min(b - (b - a) * 1e-12));
+            let here = (with_mean(self.look(right)?) - with_mean(self.look(left)?)) / (right - left);
+            if here == 0.0 { (high - low) / (b - a) } else { here }
+        };
+        let set = |desk: &mut Self, angle: f64| -> Result<(Amount, [Amount; 2]), String> {
+            let leaf = desk.exact(angle);
+            let mut heights = desk.heights(courses, leaf, Limit::After)?;
+            if let Some(side) = constant {
+                heights[side] = mean;
+            }
+            Ok((leaf, heights))
+        };
+        let (leaf, heights) = set(self, from)?;
+        let net = self.net(heights);
+        let slope = self.exact(slope);
+        let step = self.board.quotient(net, slope, REASON);
+        let at = self.board.difference(leaf, step);
+        let (_, first) = set(self, f64::midpoint(a, from))?;
+        let (_, second) = set(self, f64::midpoint(from, b))?;
+        Ok((Node { at: leaf, before: heights, after: heights }, at, [Some(first), Some(second)]))
+    }
+
+    /// The meet of two straight pieces on the paper.
+    fn meet_of_lines(&mut self, ends: [Node; 2]) -> Node {
+        let power = |size: f64| Scale { si_per_mm: libm::exp2(libm::ceil(libm::log2(size / 100.0))) };
+        let (angles, torques) = (power(self.cycle.period.value), power(self.largest));
+        let mut lines = Vec::new();
+        let origin = self.board.origin();
+        for side in 0..2 {
+            let place = |desk: &mut Self, at: Amount, height: Amount| -> Point {
+                let (x, y): (Mm, Mm) =
+                    (desk.board.to_paper(at, angles), desk.board.to_paper(height, torques));
+                desk.board.prick(x, y)
+            };
+            let from = place(self, ends[0].at, ends[0].after[side]);
+            let to = place(self, ends[1].at, ends[1].before[side]);
+            let (along, _) = self.board.toward(from, to, REASON);
+            lines.push(Line { through: from, along });
+        }
+        let meet = self.board.meet_lines(lines[0], lines[1], REASON);
+        let [x, y] = self.board.between(origin, meet.at);
+        let (at, height) = (self.board.read(x, angles), self.board.read(y, torques));
+        Node { at, before: [height; 2], after: [height; 2] }
+    }
+
+    /// Areas, levels and the steepest places.
+    fn balance(&mut self, parts: Parts<'_>) -> Result<Diagram, String> {
+        let Parts { nodes, pieces, mean, work, constant, crossings, courses } = parts;
+        let mut level = self.exact(0.0);
+        let mut levels_at = vec![level];
+        for (ends, middle) in nodes.windows(2).zip(&pieces) {
+            let area = self.area([&ends[0], &ends[1]], *middle, |desk, heights| desk.net(heights));
+            level = self.board.sum(level, area);
+            levels_at.push(level);
+        }
+        let levels: Vec<Amount> = crossings.iter().map(|crossing| levels_at[crossing.node]).collect();
+        let mut areas = Vec::new();
+        for (index, from) in levels.iter().enumerate() {
+            areas.push(match levels.get(index + 1) {
+                Some(to) => self.board.difference(*to, *from),
+                None => {
+                    // On to the first crossing of the next period.
+                    let rest = self.board.difference(level, *from);
+                    self.board.sum(rest, levels[0])
+                }
+            });
+        }
+        let extremes = self.extremes(&levels);
+        let steepest = self.steepest(courses, constant, mean, &nodes, &pieces)?;
+        Ok(Diagram {
+            nodes,
+            mean,
+            work,
+            constant,
+            crossings,
+            areas,
+            levels,
+            by_areas: false,
+            extremes,
+            steepest: Some(steepest),
+        })
+    }
+
+    /// The highest and the lowest level; of equal ones the first.
+    fn extremes(&self, levels: &[Amount]) -> Option<[usize; 2]> {
+        let values: Vec<f64> = levels.iter().map(Amount::value).collect();
+        let most = values.iter().copied().reduce(f64::max)?;
+        let least = values.iter().copied().reduce(f64::min)?;
+        let room = 1e-9 * (most - least);
+        let highest = values.iter().position(|level| *level >= most - room)?;
+        let lowest = values.iter().position(|level| *level <= least + room)?;
+        Some([highest, lowest])
+    }
+
+    /// Where the difference is greatest and least, with what it is there.
+    fn steepest(
+        &mut self,
+        courses: &[Option<Drawn>; 2],
+        constant: Option<usize>,
+        mean: Amount,
+        nodes: &[Node],
+        pieces: &[Piece],
+    ) -> Result<[(Amount, Amount, f64); 2], String> {
+        let mut found = Vec::new();
+        for up in [1.0, -1.0] {
+            let net = |heights: [Amount; 2]| up * (heights[0].value() - heights[1].value());
+            let at_node = |node: &Node| net(node.before).max(net(node.after));
+            let most = nodes.iter().map(at_node).fold(f64::NEG_INFINITY, f64::max);
+            let room = 1e-9 * self.largest;
+            let index = nodes.iter().position(|node| at_node(node) >= most - room);
+            let index = index.ok_or_else(|| "there is no curve".to_owned())?;
+            let node = nodes[index];
+            let heights = if net(node.after) >= net(node.before) { node.after } else { node.before };
+            let mut place = (node.at, heights, 0.0);
+            // Of a curve the top may lie between two nodes.
+            if pieces.iter().any(Option::is_some) {
+                let look = |desk: &Self, at: f64| -> Result<f64, String> {
+                    let mut heights = desk.look(at)?;
+                    if let Some(side) = constant {
+                        heights[side] = mean.value();
+                    }
+                    Ok(up * (heights[0] - heights[1]))
+                };
+                let neighbour = |index: usize| nodes.get(index).map(|node| node.at.value());
+                let from = index.checked_sub(1).and_then(neighbour).unwrap_or(node.at.value());
+                let to = neighbour(index + 1).unwrap_or(node.at.value());
+                let (mut low, mut high) = (from, to);
+                for _ in 0..60 {
+                    let third = (high - low) / 3.0;
+                    let (a, b) = (low + third, high - third);
+                    if look(self, a)? < look(self, b)? {
+                        low = a;
+                    } else {
+                        high = b;
+                    }
+                }
+                let at = f64::midpoint(low, high);
+                let top = look(self, at)?;
+                if top > net(heights) {
+                    // Within this of the top nothing tells where it is.
+                    let step = (to - from) / 4.0;
+                    let bend = (look(self, at - step)? - 2.0 * top + look(self, at + step)?) / (step * step);
+                    let noise = 64.0 * f64::EPSILON * self.largest + self.noise_at(at);
+                    let room = if bend < 0.0 { 2.0 * libm::sqrt(2.0 * noise / -bend) } else { to - from };
+                    let leaf = self.exact(at);
+                    let mut heights = self.heights(courses, leaf, Limit::After)?;
+                    if let Some(side) = constant {
+                        heights[side] = mean;
+                    }
+                    place = (leaf, heights, room + at.abs() * f64::EPSILON);
+                }
+            }
+            let (at, heights, room) = place;
+            found.push((at, self.net(heights), room));
+        }
+        match found[..] {
+            [most, least] => Ok([most, least]),
+            _ => Err("there is no curve".to_owned()),
+        }
+    }
+
+    /// How far the mechanism's torque may be off.
+    fn noise_at(&self, at: f64) -> f64 {
+        self.of.and_then(|of| of(at)).map_or(0.0, |(_, error)| error)
+    }
+
+    fn by_areas(
+        &mut self,
+        areas: &[Given],
+        torque: Given,
+        angle: Given,
+        total: Given,
+    ) -> Result<Diagram, String> {
+        let [torque, angle, total] = [torque, angle, total].map(|given| self.board.amount(given));
+        let unit = self.board.product(torque, angle);
+        let work = self.board.product(total, unit);
+        let period = self.board.amount(self.cycle.period);
+        let mean = self.board.quotient(work, period, REASON);
+        let (sum, all) =
+            areas.iter().fold((0.0, 0.0), |(sum, all), area| (sum + area.value, all + area.value.abs()));
+        if f64::abs(sum) > ONE_MEAN * all {
+            return Err(format!(
+                "the areas above and below the mean differ by {sum:.6}: the speed would not come back"
+            ));
+        }
+        if total.value() == 0.0 {
+            return Err("the mean torque is zero: no work is done in a period".to_owned());
+        }
+        let mut level = self.exact(0.0);
+        let (mut drawn, mut levels) = (Vec::new(), Vec::new());
+        for area in areas {
+            let area = self.board.amount(*area);
+            let area = self.board.product(area, unit);
+            level = self.board.sum(level, area);
+            drawn.push(area);
+            levels.push(level);
+        }
+        let extremes = self.extremes(&levels);
+        Ok(Diagram {
+            nodes: Vec::new(),
+            mean,
+            work,
+            constant: Some(1),
+            crossings: Vec::new(),
+            areas: drawn,
+            levels,
+            by_areas: true,
+            extremes,
+            steepest: None,
+        })
+    }
+
+    /// What turns with the input, referred to it: Σ I (ratio)².
+    fn rotating(&mut self, g: Given) -> Option<Amount> {
+        let mut sum: Option<Amount> = None;
+        for rotating in &self.cycle.rotating {
+            let central = match rotating.inertia {
+                RotatingInertia::Central(inertia) => self.board.amount(inertia),
+                RotatingInertia::Mass(mass, radius) | RotatingInertia::Weight(mass, radius) => {
+                    let (mut mass, radius) = (self.board.amount(mass), self.board.amount(radius));
+                    if matches!(rotating.inertia, RotatingInertia::Weight(..)) {
+                        let g = self.board.amount(g);
+                        mass = self.board.quotient(mass, g, REASON);
+                    }
+                    let square = self.board.product(radius, radius);
+                    self.board.product(mass, square)
+                }
+            };
+            let ratio = self.board.amount(rotating.ratio);
+            let square = self.board.product(ratio, ratio);
+            let referred = self.board.product(central, square);
+            sum = Some(match sum {
+                Some(sum) => self.board.sum(sum, referred),
+                None => referred,
+            });
+        }
+        sum
+    }
+
+    fn fluctuation(&mut self, drawn: &Diagram) -> Result<Amount, String> {
+        let [highest, lowest] = drawn.extremes.ok_or("the curves do not cross")?;
+        Ok(self.board.difference(drawn.levels[highest], drawn.levels[lowest]))
+    }
+
+    /// ω² of the mean speed.
+    fn speed_squared(&mut self) -> Result<Amount, String> {
+        if self.cycle.omega.value == 0.0 {
+            return Err("the input rests: give its `omega`".to_owned());
+        }
+        let omega = self.board.amount(self.cycle.omega);
+        Ok(self.board.product(omega, omega))
+    }
+
+    /// The inertia that would hold the speed within the wanted fluctuation.
+    fn needed(&mut self, drawn: &Diagram, wanted: Given) -> Result<Amount, String> {
+        let fluctuation = self.fluctuation(drawn)?;
+        let square = self.speed_squared()?;
+        let wanted = self.board.amount(wanted);
+        let by = self.board.product(wanted, square);
+        Ok(self.board.quotient(fluctuation, by, REASON))
+    }
+
+    /// All that turns, with the flywheel where one is sought.
+    fn turning(&mut self, drawn: &Diagram, g: Given) -> Result<Amount, String> {
+        let rotating = self.rotating(g);
+        match (self.cycle.fluctuation, rotating) {
+            (Some(wanted), rotating) => {
+                let needed = self.needed(drawn, wanted)?;
+                Ok(match rotating {
+                    // A flywheel that is not needed is not there.
+                    Some(there) if there.value() > needed.value() => there,
+                    _ => needed,
+                })
+            }
+            (None, Some(rotating)) => Ok(rotating),
+            (None, None) => Err("nothing is said of what turns: give `rotating`".to_owned()),
+        }
+    }
+
+    fn read(&mut self, drawn: &Diagram, g: Given, of: CycleQuantity) -> Result<Number, String> {
+        let plain = |amount: Amount| Ok(Number { amount, beside: 0.0 });
+        let missed = self.missed;
+        // What the parabolas miss goes on in proportion.
+        let with_area =
+            |amount: Amount, per_area: f64| Ok(Number { amount, beside: missed * per_area.abs() });
+        let numbered = |k: u32, of: &[Amount], what: &str| -> Result<Amount, String> {
+            let index = (k as usize).checked_sub(1);
+            index
+                .and_then(|index| of.get(index))
+                .copied()
+                .ok_or_else(|| format!("there are {} {what}", of.len()))
+        };
+        let unplaced = || "areas alone do not say at which angle".to_owned();
+        match of {
+            CycleQuantity::Mean => with_area(drawn.mean, 1.0 / self.cycle.period.value),
+            CycleQuantity::Work => with_area(drawn.work, 1.0),
+            CycleQuantity::Power => {
+                self.speed_squared()?;
+                let omega = self.board.amount(self.cycle.omega);
+                let power = self.board.product(drawn.mean, omega);
+                with_area(power, omega.value() / self.cycle.period.value)
+            }
+            CycleQuantity::Highest | CycleQuantity::Lowest => {
+                let [highest, lowest] = drawn.extremes.ok_or("the curves do not cross")?;
+                let index = if of == CycleQuantity::Highest { highest } else { lowest };
+                with_area(drawn.levels[index], 2.0)
+            }
+            CycleQuantity::Fluctuation => with_area(self.fluctuation(drawn)?, 2.0),
+            CycleQuantity::OfEnergy => {
+                let fluctuation = self.fluctuation(drawn)?;
+                let work = self.board.magnitude(drawn.work);
+                let part = self.board.quotient(fluctuation, work, REASON);
+                with_area(part, (2.0 + part.value()) / work.value())
+            }
+            CycleQuantity::OfSpeed => {
+                if let Some(wanted) = self.cycle.fluctuation {
+                    return plain(self.board.amount(wanted));
+                }
+                let turning = self.turning(drawn, g)?;
+                let square = self.speed_squared()?;
+                let by = self.board.product(turning, square);
+                let fluctuation = self.fluctuation(drawn)?;
+                let part = self.board.quotient(fluctuation, by, REASON);
+                if part.value() >= 2.0 {
+                    return Err("what turns is too light: the least speed would be below zero".to_owned());
+                }
+                with_area(part, 2.0 / by.value())
+            }
+            CycleQuantity::Flywheel => {
+                let wanted = self.cycle.fluctuation.ok_or("no `fluctuation` is wanted")?;
+                let needed = self.needed(drawn, wanted)?;
+                let still = match self.rotating(g) {
+                    Some(there) => self.board.difference(needed, there),
+                    None => needed,
+                };
+                if still.value() < 0.0 {
+                    return Err("no flywheel is needed: what turns is heavy enough".to_owned());
+                }
+                let omega = self.cycle.omega.value;
+                with_area(still, 2.0 / (wanted.value * omega * omega))
+            }
+            CycleQuantity::Inertia => {
+                plain(self.rotating(g).ok_or("nothing is said of what turns: give `rotating`")?)
+            }
+            CycleQuantity::Crossing(_) | CycleQuantity::AtHighest | CycleQuantity::AtLowest
+                if drawn.by_areas =>
+            {
+                Err(unplaced())
+            }
+            CycleQuantity::Crossing(k) => {
+                let angles: Vec<Amount> = drawn.crossings.iter().map(|crossing| crossing.at).collect();
+                let at = numbered(k, &angles, "crossings")?;
+                Ok(Number { amount: at, beside: self.shifted_by_mean(drawn, k) })
+            }
+            CycleQuantity::Area(k) => with_area(numbered(k, &drawn.areas, "areas")?, 2.0),
+            CycleQuantity::Level(k) => with_area(numbered(k, &drawn.levels, "levels")?, 2.0),
+            CycleQuantity::AtHighest | CycleQuantity::AtLowest => {
+                let [highest, lowest] = drawn.extremes.ok_or("the curves do not cross")?;
+                let index = if of == CycleQuantity::AtHighest { highest } else { lowest };
+                let beside = self.shifted_by_mean(drawn, index as u32 + 1);
+                Ok(Number { amount: drawn.crossings[index].at, beside })
+            }
+            CycleQuantity::Most | CycleQuantity::Least | CycleQuantity::AtMost | CycleQuantity::AtLeast => {
+                let [most, least] = drawn.steepest.ok_or_else(unplaced)?;
+                let (at, net, room) = match of {
+                    CycleQuantity::Most | CycleQuantity::AtMost => most,
+                    _ => least,
+                };
+                if matches!(of, CycleQuantity::AtMost | CycleQuantity::AtLeast) {
+                    return Ok(Number { amount: at, beside: room });
+                }
+                let turning = self.turning(drawn, g)?;
+                let alpha = self.board.quotient(net, turning, REASON);
+                let of_mean = 1.0 / self.cycle.period.value;
+                let of_flywheel = match self.cycle.fluctuation {
+                    Some(wanted) => {
+                        let omega = self.cycle.omega.value;
+                        2.0 * alpha.value() / (wanted.value * omega * omega)
+                    }
+                    None => 0.0,
+                };
+                with_area(alpha, (of_mean + of_flywheel.abs()) / turning.value())
+            }
+        }
+    }
+
+    /// By how much a crossing lies elsewhere where parabolas miss the mean.
+    fn shifted_by_mean(&self, drawn: &Diagram, k: u32) -> f64 {
+        if self.missed == 0.0 || drawn.constant.is_none() {
+            return 0.0;
+        }
+        let Some(crossing) = (k as usize).checked_sub(1).and_then(|index| drawn.crossings.get(index)) else {
+            return 0.0;
+        };
+        let at = crossing.at.value();
+        let step = 1e-4 * self.cycle.period.value;
+        let known = usize::from(drawn.constant == Some(0));
+        match (self.look(at - step), self.look(at + step)) {
+            (Ok(before), Ok(after)) => {
+                let slope = (after[known] - before[known]).abs() / (2.0 * step);
+                2.0 * self.missed / self.cycle.period.value / slope.max(f64::MIN_POSITIVE)
+            }
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+/// What the areas are taken from.
+struct Parts<'a> {
+    nodes: Vec<Node>,
+    pieces: Vec<Piece>,
+    mean: Amount,
+    work: Amount,
+    constant: Option<usize>,
+    crossings: Vec<Crossing>,
+    courses: &'a [Option<Drawn>; 2],
+}

@@ -1,0 +1,201 @@
+//! The turning-moment diagram: torque and load over the angle of the input, the inertia that turns with it, and what may
+//! be asked of them. Numbers stand as they were given.
+
+use super::curve::Curve;
+use super::{Given, Input, LinkId, Mechanism};
+
+/// A turning-moment diagram.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle {
+    /// What is known of the two torques.
+    pub sides: Sides,
+    /// After which angle everything comes again, radians, positive.
+    pub period: Given,
+    /// The same curves again, shifted.
+    pub copies: Copies,
+    /// Known inertias that turn with the input.
+    pub rotating: Vec<Rotating>,
+    /// The wanted coefficient of fluctuation of speed, (ω_max − ω_min)/ω; then a flywheel is sought.
+    pub fluctuation: Option<Given>,
+    /// Mean speed of the input, rad/s, ccw positive.
+    pub omega: Given,
+}
+
+/// The driving and the resisting torque, both referred to the first input and ccw positive in the sense in which they
+/// drive and are driven. One that is missing is constant, the mean of the other.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Sides {
+    /// Only what drives is known.
+    Torque(Course),
+    /// Only what resists is known.
+    Load(Course),
+    /// Both are.
+    Both {
+        /// What drives.
+        torque: Course,
+        /// What resists.
+        load: Course,
+    },
+    /// Areas between the driving torque and its mean, as a planimeter gives them.
+    Areas {
+        /// From the first crossing on, above the mean positive: areas of the paper.
+        areas: Vec<Given>,
+        /// N m for a unit of length of the paper.
+        torque: Given,
+        /// Radians for a unit of length of the paper.
+        angle: Given,
+        /// The whole area under the curve, of the paper.
+        total: Given,
+    },
+}
+
+/// A torque over the angle of the input.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Course {
+    /// What the mechanism gives, or as a load needs, at its driven link.
+    Of(LinkId),
+    /// A curve.
+    Curve(Curve),
+}
+
+/// How often the same curves are added, each shifted against the one before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Copies {
+    /// How many there are in all, at least one.
+    pub number: u32,
+    /// By which angle each follows the one before, radians.
+    pub shift: Given,
+}
+
+/// An inertia that turns with the input, at a speed in a fixed ratio to its speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rotating {
+    /// How it is given.
+    pub inertia: RotatingInertia,
+    /// Its speed over that of the input.
+    pub ratio: Given,
+}
+
+/// A moment of inertia as a scene states it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RotatingInertia {
+    /// kg m².
+    Central(Given),
+    /// A mass (kg) with its radius of gyration (m).
+    Mass(Given, Given),
+    /// A weight (N) with its radius of gyration (m).
+    Weight(Given, Given),
+}
+
+/// What may be asked of a turning-moment diagram.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum CycleQuantity {
+    /// `Tmean`: the mean of the driving torque, N m.
+    Mean,
+    /// `E`: its work in a period, J.
+    Work,
+    /// `power`: mean torque times mean speed, W.
+    Power,
+    /// `Emax`: the highest level of energy, from angle 0, J.
+    Highest,
+    /// `Emin`: the lowest level, J.
+    Lowest,
+    /// `Ef`: their difference, J.
+    Fluctuation,
+    /// `Ke`: that over the work of a period.
+    OfEnergy,
+    /// `Ks`: Ef/(I ω²).
+    OfSpeed,
+    /// `If`: the flywheel that is still needed at the input, kg m².
+    Flywheel,
+    /// `I`: what turns already, referred to the input, kg m².
+    Inertia,
+    /// `crossing(k)`: angle of the k-th crossing from 0, rad.
+    Crossing(u32),
+    /// `area(k)`: work from crossing k to the next, J.
+    Area(u32),
+    /// `level(k)`: level at crossing k, with areas after area k, J.
+    Level(u32),
+    /// `angle(Emax)`, rad.
+    AtHighest,
+    /// `angle(Emin)`, rad.
+    AtLowest,
+    /// `alpha(max)`: the greatest angular acceleration, rad/s².
+    Most,
+    /// `alpha(min)`: the least, rad/s².
+    Least,
+    /// `angle(alpha_max)`: where it is, rad.
+    AtMost,
+    /// `angle(alpha_min)`, rad.
+    AtLeast,
+}
+
+impl CycleQuantity {
+    /// As a scene names it.
+    #[must_use]
+    pub fn name(self) -> String {
+        let plain = match self {
+            Self::Crossing(k) => return format!("crossing({k})"),
+            Self::Area(k) => return format!("area({k})"),
+            Self::Level(k) => return format!("level({k})"),
+            Self::Mean => "Tmean",
+            Self::Work => "E",
+            Self::Power => "power",
+            Self::Highest => "Emax",
+            Self::Lowest => "Emin",
+            Self::Fluctuation => "Ef",
+            Self::OfEnergy => "Ke",
+            Self::OfSpeed => "Ks",
+            Self::Flywheel => "If",
+            Self::Inertia => "I",
+            Self::AtHighest => "angle(Emax)",
+            Self::AtLowest => "angle(Emin)",
+            Self::Most => "alpha(max)",
+            Self::Least => "alpha(min)",
+            Self::AtMost => "angle(alpha_max)",
+            Self::AtLeast => "angle(alpha_min)",
+        };
+        plain.to_owned()
+    }
+
+    /// Whether it is of the place where the torques differ most.
+    #[must_use]
+    pub fn is_of_steepest(self) -> bool {
+        matches!(self, Self::Most | Self::Least | Self::AtMost | Self::AtLeast)
+    }
+
+    /// Whether it is an angle of the input.
+    #[must_use]
+    pub fn is_angle(self) -> bool {
+        matches!(self, Self::Crossing(_) | Self::AtHighest | Self::AtLowest | Self::AtMost | Self::AtLeast)
+    }
+}
+
+impl Mechanism {
+    /// Every input keeps its speed.
+    pub fn run_steadily(&mut self) {
+        for input in &mut self.inputs {
+            match input {
+                Input::Angle { alpha: change, .. }
+                | Input::Speed { alpha: change, .. }
+                | Input::Slide { acceleration: change, .. } => *change = Given::exact(0.0),
+            }
+        }
+    }
+}
+
+impl Cycle {
+    /// The courses of the mechanism among the two torques.
+    #[must_use]
+    pub fn of(&self) -> Option<LinkId> {
+        let of = |course: &Course| match course {
+            Course::Of(link) => Some(*link),
+            Course::Curve(_) => None,
+        };
+        match &self.sides {
+            Sides::Torque(course) | Sides::Load(course) => of(course),
+            Sides::Both { torque, load } => of(torque).or(of(load)),
+            Sides::Areas { .. } => None,
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Governors: a plane that turns about an axis in it, with all that stands in the plane.
+
+use super::force::Share;
+use super::{Given, GivenPoint, Input, LinkId, Mechanism};
+
+/// The whole plane turns about an axis in it. Every mass is a point at its mass centre and is driven away from the axis
+/// by M ω² r.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spin {
+    /// A point of the axis.
+    pub through: GivenPoint,
+    /// Its direction from +x, radians.
+    pub angle: Given,
+    /// How fast the plane turns.
+    pub omega: SpinSpeed,
+    /// Of so many equal halves one is drawn.
+    pub balls: u32,
+    /// The link that all halves share: what acts on it counts a part in the half that is drawn.
+    pub sleeve: Option<LinkId>,
+    /// A constant force against the sliding of the sleeve.
+    pub drag: Option<Drag>,
+}
+
+/// A speed of the plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SpinSpeed {
+    /// rad/s.
+    Given(Given),
+    /// That of equilibrium, to be found.
+    Sought,
+}
+
+/// A force against the sliding of the sleeve, whatever presses it against its guide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drag {
+    /// Index of the sliding pair in which the sleeve rides.
+    pub slide: usize,
+    /// Newtons, on the whole sleeve.
+    pub size: Given,
+}
+
+impl Spin {
+    /// In which sense the sleeve moves along its guide, where a share or the input says so: +1 or −1.
+    #[must_use]
+    pub fn sense(&self, share: Share, mechanism: &Mechanism) -> Option<f64> {
+        match share {
+            Share::Rising => return Some(1.0),
+            Share::Falling => return Some(-1.0),
+            Share::Total | Share::Static | Share::Inertia => {}
+        }
+        let of_sleeve = |slide: usize| self.drag.is_some_and(|drag| drag.slide == slide);
+        mechanism.inputs.iter().find_map(|input| match input {
+            Input::Slide { slide, velocity, .. } if of_sleeve(*slide) && velocity.value != 0.0 => {
+                Some(velocity.value.signum())
+            }
+            _ => None,
+        })
+    }
+
+    /// How many halves share what acts on a link.
+    #[must_use]
+    pub fn shared_by(&self, link: LinkId) -> f64 {
+        if self.sleeve == Some(link) { f64::from(self.balls) } else { 1.0 }
+    }
+}
+
+impl Mechanism {
+    /// How many equal halves share what acts on a link: more than one only of the sleeve of a governor.
+    #[must_use]
+    pub fn shared_by(&self, link: LinkId) -> f64 {
+        self.forces.spin.map_or(1.0, |spin| spin.shared_by(link))
+    }
+}

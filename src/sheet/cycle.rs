@@ -1,0 +1,640 @@
+//! The turning-moment diagram as ink: the curves over the angle with the areas between them, and the levels of energy.
+
+use kurbo::{Point, Vec2};
+
+use super::figure::{Dash, Group, Mark, Pen, Shape};
+use super::human;
+use super::ink::{FINE, SMALL, THICK, THIN, arrow, dot};
+use super::labels::{Request, Site, place};
+use super::notation::Notation;
+use super::rich::Rich;
+use super::steps::Item;
+use crate::graphical::cycle::CycleSheet;
+use crate::mechanism::curve::Curve;
+use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
+use crate::mechanism::quantity::{Order, Unit};
+use crate::mechanism::spin::SpinSpeed;
+
+/// Width and height of the plot, mm.
+const PLOT: (f64, f64) = (120.0, 56.0);
+/// Height of the levels, mm.
+const LEVELS: f64 = 40.0;
+/// Type size of the numbers at the axes.
+const TICK: f64 = 2.6;
+/// Between two strokes of hatching, mm.
+const HATCH: f64 = 1.6;
+/// An area narrower than this has no room for its number.
+const NARROW: f64 = 4.0;
+/// Steps of the scales.
+const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
+
+/// A drawing of the cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CyclePanel {
+    /// The curves, the mean line, the areas.
+    TurningMoment,
+    /// The levels of energy.
+    Energy,
+}
+
+/// The symbol of a number of the diagram.
+pub(super) fn symbol(notation: &Notation<'_>, of: CycleQuantity) -> Rich {
+    let it = |letter: &str, sub: &str| Rich::italic(letter).sub(sub);
+    match of {
+        CycleQuantity::Mean => it("T", "m"),
+        CycleQuantity::Work => Rich::italic("E"),
+        CycleQuantity::Power => Rich::italic("P"),
+        CycleQuantity::Highest => it("E", "max"),
+        CycleQuantity::Lowest => it("E", "min"),
+        CycleQuantity::Fluctuation => it("E", "f"),
+        CycleQuantity::OfEnergy => it("K", "e"),
+        CycleQuantity::OfSpeed => it("K", "s"),
+        CycleQuantity::Flywheel => it("I", "f"),
+        CycleQuantity::Inertia => Rich::italic("I"),
+        CycleQuantity::Crossing(k) => it("θ", &k.to_string()),
+        CycleQuantity::Area(k) => it("A", &k.to_string()),
+        CycleQuantity::Level(k) => it("E", &k.to_string()),
+        CycleQuantity::AtHighest => Rich::italic("θ").up("(").then(&it("E", "max")).up(")"),
+        CycleQuantity::AtLowest => Rich::italic("θ").up("(").then(&it("E", "min")).up(")"),
+        CycleQuantity::Most => it(notation.alpha(), "max"),
+        CycleQuantity::Least => it(notation.alpha(), "min"),
+        CycleQuantity::AtMost => Rich::italic("θ").up("(").then(&it(notation.alpha(), "max")).up(")"),
+        CycleQuantity::AtLeast => Rich::italic("θ").up("(").then(&it(notation.alpha(), "min")).up(")"),
+    }
+}
+
+/// A round number of units for a centimetre, so that this much has room in so many millimetres.
+fn round_scale(size: f64, room: f64) -> f64 {
+    let least = (size / room * 10.0).max(f64::MIN_POSITIVE);
+    let power = libm::pow(10.0, libm::floor(libm::log10(least)));
+    let step = STEPS.iter().find(|step| **step * power >= least * (1.0 - 1e-9));
+    step.map_or(10.0 * power, |step| step * power)
+}
+
+/// The least and the greatest of the torques, with 0.
+fn range(sheet: &CycleSheet) -> [f64; 2] {
+    let torques = || sheet.curves.iter().flatten().map(|[_, torque]| *torque);
+    [torques().fold(0.0, f64::min), torques().fold(0.0, f64::max)]
+}
+
+impl CyclePanel {
+    /// What a diagram has.
+    #[must_use]
+    pub fn all(sheet: &CycleSheet) -> Vec<Self> {
+        let mut all = Vec::new();
+        if !sheet.curves[0].is_empty() {
+            all.push(Self::TurningMoment);
+        }
+        if !sheet.levels.is_empty() {
+            all.push(Self::Energy);
+        }
+        all
+    }
+
+    /// The name of the figure.
+    #[must_use]
+    pub const fn figure(self) -> &'static str {
+        match self {
+            Self::TurningMoment => "turning-moment",
+            Self::Energy => "energy",
+        }
+    }
+
+    /// Its title.
+    #[must_use]
+    pub fn title(self, notation: &Notation<'_>) -> Rich {
+        let words = notation.words;
+        Rich::upright(match self {
+            Self::TurningMoment => words.turning_moment_figure,
+            Self::Energy => words.energy_figure,
+        })
+    }
+
+    /// N m, or J, for a millimetre.
+    fn per_mm(self, sheet: &CycleSheet, notation: &Notation<'_>) -> f64 {
+        let unit = notation.scene.units.torque.si;
+        let (size, room) = match self {
+            Self::TurningMoment => {
+                let [least, most] = range(sheet);
+                (most - least, PLOT.1)
+            }
+            Self::Energy => {
+                let most = sheet.levels.iter().copied().fold(0.0, f64::max);
+                let least = sheet.levels.iter().copied().fold(0.0, f64::min);
+                (most - least, LEVELS)
+            }
+        };
+        round_scale(size / unit, room) * unit / 10.0
+    }
+
+    /// Its scales.
+    #[must_use]
+    pub fn scale(self, sheet: &CycleSheet, notation: &Notation<'_>) -> Rich {
+        let unit = &notation.scene.units.torque;
+        let value =
+            human::with_unit(&human::stated(self.per_mm(sheet, notation) * 10.0 / unit.si), &unit.symbol);
+        let torque = value.up("\u{a0}≡\u{a0}1\u{a0}cm");
+        if sheet.curves[0].is_empty() {
+            return torque;
+        }
+        let angle = human::degrees(radians_per_mm(sheet) * 10.0).up("\u{a0}≡\u{a0}1\u{a0}cm");
+        torque.up(notation.words.comma).then(&angle)
+    }
+
+    /// Its ink.
+    #[must_use]
+    pub fn draw(self, sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
+        match self {
+            Self::TurningMoment => turning_moment(sheet, notation),
+            Self::Energy => energy(sheet, notation),
+        }
+    }
+}
+
+/// Degrees for a centimetre.
+const ANGLES: [f64; 14] = [1.0, 2.0, 3.0, 6.0, 10.0, 12.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0];
+
+fn radians_per_mm(sheet: &CycleSheet) -> f64 {
+    let period = sheet.period.to_degrees();
+    let fits = ANGLES.into_iter().find(|step| period / step * 10.0 <= PLOT.0 * (1.0 + 1e-9));
+    fits.unwrap_or_else(|| round_scale(period, PLOT.0)).to_radians() / 10.0
+}
+
+/// The angles that are told at the axis: some ten of them, round in degrees.
+fn told_angles(sheet: &CycleSheet) -> Vec<f64> {
+    let whole = sheet.period.to_degrees();
+    let steps = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 90.0, 180.0, 360.0, 720.0, 3600.0];
+    let step = steps.into_iter().find(|step| whole / step <= 13.0).unwrap_or(whole);
+    let mut told = Vec::new();
+    let mut at = 0.0;
+    while at <= whole * (1.0 + 1e-9) {
+        told.push(at.to_radians());
+        at += step;
+    }
+    told
+}
+
+/// The axis of angles with its numbers, and the axis that stands on it.
+fn axes(
+    group: &mut Group,
+    sheet: &CycleSheet,
+    [least, most]: [f64; 2],
+    x: &dyn Fn(f64) -> f64,
+    y: &dyn Fn(f64) -> f64,
+) {
+    let right = x(sheet.period) + 6.0;
+    let zero = y(0.0);
+    arrow(group, Point::new(x(0.0), zero), Point::new(right, zero), THIN);
+    arrow(group, Point::new(x(0.0), y(least).max(zero)), Point::new(x(0.0), y(most) - 5.0), THIN);
+    for at in told_angles(sheet) {
+        let foot = Point::new(x(at), zero);
+        let tick = Shape::Line(foot + Vec2::new(0.0, -0.6), foot + Vec2::new(0.0, 0.6));
+        group.mark(Mark::stroke(tick, Pen::solid(FINE)).class("tick"));
+    }
+}
+
+fn numbers_of_axis(requests: &mut Vec<Request>, sheet: &CycleSheet, x: &dyn Fn(f64) -> f64, zero: f64) {
+    for at in told_angles(sheet) {
+        let site = Site::Around { at: Point::new(x(at), zero), radius: 1.0, toward: Some(1.2) };
+        let mut request = Request::new(human::degrees(at), TICK, site, "tick");
+        request.optional = true;
+        requests.push(request);
+    }
+}
+
+/// The height of a curve at an angle.
+fn height(curve: &[[f64; 2]], at: f64) -> f64 {
+    let next = curve.partition_point(|[angle, _]| *angle <= at);
+    match (next.checked_sub(1).and_then(|i| curve.get(i)), curve.get(next)) {
+        (Some([a, from]), Some([b, to])) if b > a => from + (to - from) * (at - a) / (b - a),
+        (Some([_, height]), _) | (None, Some([_, height])) => *height,
+        (None, None) => 0.0,
+    }
+}
+
+fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
+    let unit = &notation.scene.units.torque;
+    let per_mm = CyclePanel::TurningMoment.per_mm(sheet, notation);
+    let per_angle = radians_per_mm(sheet);
+    let mut group = Group::new("turning-moment")
+        .data("scale", format!("{}", per_mm / unit.si))
+        .data("unit", format!("{} per mm", unit.symbol))
+        .data("radians-per-mm", format!("{per_angle}"));
+    let x = |angle: f64| angle / per_angle;
+    let y = |torque: f64| -torque / per_mm;
+    let at = |[angle, torque]: [f64; 2]| Point::new(x(angle), y(torque));
+    // Areas first, under the curves.
+    let inside = |from: f64, to: f64, positive: bool, group: &mut Group| {
+        let mut own = Group::new(if positive { "area above" } else { "area below" });
+        let strokes = ((x(to) - x(from)) / HATCH).ceil().max(1.0) as u32;
+        for k in 0..strokes {
+            let angle = from + (to - from) * (f64::from(k) + 0.5) / f64::from(strokes);
+            let angle = if angle >= sheet.period { angle - sheet.period } else { angle };
+            let ends = [0, 1].map(|side| Point::new(x(angle), y(height(&sheet.curves[side], angle))));
+            if ends[0].distance(ends[1]) > 0.4 {
+                let dash = if positive { Dash::Solid } else { Dash::Dashed };
+                own.mark(
+                    Mark::stroke(Shape::Line(ends[0], ends[1]), Pen { width: 0.13, dash }).class("hatch"),
+                );
+            }
+        }
+        group.group(own);
+    };
+    let mut requests = Vec::new();
+    for (index, crossing) in sheet.crossings.iter().enumerate() {
+        let last = index + 1 == sheet.crossings.len();
+        let to = match sheet.crossings.get(index + 1) {
+            Some(next) => next.at,
+            None => sheet.crossings[0].at + sheet.period,
+        };
+        inside(crossing.at, to, crossing.rises, &mut group);
+        // The widest part of an area that goes over the end of the period has its number.
+        let parts = if last {
+            vec![[crossing.at, sheet.period], [0.0, to - sheet.period]]
+        } else {
+            vec![[crossing.at, to]]
+        };
+        let widest = parts.into_iter().max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+        if let Some([from, to]) = widest.filter(|[from, to]| x(*to) - x(*from) > NARROW) {
+            let middle = f64::midpoint(from, to);
+            let heights = [0, 1].map(|side| height(&sheet.curves[side], middle));
+            let place = at([middle, f64::midpoint(heights[0], heights[1])]);
+            let sign = if crossing.rises { "+" } else { "−" };
+            let text = Rich::upright(format!("{sign}({})", index + 1));
+            let site = Site::Around { at: place, radius: 0.2, toward: None };
+            let mut request = Request::new(text, TICK, site, "label area-name");
+            request.leader = true;
+            requests.push(request);
+        }
+    }
+    axes(&mut group, sheet, range(sheet), &x, &y);
+    for side in [1, 0] {
+        let points: Vec<Point> = sheet.curves[side].iter().map(|point| at(*point)).collect();
+        let constant = sheet.constant == Some(side);
+        let pen = match (side, constant) {
+            (_, true) => Pen { width: THIN, dash: Dash::Dashed },
+            (0, _) => Pen::solid(THICK * 0.8),
+            _ => Pen::solid(THIN),
+        };
+        let class = match (side, constant) {
+            (_, true) => "mean-line",
+            (0, _) => "curve torque",
+            _ => "curve load",
+        };
+        // A mean line is two points.
+        let points = match (constant, points.first(), points.last()) {
+            (true, Some(first), Some(last)) => vec![*first, *last],
+            _ => points,
+        };
+        let mut own = Group::new(class);
+        own.mark(Mark::stroke(Shape::Polyline(points.clone()), pen).precise());
+        group.group(own);
+        if let Some(end) = points.last() {
+            let name = match (side, constant) {
+                (_, true) => symbol(notation, CycleQuantity::Mean),
+                (0, _) => Rich::italic("T"),
+                _ => Rich::italic("T").sub("l"),
+            };
+            let site = Site::Around { at: *end, radius: 1.0, toward: Some(0.0) };
+            let mut request = Request::new(name, SMALL, site, "label curve-name");
+            request.leader = true;
+            requests.push(request);
+        }
+    }
+    for (index, crossing) in sheet.crossings.iter().enumerate() {
+        let place = at([crossing.at, crossing.torque]);
+        group.mark(dot(place, 0.55).class("crossing"));
+        let [highest, lowest] = sheet.extremes.unwrap_or([usize::MAX; 2]);
+        let speed = |sub: &str| Some(Rich::italic("ω").sub(sub));
+        let name = match index {
+            index if index == highest => speed("max"),
+            index if index == lowest => speed("min"),
+            _ => None,
+        };
+        if let Some(name) = name {
+            let site = Site::Around { at: place, radius: 1.0, toward: Some(1.5) };
+            let mut request = Request::new(name, SMALL, site, "label speed-name");
+            request.leader = true;
+            requests.push(request);
+        }
+    }
+    strokes_of_engine(&mut group, &mut requests, sheet, notation, (&x, y(range(sheet)[1])));
+    numbers_of_axis(&mut requests, sheet, &x, y(0.0));
+    let top = Point::new(x(0.0), y(range(sheet)[1]) - 5.0);
+    let name = Rich::italic("T").up("\u{a0}/\u{a0}").up(&human::pretty(&unit.symbol));
+    requests.push(Request::new(
+        name,
+        SMALL,
+        Site::Around { at: top, radius: 1.0, toward: Some(0.4) },
+        "label axis-name",
+    ));
+    let right = Point::new(x(sheet.period) + 6.0, y(0.0));
+    let site = Site::Around { at: right, radius: 1.0, toward: Some(-0.8) };
+    requests.push(Request::new(Rich::italic("θ"), SMALL, site, "label axis-name"));
+    let names = place(&group, &requests, None);
+    group.group(names);
+    group
+}
+
+/// The names of the strokes of a four-stroke engine, over two turns that the mechanism itself drives.
+fn strokes_of_engine(
+    group: &mut Group,
+    requests: &mut Vec<Request>,
+    sheet: &CycleSheet,
+    notation: &Notation<'_>,
+    (x, top): (&dyn Fn(f64) -> f64, f64),
+) {
+    let two_turns = (sheet.period.to_degrees() - 720.0).abs() < 1e-6;
+    let drives = notation.scene.mechanism.forces.cycle.as_ref().is_some_and(|cycle| {
+        let torque = match &cycle.sides {
+            Sides::Torque(torque) | Sides::Both { torque, .. } => Some(torque),
+            Sides::Load(_) | Sides::Areas { .. } => None,
+        };
+        cycle.copies.number == 1
+            && torque.is_some_and(|torque| matches!(torque, Course::Of(_) | Course::Curve(_)))
+    });
+    if !two_turns || !drives {
+        return;
+    }
+    for (index, name) in notation.words.engine_strokes.iter().enumerate() {
+        let quarter = sheet.period / 4.0;
+        let [from, to] = [index, index + 1].map(|k| x(quarter * k as f64));
+        let line = top - 9.0;
+        let mut own = Group::new("stroke-of-engine");
+        own.mark(Mark::stroke(Shape::Line(Point::new(from, line), Point::new(to, line)), Pen::solid(FINE)));
+        for end in [from, to] {
+            let tick = Shape::Line(Point::new(end, line - 1.0), Point::new(end, line + 1.0));
+            own.mark(Mark::stroke(tick, Pen::solid(FINE)));
+        }
+        group.group(own);
+        let site = Site::Along { from: Point::new(from, line), to: Point::new(to, line) };
+        requests.push(Request::new(Rich::upright(*name), SMALL, site, "label stroke-name"));
+    }
+}
+
+fn energy(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
+    let unit = &notation.scene.units.torque;
+    let per_mm = CyclePanel::Energy.per_mm(sheet, notation);
+    let mut group = Group::new("energy")
+        .data("scale", format!("{}", per_mm / unit.si))
+        .data("unit", format!("{} per mm", unit.symbol));
+    let y = |level: f64| -level / per_mm;
+    let by_angle = !sheet.crossings.is_empty();
+    let per_angle = radians_per_mm(sheet);
+    let count = sheet.levels.len();
+    // Areas alone do not say at which angle: their levels stand side by side.
+    let x = |angle: f64| angle / per_angle;
+    let place_of = |index: usize| match sheet.crossings.get(index) {
+        Some(crossing) => x(crossing.at),
+        None => PLOT.0 * (index as f64 + 1.0) / count.max(1) as f64,
+    };
+    let width = if by_angle { x(sheet.period) } else { PLOT.0 };
+    let mut requests = Vec::new();
+    let most = sheet.levels.iter().copied().fold(0.0, f64::max);
+    if by_angle {
+        axes(&mut group, sheet, [0.0, most], &x, &y);
+        numbers_of_axis(&mut requests, sheet, &x, 0.0);
+    } else {
+        arrow(&mut group, Point::ORIGIN, Point::new(width + 6.0, 0.0), THIN);
+        arrow(&mut group, Point::ORIGIN, Point::new(0.0, y(most) - 5.0), THIN);
+    }
+    let mut points: Vec<Point> = sheet
+        .levels
+        .iter()
+        .enumerate()
+        .map(|(index, level)| Point::new(place_of(index), y(*level)))
+        .collect();
+    let tops = points.clone();
+    if by_angle {
+        // From angle 0, and on to the end of the period.
+        let whole: f64 = sheet.areas.iter().sum();
+        if points.first().is_some_and(|first| first.x > 1e-9) {
+            points.insert(0, Point::ORIGIN);
+        }
+        points.push(Point::new(width, y(whole)));
+    } else {
+        points.insert(0, Point::ORIGIN);
+    }
+    let mut own = Group::new("curve levels");
+    own.mark(Mark::stroke(Shape::Polyline(points), Pen::solid(THIN)));
+    group.group(own);
+    for (index, at) in tops.iter().enumerate() {
+        let foot = Point::new(at.x, 0.0);
+        let mut own = Group::new("level").data("value", format!("{}", sheet.levels[index] / unit.si));
+        own.mark(Mark::stroke(Shape::Line(foot, *at), Pen { width: FINE, dash: Dash::Dashed }).precise());
+        own.mark(dot(*at, 0.55));
+        group.group(own);
+        let extreme = sheet.extremes.unwrap_or([usize::MAX; 2]);
+        let name = if index == extreme[0] {
+            symbol(notation, CycleQuantity::Highest)
+        } else if index == extreme[1] {
+            symbol(notation, CycleQuantity::Lowest)
+        } else {
+            symbol(notation, CycleQuantity::Level(u32::try_from(index + 1).unwrap_or(u32::MAX)))
+        };
+        let up = if sheet.levels[index] < 0.0 { 1.57 } else { -1.57 };
+        let site = Site::Around { at: *at, radius: 0.9, toward: Some(up) };
+        let mut request = Request::new(name, SMALL, site, "label level-name");
+        request.leader = true;
+        requests.push(request);
+    }
+    if let Some([highest, lowest]) = sheet.extremes {
+        let right = width + 12.0;
+        let ends = [highest, lowest].map(|index| Point::new(right, y(sheet.levels[index])));
+        for (end, index) in ends.iter().zip([highest, lowest]) {
+            let from = Point::new(place_of(index), end.y);
+            let mut own = Group::new("reach");
+            let to = *end + Vec2::new(2.0, 0.0);
+            own.mark(Mark::stroke(Shape::Line(from, to), Pen { width: FINE, dash: Dash::Dashed }));
+            group.group(own);
+        }
+        let mut own = Group::new("dimension").data("quantity", "Ef");
+        let middle = ends[0].midpoint(ends[1]);
+        arrow(&mut own, middle, ends[0], THIN);
+        arrow(&mut own, middle, ends[1], THIN);
+        group.group(own);
+        let site = Site::Along { from: ends[0], to: ends[1] };
+        requests.push(Request::new(
+            symbol(notation, CycleQuantity::Fluctuation),
+            SMALL,
+            site,
+            "label dimension",
+        ));
+    }
+    let top = Point::new(0.0, y(most) - 5.0);
+    let name = Rich::italic("E").up("\u{a0}/\u{a0}").up(&human::pretty(&energy_unit(&unit.symbol)));
+    requests.push(Request::new(
+        name,
+        SMALL,
+        Site::Around { at: top, radius: 1.0, toward: Some(0.4) },
+        "label axis-name",
+    ));
+    let names = place(&group, &requests, None);
+    group.group(names);
+    group
+}
+
+/// Energies are told in the unit of torques.
+fn energy_unit(symbol: &str) -> String {
+    if symbol == "N*m" { "J".to_owned() } else { symbol.to_owned() }
+}
+
+/// No more knots or areas are told one by one.
+const TOLD: usize = 24;
+
+/// What a scene states of its diagram and of a governor.
+pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
+    let forces = &notation.mechanism().forces;
+    let units = &notation.scene.units;
+    let equals = |symbol: Rich, value: &Rich| symbol.up("\u{a0}=\u{a0}").then(value);
+    let rate = notation.angular_unit(Order::Velocity);
+    if let Some(spin) = &forces.spin {
+        let place = spin.through.map(|c| human::stated(c.value / units.length.si));
+        let through = Rich::upright("(").then(&place[0]).up(";\u{a0}").then(&place[1]).up(")");
+        let axis = human::with_unit(&through, &units.length.symbol)
+            .up(" ∠\u{a0}")
+            .then(&human::degrees(spin.angle.value));
+        parts.push(equals(Rich::italic("O"), &axis));
+        if let SpinSpeed::Given(omega) = spin.omega {
+            parts.push(equals(Rich::italic("ω"), &human::stated_quantity(omega.value, &rate)));
+        }
+        if spin.balls > 1 {
+            parts.push(equals(Rich::italic("Z"), &human::stated(f64::from(spin.balls))));
+        }
+        if let Some(drag) = spin.drag {
+            parts.push(equals(
+                Rich::italic("F").sub("f"),
+                &human::stated_quantity(drag.size.value, &units.force),
+            ));
+        }
+    }
+    let Some(cycle) = &forces.cycle else { return };
+    let torque = Rich::italic("T");
+    let load = Rich::italic("T").sub("l");
+    let mut course = |symbol: Rich, course: &Course| match course {
+        // The mechanism's own torque is told with its loads.
+        Course::Of(_) => {}
+        Course::Curve(curve) => {
+            parts.push(symbol.up("(").it("θ").up(")\u{a0}=\u{a0}").then(&of_curve(curve, &units.torque)))
+        }
+    };
+    match &cycle.sides {
+        Sides::Torque(of) => course(torque, of),
+        Sides::Load(of) => course(load, of),
+        Sides::Both { torque: one, load: other } => {
+            course(torque, one);
+            course(load, other);
+        }
+        Sides::Areas { areas, torque, angle, total } => {
+            let list: Vec<Rich> = areas.iter().take(TOLD).map(|area| human::stated(area.value)).collect();
+            parts.push(equals(Rich::italic("A"), &Rich::join(&list, &Rich::upright(";\u{a0}"))));
+            parts.push(equals(Rich::upright("Σ"), &human::stated(total.value)));
+            let scale = human::stated_quantity(torque.value, &units.torque);
+            parts.push(
+                Rich::upright("1\u{a0}≡\u{a0}")
+                    .then(&scale)
+                    .up(" ·\u{a0}")
+                    .then(&human::degrees(angle.value)),
+            );
+        }
+    }
+    parts.push(equals(Rich::italic("θ").sub("C"), &human::degrees(cycle.period.value)));
+    if cycle.copies.number > 1 {
+        let number = human::stated(f64::from(cycle.copies.number));
+        parts.push(equals(
+            Rich::italic("Z"),
+            &number.up("\u{a0}×\u{a0}").then(&human::degrees(cycle.copies.shift.value)),
+        ));
+    }
+    if notation.mechanism().inputs.is_empty() && cycle.omega.value != 0.0 {
+        parts.push(equals(Rich::italic("ω"), &human::stated_quantity(cycle.omega.value, &rate)));
+    }
+    if let Some(wanted) = cycle.fluctuation {
+        parts.push(equals(symbol(notation, CycleQuantity::OfSpeed), &human::stated(wanted.value)));
+    }
+    for (index, rotating) in cycle.rotating.iter().enumerate() {
+        let sub = if cycle.rotating.len() > 1 { (index + 1).to_string() } else { String::new() };
+        let named = |letter: &str| Rich::italic(letter).sub(&sub);
+        match rotating.inertia {
+            RotatingInertia::Central(inertia) => {
+                parts.push(equals(named("I"), &human::stated_quantity(inertia.value, &units.inertia)));
+            }
+            RotatingInertia::Mass(mass, radius) => {
+                parts.push(equals(named("M"), &human::stated_quantity(mass.value, &units.mass)));
+                parts.push(equals(named("ρ"), &human::stated_quantity(radius.value, &units.length)));
+            }
+            RotatingInertia::Weight(weight, radius) => {
+                parts.push(equals(named("W"), &human::stated_quantity(weight.value, &units.force)));
+                parts.push(equals(named("ρ"), &human::stated_quantity(radius.value, &units.length)));
+            }
+        }
+        if rotating.ratio.value != 1.0 {
+            parts.push(equals(named("ω").up("/").it("ω"), &human::stated(rotating.ratio.value)));
+        }
+    }
+}
+
+fn of_curve(curve: &Curve, unit: &Unit) -> Rich {
+    let told = match curve {
+        Curve::Table { knots, .. } => {
+            let knot = |[at, size]: &[crate::mechanism::Given; 2]| {
+                let size = human::stated(size.value / unit.si);
+                Rich::upright("(").then(&human::degrees(at.value)).up(";\u{a0}").then(&size).up(")")
+            };
+            let mut list: Vec<Rich> = knots.iter().take(TOLD).map(knot).collect();
+            if knots.len() > TOLD {
+                list.push(Rich::upright("…"));
+            }
+            Rich::join(&list, &Rich::upright(" "))
+        }
+        Curve::Harmonics { constant, sin, cos } => {
+            let mut sum = human::stated(constant.value / unit.si);
+            let waves = sin.iter().map(|wave| (wave, "sin")).chain(cos.iter().map(|wave| (wave, "cos")));
+            for (wave, name) in waves {
+                let size = wave.size.value / unit.si;
+                let sign = if size < 0.0 { " −\u{a0}" } else { " +\u{a0}" };
+                sum = sum.up(sign).then(&human::stated(size.abs())).up(&format!("\u{a0}{name}\u{a0}"));
+                if wave.order.value != 1.0 {
+                    sum = sum.then(&human::stated(wave.order.value));
+                }
+                sum = sum.it("θ");
+            }
+            Rich::upright("(").then(&sum).up(")")
+        }
+    };
+    human::with_unit(&told, &unit.symbol)
+}
+
+/// What is told of a diagram: its areas, its levels, and how far these lie apart.
+pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>) -> Vec<Item> {
+    let unit = &notation.scene.units.torque;
+    let list = |values: &[f64], of: fn(u32) -> CycleQuantity| {
+        let told: Vec<Rich> = values
+            .iter()
+            .zip(1_u32..)
+            .take(TOLD)
+            .map(|(value, k)| {
+                symbol(notation, of(k)).up("\u{a0}=\u{a0}").then(&human::quantity(*value, unit))
+            })
+            .collect();
+        Rich::join(&told, &Rich::upright(notation.words.comma)).up(".")
+    };
+    let mut items = Vec::new();
+    if !sheet.areas.is_empty() {
+        items.push(Item::Sentence(list(&sheet.areas, CycleQuantity::Area)));
+        items.push(Item::Sentence(list(&sheet.levels, CycleQuantity::Level)));
+    }
+    if let Some([highest, lowest]) = sheet.extremes {
+        let of = |k: usize| symbol(notation, CycleQuantity::Level(u32::try_from(k + 1).unwrap_or(u32::MAX)));
+        let part =
+            |quantity: CycleQuantity, k: usize| symbol(notation, quantity).up("\u{a0}=\u{a0}").then(&of(k));
+        let difference = symbol(notation, CycleQuantity::Fluctuation)
+            .up("\u{a0}=\u{a0}")
+            .then(&symbol(notation, CycleQuantity::Highest))
+            .up(" −\u{a0}")
+            .then(&symbol(notation, CycleQuantity::Lowest));
+        let told = [part(CycleQuantity::Highest, highest), part(CycleQuantity::Lowest, lowest), difference];
+        items.push(Item::Sentence(Rich::join(&told, &Rich::upright(notation.words.comma)).up(".")));
+    }
+    items
+}

@@ -1,0 +1,337 @@
+//! The turning-moment diagram: printed values, closed forms, laws, and a mechanism's own torque against its energies.
+
+#![allow(clippy::unwrap_used, reason = "a test")]
+
+use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
+
+use linkgram::check;
+use linkgram::mechanism::quantity::Answer;
+use linkgram::plan::Extent;
+use linkgram::scene::{self, Scene};
+use linkgram::solve::solve;
+
+use crate::common;
+
+fn read(text: &str) -> Scene {
+    scene::read(text, "cycle.json").unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn refusal(text: &str) -> String {
+    scene::read(text, "cycle.json").unwrap_err().to_string()
+}
+
+/// Answers by name with their bounds; both solvers agree, and both know every number to 1e-9 of the largest torque's work.
+fn answers(scene: &Scene) -> BTreeMap<String, f64> {
+    let solved = solve(scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let analytic = linkgram::solve::solve_analytically(scene);
+    let agreement = check::agreement(scene, &solved, &analytic);
+    assert!(agreement.ok(), "{:?} {:?}", agreement.refused, agreement.disagreements());
+    let mut told = BTreeMap::new();
+    for compared in &agreement.compared {
+        let (Answer::Scalar { value, bound }, Answer::Scalar { bound: other, .. }) =
+            (&compared.graphical.answer, &compared.analytic)
+        else {
+            panic!("{}: {:?} {:?}", compared.asked.name, compared.graphical.answer, compared.analytic);
+        };
+        assert!(*bound > 0.0 || *value == 0.0 || *other > 0.0, "{}", compared.asked.name);
+        told.insert(compared.asked.name.clone(), *value);
+    }
+    told
+}
+
+fn near(found: f64, wanted: f64) {
+    assert!((found - wanted).abs() <= 1e-8 * wanted.abs().max(1.0), "{found} is not {wanted}");
+}
+
+fn diagram(cycle: &str, find: &str) -> Scene {
+    read(&format!(
+        r#"{{ "links": {{}}, "input": {{ "omega": 20 }}, "cycle": {{ {cycle} }}, "find": [{find}] }}"#
+    ))
+}
+
+const ALL: &str = r#""Tmean", "E", "power", "Emax", "Emin", "Ef", "Ke""#;
+
+#[test]
+fn the_books_diagrams_hold() {
+    for stem in ["forces/s000-ch5-7", "forces/s000-ch5-8", "forces/s000-ch5-9"] {
+        let checked = check::check(&common::example(stem), 0.005);
+        assert!(checked.ok, "{stem}: {:?}", checked.outcome);
+    }
+}
+
+/// A sine over its mean: crossings at half turns, Ef = 2 a / k, whatever the mean.
+#[test]
+fn a_sine_is_the_closed_form() {
+    let scene = diagram(
+        r#""torque": { "harmonics": { "constant": 50, "sin": [[3, 20]] } }, "rotating": [ { "inertia": 2 }, { "mass": 3, "gyration": 0.5, "ratio": -2 } ]"#,
+        &format!(
+            r#"{ALL}, "Ks", "I", "crossing(1)", "crossing(2)", "crossing(6)", "area(1)", "area(2)", "level(2)", "angle(Emax)", "angle(Emin)", "alpha(max)", "alpha(min)", "angle(alpha_max)", "angle(alpha_min)""#
+        ),
+    );
+    let found = answers(&scene);
+    near(found["Tmean"], 50.0);
+    near(found["E"], 100.0 * PI);
+    near(found["power"], 1000.0);
+    near(found["Ef"], 40.0 / 3.0);
+    near(found["Ke"], 40.0 / 3.0 / (100.0 * PI));
+    near(found["I"], 5.0);
+    near(found["Ks"], 40.0 / 3.0 / (5.0 * 400.0));
+    near(found["crossing(1)"], 0.0);
+    near(found["crossing(2)"], PI / 3.0);
+    near(found["crossing(6)"], 5.0 * PI / 3.0);
+    near(found["area(1)"], 40.0 / 3.0);
+    near(found["area(2)"], -40.0 / 3.0);
+    near(found["level(2)"], 40.0 / 3.0);
+    near(found["angle(Emax)"], PI / 3.0);
+    near(found["angle(Emin)"], 0.0);
+    near(found["alpha(max)"], 4.0);
+    near(found["alpha(min)"], -4.0);
+    assert!((found["angle(alpha_max)"] - PI / 6.0).abs() < 1e-6);
+    assert!((found["angle(alpha_min)"] - PI / 2.0).abs() < 1e-6);
+}
+
+/// Steps: the torque leaps through its mean, and that is a crossing; where it only touches there is none.
+#[test]
+fn a_leap_counts_and_a_touch_does_not() {
+    let scene = diagram(
+        r#""torque": { "table": [[0, 300], [90, 300], [90, 0], [360, 0]] }"#,
+        &format!(r#"{ALL}, "crossing(1)", "crossing(2)", "area(1)", "level(1)", "angle(Emax)""#),
+    );
+    let found = answers(&scene);
+    near(found["Tmean"], 75.0);
+    near(found["crossing(1)"], 0.0);
+    near(found["crossing(2)"], PI / 2.0);
+    near(found["level(1)"], 0.0);
+    near(found["area(1)"], 225.0 * PI / 2.0);
+    near(found["Ef"], 225.0 * PI / 2.0);
+    near(found["angle(Emax)"], PI / 2.0);
+    // Up from the mean at 90°, and back to it at 180°; it touches it at 270°.
+    let touching =
+        r#""torque": { "table": [[0, 10], [90, 20], [180, 10], [225, 0], [270, 10], [315, 0], [360, 10]] }"#;
+    let scene = diagram(touching, r#""Tmean", "crossing(1)", "crossing(2)", "Ef""#);
+    let found = answers(&scene);
+    near(found["Tmean"], 10.0);
+    near(found["crossing(1)"], 0.0);
+    near(found["crossing(2)"], PI);
+    near(found["Ef"], 10.0 * PI / 2.0);
+    let scene = diagram(touching, r#""Tmean", "crossing(3)""#);
+    let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let why = format!("{:?}", solved.answer(&scene, "crossing(3)").unwrap());
+    assert!(why.contains("there are 2 crossings"), "{why}");
+}
+
+/// Copies add up: three sines a third of a turn apart cancel, and a table shifted by its period is itself twice.
+#[test]
+fn copies_add_up() {
+    let one = r#""torque": { "harmonics": { "constant": 30, "sin": [[1, 12]], "cos": [[3, 5]] } }"#;
+    let found = answers(&diagram(&format!(r#"{one}, "copies": {{ "number": 3, "shift": 120 }}"#), ALL));
+    near(found["Tmean"], 90.0);
+    // Only the third harmonic is left, three times: 2 a/k.
+    near(found["Ef"], 2.0 * 15.0 / 3.0);
+    let table =
+        r#""torque": { "table": [[0, 0], [30, 90], [200, 20], [200, -40], [300, 60]] }, "period": 360"#;
+    let (single, double) = (
+        answers(&diagram(table, ALL)),
+        answers(&diagram(&format!(r#"{table}, "copies": {{ "number": 2, "shift": 360 }}"#), ALL)),
+    );
+    for name in ["Tmean", "E", "Emax", "Emin", "Ef"] {
+        near(double[name], 2.0 * single[name]);
+    }
+    near(double["Ke"], single["Ke"]);
+}
+
+/// A period of two turns; half orders; a load that varies as well is what the torque is above or below.
+#[test]
+fn two_turns_and_a_varying_load() {
+    let found = answers(&diagram(
+        r#""torque": { "harmonics": { "constant": 40, "sin": [[0.5, 8]] } }, "period": 720"#,
+        r#""E", "Ef", "crossing(2)""#,
+    ));
+    near(found["E"], 160.0 * PI);
+    near(found["Ef"], 2.0 * 8.0 / 0.5);
+    near(found["crossing(2)"], TAU);
+    // The same on both sides but for a wave: only the wave is left.
+    let found = answers(&diagram(
+        r#""torque": { "harmonics": { "constant": 40, "sin": [[2, 9]], "cos": [[1, 6]] } },
+           "load": { "harmonics": { "constant": 40, "cos": [[1, 6]] } }"#,
+        r#""Tmean", "Ef""#,
+    ));
+    near(found["Tmean"], 40.0);
+    near(found["Ef"], 9.0);
+    // A constant torque against a table is the mirror of the table as torque.
+    let table = r#"{ "table": [[0, 10], [60, 80], [90, 20], [210, 50], [360, 10]] }"#;
+    let torque = answers(&diagram(&format!(r#""torque": {table}"#), ALL));
+    let load = answers(&diagram(&format!(r#""load": {table}"#), ALL));
+    near(load["Emax"], -torque["Emin"]);
+    near(load["Emin"], -torque["Emax"]);
+    near(load["Tmean"], torque["Tmean"]);
+}
+
+/// A table of straight pieces against many short pieces added up here, and a table with a wave on the other side.
+#[test]
+fn a_table_against_a_plain_sum() {
+    let knots = [(0.0, 10.0), (50.0, 120.0), (140.0, -30.0), (140.0, 40.0), (250.0, 70.0), (360.0, 10.0)];
+    let at = |degrees: f64| {
+        let next = knots.iter().position(|(angle, _)| *angle > degrees).unwrap_or(knots.len() - 1);
+        let ((a, from), (b, to)) = (knots[next - 1], knots[next]);
+        from + (to - from) * (degrees - a) / (b - a)
+    };
+    let area: f64 = knots.windows(2).map(|w| (w[1].0 - w[0].0) * (w[1].1 + w[0].1) / 2.0).sum();
+    let mean = area / 360.0;
+    let wave = |degrees: f64| mean + 25.0 * libm::cos(2.0 * degrees.to_radians());
+    let (mut level, mut most, mut least) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let many = 360_000;
+    for k in 0..many {
+        let degrees = (f64::from(k) + 0.5) * 360.0 / f64::from(many);
+        level += (at(degrees) - wave(degrees)) * TAU / f64::from(many);
+        most = most.max(level);
+        least = least.min(level);
+    }
+    let told: Vec<String> = knots.iter().map(|(angle, size)| format!("[{angle}, {size}]")).collect();
+    let found = answers(&diagram(
+        &format!(
+            r#""torque": {{ "table": [{}] }}, "load": {{ "harmonics": {{ "constant": {mean}, "cos": [[2, 25]] }} }}"#,
+            told.join(", ")
+        ),
+        r#""Emax", "Emin", "Ef", "Tmean""#,
+    ));
+    near(found["Tmean"], mean);
+    assert!(
+        (found["Emax"] - most).abs() < 1e-4 && (found["Emin"] - least).abs() < 1e-4,
+        "{found:?} {most} {least}"
+    );
+}
+
+#[test]
+fn a_flywheel_is_what_is_still_needed() {
+    let cycle = r#""torque": { "harmonics": { "constant": 50, "sin": [[1, 20]] } }, "fluctuation": 0.02"#;
+    let found = answers(&diagram(
+        &format!(r#"{cycle}, "rotating": [ {{ "weight": 98.1, "gyration": "20 cm" }} ]"#),
+        r#""If", "I", "Ks", "alpha(max)""#,
+    ));
+    let needed = 40.0 / (0.02 * 400.0);
+    near(found["I"], 0.4);
+    near(found["If"], needed - 0.4);
+    near(found["Ks"], 0.02);
+    near(found["alpha(max)"], 20.0 / needed);
+    // What turns is heavy enough.
+    let scene = diagram(&format!(r#"{cycle}, "rotating": [ {{ "inertia": 9 }} ]"#), r#""If", "I""#);
+    let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    assert!(format!("{:?}", solved.answer(&scene, "If")).contains("no flywheel is needed"));
+}
+
+/// What has no diagram is refused with the reason.
+#[test]
+fn what_has_no_diagram_is_refused() {
+    let unsolved = |cycle: &str, find: &str| {
+        solve(&diagram(cycle, find), Extent::Asked, linkgram::sheet::scale::for_scene)
+            .unwrap_err()
+            .to_string()
+    };
+    let told = unsolved(r#""torque": { "harmonics": { "sin": [[1, 20]] } }"#, r#""Ef""#);
+    assert!(told.contains("mean torque is zero"), "{told}");
+    let told = unsolved(
+        r#""torque": { "harmonics": { "constant": 20 } }, "load": { "harmonics": { "constant": 21 } }"#,
+        r#""Ef""#,
+    );
+    assert!(told.contains("different means"), "{told}");
+    let told = unsolved(
+        r#""torque": { "areas": [3, -2], "scale": { "torque": 1, "angle": 1 }, "total": 5 }"#,
+        r#""Ef""#,
+    );
+    assert!(told.contains("differ by"), "{told}");
+    let areas =
+        r#""torque": { "areas": [3, -3], "scale": { "torque": "2 N*m", "angle": "90 deg" }, "total": 5 }"#;
+    let told = unsolved(areas, r#""crossing(1)""#);
+    assert!(told.contains("do not say at which angle"), "{told}");
+    near(answers(&diagram(areas, r#""Ef", "level(1)", "area(2)""#))["Ef"], 3.0 * PI);
+    let told = unsolved(
+        r#""torque": { "harmonics": { "constant": 50, "sin": [[1, 40]] } }, "rotating": [ { "inertia": 0.01 } ]"#,
+        r#""Ks""#,
+    );
+    assert!(told.contains("too light"), "{told}");
+    let bad = |more: &str, find: &str| {
+        refusal(&format!(r#"{{ "links": {{}}, "input": {{ "omega": 2 }}, {more} "find": ["{find}"] }}"#))
+    };
+    let table = r#""cycle": { "torque": { "table": [[0, 1], [90, 2]] } },"#;
+    for (more, find, what) in [
+        ("", "Ef", "nothing moves"),
+        (r#""cycle": {},"#, "Ef", "`torque` or `load` is missing"),
+        (table, "If", "no fluctuation of speed is wanted"),
+        (table, "I", "nothing is said of what turns"),
+        (table, "crossing(0)", "from 1"),
+        (table, "v(A)", "no point `A`"),
+        (r#""cycle": { "torque": { "of": 2 } },"#, "Ef", "link 2"),
+        (r#""cycle": { "torque": { "table": [[90, 1], [0, 2]] } },"#, "Ef", "ascend"),
+        (r#""cycle": { "torque": { "table": [[0, 1], [400, 2]] } },"#, "Ef", "longer than its period"),
+        (
+            r#""cycle": { "torque": { "harmonics": { "constant": 1, "sin": [[0.5, 1]] } } },"#,
+            "Ef",
+            "whole number of waves",
+        ),
+        (r#""cycle": { "torque": { "table": [[0, 1]] }, "fluctuation": 2 },"#, "Ef", "between 0 and 2"),
+        (r#""cycle": { "torque": { "table": [[0, "3 kg"]] } },"#, "Ef", "torque"),
+    ] {
+        let told = bad(more, find);
+        assert!(told.contains(what), "{told}");
+    }
+}
+
+const CRANK: &str = r#"{
+  "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+  "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 220 } },
+  "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } } ],
+  "near": { "B": [240, 0] }, "input": { "link": 2, "angle": 50, "omega": "10 rad/s ccw", "alpha": 3 },
+  "gravity": {}, "masses": { "2": { "mass": 2, "at": [20, 5] }, "3": { "mass": 1.5, "inertia": 0.01, "at": [80, 10] }, "4": { "mass": 0.8 } }"#;
+
+/// A pump: a load against its piston takes 4 F r in a turn; weights and inertia take nothing over a turn, but move
+/// the levels. The levels are those of the energies.
+#[test]
+fn a_mechanisms_own_torque_against_its_energies() {
+    let scene = read(&format!(
+        r#"{CRANK}, "loads": [ {{ "on": 4, "force": 1500, "direction": "against" }} ],
+        "cycle": {{ "load": {{ "of": 2 }}, "fluctuation": 0.04 }}, "find": ["E", "Tmean", "Ef", "Emax", "crossing(1)", "level(2)", "If", "alpha(max)"] }}"#
+    ));
+    let found = answers(&scene);
+    near(found["E"], 4.0 * 1500.0 * 0.06);
+    near(found["Tmean"], 360.0 / TAU);
+    near(found["If"], found["Ef"] / (0.04 * 100.0));
+    // A spring and a force of the world do no work in a turn: the mean is that of the torque, and the sum of both
+    // cycles is the cycle of the sum.
+    let torque = |loads: &str| {
+        answers(&read(&format!(
+            r#"{CRANK}, "springs": [ {{ "between": [ {{ "link": 4, "at": "B" }}, {{ "link": 1, "at": [100, 50] }} ], "stiffness": "2 kN/m", "free": 60 }} ],
+            "loads": [ {{ "on": 4, "force": [300, -20] }}, {{ "on": 2, "torque": {loads} }} ],
+            "cycle": {{ "torque": {{ "of": 2 }} }}, "find": ["E", "Ef"] }}"#
+        )))
+    };
+    let (one, two) = (torque("12"), torque("24"));
+    near(one["E"], 12.0 * TAU);
+    near(two["E"], 24.0 * TAU);
+    near(one["Ef"], two["Ef"]);
+}
+
+/// Every figure of a diagram is drawn, in every language, and confirmed.
+#[test]
+fn diagrams_are_drawn() {
+    for stem in ["forces/s000-ch5-7", "forces/s000-ch5-8", "forces/s000-ch5-9"] {
+        let mut scene = common::example(stem);
+        for language in ["en", "ar", "fa"] {
+            scene.sheet.language = Some(language.to_owned());
+            let drawn = linkgram::drawing::figure(&scene, &linkgram::drawing::Wish::default());
+            let figure = drawn.unwrap_or_else(|error| panic!("{stem}: {}", error.told(&scene)));
+            let mut classes = std::collections::BTreeSet::new();
+            let mut waiting = vec![&figure.root];
+            while let Some(group) = waiting.pop() {
+                classes.insert(group.class.to_string());
+                waiting.extend(group.children.iter().filter_map(|node| match node {
+                    linkgram::sheet::figure::Node::Group(group) => Some(group),
+                    _ => None,
+                }));
+            }
+            assert!(classes.iter().any(|class| class == "energy"), "{classes:?}");
+            assert_eq!(classes.iter().any(|class| class == "turning-moment"), stem != "forces/s000-ch5-8");
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Governors: printed values, the closed forms of Watt and Porter, and what has no speed of equilibrium.
+
+#![allow(clippy::unwrap_used, reason = "a test")]
+
+use std::collections::BTreeMap;
+
+use linkgram::check::{self, Outcome};
+use linkgram::mechanism::quantity::Answer;
+use linkgram::plan::Extent;
+use linkgram::scene::{self, Refusal, Scene};
+use linkgram::solve::solve;
+
+use crate::common;
+
+fn read(text: &str) -> Scene {
+    scene::read(text, "governor.json").unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn refusal(text: &str) -> String {
+    scene::read(text, "governor.json").unwrap_err().to_string()
+}
+
+fn answers(scene: &Scene) -> BTreeMap<String, Vec<f64>> {
+    let solved = solve(scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let agreement = check::agreement(scene, &solved, &linkgram::solve::solve_analytically(scene));
+    assert!(agreement.ok(), "{:?} {:?}", agreement.refused, agreement.disagreements());
+    let told = agreement.compared.iter().map(|compared| {
+        let value = match &compared.graphical.answer {
+            Answer::Scalar { value, .. } => vec![*value],
+            Answer::Vector { value, .. } => value.to_vec(),
+            other => panic!("{}: {other:?}", compared.asked.name),
+        };
+        (compared.asked.name.clone(), value)
+    });
+    told.collect()
+}
+
+fn near(found: f64, wanted: f64) {
+    assert!((found - wanted).abs() <= 1e-9 * wanted.abs().max(1.0), "{found} is not {wanted}");
+}
+
+#[test]
+fn the_books_governors_hold() {
+    for stem in ["forces/s000-ch5-3a", "forces/s000-ch5-3b", "forces/s000-ch5-5a"] {
+        let checked = check::check(&common::example(stem), 0.005);
+        assert!(checked.ok, "{stem}: {:?}", checked.outcome);
+    }
+}
+
+/// A ball on an arm of 5 m that hangs 4 m below the axis' pivot, 3 m out.
+fn pendulum(ball: [f64; 2], omega: &str, find: &str) -> String {
+    format!(
+        r#"{{ "fixed": {{ "O": [0, 0] }}, "placed": {{ "B": [{}, {}] }}, "links": {{ "2": {{ "joins": ["O", "B"] }} }},
+        "input": {{ "link": 2 }}, "gravity": {{}}, "masses": {{ "2": {{ "mass": 7, "at": "B" }} }},
+        "spin": {{ "axis": {{ "through": [0, 8], "angle": 90 }}, "omega": {omega} }}, "find": [{find}] }}"#,
+        ball[0], ball[1]
+    )
+}
+
+/// Watt: ω² = g/h, whatever the mass and the arm; on either side of the axis.
+#[test]
+fn watts_governor_is_the_closed_form() {
+    for x in [3.0, -3.0] {
+        let found = answers(&read(&pendulum([x, -4.0], r#""?""#, r#""spin", "Fc(2)", "F(1,2)""#)));
+        near(found["spin"][0], libm::sqrt(9.81 / 4.0));
+        near(found["Fc(2)"][0], 7.0 * 9.81 / 4.0 * x);
+        near(found["Fc(2)"][1], 0.0);
+        near(found["F(1,2)"][0], -7.0 * 9.81 / 4.0 * x);
+        near(found["F(1,2)"][1], 7.0 * 9.81);
+        // At a given speed the arm needs what is left.
+        let found = answers(&read(&pendulum(
+            [x, -4.0],
+            "2",
+            r#""T(2)", "T(2).static", "T(2).inertia", "arm(Fc(2),O)""#,
+        )));
+        near(found["T(2)"][0], x * 7.0 * (9.81 - 4.0 * 4.0));
+        near(found["T(2).static"][0], x * 7.0 * 9.81);
+        near(found["T(2).inertia"][0], -x * 7.0 * 16.0);
+        near(found["arm(Fc(2),O)"][0], 4.0);
+    }
+}
+
+/// A ball above its pivot falls outward at every speed.
+#[test]
+fn what_falls_outward_has_no_speed() {
+    let text = pendulum([3.0, 4.0], r#""?""#, r#""spin""#);
+    let checked = check::check(&read(&text), 0.05);
+    let Outcome::Refused { refusal, error } = checked.outcome else { panic!("it is solved") };
+    assert_eq!(refusal, Some(Refusal::NoEquilibrium));
+    assert!(error.to_string().contains("no speed"), "{error}");
+    let expected = text.replacen('{', r#"{ "expect": "no-equilibrium", "#, 1);
+    assert!(check::check(&read(&expected), 0.05).ok);
+}
+
+/// Porter, arms of equal length from pivots on the axis: ω² = (m + M/2 (1 + q)) g / (m h), q = 1.
+fn porter(more_of_sleeve: &str, find: &str) -> Scene {
+    read(&format!(
+        r#"{{ "fixed": {{ "O": [0, 0] }}, "placed": {{ "B": [3, -4], "S": [0, -8] }},
+        "links": {{ "2": {{ "joins": ["O", "B"] }}, "3": {{ "joins": ["B", "S"] }} }},
+        "slides": [ {{ "pin": "S", "block": 4, "on": {{ "link": 1, "through": "O", "angle": 90 }} {more_of_sleeve} }} ],
+        "input": {{ "link": 2 }}, "gravity": {{}},
+        "masses": {{ "2": {{ "mass": 5, "at": "B" }}, "4": {{ "mass": 30 }} }},
+        "spin": {{ "axis": {{ "through": [0, 0], "angle": 90 }}, "omega": "?", "balls": 2, "sleeve": 4 }}, "find": [{find}] }}"#
+    ))
+}
+
+#[test]
+fn porters_governor_is_the_closed_form() {
+    let found = answers(&porter("", r#""spin", "F(3,4)""#));
+    near(found["spin"][0], libm::sqrt((5.0 + 30.0) * 9.81 / (5.0 * 4.0)));
+    // One arm carries half the sleeve.
+    near(found["F(3,4)"][1], 15.0 * 9.81);
+    let found = answers(&porter(r#", "drag": 50"#, r#""spin(rising)", "spin(falling)""#));
+    let speed = |sleeve: f64| libm::sqrt((5.0 * 9.81 + sleeve) / (5.0 * 4.0));
+    near(found["spin(rising)"][0], speed(30.0 * 9.81 + 50.0));
+    near(found["spin(falling)"][0], speed(30.0 * 9.81 - 50.0));
+    // A drag has no sense while the sleeve rests.
+    let scene = porter(r#", "drag": 50"#, r#""spin", "spin(rising)""#);
+    let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    assert!(format!("{:?}", solved.answer(&scene, "spin")).contains("the sleeve rests"));
+}
+
+#[test]
+fn what_governors_refuse() {
+    let text = pendulum([3.0, -4.0], "2", r#""spin""#);
+    assert!(refusal(&text).contains("no speed is sought"));
+    assert!(refusal(&text.replace("\"spin\"]", "\"Fc(1)\"]")).contains("has no mass"));
+    assert!(
+        refusal(&text.replace("\"omega\": 2", "\"omega\": \"?\", \"balls\": 0")).contains("whole number")
+    );
+    let told = refusal(&pendulum([3.0, -4.0], r#""?""#, r#""T(2)""#));
+    assert!(told.contains("spin") && told.contains("sought"), "{told}");
+    assert!(refusal(&pendulum([3.0, -4.0], r#""?""#, r#""spin(rising)""#)).contains("no sleeve is named"));
+    let without = text.replace(
+        r#""masses": { "2": { "mass": 7, "at": "B" } },"#,
+        r#""loads": [ { "on": 2, "torque": 3 } ],"#,
+    );
+    assert!(refusal(&without).contains("nothing has a mass"), "{}", refusal(&without));
+}
+
+#[test]
+fn governors_are_drawn() {
+    for stem in ["forces/s000-ch5-3a", "forces/s000-ch5-3b", "forces/s000-ch5-5a"] {
+        let scene = common::example(stem);
+        let drawn = linkgram::drawing::figure(&scene, &linkgram::drawing::Wish::default());
+        assert!(drawn.is_ok(), "{stem}: {}", drawn.err().unwrap().told(&scene));
+    }
+}
