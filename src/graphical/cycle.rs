@@ -506,7 +506,7 @@ impl Desk<'_> {
         }
         let (mean, work, constant) = self.mean(&courses, &mut nodes, &mut pieces)?;
         let crossings = self.crossings(&courses, constant, mean, &mut nodes, &mut pieces)?;
-        Ok(self.balance(Parts { nodes, pieces, mean, work, constant, crossings, courses: &courses })?)
+        self.balance(Parts { nodes, pieces, mean, work, constant, crossings, courses: &courses })
     }
 
     /// The area under one curve, piece by piece, or between both.

@@ -473,6 +473,7 @@ fn placed(json: &str) -> (Scene, Construction) {
         circle: None,
         others: vec![],
         forces: None,
+        cycle: None,
         auxiliary: Vec::new(),
         steps: vec![],
         answers: vec![],
