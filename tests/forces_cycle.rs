@@ -283,7 +283,7 @@ const CRANK: &str = r#"{
   "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 220 } },
   "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" } } ],
   "near": { "B": [240, 0] }, "input": { "link": 2, "angle": 50, "omega": "10 rad/s ccw", "alpha": 3 },
-  "gravity": {}, "masses": { "2": { "mass": 2, "at": [20, 5] }, "3": { "mass": 1.5, "inertia": 0.01, "at": [80, 10] }, "4": { "mass": 0.8 } }"#;
+  "gravity": {}, "masses": { "2": { "mass": 2, "at": "A" }, "3": { "mass": 1.5, "inertia": 0.01, "at": "B" }, "4": { "mass": 0.8 } }"#;
 
 /// A pump: a load against its piston takes 4 F r in a turn; weights and inertia take nothing over a turn, but move
 /// the levels. The levels are those of the energies.

@@ -377,9 +377,9 @@ impl Turning {
             return;
         };
         let room = 1e-9 * (most - least);
-        let first =
-            |wanted: &dyn Fn(f64) -> bool| levels.iter().position(|level| wanted(*level)).unwrap_or(0);
-        self.extremes = Some([first(&|level| level >= most - room), first(&|level| level <= least + room)]);
+        let highest = levels.iter().position(|level| *level >= most - room);
+        let lowest = levels.iter().position(|level| *level <= least + room);
+        self.extremes = highest.zip(lowest).map(|(highest, lowest)| [highest, lowest]);
     }
 
     fn of_curves(&mut self, curves: &mut Curves<'_>, steepest: bool) -> Told<()> {
@@ -408,7 +408,11 @@ impl Turning {
         {
             return Err("the two torques have different means".to_owned());
         }
-        curves.means = [torque, load].map(|work| work.unwrap_or(0.0) / period);
+        // A side that is missing is the mean of the other.
+        curves.means = match (torque, load) {
+            (Some(torque), Some(load)) => [torque / period, load / period],
+            _ => [work / period; 2],
+        };
         let knots = curves.knots();
         let many = 64.0 + 8.0 * knots.len() as f64;
         let height = many * U * curves.scale;
@@ -480,7 +484,7 @@ impl Turning {
             values.push((at, curves.net(at, true)?));
         }
         let ended = values.iter().rev().map(|(_, net)| sense(*net)).find(|sense| *sense != 0);
-        let Some(mut last) = ended else { return Ok(()) };
+        let mut last = ended.ok_or("the curves are one")?;
         let mut nonzero: Option<f64> = None;
         let mut resting: Option<f64> = None;
         for (at, net) in values {
@@ -566,7 +570,8 @@ impl Turning {
             }
             let most = values.iter().map(|(_, value)| *value).fold(f64::NEG_INFINITY, f64::max);
             let room = 1e-9 * curves.scale;
-            let index = values.iter().position(|(_, value)| *value >= most - room).unwrap_or(0);
+            let index = values.iter().position(|(_, value)| *value >= most - room);
+            let index = index.ok_or("there is no curve")?;
             let (mut at, mut value) = values[index];
             let mut loose = 32.0 * U * self.period;
             if curves.smooth() {
@@ -680,9 +685,11 @@ impl Turning {
             }
             CycleQuantity::Flywheel => {
                 let wanted = self.fluctuation.ok_or("no `fluctuation` is wanted")?;
-                let there = self.inertia.unwrap_or(0.0);
                 let needed = self.needed(wanted)?;
-                let still = needed.less(Known { value: there, bound: 32.0 * U * there });
+                let still = match self.inertia {
+                    Some(there) => needed.less(Known { value: there, bound: 32.0 * U * there }),
+                    None => needed,
+                };
                 if still.value < 0.0 { Err("no flywheel is needed".to_owned()) } else { Ok(still) }
             }
             CycleQuantity::Inertia => {

@@ -363,8 +363,11 @@ fn constant(kind: &LoadKind) -> Option<[f64; 2]> {
                     let area = match area {
                         Area::Given(area) => area.value,
                         Area::Bore { bore, rod } => {
-                            let rod = rod.map_or(0.0, |rod| rod.value);
-                            std::f64::consts::FRAC_PI_4 * (bore.value - rod) * (bore.value + rod)
+                            let square = match rod {
+                                Some(rod) => (bore.value - rod.value) * (bore.value + rod.value),
+                                None => bore.value * bore.value,
+                            };
+                            std::f64::consts::FRAC_PI_4 * square
                         }
                     };
                     pressure.value * area

@@ -604,7 +604,8 @@ impl Desk<'_> {
         };
         // As the period before ends.
         let reversed = nodes.iter().rev().flat_map(|node| [node.before, node.after]);
-        let mut last = reversed.map(sign).find(|sign| *sign != 0.0).unwrap_or(0.0);
+        let ended = reversed.map(sign).find(|sign| *sign != 0.0);
+        let mut last = ended.ok_or("the two torques are one throughout: nothing fluctuates")?;
         let mut crossings: Vec<Crossing> = Vec::new();
         let mut touched: Option<usize> = None;
         let mut index = 0;
@@ -620,7 +621,7 @@ impl Desk<'_> {
                 touched = Some(index);
             }
             if after != 0.0 {
-                if after != last && last != 0.0 {
+                if after != last {
                     let node = touched.unwrap_or(index);
                     crossings.push(Crossing { at: nodes[node].at, node, rises: after > 0.0 });
                 }
@@ -848,7 +849,11 @@ impl Desk<'_> {
 
     /// How far the mechanism's torque may be off.
     fn noise_at(&self, at: f64) -> f64 {
-        self.of.and_then(|of| of(at)).map_or(0.0, |(_, error)| error)
+        match self.of.and_then(|of| of(at)) {
+            Some((_, error)) => error,
+            // A curve that is given has no other noise than its rounding.
+            None => 0.0,
+        }
     }
 
     fn by_areas(

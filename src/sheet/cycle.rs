@@ -577,11 +577,12 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
 fn of_curve(curve: &Curve, unit: &Unit) -> Rich {
     let told = match curve {
         Curve::Table { knots, .. } => {
-            let knot = |[at, size]: &[crate::mechanism::Given; 2]| {
-                let size = human::stated(size.value / unit.si);
-                Rich::upright("(").then(&human::degrees(at.value)).up(";\u{a0}").then(&size).up(")")
+            let knot = |at: f64, size: f64| {
+                let size = human::stated(size / unit.si);
+                Rich::upright("(").then(&human::degrees(at)).up(";\u{a0}").then(&size).up(")")
             };
-            let mut list: Vec<Rich> = knots.iter().take(TOLD).map(knot).collect();
+            let first = knots.iter().take(TOLD);
+            let mut list: Vec<Rich> = first.map(|[at, size]| knot(at.value, size.value)).collect();
             if knots.len() > TOLD {
                 list.push(Rich::upright("…"));
             }

@@ -4,7 +4,7 @@ use crate::board::{Amount, Line};
 use crate::given::Given;
 use crate::mechanism::LinkId;
 use crate::mechanism::force::{Mass, Share};
-use crate::mechanism::spin::{Spin, SpinSpeed};
+use crate::mechanism::spin::{Drag, Spin, SpinSpeed};
 
 use super::super::draughtsman::Draughtsman;
 use super::{Balance, Item, Pull};
@@ -70,12 +70,20 @@ impl Draughtsman<'_> {
 
     /// Lays the drag of the sleeve off, against its motion.
     pub(super) fn lay_off_drag(&mut self, spin: &Spin, share: Share, balance: &mut Balance) {
-        let Some(drag) = spin.drag else { return };
+        if let Some(drag) = spin.drag {
+            self.lay_off_given_drag(spin, drag, share, balance);
+        }
+    }
+
+    fn lay_off_given_drag(&mut self, spin: &Spin, drag: Drag, share: Share, balance: &mut Balance) {
         let Some(sense) = spin.sense(share, self.mechanism) else {
             balance.refused = Some(RESTS);
             return;
         };
-        let Some(pin) = self.riding_pin(drag.slide) else { return };
+        let Some(pin) = self.riding_pin(drag.slide) else {
+            balance.refused = Some("the sleeve has no joint in its guide");
+            return;
+        };
         let at = self.at(pin);
         let (along, _) = self.guide_at(drag.slide, at);
         let mut size = self.board.amount(drag.size);
