@@ -358,7 +358,8 @@ fn a_sheet_shows_the_circles() {
     let sheet = solved.solution.construction.forces.unwrap();
     assert_eq!(sheet.rubs.len(), 4);
     assert!((2..=8).contains(&sheet.passes), "{}", sheet.passes);
-    let rod = sheet.bodies.iter().find(|body| scene.mechanism.link(body.link).number == 3).unwrap();
+    let link = linkgram::mechanism::force::Party::Link(scene.mechanism.link_numbered(3).unwrap());
+    let rod = sheet.bodies.iter().find(|body| body.of == link).unwrap();
     assert_eq!(sheet.friction_axis(rod), Some(linkgram::graphical::construction::FrictionAxis::Inner));
 }
 

@@ -51,7 +51,10 @@ fn all() -> Vec<(String, Figure)> {
     });
     let constructions = ["klein", "inflection", "two-positions"]
         .map(|name| (format!("constructions/{name}"), common::example(&format!("constructions/{name}"))));
-    let scenes: Vec<(String, Scene)> = examples.chain(kinds).chain(random).chain(constructions).collect();
+    let forces = ["1", "2", "16", "20", "21"].map(|number| format!("forces/s000-ch5-{number}"));
+    let forces = forces.map(|name| (name.clone(), common::example(&name)));
+    let scenes: Vec<(String, Scene)> =
+        examples.chain(kinds).chain(random).chain(constructions).chain(forces).collect();
     scenes.iter().filter_map(|(name, scene)| Some((name.clone(), solution(scene)?))).collect()
 }
 
@@ -302,7 +305,11 @@ fn number(text: &str) -> Option<(f64, f64, &str)> {
 /// A line without the units and senses that stand in it, its points as crosses: `4 rad/s ccw · 72.3 mm / 182 mm`.
 fn without_units(text: &str) -> String {
     let mut text = text.replace(" ·", " ×").replace("\u{a0}·", "\u{a0}×");
-    for unit in ["rad/s", "mm/s", "cm/s", "km/s", "m/s", "ccw", "cw", "mm", "cm"] {
+    let of_forces = [
+        "kg·m²", "N·mm", "N·cm", "N·m", "N/mm", "N/m", "rad/s²", "m/s²", "lbf", "kgf", "kN", "kg", "Pa", "m²",
+    ];
+    let of_motion = ["rad/s", "mm/s", "cm/s", "km/s", "m/s", "ccw", "cw", "mm", "cm"];
+    for unit in of_forces.into_iter().chain(of_motion).chain(["N", "m"]) {
         for blank in [" ", "\u{a0}"] {
             text =
                 text.replace(&format!("{blank}{unit} "), " ").replace(&format!("{blank}{unit}\u{a0}"), " ");
@@ -312,34 +319,63 @@ fn without_units(text: &str) -> String {
     text
 }
 
-/// The value of `2 × 3.1² / 4`, numbers only; `None` of anything else, and of a single number.
+/// The value of `2 × 3.1² / 4` or `(400 × 61.3 − 40 × 20.1) / 125`, numbers only; `None` of anything else, and of a single
+/// number.
 fn reckoned(text: &str) -> Option<f64> {
     let text = without_units(text).replace("2π", "6.283185307179586").replace('π', "3.141592653589793");
-    let mut rest = text.as_str();
-    let mut value: Option<f64> = None;
-    let mut operator = '×';
-    let mut operations = 0;
-    loop {
-        let (mut own, _, after) = number(rest)?;
-        let mut after = after.trim_start();
-        if let Some(squared) = after.strip_prefix('²') {
-            (own, after) = (own * own, squared.trim_start());
-            operations += 1;
+    let mut reading = Reckoning { rest: &text, operations: 0 };
+    let value = reading.sum()?;
+    (reading.rest.trim().is_empty() && reading.operations > 0).then_some(value)
+}
+
+struct Reckoning<'a> {
+    rest: &'a str,
+    operations: usize,
+}
+
+impl Reckoning<'_> {
+    fn take(&mut self, signs: &[char]) -> Option<char> {
+        let rest = self.rest.trim_start();
+        let sign = rest.chars().next().filter(|sign| signs.contains(sign))?;
+        self.rest = &rest[sign.len_utf8()..];
+        Some(sign)
+    }
+
+    fn sum(&mut self) -> Option<f64> {
+        let mut value = self.product()?;
+        while let Some(sign) = self.take(&['+', '−']) {
+            self.operations += 1;
+            let next = self.product()?;
+            value += if sign == '+' { next } else { -next };
         }
-        value = Some(match (value, operator) {
-            (None, _) => own,
-            (Some(before), '×') => before * own,
-            (Some(before), _) => before / own,
-        });
-        match after.chars().next() {
-            None => return value.filter(|_| operations > 0),
-            Some(sign @ ('×' | '/')) => {
-                operator = sign;
-                operations += 1;
-                rest = &after[sign.len_utf8()..];
-            }
-            Some(_) => return None,
+        Some(value)
+    }
+
+    fn product(&mut self) -> Option<f64> {
+        let mut value = self.factor()?;
+        while let Some(sign) = self.take(&['×', '/']) {
+            self.operations += 1;
+            let next = self.factor()?;
+            value = if sign == '×' { value * next } else { value / next };
         }
+        Some(value)
+    }
+
+    fn factor(&mut self) -> Option<f64> {
+        let value = if self.take(&['(']).is_some() {
+            let inside = self.sum()?;
+            self.take(&[')'])?;
+            inside
+        } else {
+            let (own, _, after) = number(self.rest)?;
+            self.rest = after;
+            own
+        };
+        if self.take(&['²']).is_some() {
+            self.operations += 1;
+            return Some(value * value);
+        }
+        Some(value)
     }
 }
 

@@ -7,7 +7,7 @@
 use std::fmt;
 
 use crate::double_double::DoubleDouble;
-use crate::mechanism::force::{Action, Force};
+use crate::mechanism::force::{Action, Force, Party, Sought};
 use crate::mechanism::friction::Rub;
 use crate::mechanism::quantity::{Answer, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
@@ -68,12 +68,20 @@ pub struct Reading {
 /// own.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ForceSheet {
+    /// What inertia and weight each mass has.
+    pub masses: Vec<MassForces>,
     /// The bodies in the order of solution.
     pub bodies: Vec<FreeBody>,
+    /// Moments, each told at one of the bodies.
+    pub moments: Vec<MomentBalance>,
     /// Everything that acts on the mechanism from outside; empty where not all of it was needed.
     pub whole: Vec<Acting>,
     /// The inertia forces, whose sum shakes the frame; empty where not all were needed.
     pub inertia: Vec<Acting>,
+    /// The line of their sum, from the first fixed pivot.
+    pub shaking: Option<MomentBalance>,
+    /// What was sought elsewhere than at the input, by two trials.
+    pub trial: Option<Trial>,
     /// What rubs, and in which sense, each with the force that leans or touches its circle.
     pub rubs: Vec<Touch>,
     /// How often the forces were drawn again because they lean and touch circles.
@@ -113,7 +121,10 @@ impl ForceSheet {
         let circles: Vec<&Touch> = self
             .rubs
             .iter()
-            .filter(|touch| touch.along.is_none() && touch.between.contains(&body.link))
+            .filter(|touch| {
+                touch.along.is_none()
+                    && (body.of == Party::Link(touch.between[0]) || body.of == Party::Link(touch.between[1]))
+            })
             .collect();
         let [first, second] = circles[..] else { return None };
         if body.acting.len() != 2 || !body.torques.is_empty() {
@@ -128,15 +139,101 @@ impl ForceSheet {
     }
 }
 
-/// A link cut free.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FreeBody {
+/// The weight and the inertia of a link, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MassForces {
     /// The link.
     pub link: LinkId,
+    /// Its mass centre.
+    pub centre: PointId,
+    /// Its mass; none of a flywheel.
+    pub mass: Option<f64>,
+    /// Its moment of inertia about the mass centre; none of a point mass.
+    pub inertia: Option<f64>,
+    /// Its weight, where weights act.
+    pub weight: Option<f64>,
+    /// The acceleration of its mass centre.
+    pub acceleration: f64,
+    /// Its angular acceleration, ccw positive; none of a link that does not turn.
+    pub alpha: Option<f64>,
+}
+
+/// A load or spring found by proportion from the efforts that two sizes of it need.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// What was sought.
+    pub sought: Sought,
+    /// The size of the second trial, SI; the first is zero.
+    pub tried: f64,
+    /// The efforts of both, SI.
+    pub efforts: [f64; 2],
+    /// What it comes to, SI.
+    pub size: f64,
+}
+
+/// A body cut free: a link, or a pin at which more than two links meet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FreeBody {
+    /// The link or the pin.
+    pub of: Party,
     /// The forces on it: first what is known, as they are laid off.
     pub acting: Vec<Acting>,
     /// Torques on it, ccw positive, N m.
     pub torques: Vec<(Force, f64)>,
+    /// It is balanced together with the next one: their polygons follow both.
+    pub with_next: bool,
+}
+
+/// Moments of one body, or of some as if they were one, about a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MomentBalance {
+    /// The bodies.
+    pub links: Vec<LinkId>,
+    /// The body at which they are told, by its place in the order of solution.
+    pub told: usize,
+    /// The point.
+    pub about: PointId,
+    /// What is known.
+    pub terms: Vec<MomentTerm>,
+    /// What they give.
+    pub found: MomentTerm,
+}
+
+/// The moment of a force or a torque.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MomentTerm {
+    /// Of what.
+    pub of: Turning,
+    /// Its size: newtons with an arm, newton metres without one; not negative.
+    pub size: f64,
+    /// The arm as it is measured.
+    pub arm: Option<Arm>,
+    /// Its moment, ccw positive, N m.
+    pub moment: f64,
+}
+
+/// What has a moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Turning {
+    /// A force.
+    Force(Action),
+    /// The part of a force along the line of a link.
+    Along(Action),
+    /// The part of a force across it.
+    Across(Action),
+    /// A torque.
+    Torque(Force),
+}
+
+/// The arm of a force: from a point square to its line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arm {
+    /// Metres.
+    pub length: f64,
+    /// Its foot on the line, metres from the skeleton's origin.
+    pub foot: Mm2,
+    /// The points between which it lies, where it is the distance of two.
+    pub between: Option<[PointId; 2]>,
 }
 
 /// A force on a free body.
@@ -150,8 +247,10 @@ pub struct Acting {
     pub through: Mm2,
     /// Its components, newtons.
     pub force: [f64; 2],
-    /// What was known of it when its body was balanced.
+    /// What was known of it when its body was cut free.
     pub known: Knowledge,
+    /// The polygon of its body finds it.
+    pub closes: bool,
     /// Its line would lie off the paper: it stands where it acts, with its couple beside it.
     pub with_couple: bool,
 }
@@ -606,6 +705,14 @@ pub struct Diagram {
     pub lines: Vec<ConstructionLine>,
     /// Images of links with three or more points: corners in the order of the link's points.
     pub link_images: Vec<LinkImage>,
+}
+
+impl Diagram {
+    /// Whether every vector in it is zero.
+    #[must_use]
+    pub fn rests(&self) -> bool {
+        self.vectors.iter().all(|vector| vector.from == vector.to)
+    }
 }
 
 /// Name of a point of a polygon.

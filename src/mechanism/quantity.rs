@@ -432,7 +432,9 @@ impl fmt::Display for Indeterminate {
                 }
             }
             Self::Singular => write!(f, "dead centre: the motion is not determined by the input here"),
-            Self::Rubbing { why, .. } | Self::Undefined { why } | Self::NoEquilibrium { why } => write!(f, "{why}"),
+            Self::Rubbing { why, .. } | Self::Undefined { why } | Self::NoEquilibrium { why } => {
+                write!(f, "{why}")
+            }
         }
     }
 }

@@ -76,5 +76,5 @@ pub(super) const SHEET: &[&str] = &[
     "other_assembly",
     "marks",
 ];
-pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration"];
+pub(super) const SCALES: &[&str] = &["length", "velocity", "acceleration", "force"];
 pub(super) const RANGE: &[&str] = &["from", "to", "step"];

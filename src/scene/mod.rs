@@ -301,6 +301,8 @@ pub struct SheetOptions {
     pub velocity_scale: Option<f64>,
     /// m/s² per mm of paper.
     pub acceleration_scale: Option<f64>,
+    /// Newtons per mm of paper.
+    pub force_scale: Option<f64>,
     /// Marks for answers in an exam, by the name of the quantity; 1 where nothing is said.
     pub marks: Vec<(String, f64)>,
     /// Figures wanted, by name; all where empty.

@@ -640,9 +640,10 @@ fn sheet() -> Value {
     let acceleration = json!({
         "type": "string", "description": "Scale of the acceleration polygon.", "examples": ["500 cm/s^2 per cm"],
     });
+    let force = json!({ "type": "string", "description": "Scale of the force polygons.", "examples": ["1000 N per cm"] });
     json!({
         "scales": object("Scales by diagram.", &[], json!({
-            "length": length, "velocity": velocity, "acceleration": acceleration,
+            "length": length, "velocity": velocity, "acceleration": acceleration, "force": force,
         })),
         "range": object("Numbers in equal steps, in the unit of the number that varies.", &["from", "to", "step"], json!({
             "from": { "type": "number", "description": "The first one." },

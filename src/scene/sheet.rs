@@ -86,6 +86,7 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales, mechanism: &Mecha
     // From metres of paper to millimetres.
     sheet.velocity_scale = scale("velocity", Measure::Velocity)?.map(|s| s / 1000.0);
     sheet.acceleration_scale = scale("acceleration", Measure::Acceleration)?.map(|s| s / 1000.0);
+    sheet.force_scale = scale("force", Measure::Force)?.map(|s| s / 1000.0);
     if let Some(marks) = fields.get("marks") {
         for Entry { at, key, value } in marks.object("marks, by name of the quantity")? {
             // Points of a figure, `velocity:b`, are named as the student's drawing names them.

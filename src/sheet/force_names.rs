@@ -9,6 +9,21 @@ use crate::mechanism::{Input, Rider};
 /// The mark of inertia.
 const INERTIA: &str = "in";
 
+/// The symbol of a part of a force.
+pub(super) fn part(notation: &Notation<'_>, action: Action, mark: &str) -> Rich {
+    let of = match action {
+        Action::Pair { by, on } => {
+            let (a, b) = (notation.number(by), notation.number(on));
+            let comma = if a.chars().count() > 1 || b.chars().count() > 1 { "," } else { "" };
+            format!("{a}{comma}{b}")
+        }
+        Action::OfPin(pin, link) => format!("{},{}", notation.index(pin), notation.number(link)),
+        Action::OnPin(link, pin) => format!("{},{}", notation.number(link), notation.index(pin)),
+        other => return symbol(notation, Force::Vector(other), Share::Total),
+    };
+    Rich::italic("F").scripts(mark, Face::Upright, &of)
+}
+
 /// The symbol of a force, with the mark of the part that is meant.
 pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Rich {
     let mechanism = notation.mechanism();
@@ -38,6 +53,8 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         };
         marked("F", "", &of)
     };
+    // F_S is the shaking force: the pull of a spring S is P_S.
+    let pull = |index: usize| if mechanism.forces.springs[index].name == "S" { "P" } else { "F" };
     let action = |action: Action| match action {
         Action::Pair { by, on } => marked("F", "", &two(notation.number(by), notation.number(on))),
         Action::OfPin(pin, link) => {
@@ -52,7 +69,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         Action::OnFrame => marked("F", "", "1"),
         Action::Load(index) => Rich::italic(&mechanism.forces.loads[index].name),
         Action::Weight(link) => marked("W", "", &notation.number(link)),
-        Action::Spring { index, .. } => marked("F", "", &mechanism.forces.springs[index].name),
+        Action::Spring { index, .. } => marked(pull(index), "", &mechanism.forces.springs[index].name),
         Action::Drive(input) => drive(input),
     };
     match force {
@@ -71,7 +88,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         Force::LoadTorque(index) => Rich::italic(&mechanism.forces.loads[index].name),
         Force::Pull(index) | Force::Twist(index) => {
             let spring = &mechanism.forces.springs[index];
-            let letter = if matches!(spring.kind, SpringKind::Pull(_)) { "F" } else { "T" };
+            let letter = if matches!(spring.kind, SpringKind::Pull(_)) { pull(index) } else { "T" };
             marked(letter, "", &spring.name)
         }
         Force::Spin => marked("ω", "", ""),

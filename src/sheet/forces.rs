@@ -11,20 +11,31 @@ use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay};
+use super::statics::arm_name;
 use super::steps::Item;
-use crate::graphical::construction::{Acting, Construction, ForceSheet, FreeBody, FrictionAxis, Knowledge};
+use crate::graphical::construction::{
+    Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MomentBalance,
+};
 use crate::mechanism::LinkId;
-use crate::mechanism::force::{Action, Force, Share};
+use crate::mechanism::force::{Action, Force, Load, LoadKind, Party, Pointing, Share, Size, SpringKind};
 use crate::mechanism::quantity::Quantity;
 
-/// Room for the largest polygon, mm.
-const POLYGON: f64 = 62.0;
+/// Room for the largest polygon of a scale, mm: the first in which no side is too short for its name.
+const POLYGON: [f64; 3] = [85.0, 110.0, 140.0];
+/// Polygons smaller than this part of another have a scale of their own.
+const OWN_SCALE: f64 = 20.0;
 /// Lengths of arrows of free bodies, mm: they tell where and whither, the polygon how much.
 const ARROWS: (f64, f64) = (9.0, 20.0);
-/// A force shorter than this on its polygon is a point, mm.
-const SHORTEST: f64 = 0.5;
-/// Vectors shorter than this have no room for their name.
-const SHORTEST_NAMED: f64 = 3.0;
+/// A force shorter than this on its polygon is a point, mm, of which the steps tell.
+const SHORTEST: f64 = 1.0;
+/// Sides shorter than this crowd their names, mm.
+const CROWDED: f64 = 3.0;
+/// A side that is shorter than this part of the largest is never long enough.
+const HOPELESS: f64 = 50.0;
+/// Arrows whose lines are nearer than this, mm, and directions nearer than this cosine, lie on each other.
+const ON_EACH_OTHER: (f64, f64) = (1.0, 0.995);
+/// How far the lines of what a polygon finds run past their meeting.
+const PAST: f64 = 7.0;
 /// Half the length of a line of which nothing but the line is known, mm.
 const LINE: f64 = 11.0;
 /// Steps of the scale.
@@ -37,7 +48,9 @@ pub enum ForcePanel {
     Loads,
     /// A free body, by its place in the order of solution.
     Body(usize),
-    /// Its polygon.
+    /// Several links as if they were one, with the arms of their moments, by the place of these among all moments.
+    Together(usize),
+    /// The polygon of a free body.
     Polygon(usize),
     /// Everything from outside.
     Whole,
@@ -45,6 +58,8 @@ pub enum ForcePanel {
     Shaking,
     /// A pair that rubs, enlarged, by its place among those that do.
     Friction(usize),
+    /// The line of their sum on the skeleton.
+    ShakingLine,
 }
 
 impl ForcePanel {
@@ -55,18 +70,33 @@ impl ForcePanel {
         if !given(sheet).is_empty() {
             all.push(Self::Loads);
         }
+        let mut waiting = Vec::new();
         for (index, body) in sheet.bodies.iter().enumerate() {
+            let together =
+                sheet.moments.iter().enumerate().filter(|(_, m)| m.told == index && m.links.len() > 1);
+            all.extend(together.map(|(moments, _)| Self::Together(moments)));
             all.push(Self::Body(index));
-            if chain(&body.acting).is_some() {
-                all.push(Self::Polygon(index));
+            // Two forces are one line there and back.
+            if body.acting.len() > 2 && chain(&body.acting).is_some() {
+                waiting.push(Self::Polygon(index));
+            }
+            if !body.with_next {
+                all.append(&mut waiting);
             }
         }
+        all.append(&mut waiting);
         all.extend(friction::panels(sheet).map(Self::Friction));
         if chain(&sheet.whole).is_some() {
             all.push(Self::Whole);
         }
-        if !sheet.inertia.is_empty() && chain(&sheet.inertia).is_some() {
-            all.push(Self::Shaking);
+        if chain(&sheet.inertia).is_some() {
+            // One force is its own sum.
+            if sheet.inertia.len() > 1 {
+                all.push(Self::Shaking);
+            }
+            if sheet.shaking.is_some() {
+                all.push(Self::ShakingLine);
+            }
         }
         all
     }
@@ -74,12 +104,15 @@ impl ForcePanel {
     /// The name of the figure in which it stands.
     #[must_use]
     pub fn belongs_to(self, name: &str, sheet: &ForceSheet, notation: &Notation<'_>) -> bool {
-        let link = |index: usize| sheet.bodies.get(index).map(|body| notation.number(body.link));
+        let link = |index: usize| match sheet.bodies.get(index)?.of {
+            Party::Link(link) => Some(notation.number(link)),
+            Party::Pin(pin) => Some(notation.point_name(pin).to_owned()),
+        };
         match (self, name) {
-            (_, "forces") | (Self::Loads, "loads") | (Self::Shaking, "shaking") => true,
-            (Self::Body(_), "bodies") | (Self::Polygon(_), "polygons") | (Self::Whole, "polygon(all)") => {
-                true
-            }
+            (_, "forces") | (Self::Loads, "loads") | (Self::Shaking | Self::ShakingLine, "shaking") => true,
+            (Self::Body(_) | Self::Together(_), "bodies")
+            | (Self::Polygon(_), "polygons")
+            | (Self::Whole, "polygon(all)") => true,
             (Self::Friction(index), name) => {
                 let point = friction::point(index, sheet, notation.mechanism());
                 name == "friction" || point.is_some_and(|point| name == format!("friction({point})"))
@@ -96,17 +129,27 @@ impl ForcePanel {
     #[must_use]
     pub fn title(self, sheet: &ForceSheet, notation: &Notation<'_>) -> Rich {
         let words = notation.words;
-        let link = |index: usize| {
-            let number = sheet.bodies.get(index).map(|body| notation.number(body.link)).unwrap_or_default();
-            [("link", Rich::upright(number))]
+        let of = |index: usize, of_link: &str, of_pin: &str| match sheet.bodies.get(index).map(|body| body.of)
+        {
+            Some(Party::Link(link)) => Rich::fill(of_link, &[("link", Rich::upright(notation.number(link)))]),
+            Some(Party::Pin(pin)) => Rich::fill(of_pin, &[("point", notation.point(pin))]),
+            None => Rich::default(),
         };
         match self {
+            Self::Loads if sheet.inertia.is_empty() && inertia_free(sheet) => {
+                Rich::upright(words.loads_only_figure)
+            }
             Self::Loads => Rich::upright(words.loads_figure),
-            Self::Body(index) => Rich::fill(words.free_body_figure, &link(index)),
-            Self::Polygon(index) => Rich::fill(words.force_polygon_figure, &link(index)),
+            Self::Body(index) => of(index, words.free_body_figure, words.free_pin_figure),
+            Self::Polygon(index) => of(index, words.force_polygon_figure, words.pin_polygon_figure),
+            Self::Together(index) => {
+                let links = sheet.moments.get(index).map(|moments| notation.links(&moments.links));
+                Rich::fill(words.free_bodies_figure, &[("links", links.unwrap_or_default())])
+            }
             Self::Whole => Rich::upright(words.outer_forces_figure),
             Self::Shaking => Rich::upright(words.shaking_figure),
             Self::Friction(index) => friction::title(index, sheet, notation),
+            Self::ShakingLine => Rich::upright(words.shaking_line_figure),
         }
     }
 
@@ -117,10 +160,11 @@ impl ForcePanel {
             Self::Friction(index) => friction::scale(index, sheet, notation),
             Self::Polygon(_) | Self::Whole | Self::Shaking => {
                 let unit = &notation.scene.units.force;
-                let value = human::with_unit(&human::stated(per_mm(sheet) * 10.0 / unit.si), &unit.symbol);
+                let per_cm = per_mm(sheet, self, notation)? * 10.0 / unit.si;
+                let value = human::with_unit(&human::stated(per_cm), &unit.symbol);
                 Some(value.up("\u{a0}≡\u{a0}1\u{a0}cm"))
             }
-            Self::Loads | Self::Body(_) => None,
+            Self::Loads | Self::Body(_) | Self::Together(_) | Self::ShakingLine => None,
         }
     }
 
@@ -135,17 +179,57 @@ impl ForcePanel {
         match self {
             Self::Friction(index) => friction::draw(index, sheet, notation),
             Self::Loads => Some(loads(sheet, construction, notation)),
-            Self::Body(index) => Some(body(sheet.bodies.get(index)?, sheet, construction, notation)),
+            Self::Body(index) => {
+                let body = sheet.bodies.get(index)?;
+                let alone =
+                    |m: &&MomentBalance| matches!(m.links[..], [link] if body.of == Party::Link(link));
+                let moments: Vec<&MomentBalance> = sheet.moments.iter().filter(alone).collect();
+                let free =
+                    Free { of: &[body.of], acting: &body.acting, torques: &body.torques, moments: &moments };
+                Some(free.draw(sheet, construction, notation))
+            }
+            Self::Together(index) => {
+                let moments = sheet.moments.get(index)?;
+                let parties: Vec<Party> = moments.links.iter().map(|link| Party::Link(*link)).collect();
+                let bodies: Vec<&FreeBody> =
+                    sheet.bodies.iter().filter(|body| parties.contains(&body.of)).collect();
+                let inner = |acting: &Acting| {
+                    let (pins, links) = acting.action.about();
+                    match acting.action {
+                        Action::Pair { .. } => {
+                            links.iter().flatten().all(|link| moments.links.contains(link))
+                        }
+                        Action::OfPin(..) => pins.iter().flatten().all(|pin| {
+                            let parties = notation.mechanism().parties_at(*pin);
+                            parties.iter().all(|link| moments.links.contains(link))
+                        }),
+                        _ => false,
+                    }
+                };
+                let acting: Vec<Acting> = bodies
+                    .iter()
+                    .flat_map(|body| &body.acting)
+                    .filter(|acting| !inner(acting))
+                    .copied()
+                    .collect();
+                let torques: Vec<(Force, f64)> =
+                    bodies.iter().flat_map(|body| &body.torques).copied().collect();
+                let free = Free { of: &parties, acting: &acting, torques: &torques, moments: &[moments] };
+                Some(free.draw(sheet, construction, notation))
+            }
             Self::Polygon(index) => {
                 let body = sheet.bodies.get(index)?;
-                let pole = Rich::italic("o").sub(&format!("{}f", notation.number(body.link)));
-                Some(polygon(&body.acting, None, &pole, sheet, notation))
+                Some(polygon(&body.acting, None, &pole(body, notation), (self, sheet), notation))
             }
-            Self::Whole => Some(polygon(&sheet.whole, None, &Rich::italic("o").sub("f"), sheet, notation)),
+            Self::Whole => {
+                Some(polygon(&sheet.whole, None, &Rich::italic("o").sub("f"), (self, sheet), notation))
+            }
             Self::Shaking => {
                 let sum = Quantity::Force(Force::Vector(Action::Shaking), Share::Total);
-                Some(polygon(&sheet.inertia, Some(sum), &Rich::italic("o").sub("f"), sheet, notation))
+                let pole = Rich::italic("o").sub("f");
+                Some(polygon(&sheet.inertia, Some(sum), &pole, (self, sheet), notation))
             }
+            Self::ShakingLine => shaking_line(sheet, construction, notation),
         }
     }
 }
@@ -170,17 +254,76 @@ fn extent(places: &[[f64; 2]]) -> f64 {
     side(0).max(side(1))
 }
 
-/// Newtons per millimetre: one scale for all polygons of a sheet.
+/// The pole of the polygon of a body.
 #[must_use]
-fn per_mm(sheet: &ForceSheet) -> f64 {
-    let polygons = sheet.bodies.iter().map(|body| &body.acting[..]).chain([&sheet.whole[..], &sheet.inertia]);
-    let largest = polygons.filter_map(chain).map(|places| extent(&places)).fold(0.0, f64::max);
-    let least = largest / POLYGON;
-    // Per centimetre a round number of newtons.
-    let least = least * 10.0;
+pub fn pole(body: &FreeBody, notation: &Notation<'_>) -> Rich {
+    let of = match body.of {
+        Party::Link(link) => notation.number(link),
+        Party::Pin(pin) => notation.index(pin),
+    };
+    Rich::italic("o").sub(&format!("{of}f"))
+}
+
+/// Whether nothing on a sheet comes from inertia.
+fn inertia_free(sheet: &ForceSheet) -> bool {
+    let is_inertia = |acting: &Acting| matches!(acting.action, Action::Inertia(_));
+    sheet.bodies.iter().all(|body| {
+        !body.acting.iter().any(is_inertia)
+            && !body.torques.iter().any(|(torque, _)| matches!(torque, Force::InertiaTorque(_)))
+    })
+}
+
+/// The forces of a polygon.
+fn sides(sheet: &ForceSheet, panel: ForcePanel) -> &[Acting] {
+    match panel {
+        ForcePanel::Polygon(index) => sheet.bodies.get(index).map_or(&[], |body| &body.acting[..]),
+        ForcePanel::Whole => &sheet.whole,
+        ForcePanel::Shaking => &sheet.inertia,
+        _ => &[],
+    }
+}
+
+/// Newtons per millimetre of a polygon: one scale for all of a sheet, but for those that are so much smaller that they
+/// could not be read; round in the scene's unit.
+#[must_use]
+pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) -> Option<f64> {
+    let extent_of = |panel: ForcePanel| chain(sides(sheet, panel)).map(|places| extent(&places));
+    let own = extent_of(panel).filter(|own| *own > 0.0)?;
+    if let Some(stated) = notation.scene.sheet.force_scale {
+        return Some(stated);
+    }
+    let bodies = (0..sheet.bodies.len()).map(ForcePanel::Polygon);
+    let drawn =
+        |panel: &ForcePanel| sides(sheet, *panel).len() > 2 || !matches!(panel, ForcePanel::Polygon(_));
+    let all: Vec<(f64, ForcePanel)> = bodies
+        .chain([ForcePanel::Whole, ForcePanel::Shaking])
+        .filter(drawn)
+        .filter_map(|panel| Some((extent_of(panel)?, panel)))
+        .collect();
+    // From the largest down: whatever is less than a twentieth of the largest of a scale begins another.
+    let mut largest = all.iter().map(|(size, _)| *size).fold(own, f64::max);
+    while own < largest / OWN_SCALE {
+        let smaller = all.iter().map(|(size, _)| *size).filter(|size| *size < largest / OWN_SCALE);
+        largest = smaller.fold(own, f64::max);
+    }
+    let same = all.iter().filter(|(size, _)| *size <= largest && *size >= largest / OWN_SCALE);
+    let lengths: Vec<f64> = same
+        .flat_map(|(_, panel)| sides(sheet, *panel))
+        .map(|acting| libm::hypot(acting.force[0], acting.force[1]))
+        .filter(|size| *size > largest / HOPELESS)
+        .collect();
+    let unit = notation.scene.units.force.si;
+    let scales: Vec<f64> = POLYGON.iter().map(|room| round_scale(largest, *room, unit)).collect();
+    let crowded = |scale: f64| lengths.iter().filter(|size| **size / scale < CROWDED).count();
+    scales.into_iter().reduce(|best, next| if crowded(next) < crowded(best) { next } else { best })
+}
+
+/// The finest round scale at which so much has room.
+fn round_scale(largest: f64, room: f64, unit: f64) -> f64 {
+    let least = largest / room * 10.0 / unit;
     let power = libm::pow(10.0, libm::floor(libm::log10(least)));
     let round = STEPS.iter().map(|step| step * power).chain([10.0 * power]).find(|scale| *scale >= least);
-    round.filter(|scale| scale.is_normal()).unwrap_or(10.0) / 10.0
+    round.filter(|scale| scale.is_normal()).unwrap_or(10.0) * unit / 10.0
 }
 
 /// What is given and what follows from the motion.
@@ -257,6 +400,15 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
         for link in notation.mechanism().moving() {
             friction::circles_on(&mut overlay.ink, link, sheet, construction, notation);
         }
+        let mut taken = Vec::new();
+        for (link, torque, value) in given_torques(sheet) {
+            let first = notation.mechanism().link(link).points.first();
+            let at = first.and_then(|point| *construction.space.places.get(point.0)?);
+            if let Some(at) = at.map(page) {
+                let known = (torque, value, true);
+                turning(&mut overlay.ink, &mut overlay.labels, known, (at, 6.5), notation);
+            }
+        }
         for acting in &all {
             let (at, through) = (on_page(acting.at, construction), on_page(acting.through, construction));
             if at.distance(through) > 1.0 {
@@ -274,7 +426,8 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
                     overlay.labels.push(request);
                 }
             }
-            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, through, most, notation);
+            let at_arrow = beyond(&mut taken, acting, through, most);
+            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at_arrow, most, notation);
             if let (Action::Inertia(link), true) = (acting.action, acting.with_couple) {
                 let torque = Force::InertiaTorque(link);
                 if let Some(value) = couple_of(sheet, link) {
@@ -292,81 +445,270 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
     })
 }
 
-/// A link cut free.
-fn body(body: &FreeBody, sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_>) -> Group {
-    let mut group = Group::new("free-body").data("link", notation.number(body.link));
-    let mut requests: Vec<Request> = Vec::new();
-    let mechanism = notation.mechanism();
-    let places: Vec<(Point, Rich, bool)> = mechanism
-        .link(body.link)
-        .points
-        .iter()
-        .filter_map(|point| {
-            let at = (*construction.space.places.get(point.0)?)?;
-            Some((page(at), notation.point(*point), mechanism.is_pin(*point)))
-        })
-        .collect();
-    draw_link(&mut group, body.link, &places, notation);
-    for (at, name, _) in &places {
-        requests.push(Request::new(
-            name.clone(),
-            LABEL,
-            Site::Around { at: *at, radius: 1.2, toward: None },
-            "label point-name",
-        ));
+/// The torques that are given, with their links.
+fn given_torques(sheet: &ForceSheet) -> Vec<(LinkId, Force, f64)> {
+    let mut all = Vec::new();
+    for body in &sheet.bodies {
+        let Party::Link(link) = body.of else { continue };
+        let given = body.torques.iter().filter(|(torque, _)| matches!(torque, Force::LoadTorque(_)));
+        all.extend(given.map(|(torque, value)| (link, *torque, *value)));
     }
-    friction::circles_on(&mut group, body.link, sheet, construction, notation);
-    let everything: Vec<Acting> = sheet.bodies.iter().flat_map(|body| body.acting.clone()).collect();
-    let most = largest(&everything);
-    for acting in &body.acting {
-        let at = on_page(acting.through, construction);
-        let size = libm::hypot(acting.force[0], acting.force[1]);
-        match acting.known {
-            Knowledge::Full => short_arrow(&mut group, &mut requests, acting, at, most, notation),
-            Knowledge::Line if size > 0.0 => {
-                let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
-                let (from, to) = (at - along * LINE * 0.5, at + along * LINE);
-                let mut own = Group::new("force line").data("quantity", acting.action.name(mechanism));
-                own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THIN)).precise());
-                group.group(own);
-                named(&mut requests, acting, to, along, notation);
-            }
-            Knowledge::Line | Knowledge::Nothing => {
-                // Away from the middle of the link, where there is room.
-                let middle = places.iter().fold(Vec2::ZERO, |sum, (p, ..)| sum + p.to_vec2())
-                    / places.len().max(1) as f64;
-                let away = at.to_vec2() - middle;
-                let mut along = if away.hypot() > 1.0 { away.normalize() } else { Vec2::new(1.0, 0.0) };
-                // Not along the link itself.
-                let covered = places.iter().any(|(p, ..)| {
-                    let to = *p - at;
-                    to.hypot() > 1.0 && to.normalize().dot(along) > 0.9
-                });
-                if covered {
-                    along = Vec2::new(-along.y, along.x);
-                }
-                let mut own = Group::new("force unknown").data("quantity", acting.action.name(mechanism));
-                own.mark(Mark::stroke(Shape::Polyline(wave(at, along)), Pen::solid(THIN)));
-                group.group(own);
-                named(&mut requests, acting, at + along * LINE, along, notation);
+    all
+}
+
+/// Where an arrow begins that would else lie on another on its line: beyond the other's tip.
+fn beyond(taken: &mut Vec<(Point, Point)>, acting: &Acting, at: Point, most: f64) -> Point {
+    let size = libm::hypot(acting.force[0], acting.force[1]);
+    if size <= 0.0 {
+        return at;
+    }
+    let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
+    let length = ARROWS.0 + (ARROWS.1 - ARROWS.0) * size / most;
+    let mut from = at;
+    for (tail, tip) in taken.iter() {
+        let other = (*tip - *tail).normalize();
+        let off = (from - *tail).cross(other).abs();
+        if other.dot(along) > ON_EACH_OTHER.1 && off < ON_EACH_OTHER.0 {
+            let reach = (from - *tail).dot(other);
+            if reach > -length && reach < tail.distance(*tip) + 2.5 {
+                from = *tip + along * 2.5;
             }
         }
     }
-    let ink = group.bounds().unwrap_or(Rect::ZERO);
-    for (index, (torque, value)) in body.torques.iter().enumerate() {
-        let at = places.first().map_or(ink.center(), |(at, ..)| *at);
-        let radius = 4.5 + 1.8 * index as f64;
-        let known = !matches!(torque, Force::Torque(_));
-        turning(&mut group, &mut requests, (*torque, *value, known), (at, radius), notation);
+    taken.push((from, from + along * length));
+    from
+}
+
+/// The line of the shaking force on the skeleton, with its distance from the first fixed pivot.
+fn shaking_line(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_>) -> Option<Group> {
+    let shaking = sheet.shaking.as_ref()?;
+    let arm = shaking.found.arm?;
+    let mut bare = construction.clone();
+    bare.space.lines.clear();
+    bare.others.clear();
+    let sum =
+        sheet.inertia.iter().fold([0.0; 2], |sum: [f64; 2], a| [sum[0] + a.force[0], sum[1] + a.force[1]]);
+    let whole = Acting {
+        action: Action::Shaking,
+        at: arm.foot,
+        through: arm.foot,
+        force: sum,
+        known: Knowledge::Full,
+        closes: false,
+        with_couple: false,
+    };
+    let most = largest(&sheet.inertia).max(libm::hypot(sum[0], sum[1]));
+    Some(skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
+        let mut overlay = Overlay { ink: Group::new("forces"), ..Overlay::default() };
+        let mut taken = Vec::new();
+        let mut moments = shaking.clone();
+        moments.terms.push(moments.found);
+        for acting in sheet.inertia.iter().chain([&whole]) {
+            let at = on_page(acting.through, construction);
+            let at = beyond(&mut taken, acting, at, most);
+            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, most, notation);
+        }
+        arms(&mut overlay.ink, &mut overlay.labels, &moments, sheet, construction, notation);
+        overlay
+    }))
+}
+
+/// The arms of moments, from the point about which they are taken to the foot on each line.
+fn arms(
+    group: &mut Group,
+    requests: &mut Vec<Request>,
+    moments: &MomentBalance,
+    sheet: &ForceSheet,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) {
+    let Some(Some(about)) = construction.space.places.get(moments.about.0) else { return };
+    let about = page(*about);
+    let mut drawn: Vec<Arm> = Vec::new();
+    for term in moments.terms.iter().chain([&moments.found]) {
+        let Some(arm) = term.arm.filter(|arm| arm.between.is_none() && !drawn.contains(arm)) else {
+            continue;
+        };
+        drawn.push(arm);
+        let foot = on_page(arm.foot, construction);
+        if foot.distance(about) < SHORTEST {
+            continue;
+        }
+        let mut own =
+            Group::new("arm").data("value", format!("{}", arm.length / notation.scene.units.length.si));
+        own.mark(Mark::stroke(Shape::Line(about, foot), Pen::solid(FINE)).precise());
+        let along = (foot - about).normalize();
+        own.mark(super::ink::head(foot, along, 2.0));
+        own.mark(super::ink::head(about, -along, 2.0));
+        // The line of the force as far as the foot, and a little past it.
+        let through = moments_line(sheet, term.of, construction);
+        if let Some(at) = through.filter(|at| at.distance(foot) > 1.0) {
+            let past = foot + (foot - at).normalize() * 2.0;
+            own.mark(Mark::stroke(Shape::Line(at, past), Pen { width: FINE, dash: Dash::Dashed }).precise());
+        }
+        group.group(own);
+        let name = arm_name(sheet, &arm, notation);
+        let mut request = Request::new(name, SMALL, Site::Along { from: about, to: foot }, "label arm-name");
+        request.leader = true;
+        requests.push(request);
     }
-    let names = place(&group, &requests, None);
-    group.group(names);
-    group
+}
+
+/// Where a force of a moment stands on the skeleton.
+fn moments_line(
+    sheet: &ForceSheet,
+    of: crate::graphical::construction::Turning,
+    construction: &Construction,
+) -> Option<Point> {
+    use crate::graphical::construction::Turning;
+    let (Turning::Force(action) | Turning::Along(action) | Turning::Across(action)) = of else { return None };
+    let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia);
+    let acting = all.into_iter().find(|acting| acting.action == action)?;
+    Some(on_page(acting.through, construction))
+}
+
+/// One or more bodies cut free, with what acts on them.
+struct Free<'a> {
+    of: &'a [Party],
+    acting: &'a [Acting],
+    torques: &'a [(Force, f64)],
+    moments: &'a [&'a MomentBalance],
+}
+
+impl Free<'_> {
+    fn draw(&self, sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_>) -> Group {
+        let mechanism = notation.mechanism();
+        let mut group = Group::new("free-body");
+        let mut requests: Vec<Request> = Vec::new();
+        let mut places: Vec<(Point, Rich, bool)> = Vec::new();
+        for party in self.of {
+            let points = match *party {
+                Party::Link(link) => mechanism.link(link).points.clone(),
+                Party::Pin(pin) => vec![pin],
+            };
+            let own: Vec<(Point, Rich, bool)> = points
+                .iter()
+                .filter_map(|point| {
+                    let at = (*construction.space.places.get(point.0)?)?;
+                    Some((page(at), notation.point(*point), mechanism.is_pin(*point)))
+                })
+                .collect();
+            match *party {
+                Party::Link(link) => {
+                    if self.of.len() == 1 {
+                        group = group.data("link", notation.number(link));
+                    }
+                    // As long as what slides on it, or in it, stands.
+                    let slides = mechanism.slides.iter().filter(|slide| slide.guide.link == link);
+                    let riders: Vec<Point> = slides
+                        .filter_map(|slide| {
+                            let rider = match slide.rider {
+                                crate::mechanism::Rider::Pin { point, .. } => point,
+                                crate::mechanism::Rider::Link { link, .. } => {
+                                    *mechanism.link(link).points.first()?
+                                }
+                            };
+                            Some(page((*construction.space.places.get(rider.0)?)?))
+                        })
+                        .collect();
+                    draw_link(&mut group, link, &own, &riders, notation);
+                    friction::circles_on(&mut group, link, sheet, construction, notation);
+                }
+                Party::Pin(pin) => {
+                    let mut circle = Group::new("pin").data("point", notation.point_name(pin));
+                    for (at, ..) in &own {
+                        let shape = Shape::Circle { centre: *at, radius: 1.4 };
+                        circle.mark(Mark::outlined(shape, Pen::solid(THIN), Tone::Paper).precise());
+                    }
+                    group.group(circle);
+                }
+            }
+            for place in own {
+                if places.iter().all(|(at, ..)| at.distance(place.0) > 0.2) {
+                    places.push(place);
+                }
+            }
+        }
+        for (at, name, _) in &places {
+            requests.push(Request::new(
+                name.clone(),
+                LABEL,
+                Site::Around { at: *at, radius: 1.2, toward: None },
+                "label point-name",
+            ));
+        }
+        for moments in self.moments {
+            arms(&mut group, &mut requests, moments, sheet, construction, notation);
+        }
+        let everything: Vec<Acting> = sheet.bodies.iter().flat_map(|body| body.acting.clone()).collect();
+        let most = largest(&everything);
+        let mut taken = Vec::new();
+        for acting in self.acting {
+            let at = on_page(acting.through, construction);
+            match acting.known {
+                Knowledge::Full => {
+                    let at = beyond(&mut taken, acting, at, most);
+                    short_arrow(&mut group, &mut requests, acting, at, most, notation);
+                }
+                known => unknown(&mut group, &mut requests, acting, (known, at), &places, notation),
+            }
+        }
+        let ink = group.bounds().unwrap_or(Rect::ZERO);
+        for (index, (torque, value)) in self.torques.iter().enumerate() {
+            let at = places.first().map_or(ink.center(), |(at, ..)| *at);
+            let radius = 4.5 + 1.8 * index as f64;
+            let known = !matches!(torque, Force::Torque(_));
+            turning(&mut group, &mut requests, (*torque, *value, known), (at, radius), notation);
+        }
+        let names = place(&group, &requests, None);
+        group.group(names);
+        group
+    }
+}
+
+/// A force of which only the line is known, or nothing but where it acts.
+fn unknown(
+    group: &mut Group,
+    requests: &mut Vec<Request>,
+    acting: &Acting,
+    (known, at): (Knowledge, Point),
+    places: &[(Point, Rich, bool)],
+    notation: &Notation<'_>,
+) {
+    let mechanism = notation.mechanism();
+    let size = libm::hypot(acting.force[0], acting.force[1]);
+    if known == Knowledge::Line && size > 0.0 {
+        let along = Vec2::new(acting.force[0] / size, -acting.force[1] / size);
+        let (from, to) = (at - along * LINE * 0.5, at + along * LINE);
+        let mut own = Group::new("force line").data("quantity", acting.action.name(mechanism));
+        own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(THIN)).precise());
+        group.group(own);
+        named(requests, acting, to, along, notation);
+        return;
+    }
+    // Away from the middle of the link, where there is room.
+    let middle =
+        places.iter().fold(Vec2::ZERO, |sum, (p, ..)| sum + p.to_vec2()) / places.len().max(1) as f64;
+    let away = at.to_vec2() - middle;
+    let mut along = if away.hypot() > 1.0 { away.normalize() } else { Vec2::new(1.0, 0.0) };
+    // Not along the link itself.
+    let covered = places.iter().any(|(p, ..)| {
+        let to = *p - at;
+        to.hypot() > 1.0 && to.normalize().dot(along) > 0.9
+    });
+    if covered {
+        along = Vec2::new(-along.y, along.x);
+    }
+    let mut own = Group::new("force unknown").data("quantity", acting.action.name(mechanism));
+    own.mark(Mark::stroke(Shape::Polyline(wave(at, along)), Pen::solid(THIN)));
+    group.group(own);
+    named(requests, acting, at + along * LINE, along, notation);
 }
 
 /// The inertia torque of a link, where a free body shows it.
 fn couple_of(sheet: &ForceSheet, link: LinkId) -> Option<f64> {
-    let torques = sheet.bodies.iter().filter(|body| body.link == link).flat_map(|body| &body.torques);
+    let torques =
+        sheet.bodies.iter().filter(|body| body.of == Party::Link(link)).flat_map(|body| &body.torques);
     torques.filter(|(torque, _)| *torque == Force::InertiaTorque(link)).map(|(_, value)| *value).next()
 }
 
@@ -419,10 +761,27 @@ fn wave(from: Point, along: Vec2) -> Vec<Point> {
 }
 
 /// A link by its points: a stroke from joint to joint, a block as a box.
-fn draw_link(group: &mut Group, link: LinkId, places: &[(Point, Rich, bool)], notation: &Notation<'_>) {
+fn draw_link(
+    group: &mut Group,
+    link: LinkId,
+    places: &[(Point, Rich, bool)],
+    riders: &[Point],
+    notation: &Notation<'_>,
+) {
     let mut own = Group::new("link").data("link", notation.number(link));
-    let points: Vec<Point> = places.iter().map(|(at, ..)| *at).collect();
+    let mut points: Vec<Point> = places.iter().map(|(at, ..)| *at).collect();
+    let box_of_its_own = points.len() == 1 && riders.is_empty();
+    for rider in riders {
+        if points.iter().all(|at| at.distance(*rider) > 1.0) {
+            points.push(*rider);
+        }
+    }
+    // Points of one line are joined from end to end.
+    if let Some(ends) = in_line(&points) {
+        points = ends.to_vec();
+    }
     match points[..] {
+        [only] if !box_of_its_own => own.mark(dot(only, 0.6).precise()),
         [] => {}
         [only] => {
             let half = 3.0;
@@ -449,16 +808,31 @@ fn draw_link(group: &mut Group, link: LinkId, places: &[(Point, Rich, bool)], no
     group.group(own);
 }
 
+/// The ends of points on one line.
+fn in_line(points: &[Point]) -> Option<[Point; 2]> {
+    let mut ends: Option<[Point; 2]> = None;
+    for (i, a) in points.iter().enumerate() {
+        for b in &points[..i] {
+            if ends.is_none_or(|[c, d]| a.distance(*b) > c.distance(d)) {
+                ends = Some([*b, *a]);
+            }
+        }
+    }
+    let [a, b] = ends.filter(|_| points.len() > 2)?;
+    let along = (b - a).normalize();
+    points.iter().all(|point| (*point - a).cross(along).abs() < 0.4).then_some([a, b])
+}
+
 /// Forces head to tail from the pole: thick what was known, thin what was found; with their sum where one is sought.
 fn polygon(
     acting: &[Acting],
     sum: Option<Quantity>,
     pole: &Rich,
-    sheet: &ForceSheet,
+    (panel, sheet): (ForcePanel, &ForceSheet),
     notation: &Notation<'_>,
 ) -> Group {
-    let per_mm = per_mm(sheet);
     let unit = &notation.scene.units.force;
+    let Some(per_mm) = per_mm(sheet, panel, notation) else { return Group::new("force polygon") };
     let mut group = Group::new("force polygon")
         .data("scale", format!("{}", per_mm / unit.si))
         .data("unit", format!("{} per mm", unit.symbol))
@@ -468,7 +842,7 @@ fn polygon(
     let place_of = |newtons: [f64; 2]| page(newtons.map(|n| n / per_mm));
     for (acting, ends) in acting.iter().zip(places.windows(2)) {
         let (from, to) = (place_of(ends[0]), place_of(ends[1]));
-        let known = acting.known == Knowledge::Full;
+        let known = !acting.closes;
         let size = libm::hypot(acting.force[0], acting.force[1]);
         let mut own = Group::new(if known { "vector force known" } else { "vector force found" })
             .data("quantity", acting.action.name(notation.mechanism()))
@@ -481,11 +855,31 @@ fn polygon(
             arrow(&mut own, from, to, if known { THICK } else { THIN });
         }
         group.group(own);
-        if from.distance(to) >= SHORTEST_NAMED {
-            let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
-            request.leader = true;
-            requests.push(request);
+        let name = acting.action.name(notation.mechanism());
+        let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
+        if from.distance(to) < CROWDED {
+            let at = from.midpoint(to);
+            request = Request { sites: vec![Site::Around { at, radius: 1.2, toward: None }], ..request };
         }
+        request.leader = true;
+        if from.distance(to) >= SHORTEST {
+            requests.push(request.naming([name]));
+        }
+    }
+    // Two lines that meet run past their meeting.
+    let found: Vec<usize> = (0..acting.len()).filter(|i| acting[*i].closes).collect();
+    if let ([first, second], None) = (&found[..], sum)
+        && second - first == 1
+    {
+        let mut own = Group::new("construction");
+        let meet = place_of(places[*second]);
+        for end in [place_of(places[*first]), place_of(places[*second + 1])] {
+            if meet.distance(end) > SHORTEST {
+                let past = meet + (meet - end).normalize() * PAST;
+                own.mark(Mark::stroke(Shape::Line(meet, past), Pen::solid(FINE)).precise());
+            }
+        }
+        group.group(own);
     }
     if let (Some(quantity), Some(last)) = (sum, places.last()) {
         let (from, to) = (Point::ORIGIN, place_of(*last));
@@ -495,9 +889,11 @@ fn polygon(
             .data("value", format!("{}", size / unit.si));
         arrow(&mut own, from, to, THICK);
         group.group(own);
-        if from.distance(to) >= SHORTEST_NAMED {
+        if from.distance(to) >= SHORTEST {
             let text = notation.symbol(quantity, false);
-            requests.push(Request::new(text, SMALL, Site::Along { from, to }, "label vector-name"));
+            let mut request = Request::new(text, SMALL, Site::Along { from, to }, "label vector-name");
+            request.leader = true;
+            requests.push(request.naming([quantity.name(notation.mechanism())]));
         }
     }
     let mut own = Group::new("pole");
@@ -511,41 +907,99 @@ fn polygon(
     group
 }
 
-/// What is told of a body: that it is in balance, and the effort that follows.
-#[must_use]
-pub fn items(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -> Vec<Item> {
-    let Some(body) = sheet.bodies.get(index) else { return Vec::new() };
-    let words = notation.words;
-    let terms: Vec<Rich> = body
-        .acting
-        .iter()
-        .map(|acting| notation.symbol(Quantity::Force(Force::Vector(acting.action), Share::Total), true))
-        .collect();
-    let equation = Rich::join(&terms, &Rich::upright(" + ")).up(" = 0");
-    let parts = [("link", Rich::upright(notation.number(body.link))), ("equation", equation)];
-    let mut items = vec![Item::Sentence(Rich::fill(words.link_in_balance, &parts))];
-    let unit = &notation.scene.units.force;
-    let values = body.acting.iter().filter(|acting| acting.known != Knowledge::Full).map(|acting| {
-        let size = libm::hypot(acting.force[0], acting.force[1]);
-        symbol(acting.action, notation).up("\u{a0}=\u{a0}").then(&human::quantity(size, unit))
-    });
-    let torques = body.torques.iter().map(|(torque, value)| {
-        let symbol = notation.symbol(Quantity::Force(*torque, Share::Total), false);
-        symbol.up("\u{a0}=\u{a0}").then(&human::quantity(*value, &notation.scene.units.torque))
-    });
-    let found: Vec<Rich> = values.chain(torques).collect();
-    if !found.is_empty() {
-        items.push(Item::Sentence(Rich::join(&found, &Rich::upright(words.comma)).up(".")));
-    }
-    if let Some(axis) = sheet.friction_axis(body) {
-        let template = match axis {
-            FrictionAxis::Outer => words.friction_axis_outer,
-            FrictionAxis::Inner => words.friction_axis_inner,
+/// The loads and springs that a scene states, on the skeleton of a question: every arrow of one length, and only where the
+/// scene says whither it points.
+pub fn stated(
+    notation: &Notation<'_>,
+    place: impl Fn(crate::mechanism::PointId) -> Option<Point>,
+) -> (Group, Vec<Request>) {
+    let mechanism = notation.mechanism();
+    let mut group = Group::new("forces");
+    let mut requests = Vec::new();
+    for (index, load) in mechanism.forces.loads.iter().enumerate() {
+        let turned = |size: &Size| match size {
+            Size::Given(given) => Some(given.value),
+            _ => None,
         };
-        let link = [("link", Rich::upright(notation.number(body.link)))];
-        items.push(Item::Sentence(Rich::fill(template, &link)));
+        if let LoadKind::Torque { size, with_motion: None } = &load.kind
+            && let Some(value) = turned(size)
+            && let Some(at) = mechanism.link(load.link).points.first().and_then(|first| place(*first))
+        {
+            turning(&mut group, &mut requests, (Force::LoadTorque(index), value, true), (at, 6.5), notation);
+        }
+        let Some((at, along)) = load.at().and_then(&place).zip(stated_direction(load, &place)) else {
+            continue;
+        };
+        let to = at + along * ARROWS.1;
+        let mut own = Group::new("force applied").data("quantity", Action::Load(index).name(mechanism));
+        arrow(&mut own, at, to, THICK);
+        group.group(own);
+        let toward = Some(libm::atan2(-along.y, along.x));
+        let mut request = Request::new(
+            symbol(Action::Load(index), notation),
+            SMALL,
+            Site::Around { at: to, radius: 1.0, toward },
+            "label force-name",
+        );
+        request.leader = true;
+        requests.push(request.or(Site::Along { from: at, to }));
     }
-    items
+    for spring in &mechanism.forces.springs {
+        let SpringKind::Pull([(_, from), (_, to)]) = spring.kind else { continue };
+        let (Some(from), Some(to)) = (place(from), place(to)) else { continue };
+        if from.distance(to) < 4.0 * SHORTEST {
+            continue;
+        }
+        let mut own = Group::new("spring");
+        own.mark(Mark::stroke(Shape::Polyline(coil(from, to)), Pen::solid(THIN)));
+        group.group(own);
+        let name = Rich::italic(&spring.name);
+        let mut request = Request::new(name, SMALL, Site::Along { from, to }, "label spring-name");
+        request.leader = true;
+        requests.push(request);
+    }
+    (group, requests)
+}
+
+/// Whither a load points on the page, as the scene says it.
+fn stated_direction(
+    load: &Load,
+    place: &impl Fn(crate::mechanism::PointId) -> Option<Point>,
+) -> Option<Vec2> {
+    let of_angle = |angle: f64| Vec2::new(libm::cos(angle), -libm::sin(angle));
+    match load.kind {
+        LoadKind::Force { pointing, size, .. } => {
+            let along = match pointing {
+                Pointing::World(angle) => of_angle(angle.value),
+                Pointing::Own { link, angle } if link == LinkId::FRAME => of_angle(angle.value),
+                Pointing::Between { from, to, turned } => {
+                    let line = place(to)? - place(from)?;
+                    of_angle(libm::atan2(-line.y, line.x) + turned.value)
+                }
+                Pointing::Own { .. } | Pointing::Motion { .. } => return None,
+            };
+            let backwards = matches!(size, Size::Given(given) if given.value < 0.0);
+            Some(if backwards { -along } else { along })
+        }
+        LoadKind::Vector { parts: [x, y], of, .. } if of == LinkId::FRAME => {
+            let along = Vec2::new(x.value, -y.value);
+            (along.hypot() > 0.0).then(|| along.normalize())
+        }
+        LoadKind::Vector { .. } | LoadKind::Torque { .. } => None,
+    }
+}
+
+/// A spring as a zigzag between its ends.
+fn coil(from: Point, to: Point) -> Vec<Point> {
+    const TURNS: u32 = 12;
+    let along = to - from;
+    let side = Vec2::new(-along.y, along.x).normalize() * 1.4;
+    let middle = (1..TURNS).map(|i| {
+        let part = 0.2 + 0.6 * f64::from(i) / f64::from(TURNS);
+        from + along * part + if i % 2 == 0 { side } else { -side }
+    });
+    let ends = [from, from + along * 0.2];
+    ends.into_iter().chain(middle).chain([from + along * 0.8, to]).collect()
 }
 
 /// What is told of a pair that rubs.

@@ -5,7 +5,9 @@
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
-use crate::mechanism::force::{Force, Heaviness, Inertia, Load, LoadKind, Pointing, Size, SpringLaw};
+use crate::mechanism::force::{
+    Area, Force, Heaviness, Inertia, Load, LoadKind, Pointing, Size, SpringKind, SpringLaw,
+};
 use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::mechanism::statement::{Locus, Standing};
@@ -137,6 +139,25 @@ pub fn place_of(point: GuidePoint, notation: &Notation<'_>) -> Rich {
 
 struct Teller<'a> {
     n: &'a Notation<'a>,
+}
+
+/// Whether an input moves, or speeds up.
+fn moves(input: &Input) -> bool {
+    let rates = match input {
+        Input::Angle { omega, alpha, .. } => [omega.value, alpha.value],
+        Input::Speed { .. } => return true,
+        Input::Slide { velocity, acceleration, .. } => [velocity.value, acceleration.value],
+    };
+    rates.iter().any(|rate| *rate != 0.0)
+}
+
+/// Pascals are small: kPa or MPa in their place.
+fn handy(unit: &Unit, si: f64) -> Unit {
+    let larger = [("MPa", 1e6), ("kPa", 1e3)].into_iter().find(|(_, own)| si.abs() >= 0.1 * own);
+    match larger.filter(|_| unit.symbol == "Pa") {
+        Some((symbol, si)) => Unit { symbol: symbol.to_owned(), si },
+        None => unit.clone(),
+    }
 }
 
 impl Teller<'_> {
@@ -381,16 +402,32 @@ impl Teller<'_> {
                 }
             }
         }
-        if forces.gravity.acts {
+        parts.extend(self.own_places());
+        let weighs = forces.masses.iter().any(|mass| matches!(mass.heaviness, Heaviness::Weight(_)));
+        if forces.gravity.acts || (weighs && mechanism.inputs.iter().any(moves)) {
             let acceleration = self.n.unit(Dimension::Acceleration);
             let g = human::stated_quantity(forces.gravity.g.value, &acceleration);
-            parts.push(self.equals(Rich::italic("g"), &g));
+            let told = self.equals(Rich::italic("g"), &g);
+            let direction = forces.gravity.direction.value;
+            let down = (direction - crate::mechanism::force::Gravity::DOWN.value).abs() < 1e-12;
+            parts.push(match (forces.gravity.acts, down) {
+                (true, false) => told.up("\u{a0}∠\u{a0}").then(&human::degrees(direction)),
+                (true, true) => told,
+                (false, _) => {
+                    told.up("\u{a0}(").then(&Rich::upright(self.n.words.given_weights_rest)).up(")")
+                }
+            });
         }
         for load in &forces.loads {
             parts.push(self.load(load));
         }
         for spring in &forces.springs {
             let symbol = |letter: &str| Rich::italic(letter).sub(&spring.name);
+            if let SpringKind::Pull([(_, from), (_, to)]) = spring.kind {
+                let ends = [("from", self.n.point(from)), ("to", self.n.point(to))];
+                let name = [("name", Rich::italic(&spring.name))];
+                parts.push(Rich::fill(self.n.words.given_spring, &[&name[..], &ends].concat()));
+            }
             match spring.law {
                 SpringLaw::Stiffness { stiffness, free } => {
                     if let Size::Given(stiffness) = stiffness {
@@ -445,6 +482,33 @@ impl Teller<'_> {
         }
     }
 
+    /// Points that masses, loads and springs have by own coordinates, link by link.
+    fn own_places(&self) -> Vec<Rich> {
+        let words = self.n.words;
+        let mechanism = self.n.mechanism();
+        let mut all = Vec::new();
+        for link in mechanism.moving().map(|link| mechanism.link(link)) {
+            let own = link.points.iter().enumerate().filter_map(|(i, p)| Some((*p, link.extra_at(i)?)));
+            let places: Vec<Rich> =
+                own.map(|(p, at)| self.n.point(p).up("\u{a0}").then(&self.own_place(at))).collect();
+            if places.is_empty() {
+                continue;
+            }
+            let places = ("places", Rich::join(&places, &Rich::upright(words.comma)));
+            all.push(match (&link.form, &link.points[..]) {
+                (Form::Length(_), [from, to, ..]) => {
+                    let parts = [places, ("from", self.n.point(*from)), ("line", self.n.length(*from, *to))];
+                    Rich::fill(words.given_own_place, &parts)
+                }
+                _ => {
+                    let link = ("link", Rich::upright(link.number.to_string()));
+                    Rich::fill(words.given_shape, &[link, places])
+                }
+            });
+        }
+        all
+    }
+
     fn load(&self, load: &Load) -> Rich {
         let units = &self.n.scene.units;
         let name = Rich::italic(&load.name);
@@ -463,35 +527,80 @@ impl Teller<'_> {
         };
         let size = |size: Size, unit: &Unit| match size {
             Size::Given(given) => human::stated_quantity(given.value, unit),
-            Size::Pressure { pressure, .. } => human::stated_quantity(pressure.value, &units.pressure),
+            Size::Pressure { pressure, area } => {
+                let pressure =
+                    human::stated_quantity(pressure.value, &handy(&units.pressure, pressure.value));
+                let told = self.equals(Rich::italic("p"), &pressure).up(self.n.words.comma);
+                match area {
+                    Area::Given(area) => {
+                        let length = &units.length;
+                        let square =
+                            Unit { symbol: format!("{}^2", length.symbol), si: length.si * length.si };
+                        let area = human::stated_quantity(area.value, &square);
+                        told.then(&self.equals(Rich::italic("A"), &area))
+                    }
+                    Area::Bore { bore, rod } => {
+                        let told = told.then(&self.equals(Rich::italic("D"), &self.length(bore.value)));
+                        match rod {
+                            Some(rod) => {
+                                let rod = self.equals(Rich::italic("d"), &self.length(rod.value));
+                                told.up(self.n.words.comma).then(&rod)
+                            }
+                            None => told,
+                        }
+                    }
+                }
+            }
             Size::Sought => Rich::upright("?"),
         };
         match load.kind {
             LoadKind::Torque { size: of, with_motion } => {
-                let told = self.equals(name, &size(of, &units.torque));
+                let told = match of {
+                    // A sense, not a sign.
+                    Size::Given(given) if with_motion.is_none() => {
+                        let value = human::stated_quantity(given.value.abs(), &units.torque);
+                        self.equals(name, &value.word(self.n.sense(given.value)))
+                    }
+                    _ => self.equals(name, &size(of, &units.torque)),
+                };
                 match with_motion {
                     Some(with) => told.then(&motion(with, true)),
                     None => told,
                 }
             }
-            LoadKind::Vector { parts: [x, y], .. } => {
+            LoadKind::Vector { parts: [x, y], of, .. } => {
                 let number = |si: f64| human::stated(si / units.force.si);
                 let pair =
                     Rich::upright("(").then(&number(x.value)).up(";\u{a0}").then(&number(y.value)).up(")");
-                self.equals(name, &human::with_unit(&pair, &units.force.symbol))
+                let told = self.equals(name, &human::with_unit(&pair, &units.force.symbol));
+                if of == LinkId::FRAME {
+                    return told;
+                }
+                told.up(" ").then(&Rich::fill(self.n.words.given_own_axes, &[("link", self.number(of))]))
             }
             LoadKind::Force { size: of, pointing, .. } => {
-                let told = self.equals(name, &size(of, &units.force)).up("\u{a0}");
+                let told = match of {
+                    // What presses is told before what it comes to.
+                    Size::Pressure { .. } => name.up(":\u{a0}").then(&size(of, &units.force)),
+                    _ => self.equals(name, &size(of, &units.force)),
+                };
+                let told = told.up(" ");
+                let words = self.n.words;
                 match pointing {
+                    Pointing::Own { link, angle } if link != LinkId::FRAME => {
+                        let parts = [("angle", human::degrees(angle.value)), ("link", self.number(link))];
+                        told.then(&Rich::fill(words.given_to_own_axis, &parts))
+                    }
                     Pointing::World(angle) | Pointing::Own { angle, .. } => {
                         told.up("∠\u{a0}").then(&human::degrees(angle.value))
                     }
                     Pointing::Between { from, to, turned } => {
-                        let line = self.n.point(from).then(&self.n.point(to));
-                        told.up("∠\u{a0}(")
-                            .then(&line)
-                            .up(")\u{a0}+\u{a0}")
-                            .then(&human::degrees(turned.value))
+                        let line = ("line", self.n.length(from, to));
+                        if turned.value == 0.0 {
+                            return told.then(&Rich::fill(words.given_along, &[line]));
+                        }
+                        let angle = human::degrees(turned.value.abs()).word(self.n.sense(turned.value));
+                        told.then(&Rich::fill(words.given_from_line, &[line, ("angle", angle)]))
                     }
                     Pointing::Motion { with } => told.then(&motion(with, false)),
                 }

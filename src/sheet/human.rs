@@ -62,6 +62,19 @@ pub fn closing<const N: usize>(
     with(more).map(|(text, _)| text)
 }
 
+/// The same of as many factors as there are; a difference of nearly equal products takes more figures.
+pub fn closing_all(factors: &[f64], result: f64, reckon: impl Fn(&[f64]) -> f64) -> Vec<Rich> {
+    /// A double has no more.
+    const MOST: usize = 9;
+    let with = |more: usize| factors.iter().map(move |factor| finer(*factor, more));
+    let closes = |more: &usize| {
+        let written: Vec<f64> = with(*more).map(|(_, written)| written).collect();
+        rounds_to(reckon(&written), result, 0)
+    };
+    let more = (0..=MOST).find(closes).unwrap_or(0);
+    with(more).map(|(text, _)| text).collect()
+}
+
 /// A reading on paper, and what it is by the scale: tenths of a millimetre, and a guard figure in either where the product
 /// would not be the printed one without it. No reading is finer than a hundredth of a millimetre.
 pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {

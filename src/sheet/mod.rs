@@ -45,6 +45,7 @@ mod rich;
 pub mod scale;
 mod skeleton;
 mod slots;
+mod statics;
 mod steps;
 mod table;
 pub mod tradeoff;

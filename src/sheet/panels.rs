@@ -13,7 +13,7 @@ use super::table::Block;
 use super::words::Words;
 use super::{auxiliary, centres, circle, polygon, positions, skeleton, transfer};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
-use crate::graphical::construction::Construction;
+use crate::graphical::construction::{Construction, Diagram};
 use crate::mechanism::quantity::{DiagramKind, Dimension};
 
 /// The lines of a legend below a drawing may be as wide as this.
@@ -48,7 +48,9 @@ impl Panel {
         // A turning-moment diagram may have no mechanism.
         let bare = construction.cycle.is_some() && construction.space.places.is_empty();
         let mut all = if bare { Vec::new() } else { vec![Self::SKELETON] };
-        all.extend(construction.diagrams.iter().map(|diagram| Self::Diagram(diagram.kind)));
+        // Where nothing moves forces need no diagram of the motion.
+        let moves = |diagram: &&Diagram| construction.forces.is_none() || !diagram.rests();
+        all.extend(construction.diagrams.iter().filter(moves).map(|diagram| Self::Diagram(diagram.kind)));
         if let Some(circle) = &construction.circle {
             all.extend([Self::Centres, Self::Circle]);
             all.extend((0..transfer::by_method(circle).len()).map(Self::Transfer));
@@ -151,9 +153,7 @@ impl Panel {
             }
         };
         let place = Self::all(construction).iter().position(|panel| *panel == self)?;
-        // After the last letter they begin again, primed.
-        let primes = "′".repeat(place / words.panels.len());
-        let letter = format!("{}{primes}", words.panels[place % words.panels.len()]);
+        let letter = letter(place, words);
         let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
         if !scale.is_empty() {
             let scale = Rich::fill(words.scale, &[("scale", scale)]);
@@ -165,6 +165,13 @@ impl Panel {
         }
         Some(caption)
     }
+}
+
+/// The letter of a panel: after the last one they are doubled, aa, ab.
+fn letter(place: usize, words: &Words) -> String {
+    let count = words.panels.len();
+    let own = words.panels[place % count];
+    if place < count { own.to_owned() } else { format!("{}{own}", words.panels[(place / count - 1) % count]) }
 }
 
 /// The panel of a construction on the skeleton.

@@ -37,6 +37,11 @@ pub fn stated_scales(notation: &Notation<'_>) -> Option<Rich> {
         sheet.length_scale.map(|ratio| notation.length_scale(ratio / 1000.0)),
         sheet.velocity_scale.map(|k| notation.scale(k, Dimension::Velocity)),
         sheet.acceleration_scale.map(|k| notation.scale(k, Dimension::Acceleration)),
+        sheet.force_scale.map(|k| {
+            let unit = &notation.scene.units.force;
+            let value = human::with_unit(&human::stated(k * 10.0 / unit.si), &unit.symbol);
+            value.up("\u{a0}≡\u{a0}1\u{a0}cm")
+        }),
     ]
     .into_iter()
     .flatten()
@@ -75,6 +80,10 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
             | Quantity::RelativeOmega(..)
             | Quantity::Alpha(_)
             | Quantity::RelativeAlpha(..) => {
+                let value_cell = human::quantity(value.abs(), &asked.unit);
+                vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
+            }
+            Quantity::Force(force, _) if force.turns() => {
                 let value_cell = human::quantity(value.abs(), &asked.unit);
                 vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
             }

@@ -72,6 +72,11 @@ pub fn question(construction: &Construction, notation: &Notation<'_>) -> (Group,
     artist.links_and_joints(&mut group, false);
     let known = artist.stated_rotations();
     artist.rotations(&mut group, known, false);
+    let (loads, names) = super::forces::stated(notation, |point| artist.pose.place(point));
+    if !loads.children.is_empty() {
+        group.group(loads);
+    }
+    artist.labels.extend(names);
     artist.number_links();
     let mut dimensions = artist.dimensions(&group);
     loop {

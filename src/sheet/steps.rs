@@ -59,6 +59,11 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
     let mut known = Known::given(construction, notation);
     let mut conversions = Some(conversions(notation));
     for (i, step) in construction.steps.iter().enumerate() {
+        // Where nothing moves forces need no diagram of the motion.
+        let rests = construction.diagram(step.diagram).is_some_and(Diagram::rests);
+        if construction.forces.is_some() && step.diagram != DiagramKind::Skeleton && rests {
+            continue;
+        }
         let teller = Teller { construction, notation, step };
         // Rubbing speeds of several pins stand under one head.
         let rubs = only_rubs(step);
@@ -96,7 +101,7 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
                 continue;
             }
             if let Act::MeasureLength { from, to, .. } = act {
-                if measured.contains(&[*from, *to]) {
+                if own_coordinates_tell(notation, [*from, *to]) || measured.contains(&[*from, *to]) {
                     continue;
                 }
                 measured.push([*from, *to]);
@@ -114,6 +119,7 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
             all.push(own);
         }
     }
+    let mut number = all.len();
     // Constructions of their own follow the steps.
     let step = construction.steps.len().saturating_sub(1);
     let unnumbered = |items: Vec<Item>| items.into_iter().map(|item| (item, None)).collect();
@@ -141,9 +147,15 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
         }
     }
     if let Some(sheet) = &construction.forces {
-        for index in 0..sheet.bodies.len() {
-            let items = super::forces::items(index, sheet, notation);
-            more(Panel::Force(super::forces::ForcePanel::Body(index)), unnumbered(items));
+        for (panel, mut items) in super::statics::told(sheet, construction, notation) {
+            for item in &mut items {
+                if let Item::Head(head) = item {
+                    number += 1;
+                    let mark = Rich::bold(format!("{}.", notation.count(number)));
+                    *head = mark.up("\u{a0}\u{a0}").then(head);
+                }
+            }
+            more(Panel::Force(panel), unnumbered(items));
         }
         for index in super::friction::panels(sheet) {
             let items = super::forces::friction_items(index, sheet, notation);
@@ -156,6 +168,18 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
     }
     all.retain(|told| !told.items.is_empty());
     all
+}
+
+/// Whether a distance is that of a point which its link has by own coordinates, on the line from the first joint.
+fn own_coordinates_tell(notation: &Notation<'_>, [from, to]: [PointId; 2]) -> bool {
+    let mechanism = notation.mechanism();
+    mechanism.moving().map(|link| mechanism.link(link)).any(|link| {
+        let on_line = |index: usize| link.extra_at(index).is_some_and(|at| at[1].value == 0.0);
+        let place = link.points.iter().position(|point| *point == to);
+        matches!(link.form, Form::Length(_))
+            && link.points.first() == Some(&from)
+            && place.is_some_and(on_line)
+    })
 }
 
 impl Told {
@@ -246,7 +270,8 @@ pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
 const TOO_SHORT: f64 = 1.0;
 
 /// The sentence of a reading: so many mm between two images are so much.
-fn read(
+#[must_use]
+pub fn read(
     vector: Rich,
     [tail, head]: [Label; 2],
     mm: f64,

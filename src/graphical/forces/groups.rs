@@ -7,7 +7,7 @@ use crate::mechanism::{LinkId, PointId};
 
 use super::super::draughtsman::Draughtsman;
 use super::super::pose::Track;
-use super::{Balance, Item, Pull, SlideForce, pulls};
+use super::{Balance, Item, Pull, SlideForce, Taken, TakenFor, pulls};
 
 /// Finds the forces of a group in its pairs, and gives them to the bodies on which it hangs.
 pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) {
@@ -172,6 +172,7 @@ fn driver(d: &mut Draughtsman<'_>, group: &Group, base: PointId, input: Drive, b
     };
     if let Drive::Input(input) = input {
         balance.efforts.push((Sought::Effort(input), torque));
+        balance.taken.push(Taken { links: vec![link], about: base, found: TakenFor::Effort(input) });
     }
     let reaction = d.closing(&pulls(&items));
     d.note_pin(balance, base, link, reaction);
@@ -239,8 +240,13 @@ fn rrr(
     let moments = d.moments(&on_b, at_b);
     let tangential = moments.map(|moments| {
         let line = Line { through: at, along: across };
+        let found = TakenFor::Across { pin, by: a, on: b, from: base_b };
+        balance.taken.push(Taken { links: vec![b], about: base_b, found });
         d.balancing(Some(moments), line, at_b, &[b])
     });
+    let whole = tangential.is_none();
+    let found = TakenFor::Along { pin, by: b, on: a, from: base_b, whole };
+    balance.taken.push(Taken { links: vec![a], about: base_a, found });
     // Moments of the other one about its base give the part along the first.
     let mut turning = d.moments(&on_a, at_a);
     if let Some(size) = tangential {
@@ -313,6 +319,8 @@ fn rrp(
             moments = d.both(moments, Some(of_rider));
         }
         let size = d.balancing(moments, Line { through: touch, along: normal }, at_base, &[rod]);
+        let links = [rod].into_iter().chain(sliding.inner).collect();
+        balance.taken.push(Taken { links, about: base, found: TakenFor::Slide(slide) });
         d.pull_along(normal, size)
     };
     let couple = match sliding.inner {
@@ -365,6 +373,7 @@ fn rpr(
     let moments = d.moments(&on_lever, at_base);
     let moments = d.both(moments, turned);
     let size = d.balancing(moments, Line { through: touch, along: normal }, at_base, &[lever]);
+    balance.taken.push(Taken { links: vec![lever], about: base, found: TakenFor::Slot(slide) });
     let on_lever_force = d.pull_along(normal, size);
     let on_inner_force = Draughtsman::opposite(on_lever_force);
     let couple = if rubs {

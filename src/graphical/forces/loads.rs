@@ -137,7 +137,7 @@ impl Draughtsman<'_> {
     }
 
     /// The moment of inertia about the mass centre; none of a point mass.
-    fn central_inertia(&mut self, mass: &Mass) -> Option<Amount> {
+    pub(super) fn central_inertia(&mut self, mass: &Mass) -> Option<Amount> {
         match mass.inertia {
             Inertia::Point => None,
             Inertia::Central(given) => Some(self.board.amount(given)),

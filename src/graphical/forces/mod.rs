@@ -7,6 +7,7 @@
 mod friction;
 mod groups;
 mod loads;
+mod moments;
 mod read;
 mod record;
 mod spin;
@@ -22,6 +23,7 @@ use crate::mechanism::force::{Party, Share, Sought};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
 
+use super::construction::Trial;
 use super::draughtsman::Draughtsman;
 use friction::Leaning;
 
@@ -72,10 +74,38 @@ pub(super) struct Balance {
     pub(super) efforts: Vec<(Sought, Amount)>,
     /// Sizes that are tried for what is sought elsewhere than at the input.
     assumed: Vec<(Sought, Amount)>,
+    /// How what was sought elsewhere than at the input was found.
+    pub(super) trial: Option<Trial>,
+    /// Moments that gave a size, in the order in which they were taken.
+    pub(super) taken: Vec<Taken>,
     /// What could not be drawn, and why.
     pub(super) refused: Option<&'static str>,
     /// Where forces touch friction circles, and how they lean.
     leaning: Leaning,
+}
+
+/// Moments of bodies about a point through which all unknowns pass but one.
+#[derive(Debug, Clone)]
+pub(super) struct Taken {
+    /// The bodies, as if they were one.
+    pub(super) links: Vec<LinkId>,
+    pub(super) about: PointId,
+    pub(super) found: TakenFor,
+}
+
+/// What the moments gave.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum TakenFor {
+    /// The torque at an input.
+    Effort(usize),
+    /// Of the force of one link on another at a pin the part across the line from a point.
+    Across { pin: PointId, by: LinkId, on: LinkId, from: PointId },
+    /// The part along it, which may be the whole.
+    Along { pin: PointId, by: LinkId, on: LinkId, from: PointId, whole: bool },
+    /// The force of a guide on what rides, by index of the sliding pair.
+    Slide(usize),
+    /// The same where what rides acts on the guide of a lever.
+    Slot(usize),
 }
 
 /// Who holds a pin: the link on which every force on the pin is laid off.
@@ -268,6 +298,12 @@ fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, leaning: &Leaning) 
             let size = d.board.opposite(part);
             let mut balance = one(d, plan, (share, leaning), vec![(only, size)]);
             balance.efforts = vec![(only, size)];
+            balance.trial = Some(Trial {
+                sought: only,
+                tried: TRIAL,
+                efforts: [without_effort, with_effort].map(|effort| effort.value()),
+                size: size.value(),
+            });
             balance
         }
         _ => Balance {

@@ -8,6 +8,8 @@ use crate::plan::Plan;
 
 use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge, Touch};
 use super::super::draughtsman::Draughtsman;
+use super::moments::same_pair;
+use super::{Taken, TakenFor};
 
 /// A line of inertia farther off than this part of the skeleton's size has no room on the paper.
 const REACH: f64 = 0.6;
@@ -19,15 +21,39 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         return None;
     }
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
+    let trial = balance.trial;
+    // With friction, and in a governor, moments are taken about other points than the pins.
+    let plain = balance.leaning.rubs().is_empty() && d.mechanism.forces.spin.is_none();
+    let taken = if plain { balance.taken.clone() } else { Vec::new() };
     let rubs = rubs.into_iter().filter_map(|rub| d.touching(rub)).collect();
     let mut bodies = Vec::new();
+    let mut found = Found { known: Vec::new(), by_moments: Vec::new() };
     for &group in plan.forces.groups.iter().rev() {
-        let mut links = d.structure.groups[group].links.clone();
-        links.reverse();
-        for link in links {
-            if let Some(body) = d.free_body(link) {
-                bodies.push(body);
+        let links = d.structure.groups[group].links.clone();
+        let own: Vec<&Taken> =
+            taken.iter().filter(|taken| taken.links.iter().any(|link| links.contains(link))).collect();
+        for chunk in in_order(&links, &own) {
+            found.by_moments = own.iter().filter_map(|taken| d.given_by_moments(taken)).collect();
+            let mut parties: Vec<Party> = Vec::new();
+            for link in &chunk {
+                parties.extend(d.pins_before(*link, &bodies).into_iter().map(Party::Pin));
+                parties.push(Party::Link(*link));
             }
+            let first = bodies.len();
+            for (place, party) in parties.iter().enumerate() {
+                let body = match *party {
+                    Party::Link(link) => d.free_body(link, &found),
+                    Party::Pin(pin) => d.free_pin(pin, &found),
+                };
+                bodies.extend(body.map(|body| FreeBody {
+                    with_next: chunk.len() > 1 && place + 1 < parties.len(),
+                    ..body
+                }));
+                if chunk.len() == 1 {
+                    found.learn(&bodies[first..]);
+                }
+            }
+            found.learn(&bodies[first..]);
         }
     }
     let everything = d.mechanism.moving().all(|link| plan.forces.links.contains(&link));
@@ -39,7 +65,51 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         }
         false => Vec::new(),
     };
-    (!bodies.is_empty()).then_some(ForceSheet { bodies, whole, inertia, rubs, passes })
+    if bodies.is_empty() {
+        return None;
+    }
+    let moments = d.moments_told(&taken, &bodies);
+    let shaking = if inertia.is_empty() { None } else { d.shaking_told(&inertia) };
+    // A governor rests in its own plane.
+    let governs = d.mechanism.forces.spin.is_some();
+    let masses = d.masses_told(|link| !governs && plan.forces.links.contains(&link));
+    Some(ForceSheet { masses, bodies, moments, whole, inertia, shaking, trial, rubs, passes })
+}
+
+/// The forces that earlier bodies have given, and those that moments give before a polygon is laid off.
+struct Found {
+    known: Vec<Action>,
+    by_moments: Vec<Action>,
+}
+
+impl Found {
+    fn learn(&mut self, bodies: &[FreeBody]) {
+        self.known.extend(bodies.iter().flat_map(|body| body.acting.iter().map(|acting| acting.action)));
+    }
+
+    fn is_known(&self, action: Action) -> bool {
+        self.known.iter().any(|known| same_pair(*known, action))
+    }
+}
+
+/// The links of a group in the order in which they are balanced; those that are balanced together stand together.
+fn in_order(links: &[LinkId], taken: &[&Taken]) -> Vec<Vec<LinkId>> {
+    let mut all: Vec<LinkId> = links.iter().rev().copied().collect();
+    let first = |taken: &Taken| taken.links.first().copied();
+    match taken {
+        [one, other] if matches!(one.found, TakenFor::Across { .. }) => {
+            return vec![[*one, *other].into_iter().filter_map(first).collect()];
+        }
+        // The member of two forces first: it gives the line.
+        [one] if matches!(one.found, TakenFor::Along { .. }) => {
+            all.sort_by_key(|link| Some(*link) == first(one));
+        }
+        [one] if matches!(one.found, TakenFor::Slot(_)) => {
+            all.sort_by_key(|link| Some(*link) != first(one));
+        }
+        _ => {}
+    }
+    all.into_iter().map(|link| vec![link]).collect()
 }
 
 /// The forces of a sheet, each once, as quantities.
@@ -80,13 +150,18 @@ impl Draughtsman<'_> {
             _ => 1.0,
         };
         let force = self.components_of(sum).map(|part| part.value() / shared);
+        // Where nothing moves there is no inertia to be drawn.
+        if matches!(action, Action::Inertia(_)) && force == [0.0; 2] {
+            return None;
+        }
         // The line of inertia that lies off the paper is not drawn: force and couple act side by side at the mass centre.
         let inertia = matches!(action, Action::Inertia(_));
         let beyond = libm::hypot(foot[0] - at[0], foot[1] - at[1]) > REACH * self.size_of_skeleton();
         let with_couple = inertia && beyond;
         let per_mm = self.length_scale().si_per_mm;
         let [at, foot] = [at, foot].map(|place| place.map(|mm| mm * per_mm));
-        Some(Acting { action, at, through: if with_couple { at } else { foot }, force, known, with_couple })
+        let through = if with_couple { at } else { foot };
+        Some(Acting { action, at, through, force, known, closes: known != Knowledge::Full, with_couple })
     }
 
     /// The force of a pair that rubs, as it stands on the paper.
@@ -144,16 +219,66 @@ impl Draughtsman<'_> {
 
     /// What is known of the force of another link when this one is balanced.
     fn knowledge(&self, link: LinkId, other: Option<LinkId>, slides: bool) -> Knowledge {
-        let group = |link: LinkId| self.structure.group_of(link);
         let two = self.has_two_forces(link) || other.is_some_and(|other| self.has_two_forces(other));
-        match other.map(group) {
-            Some(later) if later > group(link) => Knowledge::Full,
-            _ if slides || two => Knowledge::Line,
-            _ => Knowledge::Nothing,
+        if slides || two { Knowledge::Line } else { Knowledge::Nothing }
+    }
+
+    /// The force that moments give whole, before any polygon.
+    fn given_by_moments(&self, taken: &Taken) -> Option<Action> {
+        match taken.found {
+            TakenFor::Effort(_) | TakenFor::Across { .. } => None,
+            TakenFor::Along { pin, by, on, .. } => Some(match self.mechanism.parties_at(pin).len() {
+                0..=2 => Action::Pair { by, on },
+                _ if self.holder(pin) == super::Holder::Link(on) => Action::OfPin(pin, by),
+                _ => Action::OfPin(pin, on),
+            }),
+            TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
+                let pair = self.mechanism.slides[slide];
+                let guide = pair.guide.link;
+                Some(match self.mechanism.party_of(&pair.rider) {
+                    Party::Link(link) => Action::Pair { by: guide, on: link },
+                    Party::Pin(pin) => {
+                        let parties = self.mechanism.parties_at(pin);
+                        match parties[..] {
+                            [one, other] => Action::Pair { by: one, on: other },
+                            _ => Action::OfPin(pin, guide),
+                        }
+                    }
+                })
+            }
         }
     }
 
-    fn free_body(&mut self, link: LinkId) -> Option<FreeBody> {
+    /// The pins of several links that are in balance before this last one of their links is.
+    fn pins_before(&self, link: LinkId, bodies: &[FreeBody]) -> Vec<PointId> {
+        let m = self.mechanism;
+        let shown = |party: Party| bodies.iter().any(|body| body.of == party);
+        let pins = (0..m.points.len()).map(PointId).filter(|pin| {
+            let parties = m.parties_at(*pin);
+            let others = || parties.iter().filter(|other| **other != link);
+            parties.len() > 2
+                && parties.contains(&link)
+                && !shown(Party::Pin(*pin))
+                && !parties.contains(&LinkId::FRAME)
+                && others().all(|other| shown(Party::Link(*other)))
+        });
+        pins.collect()
+    }
+
+    /// A pin at which several links meet, cut free.
+    fn free_pin(&mut self, pin: PointId, found: &Found) -> Option<FreeBody> {
+        let mut acting: Vec<Acting> = Vec::new();
+        for link in self.mechanism.parties_at(pin) {
+            let action = Action::OnPin(link, pin);
+            let known = if found.is_known(action) { Knowledge::Full } else { Knowledge::Nothing };
+            acting.extend(self.acting(action, known));
+        }
+        acting.sort_by_key(|acting| acting.known);
+        let of = Party::Pin(pin);
+        (!acting.is_empty()).then_some(FreeBody { of, acting, torques: Vec::new(), with_next: false })
+    }
+
+    fn free_body(&mut self, link: LinkId, found: &Found) -> Option<FreeBody> {
         let m = self.mechanism;
         let forces = m.forces.clone();
         let mut wanted: Vec<(Action, Knowledge)> = Vec::new();
@@ -190,14 +315,7 @@ impl Draughtsman<'_> {
                     let by = if one == link { other } else { one };
                     wanted.push((Action::Pair { by, on: link }, self.knowledge(link, Some(by), false)));
                 }
-                _ => {
-                    let later = parties
-                        .iter()
-                        .copied()
-                        .filter(|other| *other != link)
-                        .max_by_key(|other| self.structure.group_of(*other));
-                    wanted.push((Action::OfPin(pin, link), self.knowledge(link, later, false)));
-                }
+                _ => wanted.push((Action::OfPin(pin, link), self.knowledge(link, None, false))),
             }
         }
         for slide in &m.slides {
@@ -217,17 +335,39 @@ impl Draughtsman<'_> {
                 wanted.push((Action::Drive(index), Knowledge::Line));
             }
         }
-        // What is known is laid off first.
-        wanted.sort_by_key(|(_, known)| *known);
+        // What is known is laid off first, then what moments give; what the polygon finds closes it.
+        let by_moments = |action: Action| found.by_moments.iter().any(|given| same_pair(*given, action));
+        for (action, known) in &mut wanted {
+            if found.is_known(*action) {
+                *known = Knowledge::Full;
+            }
+        }
+        wanted.sort_by_key(|(action, known)| match known {
+            Knowledge::Full => 0,
+            _ if by_moments(*action) => 1,
+            Knowledge::Line => 2,
+            Knowledge::Nothing => 3,
+        });
         let mut acting: Vec<Acting> = Vec::new();
         for (action, known) in wanted {
-            if acting.iter().all(|other| other.action != action) {
-                acting.extend(self.acting(action, known));
+            if acting.iter().all(|other| other.action != action)
+                && let Some(own) = self.acting(action, known)
+            {
+                acting.push(Acting { closes: known != Knowledge::Full && !by_moments(action), ..own });
             }
+        }
+        let driven = (0..m.inputs.len()).any(|input| m.driven_link(input) == Some(link));
+        if let ([one, other], false) =
+            (&mut acting[..], driven || m.forces.loads.iter().any(|l| l.link == link && l.is_torque()))
+            && one.known == Knowledge::Full
+        {
+            // The other one is in its line.
+            other.known = other.known.min(Knowledge::Line);
         }
         let shifts = acting.iter().any(|a| a.action == Action::Inertia(link) && !a.with_couple);
         let torques = self.torques_on(link, shifts);
-        (!acting.is_empty()).then_some(FreeBody { link, acting, torques })
+        let of = Party::Link(link);
+        (!acting.is_empty()).then_some(FreeBody { of, acting, torques, with_next: false })
     }
 
     /// Torques on a link: efforts, loads, and that of inertia where no inertia force is shifted by it.
@@ -251,7 +391,9 @@ impl Draughtsman<'_> {
         }
         let mut found = Vec::new();
         for force in wanted {
-            if let super::ForceRead::Scalar(amount) = self.read_force(force, Share::Total) {
+            if let super::ForceRead::Scalar(amount) = self.read_force(force, Share::Total)
+                && (amount.value() != 0.0 || !matches!(force, Force::InertiaTorque(_)))
+            {
                 found.push((force, amount.value()));
             }
         }

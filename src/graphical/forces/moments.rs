@@ -1,0 +1,316 @@
+//! The moments that gave a size, with the arms as they are measured: a foot on the line of the force, and a reading.
+
+use crate::board::{Line, Point};
+use crate::mechanism::force::{Action, Force, Inertia, Party, Share, Sought};
+use crate::mechanism::quantity::Order;
+use crate::mechanism::{LinkId, PointId};
+
+use super::super::construction::{Acting, Arm, FreeBody, MassForces, MomentBalance, MomentTerm, Turning};
+use super::super::draughtsman::Draughtsman;
+use super::{Holder, Taken, TakenFor};
+
+/// An arm shorter than this on paper is none: the line passes through the point, mm.
+const NO_ARM: f64 = 0.02;
+
+/// Whether two actions are one force, or a force and its reaction.
+pub(super) fn same_pair(one: Action, other: Action) -> bool {
+    let key = |action: Action| match action {
+        Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
+        Action::OnPin(link, pin) => Action::OfPin(pin, link),
+        Action::Spring { index, .. } => Action::Spring { index, end: 0 },
+        other => other,
+    };
+    key(one) == key(other)
+}
+
+impl Draughtsman<'_> {
+    /// The force with which one link acts on another through a pin, as the one that does not hold the pin feels it.
+    fn force_at_pin(&self, pin: PointId, by: LinkId, on: LinkId) -> Action {
+        if self.mechanism.parties_at(pin).len() < 3 {
+            return Action::Pair { by, on };
+        }
+        if self.holder(pin) == Holder::Link(on) { Action::OnPin(by, pin) } else { Action::OfPin(pin, on) }
+    }
+
+    /// What acts on a body, that on the pin which it holds told apart.
+    fn acting_on(&mut self, body: &FreeBody) -> Vec<Action> {
+        let Party::Link(link) = body.of else { return Vec::new() };
+        let mut all = Vec::new();
+        for action in body.acting.iter().map(|acting| acting.action) {
+            match action {
+                Action::OfPin(pin, _) if self.holder(pin) == Holder::Link(link) => {
+                    let others = self.mechanism.parties_at(pin).into_iter().filter(|other| *other != link);
+                    all.extend(others.map(|other| Action::OnPin(other, pin)));
+                }
+                other => all.push(other),
+            }
+        }
+        all
+    }
+
+    /// The moment of a force about a point, by its one arm; none where its line passes through the point. The force may
+    /// be taken to another place.
+    fn moment_term(&mut self, action: Action, about: Point, moved: Option<Point>) -> Option<MomentTerm> {
+        let items = self.items_of(action, Share::Total).ok()?;
+        let foot = match moved {
+            Some(at) => at,
+            None => self.foot_of_line(&items)?,
+        };
+        let pull = self.sum_of(&items);
+        self.term_of_pull(Turning::Force(action), pull, foot, about)
+    }
+
+    fn term_of_pull(
+        &mut self,
+        of: Turning,
+        pull: super::Pull,
+        through: Point,
+        about: Point,
+    ) -> Option<MomentTerm> {
+        let [x, y] = self.components_of(pull).map(|part| part.value());
+        let size = libm::hypot(x, y);
+        if size <= 0.0 {
+            return None;
+        }
+        let reason = self.reason(&[]);
+        let (along, _) = self.board.toward(pull.tail, pull.head, reason);
+        let line = Line { through, along };
+        let [beside, _] = self.board.square_off(line, about);
+        let foot = self.board.step_off(through, along, beside);
+        let arm = self.arm_of(line, about).value();
+        let per_mm = self.length_scale().si_per_mm;
+        if arm.abs() < NO_ARM * per_mm {
+            return None;
+        }
+        let named = self.point_at(foot).zip(self.point_at(about));
+        let foot = foot.value().map(|mm| mm * per_mm);
+        let between = named.map(|(foot, about)| [about, foot]);
+        let arm_drawn = Arm { length: arm.abs(), foot, between };
+        Some(MomentTerm { of, size, arm: Some(arm_drawn), moment: size * arm })
+    }
+
+    /// The point of the mechanism that stands at a place.
+    fn point_at(&self, place: Point) -> Option<PointId> {
+        let [x, y] = place.value();
+        let near = |at: &Point| {
+            let [px, py] = at.value();
+            libm::hypot(px - x, py - y) < NO_ARM
+        };
+        (0..self.places.len()).map(PointId).find(|p| self.places[p.0].as_ref().is_some_and(near))
+    }
+
+    /// The moments of a balance, as they are told at the bodies.
+    pub(super) fn moments_told(&mut self, taken: &[Taken], bodies: &[FreeBody]) -> Vec<MomentBalance> {
+        taken.iter().filter_map(|taken| self.moment_balance(taken, bodies)).collect()
+    }
+
+    fn moment_balance(&mut self, taken: &Taken, bodies: &[FreeBody]) -> Option<MomentBalance> {
+        let place = |link: LinkId| bodies.iter().position(|body| body.of == Party::Link(link));
+        // A member of two forces gives only a line: the moments that give its force are told with it.
+        let lends = match taken.found {
+            TakenFor::Along { by, whole: true, .. } => Some(by),
+            _ => None,
+        };
+        let told = taken.links.iter().copied().chain(lends).filter_map(place).min()?;
+        let about = self.at(taken.about);
+        let mut terms: Vec<MomentTerm> = Vec::new();
+        let mut found: Option<MomentTerm>;
+        let mut without: Vec<Action> = Vec::new();
+        // What the force to be found turns with its pin.
+        let mut rider: Option<(LinkId, Point)> = None;
+        match taken.found {
+            TakenFor::Effort(input) => {
+                let effort = self.effort(Sought::Effort(input))?;
+                found = Some(torque(Force::Torque(input), effort));
+            }
+            TakenFor::Across { pin, by, on, from } | TakenFor::Along { pin, by, on, from, .. } => {
+                let action = self.force_at_pin(pin, by, on);
+                without.push(action);
+                let items = self.items_of(action, Share::Total).ok()?;
+                let whole = self.sum_of(&items);
+                let (at, base) = (self.at(pin), self.at(from));
+                let reason = self.reason(&[by, on]);
+                let (along, _) = self.board.toward(base, at, reason);
+                let line = Line { through: whole.tail, along };
+                let [size, _] = self.board.square_off(line, whole.head);
+                let foot = self.board.step_off(whole.tail, along, size);
+                let part_along = super::Pull { tail: whole.tail, head: foot };
+                let part_across = super::Pull { tail: foot, head: whole.head };
+                match taken.found {
+                    TakenFor::Along { whole: all, .. } => {
+                        if !all {
+                            terms.extend(self.term_of_pull(Turning::Across(action), part_across, at, about));
+                        }
+                        let of = if all { Turning::Force(action) } else { Turning::Along(action) };
+                        found = self.term_of_pull(of, part_along, at, about);
+                    }
+                    _ => {
+                        found = self.term_of_pull(Turning::Across(action), part_across, at, about);
+                        if let Some(Arm { between, .. }) = found.as_mut().and_then(|f| f.arm.as_mut()) {
+                            *between = Some([from, pin]);
+                        }
+                    }
+                }
+            }
+            TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
+                let pair = self.mechanism.slides[slide];
+                let pin = self.riding_pin(slide)?;
+                let at = self.at(pin);
+                let guide = pair.guide.link;
+                let on_guide = matches!(taken.found, TakenFor::Slot(_)) && taken.links.contains(&guide);
+                let action = match self.mechanism.party_of(&pair.rider) {
+                    Party::Link(link) if on_guide => Action::Pair { by: link, on: guide },
+                    Party::Link(link) => Action::Pair { by: guide, on: link },
+                    Party::Pin(pin) if on_guide => self.force_on_slot(pin, guide),
+                    Party::Pin(pin) => self.force_of_guide(pin, guide, taken.links.first().copied()?),
+                };
+                without.push(action);
+                found = self.moment_term(action, about, Some(at));
+                if let (true, Party::Link(_)) = (on_guide, self.mechanism.party_of(&pair.rider)) {
+                    let couple = self
+                        .items_of(action, Share::Total)
+                        .ok()?
+                        .iter()
+                        .find_map(|item| item.couple)
+                        .map(|couple| couple.value())
+                        .filter(|couple| *couple != 0.0);
+                    terms.extend(couple.map(|couple| torque(Force::Moment(action, pin), couple)));
+                }
+                if let (TakenFor::Slide(_), Party::Link(block)) =
+                    (taken.found, self.mechanism.party_of(&pair.rider))
+                {
+                    rider = Some((block, at));
+                }
+            }
+        }
+        let found = found?;
+        for body in bodies.iter().filter(|body| matches!(body.of, Party::Link(l) if taken.links.contains(&l)))
+        {
+            let Party::Link(link) = body.of else { continue };
+            let moved = rider.filter(|(block, _)| *block == link).map(|(_, at)| at);
+            for action in self.acting_on(body) {
+                let within = |other: LinkId| other != link && taken.links.contains(&other);
+                let inner = match action {
+                    Action::Pair { by, .. } => within(by),
+                    Action::OnPin(other, _) => within(other),
+                    Action::OfPin(pin, _) => taken
+                        .links
+                        .iter()
+                        .any(|other| within(*other) && self.mechanism.parties_at(pin).contains(other)),
+                    _ => false,
+                };
+                if inner || without.iter().any(|other| same_pair(*other, action)) {
+                    continue;
+                }
+                if self.passes(action, taken.about) {
+                    continue;
+                }
+                let shifted = body.acting.iter().any(|a| a.action == action && a.with_couple);
+                let place = if shifted {
+                    self.items_of(action, Share::Total).ok().and_then(|i| i.first().map(|i| i.at))
+                } else {
+                    moved
+                };
+                terms.extend(self.moment_term(action, about, place));
+            }
+            if moved.is_none() {
+                let given = body.torques.iter().filter(|(force, _)| !matches!(force, Force::Torque(_)));
+                terms.extend(given.map(|(force, value)| torque(*force, *value)));
+            }
+        }
+        terms.retain(|term| term.moment != 0.0);
+        Some(MomentBalance { links: taken.links.clone(), told, about: taken.about, terms, found })
+    }
+
+    /// Whether a force passes through a point by its pair.
+    fn passes(&self, action: Action, about: PointId) -> bool {
+        match action {
+            Action::OfPin(pin, _) | Action::OnPin(_, pin) => pin == about,
+            Action::Pair { by, on } => {
+                let pairs = self.mechanism.pairs_between(by, on);
+                matches!(pairs[..], [crate::mechanism::force::Through::Pin(pin)] if pin == about)
+            }
+            _ => false,
+        }
+    }
+
+    /// The force of a pin on a link in whose slot it rides.
+    fn force_on_slot(&self, pin: PointId, slot: LinkId) -> Action {
+        let parties = self.mechanism.parties_at(pin);
+        match parties[..] {
+            [one, other] => Action::Pair { by: if one == slot { other } else { one }, on: slot },
+            _ => Action::OfPin(pin, slot),
+        }
+    }
+
+    /// The force of a guide on a pin that rides in it, as a link of the pin feels it.
+    fn force_of_guide(&self, pin: PointId, guide: LinkId, link: LinkId) -> Action {
+        match self.mechanism.parties_at(pin).len() {
+            0..=2 => Action::Pair { by: guide, on: link },
+            _ => Action::OnPin(guide, pin),
+        }
+    }
+
+    fn effort(&mut self, sought: Sought) -> Option<f64> {
+        let (_, balance) = self.balances.iter().find(|(share, _)| *share == Share::Total)?;
+        balance.efforts.iter().find(|(of, _)| *of == sought).map(|(_, size)| size.value())
+    }
+
+    /// The line of the shaking force: its moment about the first fixed pivot is that of all inertia forces.
+    pub(super) fn shaking_told(&mut self, inertia: &[Acting]) -> Option<MomentBalance> {
+        let about = (0..self.mechanism.points.len()).map(PointId).find(|p| self.mechanism.is_fixed(*p))?;
+        let at = self.at(about);
+        let found = self.moment_term(Action::Shaking, at, None)?;
+        let mut terms = Vec::new();
+        let masses = self.mechanism.forces.masses.clone();
+        for mass in masses {
+            let action = Action::Inertia(mass.link);
+            let drawn = inertia.iter().find(|acting| acting.action == action);
+            let shifted = drawn.is_some_and(|acting| acting.with_couple);
+            let place = shifted.then(|| self.at(mass.centre));
+            terms.extend(self.moment_term(action, at, place));
+            if (shifted || drawn.is_none())
+                && let Some(couple) = self.inertia_torque(&mass)
+            {
+                terms.push(torque(Force::InertiaTorque(mass.link), couple.value()));
+            }
+        }
+        terms.retain(|term| term.moment != 0.0);
+        Some(MomentBalance { links: Vec::new(), told: 0, about, terms, found })
+    }
+
+    /// What inertia and weight each mass has.
+    pub(super) fn masses_told(&mut self, drawn: impl Fn(LinkId) -> bool) -> Vec<MassForces> {
+        let masses = self.mechanism.forces.masses.clone();
+        let mut all = Vec::new();
+        for mass in masses.iter().filter(|mass| drawn(mass.link)) {
+            let kilograms = self.kilograms(mass).map(|m| m.value());
+            let inertia = match mass.inertia {
+                Inertia::Point => None,
+                _ => self.central_inertia(mass).map(|i| i.value()),
+            };
+            let weight = self.weight(mass).map(|pull| {
+                let [x, y] = self.components_of(pull).map(|part| part.value());
+                libm::hypot(x, y)
+            });
+            let acceleration = if self.mechanism.is_fixed(mass.centre) {
+                0.0
+            } else {
+                let image = self.image(Order::Acceleration, mass.centre);
+                let pole = self.board.origin();
+                let mm = self.board.distance(pole, image);
+                let scale = self.polygon_scale(Order::Acceleration);
+                self.board.read(mm, scale).value()
+            };
+            let turns = !self.translates[mass.link.0];
+            let alpha = turns.then(|| self.rate(Order::Acceleration, mass.link).value());
+            let (link, centre) = (mass.link, mass.centre);
+            all.push(MassForces { link, centre, mass: kilograms, inertia, weight, acceleration, alpha });
+        }
+        all
+    }
+}
+
+fn torque(of: Force, value: f64) -> MomentTerm {
+    MomentTerm { of: Turning::Torque(of), size: value.abs(), arm: None, moment: value }
+}

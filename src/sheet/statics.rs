@@ -1,0 +1,889 @@
+//! The forces as they are told: weights and inertia, and of every body its balance, the moments that give a size, the
+//! polygon that gives the rest.
+
+use super::forces::{ForcePanel, per_mm, pole};
+use super::human;
+use super::notation::Notation;
+use super::rich::Rich;
+use super::steps::Item;
+use super::table::{Align, Flow, Table};
+use crate::graphical::construction::{
+    Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, Knowledge, Label, MassForces,
+    MomentBalance, MomentTerm, Turning,
+};
+use crate::mechanism::force::{
+    Action, Area, Force, Heaviness, Inertia, LoadKind, Party, Share, Size, Sought,
+};
+use crate::mechanism::force::{SpringKind, SpringLaw};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
+
+/// A side of a polygon that is shorter is not read, mm.
+const TOO_SHORT: f64 = 1.0;
+const TIMES: &str = "\u{a0}×\u{a0}";
+const DOT: &str = "\u{a0}·\u{a0}";
+const OVER: &str = "\u{a0}/\u{a0}";
+const EQUALS: &str = "\u{a0}= ";
+
+/// Everything that is told of forces, each with what is drawn beside it.
+#[must_use]
+pub fn told(
+    sheet: &ForceSheet,
+    construction: &Construction,
+    notation: &Notation<'_>,
+) -> Vec<(ForcePanel, Vec<Item>)> {
+    let teller = Teller { sheet, construction, n: notation };
+    let mut all = vec![(ForcePanel::Loads, teller.given())];
+    all.extend((0..sheet.bodies.len()).map(|index| (ForcePanel::Body(index), teller.body(index))));
+    all.push((ForcePanel::Whole, teller.whole()));
+    all.push((ForcePanel::Shaking, teller.shaking()));
+    // A head alone says nothing.
+    all.retain(|(_, items)| items.iter().any(|item| !matches!(item, Item::Head(_))));
+    all
+}
+
+/// The name of an arm: that of the length where it is one, else x with its number on the sheet.
+#[must_use]
+pub fn arm_name(sheet: &ForceSheet, arm: &Arm, notation: &Notation<'_>) -> Rich {
+    if let Some([from, to]) = arm.between {
+        return notation.length(from, to);
+    }
+    let all = sheet.moments.iter().chain(&sheet.shaking);
+    let arms =
+        all.flat_map(|moments| moments.terms.iter().chain([&moments.found])).filter_map(|term| term.arm);
+    let place = arms.filter(|other| other.between.is_none()).position(|other| other == *arm);
+    let last = sheet.shaking.as_ref().and_then(|shaking| shaking.found.arm);
+    if last.is_some_and(|last| last == *arm) {
+        return Rich::italic("e");
+    }
+    Rich::italic("x").sub(&format!("{}", place.unwrap_or(0) + 1))
+}
+
+/// The symbol of what has a moment.
+#[must_use]
+pub fn symbol(of: Turning, notation: &Notation<'_>) -> Rich {
+    let force = |force: Force| notation.symbol(Quantity::Force(force, Share::Total), false);
+    let part = |action: Action, mark: &str| super::force_names::part(notation, action, mark);
+    match of {
+        Turning::Force(action) => force(Force::Vector(action)),
+        Turning::Along(action) => part(action, notation.profile.normal),
+        Turning::Across(action) => part(action, notation.profile.tangential),
+        Turning::Torque(torque) => force(torque),
+    }
+}
+
+struct Teller<'a> {
+    sheet: &'a ForceSheet,
+    construction: &'a Construction,
+    n: &'a Notation<'a>,
+}
+
+/// A number in a computed line: its value, the unit of the scene, and the SI unit.
+#[derive(Clone, Copy)]
+struct Factor<'a> {
+    si: f64,
+    unit: &'a Unit,
+    name: &'static str,
+}
+
+impl Teller<'_> {
+    fn head(&self, text: Rich) -> Item {
+        Item::Head(text.bolder())
+    }
+
+    fn symbol(&self, action: Action) -> Rich {
+        self.n.symbol(Quantity::Force(Force::Vector(action), Share::Total), false)
+    }
+
+    fn force(&self, newtons: f64) -> Rich {
+        human::quantity(newtons, &self.n.scene.units.force)
+    }
+
+    fn torque(&self, value: f64) -> Rich {
+        self.n.rotation(value, &self.n.scene.units.torque)
+    }
+
+    fn length(&self, metres: f64) -> Rich {
+        human::quantity(metres, &self.n.scene.units.length)
+    }
+
+    /// A computed line: in the scene's units where they go together, else in SI, and the result in the scene's unit
+    /// after it. The operators stand between the factors.
+    fn line(
+        &self,
+        of: Rich,
+        formula: Rich,
+        factors: &[Factor<'_>],
+        set: impl Fn(&[Rich]) -> Rich,
+        reckon: impl Fn(&[f64]) -> f64,
+        result: Factor<'_>,
+    ) -> Rich {
+        let units: Vec<f64> = factors.iter().map(|factor| factor.unit.si).collect();
+        let together = (reckon(&units) / result.unit.si - 1.0).abs() < 1e-9;
+        let line = of.up(EQUALS).then(&formula).up(EQUALS);
+        let values: Vec<f64> = factors
+            .iter()
+            .map(|factor| if together { factor.si / factor.unit.si } else { factor.si })
+            .collect();
+        let size = if together { result.si / result.unit.si } else { result.si };
+        let mut written = human::closing_all(&values, size, &reckon);
+        if !together {
+            for (text, factor) in written.iter_mut().zip(factors) {
+                *text = human::with_unit(text, factor.name);
+            }
+        }
+        let line = line.then(&set(&written)).up(EQUALS);
+        let own = human::quantity(result.si, result.unit);
+        if together {
+            return line.then(&own);
+        }
+        let si = human::with_unit(&human::number(result.si), result.name);
+        let same = (result.unit.si - 1.0).abs() < 1e-12;
+        if same { line.then(&si) } else { line.then(&si).up(EQUALS).then(&own) }
+    }
+
+    fn acceleration(&self) -> Unit {
+        self.n.unit(Dimension::Acceleration)
+    }
+
+    /// Loads by pressure and springs, weights, and the inertia of every mass.
+    fn given(&self) -> Vec<Item> {
+        let words = self.n.words;
+        let mut items = vec![self.head(Rich::upright(words.step_inertia))];
+        let mut lines: Vec<Rich> = self.loads();
+        for mass in &self.sheet.masses {
+            lines.extend(self.mass(mass));
+        }
+        items.extend(lines.into_iter().map(Item::Sentence));
+        items
+    }
+
+    /// What loads and springs come to that are not given as forces.
+    fn loads(&self) -> Vec<Rich> {
+        let units = &self.n.scene.units;
+        let forces = &self.n.mechanism().forces;
+        let mut lines = Vec::new();
+        for load in &forces.loads {
+            let LoadKind::Force { size: Size::Pressure { pressure, area }, .. } = load.kind else { continue };
+            let name = Rich::italic(&load.name);
+            let square =
+                Unit { symbol: format!("{}^2", units.length.symbol), si: units.length.si * units.length.si };
+            let size = match area {
+                Area::Given(given) => given.value,
+                Area::Bore { bore, rod } => {
+                    let rod = rod.map(|rod| rod.value);
+                    let of = |d: f64| Factor { si: d, unit: &units.length, name: "m" };
+                    let less = rod.map_or(0.0, |rod| rod * rod);
+                    let value = std::f64::consts::PI / 4.0 * (bore.value * bore.value - less);
+                    let result = Factor { si: value, unit: &square, name: "m²" };
+                    let formula = match rod {
+                        None => Rich::upright("π\u{2009}").it("D").up("²").up(OVER).up("4"),
+                        Some(_) => {
+                            Rich::upright("π\u{2009}(").it("D").up("² − ").it("d").up("²)").up(OVER).up("4")
+                        }
+                    };
+                    let factors: Vec<Factor<'_>> =
+                        [Some(bore.value), rod].into_iter().flatten().map(of).collect();
+                    let set = |numbers: &[Rich]| match numbers {
+                        [d] => Rich::upright("π").up(TIMES).then(d).up("²").up(OVER).up("4"),
+                        [d, rod] => {
+                            let inside = d.clone().up("² − ").then(rod).up("²");
+                            Rich::upright("π").up(TIMES).up("(").then(&inside).up(")").up(OVER).up("4")
+                        }
+                        _ => Rich::default(),
+                    };
+                    let reckon = |n: &[f64]| {
+                        let less = n.get(1).map_or(0.0, |rod| rod * rod);
+                        std::f64::consts::PI / 4.0 * (n[0] * n[0] - less)
+                    };
+                    lines.push(self.line_of_area(formula, &factors, set, reckon, result));
+                    value
+                }
+            };
+            let factors = [
+                Factor { si: pressure.value, unit: &units.pressure, name: "Pa" },
+                Factor { si: size, unit: &square, name: "m²" },
+            ];
+            let result = Factor { si: pressure.value * size, unit: &units.force, name: "N" };
+            let formula = Rich::italic("p").up(DOT).it("A");
+            lines.push(self.line(name, formula, &factors, product, |n| n.iter().product(), result));
+        }
+        for (index, spring) in forces.springs.iter().enumerate() {
+            let SpringKind::Pull([(_, from), (_, to)]) = spring.kind else { continue };
+            let SpringLaw::Stiffness { stiffness: Size::Given(stiffness), free } = spring.law else {
+                continue;
+            };
+            let place =
+                |p: crate::mechanism::PointId| self.construction.space.places.get(p.0).copied().flatten();
+            let (Some(a), Some(b)) = (place(from), place(to)) else { continue };
+            let mm = libm::hypot(a[0] - b[0], a[1] - b[1]);
+            let length = mm * self.construction.space.metres_per_mm;
+            let name = self.n.symbol(Quantity::Force(Force::Pull(index), Share::Total), false);
+            let parts = [
+                ("length", self.n.length(from, to)),
+                ("mm", human::millimetres(mm)),
+                ("value", self.length(length)),
+            ];
+            lines.push(Rich::fill(self.n.words.measure_length, &parts));
+            let factors = [
+                Factor { si: stiffness.value, unit: &units.stiffness, name: "N/m" },
+                Factor { si: length, unit: &units.length, name: "m" },
+                Factor { si: free.value, unit: &units.length, name: "m" },
+            ];
+            let result =
+                Factor { si: stiffness.value * (length - free.value), unit: &units.force, name: "N" };
+            let formula = Rich::italic("K")
+                .sub(&spring.name)
+                .up("\u{2009}(")
+                .then(&self.n.length(from, to))
+                .up(" − ")
+                .then(&Rich::italic("l").sub(&spring.name))
+                .up(")");
+            let set = |n: &[Rich]| n[0].clone().up(TIMES).up("(").then(&n[1]).up(" − ").then(&n[2]).up(")");
+            lines.push(self.line(name, formula, &factors, set, |n| n[0] * (n[1] - n[2]), result));
+        }
+        lines
+    }
+
+    fn line_of_area(
+        &self,
+        formula: Rich,
+        factors: &[Factor<'_>],
+        set: impl Fn(&[Rich]) -> Rich,
+        reckon: impl Fn(&[f64]) -> f64,
+        result: Factor<'_>,
+    ) -> Rich {
+        // π belongs to the numbers, not to the units: those of lengths always go together.
+        let values: Vec<f64> = factors.iter().map(|factor| factor.si / factor.unit.si).collect();
+        let written = human::closing_all(&values, result.si / result.unit.si, &reckon);
+        let of = Rich::italic("A").up(EQUALS).then(&formula).up(EQUALS);
+        of.then(&set(&written)).up(EQUALS).then(&human::quantity(result.si, result.unit))
+    }
+
+    /// The weight of a link, its inertia force against the acceleration of G, its torque against ε, their offset.
+    fn mass(&self, own: &MassForces) -> Vec<Rich> {
+        let units = &self.n.scene.units;
+        let a = self.acceleration();
+        let number = self.n.number(own.link);
+        let forces = &self.n.mechanism().forces;
+        let Some(stated) = forces.mass(own.link) else { return Vec::new() };
+        let g = forces.gravity.g.value;
+        let name = |letter: &str| Rich::italic(letter).sub(&number);
+        let force = |force: Force| self.n.symbol(Quantity::Force(force, Share::Total), false);
+        let mut lines = Vec::new();
+        let turning = own.alpha.filter(|alpha| *alpha != 0.0 && own.inertia.is_some());
+        match (stated.heaviness, own.mass, own.weight) {
+            (Heaviness::Weight(weight), Some(mass), _) if own.acceleration > 0.0 || turning.is_some() => {
+                let factors = [
+                    Factor { si: weight.value, unit: &units.force, name: "N" },
+                    Factor { si: g, unit: &a, name: "m/s²" },
+                ];
+                let result = Factor { si: mass, unit: &units.mass, name: "kg" };
+                let formula = name("W").up(OVER).it("g");
+                lines.push(self.line(name("M"), formula, &factors, quotient, |n| n[0] / n[1], result));
+            }
+            (Heaviness::Mass(given), _, Some(weight)) => {
+                let factors = [
+                    Factor { si: given.value, unit: &units.mass, name: "kg" },
+                    Factor { si: g, unit: &a, name: "m/s²" },
+                ];
+                let result = Factor { si: weight, unit: &units.force, name: "N" };
+                let formula = name("M").up(DOT).it("g");
+                lines.push(self.line(name("W"), formula, &factors, product, |n| n[0] * n[1], result));
+            }
+            _ => {}
+        }
+        let mut inertia_force = 0.0;
+        if let (Some(mass), true) = (own.mass, own.acceleration > 0.0) {
+            lines.extend(self.read_acceleration(own));
+            inertia_force = mass * own.acceleration;
+            let factors = [
+                Factor { si: mass, unit: &units.mass, name: "kg" },
+                Factor { si: own.acceleration, unit: &a, name: "m/s²" },
+            ];
+            let result = Factor { si: inertia_force, unit: &units.force, name: "N" };
+            let of = force(Force::Vector(Action::Inertia(own.link)));
+            let acceleration = self.n.symbol(Quantity::Acceleration(own.centre), false);
+            let formula = name("M").up(DOT).then(&acceleration);
+            let line = self.line(of, formula, &factors, product, |n| n[0] * n[1], result);
+            let against = Rich::fill(self.n.words.against_sense_of, &[("rotation", acceleration)]);
+            lines.push(line.aside(self.n.words.comma, &against));
+        }
+        let (Some(inertia), Some(alpha)) = (own.inertia, turning) else { return lines };
+        match (stated.inertia, own.mass) {
+            (Inertia::Gyration(radius), Some(mass)) => {
+                let factors = [
+                    Factor { si: mass, unit: &units.mass, name: "kg" },
+                    Factor { si: radius.value, unit: &units.length, name: "m" },
+                ];
+                let result = Factor { si: inertia, unit: &units.inertia, name: "kg·m²" };
+                let formula = name("M").up(DOT).then(&name("ρ").squared());
+                let set = |n: &[Rich]| n[0].clone().up(TIMES).then(&n[1]).up("²");
+                lines.push(self.line(name("I"), formula, &factors, set, |n| n[0] * n[1] * n[1], result));
+            }
+            (Inertia::About(point, given), Some(mass)) if point != own.centre => {
+                let away = libm::sqrt(((given.value - inertia) / mass).max(0.0));
+                let factors = [
+                    Factor { si: given.value, unit: &units.inertia, name: "kg·m²" },
+                    Factor { si: mass, unit: &units.mass, name: "kg" },
+                    Factor { si: away, unit: &units.length, name: "m" },
+                ];
+                let result = Factor { si: inertia, unit: &units.inertia, name: "kg·m²" };
+                let about = Rich::italic("I").sub(&format!("{number},{}", self.n.index(point)));
+                let d = self.n.length(point, own.centre);
+                let formula = about.up(" − ").then(&name("M")).up(DOT).then(&d).up("²");
+                let set = |n: &[Rich]| n[0].clone().up(" − ").then(&n[1]).up(TIMES).then(&n[2]).up("²");
+                // In units that go together or in SI: the difference needs one unit.
+                lines.push(self.line(
+                    name("I"),
+                    formula,
+                    &factors,
+                    set,
+                    |n| n[0] - n[1] * n[2] * n[2],
+                    result,
+                ));
+            }
+            _ => {}
+        }
+        let w = self.n.angular_unit(Order::Acceleration);
+        let torque = inertia * alpha;
+        let factors = [
+            Factor { si: inertia, unit: &units.inertia, name: "kg·m²" },
+            Factor { si: alpha.abs(), unit: &w, name: "rad/s²" },
+        ];
+        let result = Factor { si: torque.abs(), unit: &units.torque, name: "N·m" };
+        let of = force(Force::InertiaTorque(own.link));
+        let formula = name("I").up(DOT).then(&self.n.symbol(Quantity::Alpha(own.link), false));
+        let line = self.line(of.clone(), formula, &factors, product, |n| n[0] * n[1], result);
+        lines.push(line.word(self.n.sense(-torque)));
+        if inertia_force > 0.0 {
+            let factors = [
+                Factor { si: torque.abs(), unit: &units.torque, name: "N·m" },
+                Factor { si: inertia_force, unit: &units.force, name: "N" },
+            ];
+            let result = Factor { si: torque.abs() / inertia_force, unit: &units.length, name: "m" };
+            let formula = of.up(OVER).then(&force(Force::Vector(Action::Inertia(own.link))));
+            let h = force(Force::Offset(own.link));
+            lines.push(self.line(h, formula, &factors, quotient, |n| n[0] / n[1], result));
+        }
+        lines
+    }
+
+    /// The acceleration of a mass centre, read off its image.
+    fn read_acceleration(&self, own: &MassForces) -> Option<Rich> {
+        let polygon = self.construction.diagram(DiagramKind::Acceleration)?;
+        let quantity = Quantity::Acceleration(own.centre);
+        let image = polygon
+            .images
+            .iter()
+            .map(|image| image.label)
+            .find(|label| matches!(label, Label::Image { point, .. } if *point == own.centre))?;
+        let mm = own.acceleration / polygon.si_per_mm;
+        let name = self.n.symbol(quantity, false);
+        Some(super::steps::read(name, [Label::Pole, image], mm, own.acceleration, polygon, self.n))
+    }
+
+    fn body_name(&self, body: &FreeBody) -> Rich {
+        match body.of {
+            Party::Link(link) => self.n.links(&[link]),
+            Party::Pin(pin) => self.n.point(pin),
+        }
+    }
+
+    /// A body: its balance, moments that give a size, the polygon that gives the rest.
+    fn body(&self, index: usize) -> Vec<Item> {
+        let Some(body) = self.sheet.bodies.get(index) else { return Vec::new() };
+        let words = self.n.words;
+        let head = match body.of {
+            Party::Link(_) => Rich::fill(words.step_forces, &[("links", self.body_name(body))]),
+            Party::Pin(_) => Rich::fill(words.step_forces_pin, &[("point", self.body_name(body))]),
+        };
+        let mut items = vec![self.head(head)];
+        items.push(Item::Terms(self.balance(body)));
+        if let [one, other] = &body.acting[..]
+            && body.torques.is_empty()
+        {
+            // One is the other turned round: their line is that of their points.
+            let known = one.known == Knowledge::Full
+                || other.known == Knowledge::Full
+                || self.sheet.friction_axis(body).is_some();
+            if let (false, Party::Link(link)) = (known, body.of) {
+                let points: Vec<_> = self.n.mechanism().link(link).points.iter().take(2).collect();
+                if let [a, b] = points[..] {
+                    let parts = [("links", self.body_name(body)), ("line", self.n.length(*a, *b))];
+                    items.push(Item::Sentence(Rich::fill(words.two_forces, &parts)));
+                }
+            }
+        }
+        for moments in self.sheet.moments.iter().filter(|moments| moments.told == index) {
+            items.extend(self.moments(moments).into_iter().map(Item::Sentence));
+        }
+        if let (Some(axis), Party::Link(link)) = (self.sheet.friction_axis(body), body.of) {
+            let template = match axis {
+                FrictionAxis::Outer => words.friction_axis_outer,
+                FrictionAxis::Inner => words.friction_axis_inner,
+            };
+            let link = [("link", Rich::upright(self.n.number(link)))];
+            items.push(Item::Sentence(Rich::fill(template, &link)));
+        }
+        if let [one, other] = &body.acting[..] {
+            items.extend(self.equal(one, other).map(Item::Sentence));
+        }
+        if body.with_next {
+            return items;
+        }
+        let before = self.sheet.bodies[..index].iter().rev().take_while(|body| body.with_next).count();
+        for k in index - before..=index {
+            items.extend(self.polygon(k).into_iter().map(Item::Sentence));
+        }
+        let driver = |input: usize| matches!(body.of, Party::Link(link) if self.n.mechanism().driven_link(input) == Some(link));
+        if let Some(trial) = &self.sheet.trial
+            && driver(0)
+        {
+            items.push(Item::Sentence(self.trial(trial)));
+        }
+        items
+    }
+
+    /// Of two forces that one that is not known yet: the other turned round.
+    fn equal(&self, one: &Acting, other: &Acting) -> Option<Rich> {
+        let (known, found) = match (one.closes, other.closes) {
+            (false, true) => (one, other),
+            (true, false) => (other, one),
+            _ => return None,
+        };
+        let size = self.force(libm::hypot(found.force[0], found.force[1]));
+        let equal = self.symbol(found.action).up("\u{a0}= −\u{2009}").then(&self.symbol(known.action));
+        let [x, y] = found.force;
+        let angle = Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(y, x)));
+        Some(equal.up(self.n.words.semicolon).then(&size).up(self.n.words.comma).then(&angle).up("."))
+    }
+
+    /// What was sought elsewhere than at the input.
+    fn trial(&self, trial: &crate::graphical::construction::Trial) -> Rich {
+        let units = &self.n.scene.units;
+        let forces = &self.n.mechanism().forces;
+        let (symbol, unit) = match trial.sought {
+            Sought::Load(index) => {
+                let unit = if forces.loads[index].is_torque() { &units.torque } else { &units.force };
+                (Rich::italic(&forces.loads[index].name), unit)
+            }
+            Sought::Spring(index) => match forces.springs[index].law {
+                SpringLaw::Stiffness { .. } => {
+                    (Rich::italic("K").sub(&forces.springs[index].name), &units.stiffness)
+                }
+                SpringLaw::Force(_) => {
+                    (self.n.symbol(Quantity::Force(Force::Pull(index), Share::Total), false), &units.force)
+                }
+            },
+            Sought::Effort(_) | Sought::Spin => (Rich::default(), &units.force),
+        };
+        let turns = self.n.mechanism().driven_link(0).is_some();
+        let effort = |value: f64| if turns { self.torque(value) } else { self.force(value) };
+        let input = if turns { Force::Torque(0) } else { Force::Drive(0) };
+        // The effort is linear in what is sought: a trial of its order shows it best.
+        let power = libm::pow(10.0, libm::floor(libm::log10((trial.size / unit.si).abs())));
+        let tried = if power.is_normal() { libm::copysign(power, trial.size) } else { 1.0 };
+        let [first, unit_effort] = trial.efforts;
+        let second = first + (unit_effort - first) * (tried * unit.si / trial.tried);
+        let same = first * second >= 0.0;
+        let of_effort = if turns { &units.torque } else { &units.force };
+        let values = [tried.abs(), first.abs() / of_effort.si, second.abs() / of_effort.si];
+        let reckon = |n: &[f64]| n[0] * n[1] / if same { n[1] - n[2] } else { n[1] + n[2] };
+        let size = trial.size / unit.si;
+        let numbers = human::closing_all(&values, size.abs(), |n| reckon(n).abs());
+        let sign = if same { " − " } else { " + " };
+        let quotient = numbers[0]
+            .clone()
+            .up(TIMES)
+            .then(&numbers[1])
+            .up(OVER)
+            .up("(")
+            .then(&numbers[1])
+            .up(sign)
+            .then(&numbers[2])
+            .up(")");
+        let quotient = if size < 0.0 { Rich::upright("−").then(&quotient) } else { quotient };
+        let parts = [
+            ("load", symbol),
+            ("tried", human::quantity(tried * unit.si, unit)),
+            ("effort", self.n.symbol(Quantity::Force(input, Share::Total), false)),
+            ("first", effort(first)),
+            ("second", effort(second)),
+            ("value", quotient.up(EQUALS).then(&human::quantity(trial.size, unit))),
+        ];
+        Rich::fill(self.n.words.force_trial, &parts)
+    }
+
+    /// The balance with the table of its terms.
+    fn balance(&self, body: &FreeBody) -> Table {
+        let words = self.n.words;
+        let unit = &self.n.scene.units.force;
+        let label = |word: &str| Rich::italic(word);
+        let mut table = Table {
+            columns: vec![Align::Left],
+            head: vec![Rich::default()],
+            rows: vec![
+                vec![label(words.magnitude).up(words.comma).up(&human::pretty(&unit.symbol))],
+                vec![label(words.line_of_action)],
+            ],
+            size: 3.3,
+            gap: 2.2,
+            flow: if words.right_to_left { Flow::LabelsRight } else { Flow::Rightward },
+        };
+        let mut column = |head: Rich, cells: [Rich; 2]| {
+            table.columns.push(Align::Middle);
+            table.head.push(head);
+            table.rows.iter_mut().zip(cells).for_each(|(row, cell)| row.push(cell));
+        };
+        let unknown = || Rich::upright(words.unknown);
+        for (i, acting) in body.acting.iter().enumerate() {
+            if i > 0 {
+                column(Rich::upright("+"), [Rich::default(), Rich::default()]);
+            }
+            let size = libm::hypot(acting.force[0], acting.force[1]);
+            let told = match acting.known {
+                Knowledge::Full => Rich::tick().gap(0.15).then(&human::number(size / unit.si)),
+                _ => unknown(),
+            };
+            let line = match acting.known {
+                Knowledge::Full | Knowledge::Line => Rich::tick(),
+                Knowledge::Nothing => unknown(),
+            };
+            let symbol = self.n.symbol(Quantity::Force(Force::Vector(acting.action), Share::Total), true);
+            column(symbol, [told, line]);
+        }
+        column(Rich::upright("="), [Rich::default(), Rich::default()]);
+        column(Rich::upright("0"), [Rich::default(), Rich::default()]);
+        table
+    }
+
+    /// Moments about a point: the measured arms, and the quotient or sum with its numbers.
+    fn moments(&self, moments: &MomentBalance) -> Vec<Rich> {
+        let words = self.n.words;
+        let units = &self.n.scene.units;
+        let mut lines = Vec::new();
+        let mut arms: Vec<Arm> = Vec::new();
+        for arm in moments.terms.iter().chain([&moments.found]).filter_map(|term| term.arm) {
+            let stated = arm.between.is_some_and(|ends| self.is_stated(ends));
+            if !stated && arms.iter().all(|other| *other != arm) {
+                arms.push(arm);
+            }
+        }
+        let measured: Vec<Rich> = arms
+            .into_iter()
+            .map(|arm| {
+                let mm = human::millimetres(arm.length / self.construction.space.metres_per_mm);
+                let name = arm_name(self.sheet, &arm, self.n);
+                name.up(EQUALS).then(&mm).up("\u{a0}≙\u{a0}").then(&self.length(arm.length))
+            })
+            .collect();
+        if !measured.is_empty() {
+            let list = Rich::join(&measured, &Rich::upright(words.comma));
+            lines.push(Rich::fill(words.measured_arms, &[("list", list)]));
+        }
+        let sum: f64 = moments.terms.iter().map(|term| term.moment).sum();
+        let per = units.force.si * units.length.si;
+        let mut terms: Vec<&MomentTerm> = moments.terms.iter().collect();
+        // Those first that turn as the sum does.
+        terms.sort_by_key(|term| term.moment * sum < 0.0);
+        let found = symbol(moments.found.of, self.n);
+        let place = ("point", self.n.point(moments.about));
+        let links = ("links", self.n.links(&moments.links));
+        let tell = |equation: Rich| {
+            Rich::fill(words.moments_about, &[links.clone(), place.clone(), ("equation", equation)])
+        };
+        if terms.is_empty() || sum == 0.0 {
+            lines.push(tell(found.up("\u{a0}= 0")));
+            return lines;
+        }
+        let signs: Vec<f64> =
+            terms.iter().map(|term| if term.moment * sum < 0.0 { -1.0 } else { 1.0 }).collect();
+        let divisor = moments.found.arm.map(|arm| arm.length / units.length.si);
+        let mut values: Vec<f64> = Vec::new();
+        for term in &terms {
+            match term.arm {
+                Some(arm) => values.extend([term.size / units.force.si, arm.length / units.length.si]),
+                None => values.push(term.size / per),
+            }
+        }
+        values.extend(divisor);
+        let armed: Vec<bool> = terms.iter().map(|term| term.arm.is_some()).collect();
+        let reckon = |numbers: &[f64]| {
+            let mut left = numbers.iter();
+            let mut total = 0.0;
+            for (sign, armed) in signs.iter().zip(&armed) {
+                let mut own = left.next().copied().unwrap_or(0.0);
+                if *armed {
+                    own *= left.next().copied().unwrap_or(0.0);
+                }
+                total += sign * own;
+            }
+            left.next().map_or(total, |arm| total / arm)
+        };
+        let result = reckon(&values);
+        let written = human::closing_all(&values, result, reckon);
+        let mut names = Rich::default();
+        let mut numbers = Rich::default();
+        let mut left = written.iter();
+        for (i, (term, sign)) in terms.iter().zip(&signs).enumerate() {
+            let sign = match (i, *sign < 0.0) {
+                (0, false) => "",
+                (0, true) => "−",
+                (_, false) => " + ",
+                (_, true) => " − ",
+            };
+            names = names.up(sign).then(&symbol(term.of, self.n));
+            numbers = numbers.up(sign).then(left.next().unwrap_or(&Rich::default()));
+            if let Some(arm) = term.arm {
+                names = names.up(DOT).then(&arm_name(self.sheet, &arm, self.n));
+                numbers = numbers.up(TIMES).then(left.next().unwrap_or(&Rich::default()));
+            }
+        }
+        if let (Some(arm), Some(divisor)) = (moments.found.arm, left.next()) {
+            let grouped = |inside: Rich| {
+                if terms.len() > 1 { Rich::upright("(").then(&inside).up(")") } else { inside }
+            };
+            names = grouped(names).up(OVER).then(&arm_name(self.sheet, &arm, self.n));
+            numbers = grouped(numbers).up(OVER).then(divisor);
+        }
+        let equation = found.up(EQUALS).then(&names).up(EQUALS).then(&numbers).up(EQUALS);
+        let sense = self.n.sense(-sum);
+        let equation = if moments.found.arm.is_some() {
+            let size = human::with_unit(&human::number(result), &units.force.symbol);
+            let about = Rich::fill(words.turning_about, &[("sense", Rich::upright(sense)), place.clone()]);
+            equation.then(&size).aside(words.comma, &about)
+        } else {
+            let own = Unit { symbol: format!("{}*{}", units.force.symbol, units.length.symbol), si: per };
+            let product = human::with_unit(&human::number(result), &own.symbol);
+            let same = (units.torque.si / per - 1.0).abs() < 1e-9;
+            if same {
+                let size = human::with_unit(&human::number(result), &units.torque.symbol);
+                equation.then(&size).word(sense)
+            } else {
+                equation
+                    .then(&product)
+                    .up(EQUALS)
+                    .then(&human::quantity(result * per, &units.torque))
+                    .word(sense)
+            }
+        };
+        lines.push(tell(equation));
+        lines
+    }
+
+    /// Whether the distance of two points is a dimension that the scene states.
+    fn is_stated(&self, [a, b]: [crate::mechanism::PointId; 2]) -> bool {
+        let mechanism = self.n.mechanism();
+        mechanism.moving().any(|link| {
+            let stated = super::given::dimensions(mechanism.link(link), self.n);
+            stated.iter().any(|own| [[own.from, own.to], [own.to, own.from]].contains(&[a, b]))
+        })
+    }
+
+    /// What the polygon of a body gives.
+    fn polygon(&self, index: usize) -> Vec<Rich> {
+        let body = &self.sheet.bodies[index];
+        // Two forces are one line there and back.
+        if body.acting.len() < 3 {
+            return Vec::new();
+        }
+        let words = self.n.words;
+        let mut lines = Vec::new();
+        let sized = |acting: &&Acting| libm::hypot(acting.force[0], acting.force[1]) > 0.0;
+        let all: Vec<&Acting> = body.acting.iter().filter(sized).collect();
+        let (found, known): (Vec<&Acting>, Vec<&Acting>) = all.iter().partition(|acting| acting.closes);
+        let Some(per_mm) = per_mm(self.sheet, ForcePanel::Polygon(index), self.n) else { return lines };
+        let names = |list: &[&Acting]| {
+            let names: Vec<Rich> = list.iter().map(|acting| self.symbol(acting.action)).collect();
+            self.n.list(&names)
+        };
+        if !known.is_empty() && !found.is_empty() {
+            let template = if found.len() > 1 { words.polygon_lines } else { words.polygon_closes };
+            let parts = [("known", names(&known)), ("found", names(&found)), ("pole", pole(body, self.n))];
+            lines.push(Rich::fill(template, &parts));
+        }
+        for acting in &known {
+            let mm = libm::hypot(acting.force[0], acting.force[1]) / per_mm;
+            if mm < TOO_SHORT {
+                lines.push(self.short(acting));
+            }
+        }
+        // Of what moments gave in two parts the whole is read.
+        let in_parts = |action: Action| {
+            let parts = self.sheet.moments.iter().map(|moments| moments.found.of);
+            parts.into_iter().any(|of| matches!(of, Turning::Across(other) if other == action))
+        };
+        for acting in known.into_iter().filter(|acting| in_parts(acting.action)) {
+            lines.push(self.read(acting, per_mm));
+        }
+        for acting in found {
+            lines.push(self.read(acting, per_mm));
+        }
+        lines
+    }
+
+    fn short(&self, acting: &Acting) -> Rich {
+        let size = self.force(libm::hypot(acting.force[0], acting.force[1]));
+        Rich::fill(self.n.words.force_as_point, &[("vector", self.symbol(acting.action)), ("value", size)])
+    }
+
+    fn read(&self, acting: &Acting, per_mm: f64) -> Rich {
+        let [x, y] = acting.force;
+        let size = libm::hypot(x, y);
+        let mm = size / per_mm;
+        let vector = self.symbol(acting.action);
+        if mm < TOO_SHORT {
+            let parts = [("vector", vector), ("value", self.force(size))];
+            return Rich::fill(self.n.words.too_short, &parts);
+        }
+        let unit = &self.n.scene.units.force;
+        let factor = per_mm / unit.si;
+        let [reading, amount] = human::reading(mm, factor, size / unit.si);
+        let reading = reading
+            .up(TIMES)
+            .then(&human::with_unit(&human::stated(factor), &unit.symbol))
+            .up(EQUALS)
+            .then(&human::with_unit(&amount, &unit.symbol));
+        let angle = Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(y, x)));
+        let parts = [("vector", vector), ("reading", reading), ("angle", angle)];
+        Rich::fill(self.n.words.read_force, &parts)
+    }
+
+    /// The polygon of everything from outside, with its gap.
+    fn whole(&self) -> Vec<Item> {
+        let Some(per_mm) = per_mm(self.sheet, ForcePanel::Whole, self.n) else { return Vec::new() };
+        let words = self.n.words;
+        let gap = self
+            .sheet
+            .whole
+            .iter()
+            .fold([0.0; 2], |sum: [f64; 2], acting| [sum[0] + acting.force[0], sum[1] + acting.force[1]]);
+        let mm = libm::hypot(gap[0], gap[1]) / per_mm;
+        let terms: Vec<Rich> = self.sheet.whole.iter().map(|acting| self.symbol(acting.action)).collect();
+        let sum = Rich::join(&terms, &Rich::upright(" + ")).up("\u{a0}= 0");
+        let parts = [("equation", sum), ("gap", human::millimetres(mm))];
+        vec![
+            self.head(Rich::upright(words.step_outer)),
+            Item::Sentence(Rich::fill(words.outer_close, &parts)),
+        ]
+    }
+
+    /// The shaking force, and its line by moments about the first fixed pivot.
+    fn shaking(&self) -> Vec<Item> {
+        let Some(shaking) = &self.sheet.shaking else { return Vec::new() };
+        let words = self.n.words;
+        let mut items = vec![self.head(Rich::upright(words.shaking_figure))];
+        let terms: Vec<Rich> = self.sheet.inertia.iter().map(|acting| self.symbol(acting.action)).collect();
+        let sum = self
+            .sheet
+            .inertia
+            .iter()
+            .fold([0.0; 2], |sum: [f64; 2], acting| [sum[0] + acting.force[0], sum[1] + acting.force[1]]);
+        let symbol = self.symbol(Action::Shaking);
+        if terms.len() > 1 {
+            let equation = symbol.up(EQUALS).then(&Rich::join(&terms, &Rich::upright(" + "))).up(".");
+            items.push(Item::Sentence(equation));
+        }
+        if let Some(per_mm) = per_mm(self.sheet, ForcePanel::Shaking, self.n) {
+            let acting = Acting {
+                action: Action::Shaking,
+                at: [0.0; 2],
+                through: [0.0; 2],
+                force: sum,
+                known: Knowledge::Full,
+                closes: true,
+                with_couple: false,
+            };
+            items.push(Item::Sentence(self.read(&acting, per_mm)));
+        }
+        items.extend(self.shaking_arm(shaking).into_iter().map(Item::Sentence));
+        items
+    }
+
+    /// e = ΣF·arm / F_S.
+    fn shaking_arm(&self, shaking: &MomentBalance) -> Vec<Rich> {
+        let units = &self.n.scene.units;
+        let words = self.n.words;
+        let Some(arm) = shaking.found.arm else { return Vec::new() };
+        let sum: f64 = shaking.terms.iter().map(|term| term.moment).sum();
+        // One force is its own sum, and so is its line.
+        if shaking.terms.len() < 2 || sum == 0.0 {
+            return Vec::new();
+        }
+        let per = units.force.si * units.length.si;
+        let mut terms: Vec<&MomentTerm> = shaking.terms.iter().collect();
+        terms.sort_by_key(|term| term.moment * sum < 0.0);
+        let mut lines = Vec::new();
+        let measured: Vec<Rich> = terms
+            .iter()
+            .filter_map(|term| term.arm)
+            .map(|arm| arm_name(self.sheet, &arm, self.n).up(EQUALS).then(&self.length(arm.length)))
+            .collect();
+        if !measured.is_empty() {
+            let list = Rich::join(&measured, &Rich::upright(words.comma));
+            lines.push(Rich::fill(words.measured_arms, &[("list", list)]));
+        }
+        let mut values = Vec::new();
+        for term in &terms {
+            match term.arm {
+                Some(arm) => values.extend([term.size / units.force.si, arm.length / units.length.si]),
+                None => values.push(term.size / per),
+            }
+        }
+        values.push(shaking.found.size / units.force.si);
+        let reckon = |numbers: &[f64]| {
+            let mut left = numbers.iter();
+            let mut total = 0.0;
+            for term in &terms {
+                let mut own = left.next().copied().unwrap_or(0.0);
+                if term.arm.is_some() {
+                    own *= left.next().copied().unwrap_or(0.0);
+                }
+                total += if term.moment * sum < 0.0 { -own } else { own };
+            }
+            left.next().map_or(total, |size| total / size)
+        };
+        let result = reckon(&values);
+        let written = human::closing_all(&values, result, reckon);
+        let (mut names, mut numbers) = (Rich::default(), Rich::default());
+        let mut left = written.iter();
+        for (i, term) in terms.iter().enumerate() {
+            let sign = match (i, term.moment * sum < 0.0) {
+                (0, _) => "",
+                (_, false) => " + ",
+                (_, true) => " − ",
+            };
+            names = names.up(sign).then(&symbol(term.of, self.n));
+            numbers = numbers.up(sign).then(left.next().unwrap_or(&Rich::default()));
+            if let Some(arm) = term.arm {
+                names = names.up(DOT).then(&arm_name(self.sheet, &arm, self.n));
+                numbers = numbers.up(TIMES).then(left.next().unwrap_or(&Rich::default()));
+            }
+        }
+        let grouped =
+            |inside: Rich| if terms.len() > 1 { Rich::upright("(").then(&inside).up(")") } else { inside };
+        let divisor = left.next().cloned().unwrap_or_default();
+        let equation = arm_name(self.sheet, &arm, self.n)
+            .up(EQUALS)
+            .then(&grouped(names))
+            .up(OVER)
+            .then(&self.symbol(Action::Shaking))
+            .up(EQUALS)
+            .then(&grouped(numbers))
+            .up(OVER)
+            .then(&divisor)
+            .up(EQUALS)
+            .then(&human::with_unit(&human::number(result), &units.length.symbol));
+        let parts = [("point", self.n.point(shaking.about)), ("equation", equation)];
+        lines.push(Rich::fill(words.shaking_line, &parts));
+        lines
+    }
+}
+
+fn product(numbers: &[Rich]) -> Rich {
+    Rich::join(numbers, &Rich::upright(TIMES))
+}
+
+fn quotient(numbers: &[Rich]) -> Rich {
+    Rich::join(numbers, &Rich::upright(OVER))
+}
