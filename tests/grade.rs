@@ -310,3 +310,129 @@ fn a_drawing_that_cannot_be_read_says_why() {
     let clash = both.add_drawing(&drawn_slider_crank("-30"), "d.svg", &scene).unwrap_err().to_string();
     assert!(clash.contains("in `points` and in the drawing"), "{clash}");
 }
+
+#[test]
+fn a_sign_that_no_magnitude_has_is_refused() {
+    let scene = slider_crank();
+    let told = |text: &str| read_answers(text, &scene).map_or_else(|e| e.to_string(), |_| "taken".to_owned());
+    let negative = "the magnitude of `v(B)` is not negative; help: give its `direction`, ccw from +x";
+    for v in ["-300", "\"-300 cm/s\"", r#"{ "magnitude": -300, "direction": 0 }"#, r#"{ "value": "-3 m/s" }"#]
+    {
+        let said = told(&format!(r#"{{ "values": {{ "v(B)": {v} }} }}"#));
+        assert!(said.contains(negative) && said.contains("values.v(B)"), "{v}: {said}");
+    }
+    let said = told("quantity,value,unit,direction\nv(B),-300,cm/s,0\n");
+    assert!(said.starts_with("answers:2:6: ") && said.contains(negative), "{said}");
+    let alpha = |value: &str| told(&format!(r#"{{ "values": {{ "alpha(3)": {value} }} }}"#));
+    assert_eq!(alpha("-75"), "taken");
+    assert!(alpha(r#"{ "magnitude": -75 }"#).contains("a magnitude is not negative"));
+    for twice in [
+        r#""-75 rad/s^2 cw""#,
+        r#"{ "value": -75, "sense": "cw" }"#,
+        r#"{ "value": "75 rad/s^2 cw", "sense": "cw" }"#,
+    ] {
+        let said = alpha(twice);
+        assert!(said.contains("keep one of the two: `cw`, `ccw` or the sign"), "{twice}: {said}");
+    }
+    assert!(told(r#"{ "values": { "rho(A)": -30 } }"#).contains("`rho(A)` is never negative"));
+}
+
+/// The drawing of the slider-crank with one thing in it said otherwise.
+#[test]
+fn what_a_drawing_says_of_its_places_is_read_or_told() {
+    let scene = slider_crank();
+    let told = |svg: &str| read_answers(svg, &scene).map_or_else(|e| e.to_string(), |_| "taken".to_owned());
+    let page = |head: &str, inside: &str| {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" {head}>\n<g id=\"velocity\">\n{inside}\n</g></svg>"
+        )
+    };
+    let with = |b: &str| {
+        let pole = r#"<circle cx="10" cy="10" r="1"/><text x="11" y="9" font-size="4">o</text>"#;
+        page(r#"width="200mm" height="200mm" viewBox="0 0 200 200""#, &format!("{pole}\n{b}"))
+    };
+    let text = r#"<text x="41" y="9" font-size="4">b</text>"#;
+    let circle = |cx: &str| with(&format!("<circle cx=\"{cx}\" cy=\"10\" r=\"1\"/>{text}"));
+    assert_eq!(told(&circle("40")), "taken");
+    assert_eq!(told(&circle("40px")), "taken");
+    assert_eq!(told(&circle("30pt")), "taken");
+    for (cx, why) in [
+        (
+            "30%",
+            "is a part of something else, and no length on the page; help: write it in px, mm, cm, in, pt or pc",
+        ),
+        ("3em", "is a part of something else"),
+        ("30 furlong", "is no length"),
+        ("NaN", "is no length"),
+        ("1e400", "is no length"),
+    ] {
+        let said = told(&circle(cx));
+        assert!(said.starts_with(&format!("answers:4:13: `cx=\"{cx}\"` of `circle` ")), "{said}");
+        assert!(said.contains(why), "{said}");
+    }
+    let cases = [
+        (with(&format!(r#"<line x1="10" y1="10" x2="4%" y2="10"/>{text}"#)), "`x2=\"4%\"` of `line`"),
+        (with(&format!(r#"<polyline points="10,10 40"/>{text}"#)), "has a coordinate without its other one"),
+        (with(&format!(r#"<polyline points="10,10 a,b"/>{text}"#)), "is no list of numbers"),
+        (
+            with(&format!(r#"<path d="M10 10 L40 10 L1e400 5"/>{text}"#)),
+            "cannot be read behind its first 2 parts",
+        ),
+        (with(r#"<circle cx="40" cy="10" r="1"/><text x="20%" y="9">b</text>"#), "`x=\"20%\"` of `text`"),
+        (
+            with(&format!(r#"<g transform="rotate(foo)"><circle cx="40" cy="10"/></g>{text}"#)),
+            "is no transform",
+        ),
+        (
+            with(&format!(
+                r#"<g style="fill:none; transform: translate(50px,0)"><circle cx="40" cy="10"/></g>{text}"#
+            )),
+            "says `transform`, which is not read in a style",
+        ),
+        (
+            with(&format!(
+                r#"<style>circle {{ transform: translate(50px,0) }}</style><circle cx="40" cy="10"/>{text}"#
+            )),
+            "the style sheet says `transform`",
+        ),
+        (page(r#"viewBox="0 0 0 0""#, text), "`viewBox=\"0 0 0 0\"` of `svg` has no width or no height"),
+        (page(r#"viewBox="0 0 -1 1e-300""#, text), "has no width or no height"),
+        (page(r#"viewBox="0 0 9""#, text), "is not four numbers"),
+        (page(r#"viewBox="0 0 9 9" width="0""#, text), "is no side of a page"),
+        (page(r#"viewBox="0 0 9 9" width="20em""#, text), "is a part of something else"),
+    ];
+    for (svg, why) in cases {
+        let said = told(&svg);
+        assert!(said.contains(why), "{why}\n{said}\n{svg}");
+    }
+    // Half the page: all is half as long.
+    let drawn = |head: &str, b: &str| {
+        let inside = format!(
+            r#"<circle cx="10" cy="100"/><text x="11" y="99" font-size="4">o</text><circle cx="{b}" cy="100"/><text x="{b}" y="99" font-size="4">b</text>"#
+        );
+        let answers = read_answers(&page(head, &inside), &scene).unwrap();
+        grade(&scene, &answers, &GradeSettings::default()).unwrap()
+    };
+    assert!(drawn(r#"width="200mm" height="200mm" viewBox="0 0 200 200""#, "-50").holds());
+    assert!(drawn(r#"width="400mm" height="200mm" viewBox="0 0 200 200""#, "-50").holds());
+    assert!(drawn(r#"width="100%" height="100mm" viewBox="0 0 200 200""#, "-110").holds());
+}
+
+#[test]
+fn a_scale_that_no_paper_has_is_refused() {
+    let scene = slider_crank();
+    let told = |scale: &str| {
+        let text = format!(r#"{{ "scales": {{ "velocity": "{scale}" }}, "values": {{ "v(B)": 300 }} }}"#);
+        let answers = read_answers(&text, &scene).unwrap();
+        grade(&scene, &answers, &GradeSettings::default())
+            .map_or_else(|e| e.to_string(), |_| "taken".to_owned())
+    };
+    assert_eq!(told("50 cm/s per cm"), "taken");
+    assert_eq!(told("50 m/s per mm"), "taken");
+    let said = told("1e-60 mm/s per mm");
+    assert!(
+        said.contains("scales.velocity: at this scale the right drawing would be 3e63 mm large"),
+        "{said}"
+    );
+    assert!(told("1e50 m/s per mm").contains("mm large"));
+}

@@ -3,6 +3,8 @@
 
 use super::scan::Scan;
 use crate::limits;
+use crate::mechanism::Sense;
+use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
 use crate::scene::asked::{Names, default_scale, measure};
 use crate::scene::diagnostic::{Fault, Res};
@@ -47,6 +49,8 @@ pub struct Answers {
     pub drawing: Option<String>,
     /// Where the file names it; 0 where it does not.
     pub drawing_at: usize,
+    /// Where each scale stands in the file.
+    pub(super) scales_at: [usize; Dimension::ALL.len()],
     file: String,
     text: String,
 }
@@ -198,6 +202,7 @@ impl Answers {
             tolerances: Vec::new(),
             drawing: None,
             drawing_at: 0,
+            scales_at: [0; Dimension::ALL.len()],
             file: file.to_owned(),
             text: text.to_owned(),
         }
@@ -263,6 +268,7 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
             ("acceleration", Dimension::Acceleration, Measure::Acceleration),
         ] {
             answers.scales.0[dimension as usize] = scale(key, measure, 1000.0)?;
+            answers.scales_at[dimension as usize] = stated.get(key).map_or(0, |value| value.at);
         }
     }
     for entry in entries(&fields, "lengths", "lengths on the drawing in mm, by name of the quantity")? {
@@ -349,6 +355,12 @@ fn value(entry: &Entry<'_>, names: &Names<'_>, scales: &Scales) -> Res<Item> {
                 .map(|d| scales.given(d, Measure::Angle).map(|g| g.value))
                 .transpose()?;
             let mut item = scalar(asked, size, unit, entry.at, scales)?;
+            if let (Given::Signed(value), true) = (item.given, fields.get("magnitude").is_some())
+                && value < 0.0
+            {
+                let fault = Fault::new(size.at, "a magnitude is not negative");
+                return Err(fault.mend("say its `sense`, cw or ccw, or give a `value` with its sign"));
+            }
             if let Some(sense) = sense {
                 item.given = turned(&item, sense)?;
             }
@@ -365,7 +377,10 @@ fn value(entry: &Entry<'_>, names: &Names<'_>, scales: &Scales) -> Res<Item> {
 pub(super) fn turned(item: &Item, sense: f64) -> Res<Given> {
     match item.given {
         Given::Magnitude(size) if measure(&item.asked.quantity).turns() => Ok(Given::Signed(sense * size)),
-        Given::Signed(value) => Ok(Given::Signed(sense * value)),
+        Given::Signed(_) if measure(&item.asked.quantity).turns() => {
+            let fault = Fault::new(item.at, format!("`{}` has its sense already", item.asked.name));
+            Err(fault.mend("keep one of the two: `cw`, `ccw` or the sign"))
+        }
         _ => Err(Fault::new(item.at, format!("`{}` has no sense of rotation", item.asked.name))
             .mend("say its direction instead, ccw from +x")),
     }
@@ -400,7 +415,17 @@ pub(super) fn scalar(
             return Err(fault.mend("write both coordinates: [x, y], in a table the columns `x` and `y`"));
         }
         Quantity::Ratio(..) | Quantity::Advantage(..) => Given::Signed(si),
-        _ if is_vector(&quantity) || !measure(&quantity).turns() => Given::Magnitude(si.abs()),
+        _ if is_vector(&quantity) && si < 0.0 => {
+            let fault = Fault::new(value.at, format!("the magnitude of `{}` is not negative", asked.name));
+            return Err(fault.mend("give its `direction`, ccw from +x, or both components [x, y]"));
+        }
+        _ if never_negative(&quantity) && si < 0.0 => {
+            return Err(Fault::new(value.at, format!("`{}` is never negative", asked.name)));
+        }
+        _ if stated.sense.is_some_and(|sense| (sense == Sense::Ccw) == (si < 0.0)) && si != 0.0 => {
+            let fault = Fault::new(value.at, format!("`{}` has a sign and a sense", asked.name));
+            return Err(fault.mend("keep one of the two: `cw`, `ccw` or the sign"));
+        }
         _ if stated.sense.is_some() || si < 0.0 => Given::Signed(si),
         _ => Given::Magnitude(si),
     };
@@ -504,6 +529,17 @@ pub(super) fn is_vector(quantity: &Quantity) -> bool {
             | Quantity::PathRadius(_)
             | Quantity::Angle(_)
             | Quantity::Transmission(..)
+    ) && !matches!(quantity, Quantity::Force(force, _) if !force.is_vector())
+}
+
+/// Whether a number carries neither sign nor sense.
+fn never_negative(quantity: &Quantity) -> bool {
+    matches!(
+        quantity,
+        Quantity::Rub(..)
+            | Quantity::PathRadius(_)
+            | Quantity::Transmission(..)
+            | Quantity::Force(Force::Offset(_) | Force::Arm(..), _)
     )
 }
 

@@ -1,53 +1,107 @@
 //! Which of several things belongs to which of several places: one to one, at the least cost in all.
 
-use std::collections::{HashMap, VecDeque};
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, HashMap};
 
 /// Gives each of some claimants one of the places that it may have, no place to two of them, so that as many as
 /// possible have one and the costs in all are least. `costs` lists of each claimant its places with what they cost
 /// (finite). `None` for whoever goes without.
+///
+/// One claimant after the other, by the cheapest chain of which each gives its place to the one before and takes another
+/// (Jonker and Volgenant, on what is listed alone): about as many looks as there are claimants times what is listed.
 pub(super) fn assign(costs: &[Vec<(usize, f64)>]) -> Vec<Option<usize>> {
-    let mut place: Vec<Option<usize>> = vec![None; costs.len()];
-    let mut owner: HashMap<usize, usize> = HashMap::new();
-    for first in 0..costs.len() {
-        // The cheapest chain of claimants, each of which gives its place to the one before and takes another.
-        let mut least: HashMap<usize, f64> = HashMap::from([(first, 0.0)]);
-        let mut came: HashMap<usize, (usize, usize)> = HashMap::new();
-        let mut free: Option<(f64, usize, usize)> = None;
-        let mut open = VecDeque::from([first]);
-        while let Some(one) = open.pop_front() {
-            for &(at, cost) in &costs[one] {
-                if place[one] == Some(at) {
-                    continue;
-                }
-                let spent = least[&one] + cost;
-                match owner.get(&at) {
-                    None if free.is_none_or(|(best, ..)| spent < best) => free = Some((spent, one, at)),
-                    None => {}
-                    Some(&other) => {
-                        let back = costs[other].iter().find(|(known, _)| *known == at);
-                        let spent = spent - back.map_or(0.0, |(_, cost)| *cost);
-                        if least.get(&other).is_none_or(|known| spent < known - LITTLE) && other != first {
-                            least.insert(other, spent);
-                            came.insert(other, (one, at));
-                            open.push_back(other);
-                        }
-                    }
-                }
-            }
-        }
-        let Some((_, mut one, mut at)) = free else { continue };
-        loop {
-            place[one] = Some(at);
-            owner.insert(at, one);
-            let Some(&(before, left)) = came.get(&one).filter(|_| one != first) else { break };
-            (one, at) = (before, left);
-        }
+    // The places by numbers of their own; behind them one nowhere for each claimant, dearer than all others together.
+    let mut numbers: HashMap<usize, usize> = HashMap::new();
+    let mut places: Vec<usize> = Vec::new();
+    let mut dearest = 0.0_f64;
+    for &(at, cost) in costs.iter().flatten() {
+        dearest = dearest.max(cost.abs());
+        numbers.entry(at).or_insert_with(|| {
+            places.push(at);
+            places.len() - 1
+        });
     }
-    place
+    let nowhere = 2.0 * (dearest + 1.0) * (costs.len() as f64 + 1.0);
+    let known = places.len();
+    let rows: Vec<Vec<(usize, f64)>> = costs
+        .iter()
+        .enumerate()
+        .map(|(index, own)| {
+            let listed = own.iter().map(|(at, cost)| (numbers[at], *cost));
+            listed.chain([(known + index, nowhere)]).collect()
+        })
+        .collect();
+    let mut game = Game {
+        rows,
+        owner: vec![None; known + costs.len()],
+        place: vec![None; costs.len()],
+        of_row: vec![0.0; costs.len()],
+        of_place: vec![0.0; known + costs.len()],
+    };
+    for claimant in 0..costs.len() {
+        game.seat(claimant);
+    }
+    game.place.into_iter().map(|place| place.and_then(|number| places.get(number).copied())).collect()
 }
 
-/// Sums of costs that differ by less are one.
-const LITTLE: f64 = 1e-9;
+/// Who has what so far, and the prices by which no claimant would rather have another place.
+struct Game {
+    rows: Vec<Vec<(usize, f64)>>,
+    owner: Vec<Option<usize>>,
+    place: Vec<Option<usize>>,
+    of_row: Vec<f64>,
+    of_place: Vec<f64>,
+}
+
+impl Game {
+    fn seat(&mut self, first: usize) {
+        let mut shortest: HashMap<usize, (f64, usize)> = HashMap::new();
+        // Places that are reached at their least cost, in that order.
+        let mut reached: Vec<(usize, f64)> = Vec::new();
+        let mut done: Vec<bool> = vec![false; self.owner.len()];
+        // Costs are not negative: their bits are in order.
+        let mut open: BinaryHeap<Reverse<(u64, usize)>> = BinaryHeap::new();
+        let (mut row, mut spent) = (first, 0.0_f64);
+        let last = loop {
+            for &(place, cost) in &self.rows[row] {
+                let more = (cost - self.of_row[row] - self.of_place[place]).max(0.0);
+                let cost = spent + more;
+                if !done[place] && shortest.get(&place).is_none_or(|(known, _)| cost < *known) {
+                    shortest.insert(place, (cost, row));
+                    open.push(Reverse((cost.to_bits(), place)));
+                }
+            }
+            let Some(Reverse((bits, place))) = open.pop() else { return };
+            if done[place] {
+                continue;
+            }
+            spent = f64::from_bits(bits);
+            done[place] = true;
+            reached.push((place, spent));
+            match self.owner[place] {
+                None => break place,
+                Some(owner) => row = owner,
+            }
+        };
+        self.of_row[first] += spent;
+        for (place, cost) in reached {
+            if let Some(owner) = self.owner[place] {
+                self.of_row[owner] += spent - cost;
+                self.of_place[place] -= spent - cost;
+            }
+        }
+        let mut place = last;
+        loop {
+            let Some(&(_, row)) = shortest.get(&place) else { return };
+            self.owner[place] = Some(row);
+            let left = self.place[row].replace(place);
+            match left {
+                Some(left) if row != first => place = left,
+                _ => return,
+            }
+        }
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -69,6 +123,25 @@ mod tests {
             }
         }
         best
+    }
+
+    /// A long row in which everybody stands nearer to the neighbour's place: whoever comes last moves all others.
+    #[test]
+    fn a_thousand_that_all_have_to_move_are_soon_seated() {
+        let row = |n: usize| -> Vec<Vec<(usize, f64)>> {
+            let near =
+                |i: usize| (i.saturating_sub(6)..(i + 6).min(n)).map(move |at| (at, far(i, at))).collect();
+            (0..n).rev().map(near).collect()
+        };
+        fn far(i: usize, at: usize) -> f64 {
+            ((i as f64) - 0.8 - (at as f64)).abs()
+        }
+        assert!(assign(&row(2_000)).iter().all(Option::is_some));
+    }
+
+    #[test]
+    fn whoever_can_have_it_cheapest_has_it() {
+        assert_eq!(assign(&[vec![(7, 1.0)], vec![(7, 0.0)]]), [None, Some(7)]);
     }
 
     #[test]

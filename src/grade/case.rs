@@ -12,6 +12,7 @@ use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, ConstructionLine, Label, Reference,
 };
 use crate::graphical::{Departure, Scales, Sketch, sketch};
+use crate::limits;
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
@@ -135,6 +136,7 @@ impl<'s> Case<'s> {
         let own = solve::solve(scene, Extent::WholeSkeleton, crate::sheet::scale::for_scene)?;
         // Nobody is graded by a solution that is not confirmed.
         crate::check::confirm(scene, &own)?;
+        on_a_sheet(&own, answers)?;
         let scales =
             Scales::new(|dimension| answers.scales.of(dimension).unwrap_or(own.scales.of(dimension)));
         let asking = asking(scene, answers);
@@ -748,6 +750,40 @@ impl<'s> Case<'s> {
         }
     }
 }
+
+/// Refuses a stated scale at which the right solution would be on no paper, or nothing that is seen.
+fn on_a_sheet(own: &Solved, answers: &Answers) -> Result<(), GradeError> {
+    for order in [Order::Position, Order::Velocity, Order::Acceleration] {
+        let dimension = order.dimension();
+        let Some(stated) = answers.scales.of(dimension) else { continue };
+        let places = || own.solution.construction.space.places.iter().flatten();
+        let farthest = match order {
+            Order::Position => {
+                let side = |axis: usize| {
+                    let (least, most) = places().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), at| {
+                        (a.min(at[axis]), b.max(at[axis]))
+                    });
+                    most - least
+                };
+                side(0).max(side(1))
+            }
+            _ => polygon(&own.solution.construction, order).map_or(0.0, |diagram| {
+                diagram.images.iter().map(|image| size(&image.at)).fold(0.0, f64::max)
+            }),
+        };
+        let mm = farthest * own.scales.of(dimension) / stated;
+        if mm > limits::PAPER_MM || (mm > 0.0 && mm < UNSEEN) {
+            let what = format!("at this scale the right drawing would be {mm:.0e} mm large");
+            let mend = "write what a millimetre of paper stands for: \"50 mm/s per mm\"";
+            let at = answers.scales_at[dimension as usize];
+            return Err(GradeError::Answers(answers.complain(at, what, Some(mend.to_owned()))));
+        }
+    }
+    Ok(())
+}
+
+/// Nobody sees a drawing that is smaller (mm).
+const UNSEEN: f64 = 1e-6;
 
 /// Two points of the right solution that lie nearer to each other (mm) may have one mark.
 const ONE_POINT: f64 = 1.0;

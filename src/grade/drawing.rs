@@ -10,25 +10,22 @@ use std::collections::{HashMap, HashSet};
 
 use kurbo::{Affine, Point};
 use roxmltree::{Document, Node, ParsingOptions};
-use svgtypes::{Length, LengthUnit, PathParser, PathSegment, Transform};
 
 use super::answers::{Answers, FigurePoints};
 use super::assign::assign;
 use super::nearest::Nearest;
+use super::svg::{
+    FONT_SIZE_PX, corners, first_length, font_size, length, points as corners_of, still, style, to_mm,
+    transform,
+};
 use super::weight::weigh;
 use crate::limits;
 use crate::mechanism::quantity::Order;
 use crate::scene::Scene;
 use crate::scene::diagnostic::{Fault, Res};
 
-/// CSS's pixel.
-const MM_PER_PX: f64 = 25.4 / 96.0;
-
 /// A letter belongs to what lies within this many times its height.
 const REACH: f64 = 2.5;
-
-/// What the default style of SVG says.
-const FONT_SIZE_PX: f64 = 16.0;
 
 /// A mark may lie so much farther off (in heights of the letter) if it is a dot and not where lines end: around a joint
 /// are hatchings and guides, and whoever draws a dot means it. A dot of another letter is kept for that one.
@@ -285,35 +282,6 @@ impl<'s> Names<'s> {
     }
 }
 
-/// From the user units of the outermost element to millimetres.
-fn to_mm(root: Node<'_, '_>) -> Affine {
-    let numbers = |text: &str| -> Option<Vec<f64>> {
-        text.split([' ', ',']).filter(|t| !t.is_empty()).map(|t| t.parse().ok()).collect()
-    };
-    let Some([x, y, width, _]) =
-        root.attribute("viewBox").and_then(numbers).and_then(|n| <[f64; 4]>::try_from(n).ok())
-    else {
-        return Affine::scale(MM_PER_PX);
-    };
-    let stated = root.attribute("width").and_then(millimetres).filter(|_| width > 0.0);
-    Affine::scale(stated.map_or(MM_PER_PX, |mm| mm / width)) * Affine::translate((-x, -y))
-}
-
-/// A length of CSS.
-fn millimetres(text: &str) -> Option<f64> {
-    let length: Length = text.trim().parse().ok()?;
-    let unit = match length.unit {
-        LengthUnit::None | LengthUnit::Px => MM_PER_PX,
-        LengthUnit::In => 25.4,
-        LengthUnit::Cm => 10.0,
-        LengthUnit::Mm => 1.0,
-        LengthUnit::Pt => 25.4 / 72.0,
-        LengthUnit::Pc => 25.4 / 6.0,
-        LengthUnit::Em | LengthUnit::Ex | LengthUnit::Percent => return None,
-    };
-    Some(length.number * unit)
-}
-
 /// What an element takes over from those around it.
 #[derive(Debug, Clone, Copy)]
 struct Around {
@@ -334,33 +302,39 @@ enum Anchor {
 
 impl Around {
     /// For what stands in an element.
-    fn within(self, node: Node<'_, '_>) -> Self {
-        let own = node.attribute("transform").and_then(|text| text.parse::<Transform>().ok());
-        Self {
-            onto: own.map_or(self.onto, |t| self.onto * Affine::new([t.a, t.b, t.c, t.d, t.e, t.f])),
+    fn within(self, node: Node<'_, '_>) -> Res<Self> {
+        Ok(Self {
+            onto: self.onto * transform(node)?,
             layer: layer(node).or(self.layer),
-            font_size: font_size(node).unwrap_or(self.font_size),
+            font_size: font_size(node, self.font_size).unwrap_or(self.font_size),
             anchor: anchor(node).unwrap_or(self.anchor),
-        }
+        })
     }
 }
+
+/// Elements of which nothing is drawn where they stand.
+const NOT_DRAWN: [&str; 9] =
+    ["defs", "marker", "symbol", "clipPath", "mask", "pattern", "metadata", "title", "desc"];
 
 /// All marks, and the letters that name points.
 fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> {
     let (mut marks, mut letters) = (Marks::default(), Vec::new());
-    let page = Around { onto: to_mm(root), layer: None, font_size: FONT_SIZE_PX, anchor: Anchor::Start };
+    let page = Around { onto: to_mm(root)?, layer: None, font_size: FONT_SIZE_PX, anchor: Anchor::Start };
     // The next is the last: an element before its children, those in their order.
     let mut open = vec![(root, page)];
     while let Some((node, around)) = open.pop() {
-        let around = around.within(node);
-        match node.tag_name().name() {
-            // What stands here is drawn elsewhere, or nowhere.
-            "defs" | "marker" | "symbol" | "clipPath" | "mask" | "pattern" | "metadata" | "title"
-            | "desc" => {
-                continue;
+        // What stands here is drawn elsewhere, or nowhere.
+        if NOT_DRAWN.contains(&node.tag_name().name()) {
+            for sheet in node.descendants().filter(|inner| inner.tag_name().name() == "style") {
+                still(sheet)?;
             }
+            continue;
+        }
+        let around = around.within(node)?;
+        match node.tag_name().name() {
+            "style" => still(node)?,
             "text" => {
-                letters.extend(letter(node, around, names));
+                letters.extend(letter(node, around, names)?);
                 if letters.len() > limits::LETTERS {
                     let most = limits::grouped(limits::LETTERS);
                     let fault =
@@ -368,7 +342,7 @@ fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> 
                     return Err(fault);
                 }
             }
-            _ => marks.add(node, around.onto),
+            _ => marks.add(node, around.onto)?,
         }
         if marks.dots.len() + marks.ends.len() > limits::MARKS {
             let most = limits::grouped(limits::MARKS);
@@ -387,35 +361,31 @@ fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> 
 
 impl Marks {
     /// What an element marks.
-    fn add(&mut self, node: Node<'_, '_>, onto: Affine) {
-        let number =
-            |name: &str| node.attribute(name).and_then(|n| n.trim().parse::<f64>().ok()).unwrap_or(0.0);
-        let place = |x: f64, y: f64| {
-            let place = onto * Point::new(x, y);
+    fn add(&mut self, node: Node<'_, '_>, onto: Affine) -> Res<()> {
+        let number = |name: &str| length(node, name).map(Option::unwrap_or_default);
+        let place = |at: Point| {
+            let place = onto * at;
             // What is on no paper is not drawn.
             (place.x.abs() <= limits::PAPER_MM && place.y.abs() <= limits::PAPER_MM).then_some(place)
         };
         match node.tag_name().name() {
-            "circle" | "ellipse" => self.dots.extend(place(number("cx"), number("cy"))),
+            "circle" | "ellipse" => self.dots.extend(place(Point::new(number("cx")?, number("cy")?))),
             "line" => {
-                self.ends.extend(place(number("x1"), number("y1")));
-                self.ends.extend(place(number("x2"), number("y2")));
+                self.ends.extend(place(Point::new(number("x1")?, number("y1")?)));
+                self.ends.extend(place(Point::new(number("x2")?, number("y2")?)));
             }
             "polyline" | "polygon" => {
-                let text = node.attribute("points").unwrap_or_default();
-                let numbers: Vec<f64> =
-                    text.split([' ', ',', '\n', '\t']).filter_map(|n| n.parse().ok()).collect();
-                let corners =
-                    numbers.chunks_exact(2).filter_map(|corner| place(corner[0], corner[1])).collect();
+                let corners = corners_of(node)?.into_iter().filter_map(place).collect();
                 self.add_corners(corners, node.tag_name().name() == "polygon");
             }
             "path" => {
-                let path = node.attribute("d").unwrap_or_default();
-                let corners = corners(path).into_iter().filter_map(|p| place(p.x, p.y)).collect();
-                self.add_corners(corners, path.contains(['z', 'Z']));
+                let closed = node.attribute("d").is_some_and(|path| path.contains(['z', 'Z']));
+                let corners = corners(node)?.into_iter().filter_map(place).collect();
+                self.add_corners(corners, closed);
             }
             _ => {}
         }
+        Ok(())
     }
 }
 
@@ -436,38 +406,8 @@ impl Marks {
     }
 }
 
-/// Where the parts of a path begin and end, as far as it can be read.
-fn corners(path: &str) -> Vec<Point> {
-    let mut corners = Vec::new();
-    let (mut here, mut first) = (Point::ZERO, Point::ZERO);
-    for segment in PathParser::from(path).map_while(Result::ok) {
-        let from = |abs: bool| if abs { Point::ZERO } else { here };
-        let to = |abs: bool, x: f64, y: f64| Point::new(from(abs).x + x, from(abs).y + y);
-        here = match segment {
-            PathSegment::ClosePath { .. } => {
-                here = first;
-                continue;
-            }
-            PathSegment::MoveTo { abs, x, y } => {
-                first = to(abs, x, y);
-                first
-            }
-            PathSegment::HorizontalLineTo { abs, x } => Point::new(from(abs).x + x, here.y),
-            PathSegment::VerticalLineTo { abs, y } => Point::new(here.x, from(abs).y + y),
-            PathSegment::LineTo { abs, x, y }
-            | PathSegment::CurveTo { abs, x, y, .. }
-            | PathSegment::SmoothCurveTo { abs, x, y, .. }
-            | PathSegment::Quadratic { abs, x, y, .. }
-            | PathSegment::SmoothQuadratic { abs, x, y }
-            | PathSegment::EllipticalArc { abs, x, y, .. } => to(abs, x, y),
-        };
-        corners.push(here);
-    }
-    corners
-}
-
 /// A text that names a point of the scene; all other texts are captions and the like.
-fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Option<Letter> {
+fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Res<Option<Letter>> {
     let written: String = text.descendants().filter(Node::is_text).filter_map(|n| n.text()).collect();
     let whole: String = written.split_whitespace().collect();
     // One text may name several points that are one: "b, c". An index like that of b′1,2 is none of them.
@@ -476,20 +416,23 @@ fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Option<Lette
         several.iter().map(|part| named(part, around.layer, names)).collect();
     let read = match read {
         Some(read) if several.len() > 1 => read,
-        _ => vec![named(&whole, around.layer, names)?],
+        _ => match named(&whole, around.layer, names) {
+            Some(read) => vec![read],
+            None => return Ok(None),
+        },
     };
-    let order = read.first()?.1;
+    let Some(order) = read.first().map(|(_, order)| *order) else { return Ok(None) };
     if read.iter().any(|(_, other)| *other != order) {
-        return None;
+        return Ok(None);
     }
     let positioned = |node: &Node<'_, '_>| node.attribute("x").is_some() && node.attribute("y").is_some();
     let place = text.descendants().find(positioned).unwrap_or(text);
-    let first = |name: &str| {
-        let numbers = place.attribute(name).unwrap_or("0");
-        numbers.split([' ', ',']).next().and_then(|n| n.parse::<f64>().ok()).unwrap_or(0.0)
-    };
+    let [x, y] = [first_length(place, "x")?, first_length(place, "y")?].map(Option::unwrap_or_default);
+    // The innermost size that is said; a part of the size around is one of what stands around it.
     let inside = || place.ancestors().take_while(|node| *node != text);
-    let size = inside().find_map(font_size).unwrap_or(around.font_size);
+    let from_outside: Vec<Node<'_, '_>> = inside().collect();
+    let sized = |size: f64, node: &Node<'_, '_>| font_size(*node, size).unwrap_or(size);
+    let size = from_outside.iter().rev().fold(around.font_size, sized);
     // Letters are about half as wide as high, their ink about two thirds of the height of the font.
     let width = 0.5 * size * whole.chars().count() as f64;
     let before = match inside().find_map(anchor).unwrap_or(around.anchor) {
@@ -497,15 +440,16 @@ fn letter(text: Node<'_, '_>, around: Around, names: &Names<'_>) -> Option<Lette
         Anchor::End => -0.5,
         Anchor::Start => 0.5,
     };
-    let middle = around.onto * Point::new(first("x") + before * width, first("y") - 0.33 * size);
+    let middle = around.onto * Point::new(x + before * width, y - 0.33 * size);
     let height = size * around.onto.determinant().abs().sqrt();
-    (middle.is_finite() && height.is_finite() && height > 0.0).then(|| Letter {
+    let seen = middle.is_finite() && height.is_finite() && height > 0.0;
+    Ok(seen.then(|| Letter {
         names: read.into_iter().map(|(name, _)| name).collect(),
         order,
         middle,
         height,
         at: text.range().start,
-    })
+    }))
 }
 
 /// The point that a text names, and in which figure: by the layer, or by its spelling.
@@ -555,24 +499,4 @@ fn anchor(node: Node<'_, '_>) -> Option<Anchor> {
         "end" => Anchor::End,
         _ => Anchor::Start,
     })
-}
-
-/// A property, as attribute or in `style`.
-fn style(node: Node<'_, '_>, name: &str) -> Option<String> {
-    let within = |style: &str| {
-        let declared = style.split(';').filter_map(|d| d.split_once(':'));
-        declared.into_iter().find(|(key, _)| key.trim() == name).map(|(_, value)| value.trim().to_owned())
-    };
-    node.attribute("style").and_then(within).or_else(|| node.attribute(name).map(str::to_owned))
-}
-
-/// The size of letters in user units.
-fn font_size(node: Node<'_, '_>) -> Option<f64> {
-    let stated = style(node, "font-size")?;
-    let length: Length = stated.parse().ok()?;
-    match length.unit {
-        LengthUnit::None | LengthUnit::Px => Some(length.number),
-        LengthUnit::Em | LengthUnit::Ex | LengthUnit::Percent => None,
-        _ => millimetres(&stated).map(|mm| mm / MM_PER_PX),
-    }
 }

@@ -37,6 +37,7 @@ mod report;
 mod routes;
 mod scan;
 mod schema;
+mod svg;
 mod text;
 mod weight;
 mod words;
