@@ -3,11 +3,13 @@
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use super::draw::{self, Job};
 use super::{Ending, Failure, print};
-use crate::{files, terminal};
+use crate::{files, limits, terminal};
 
 /// How often the scene is looked at.
 const LOOK: Duration = Duration::from_millis(100);
@@ -16,7 +18,8 @@ const REST: Duration = Duration::from_millis(50);
 /// Editors that save by renaming take a scene away for less than this.
 const GONE: Duration = Duration::from_secs(2);
 
-/// Draws at once and after every change, until it is ended.
+/// Draws at once and after every change, until it is ended: by Ctrl-C when what is being written is whole, by a second
+/// one at once.
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if job.output.is_empty() {
         return Err(Failure("watch keeps files up to date: name one with -o sheet.svg".to_owned()));
@@ -24,8 +27,9 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if job.scene.as_os_str() == "-" {
         return Err(Failure("watch looks at a file; standard input does not change".to_owned()));
     }
+    let ended = ended();
     let mut watched = Watched::new(&job.scene);
-    loop {
+    while !ended.load(Ordering::Relaxed) {
         match watched.news() {
             News::Nothing => {}
             News::Changed => draw_once(job)?,
@@ -36,6 +40,20 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
         std::thread::sleep(LOOK);
     }
+    Ok(Ending::Fine)
+}
+
+/// What tells that somebody has ended it.
+fn ended() -> Arc<AtomicBool> {
+    let ended = Arc::new(AtomicBool::new(false));
+    #[cfg(unix)]
+    {
+        use signal_hook::{consts::SIGINT, flag};
+        // The second one finds it set by the first. Without them the system ends it as it ends everything.
+        let _ = flag::register_conditional_shutdown(SIGINT, 0, Arc::clone(&ended));
+        let _ = flag::register(SIGINT, Arc::clone(&ended));
+    }
+    ended
 }
 
 /// Writes all outputs, or says why not and keeps the old ones.
@@ -127,7 +145,8 @@ impl<'p> Watched<'p> {
             }
         }
         self.seen = Some(look);
-        let bytes = fs::read(self.path).ok();
+        // What is no file is told by whoever draws it; nobody waits for a pipe.
+        let bytes = files::read_bytes(self.path, limits::FILE).ok();
         if bytes.is_some() && bytes == self.bytes {
             return News::Nothing;
         }
