@@ -237,8 +237,16 @@ impl<'a> Waiting<'a> {
                 "{}: is a pipe, a socket or a disk, and no file; write to standard output instead",
                 shown(path)
             ))),
-            _ => {
+            Ok(there) if there.permissions().readonly() => Err(FileError(format!(
+                "{}: is write-protected; choose another name, or let it be written",
+                shown(path)
+            ))),
+            there => {
                 let (beside, file) = part(path).map_err(|error| failed(path, &error))?;
+                // Who may read what stood there may read what takes its place, and nobody else.
+                if let Ok(there) = there {
+                    let _ = file.set_permissions(there.permissions());
+                }
                 Ok(waiting(Some(beside), file))
             }
         }

@@ -131,7 +131,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     };
     let bytes = |output: &Output| match output {
         Output::Figure(format) => {
-            render::render(&figure, *format, &options).map_err(|error| Failure(error.to_string()))
+            render::render(&figure, *format, &options).map_err(|error| super::not_written(scene, &error))
         }
         Output::Page => Ok(page.clone().unwrap_or_default().into_bytes()),
     };
@@ -167,6 +167,10 @@ fn page(job: &Job, scene: &Scene, sheets: Vec<(Language, Figure)>) -> Result<Str
     let live = match Live::of_solved(scene, &solved, job.over, range) {
         // A range that is none is the caller's mistake, not the mechanism's.
         Err(error @ LiveError::Sweep(crate::sweep::SweepError::Range(_))) => return Err(failed(error)),
+        // With the scene's own units.
+        Err(LiveError::Sweep(crate::sweep::SweepError::Draw(error))) => {
+            Err(super::failure(scene, &crate::solve::SolveError::Draw(error)).told)
+        }
         Err(error) => Err(error.to_string()),
         Ok(live) => match confirm_sweep(live.sweep()) {
             Ok(_) => Ok(live),

@@ -335,7 +335,8 @@ impl Work<'_> {
             let figure = exam::question(&variant.scene, *language)
                 .map_err(|error| not_drawn(&variant.scene, &error))?;
             for format in [self.format, Format::Svg] {
-                render::render(&figure, format, &self.options).map_err(|error| Failure(error.to_string()))?;
+                render::render(&figure, format, &self.options)
+                    .map_err(|error| super::not_written(&variant.scene, &error))?;
             }
         }
         Ok(())

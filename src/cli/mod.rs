@@ -529,12 +529,24 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version are not errors; clap knows where each goes.
-            let code = if error.use_stderr() { 2 } else { 0 };
             let told = error.to_string();
             let plain = terminal::lines(&told);
             // A name of a file may stand among the arguments.
-            let _ = if plain == told { error.print() } else { std::io::stderr().write_all(plain.as_bytes()) };
-            return ExitCode::from(code);
+            let printed = if plain == told {
+                error.print().and_then(|()| std::io::stdout().flush())
+            } else {
+                std::io::stderr().write_all(plain.as_bytes())
+            };
+            if error.use_stderr() {
+                return ExitCode::from(2);
+            }
+            return match printed {
+                Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+                    let _ = writeln!(std::io::stderr(), "error: standard output: {error}");
+                    ExitCode::from(2)
+                }
+                _ => ExitCode::SUCCESS,
+            };
         }
     };
     let ending = match arguments.command {
@@ -644,6 +656,20 @@ fn schema(of: SchemaOf) -> Result<Ending, Failure> {
     let text = serde_json::to_string_pretty(&schema).map_err(|error| Failure(error.to_string()))?;
     print(&(text + "\n"))?;
     Ok(Ending::Fine)
+}
+
+/// Why a figure could not be written in its format; a character that cannot be set is shown in the scene.
+fn not_written(scene: &Scene, error: &crate::render::RenderError) -> Failure {
+    use crate::render::{RenderError, tex::TexError};
+    match error {
+        RenderError::Tex(TexError::Character { character, .. }) => {
+            match scene.source.complain_of_character(*character, error.to_string()) {
+                Some(diagnostic) => diagnostic.into(),
+                None => Failure(error.to_string()),
+            }
+        }
+        _ => Failure(error.to_string()),
+    }
 }
 
 /// Writes text, or JSON, to stdout; a reader who hung up is no error.

@@ -155,7 +155,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
             _ => Ok(None),
         })
         .collect::<Result<_, _>>()
-        .map_err(|error| Failure(error.to_string()))?;
+        .map_err(|error| super::not_written(scene, &error))?;
     let places = if drawn.iter().all(Option::is_some) { Vec::new() } else { places() };
     files::stream_all(job.output.iter().map(PathBuf::as_path), |index, to| {
         match (drawn.get(index), outputs.get(index)) {

@@ -23,9 +23,9 @@ pub(super) const DPI: f32 = 48.0;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{file}: {what}")]
 pub struct ManifestError {
-    /// The file.
+    /// The file, with line and column where they are known.
     pub file: String,
-    /// What is wrong, with line and column where they are known.
+    /// What is wrong.
     pub what: String,
 }
 
@@ -78,8 +78,12 @@ pub(super) fn read(folder: &Path) -> Result<(Vec<Case>, f32), GoldenError> {
     }
     let (file, text) = files::read(&path).map_err(|error| GoldenError::File(error.to_string()))?;
     let wrong = |what: String| ManifestError { file: file.clone(), what };
-    let manifest: Manifest = serde_json::from_str(text.strip_prefix('\u{feff}').unwrap_or(&text))
-        .map_err(|error| wrong(error.to_string()))?;
+    let manifest: Manifest =
+        serde_json::from_str(text.strip_prefix('\u{feff}').unwrap_or(&text)).map_err(|error| {
+            let (line, column, told) = (error.line(), error.column(), error.to_string());
+            let what = told.strip_suffix(&format!(" at line {line} column {column}")).unwrap_or(&told);
+            ManifestError { file: format!("{file}:{line}:{column}"), what: what.to_owned() }
+        })?;
     if !(10.0..=600.0).contains(&manifest.dpi) {
         return Err(wrong(format!("`dpi` is {}: choose between 10 and 600", manifest.dpi)).into());
     }

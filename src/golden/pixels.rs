@@ -17,6 +17,18 @@ pub struct Picture {
     levels: Vec<u8>,
 }
 
+/// What is wrong with a picture: the decoder's own words are for those who write decoders.
+fn damaged(error: png::DecodingError) -> String {
+    match error {
+        png::DecodingError::LimitsExceeded => "the picture is too large",
+        png::DecodingError::IoError(_) => "the picture is cut off",
+        png::DecodingError::Format(_) | png::DecodingError::Parameter(_) => {
+            "the picture is damaged, or no PNG"
+        }
+    }
+    .to_owned()
+}
+
 /// Where two pictures differ.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Difference {
@@ -48,14 +60,13 @@ impl Picture {
     /// # Errors
     /// One clause, where the bytes are no PNG of eight-bit grey levels.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
-        let mut reader =
-            png::Decoder::new(std::io::Cursor::new(bytes)).read_info().map_err(|error| error.to_string())?;
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().map_err(damaged)?;
         let size = reader.output_buffer_size().ok_or("the picture is too large")?;
         if reader.output_color_type() != (png::ColorType::Grayscale, png::BitDepth::Eight) {
             return Err("not a picture of eight-bit grey levels".to_owned());
         }
         let mut levels = vec![0; size];
-        let info = reader.next_frame(&mut levels).map_err(|error| error.to_string())?;
+        let info = reader.next_frame(&mut levels).map_err(damaged)?;
         Ok(Self { width: info.width, height: info.height, levels })
     }
 
@@ -140,5 +151,8 @@ mod tests {
         let smaller = picture.clone().cut(height - 1);
         assert_eq!(picture.difference(&smaller).differing, width as usize);
         assert!(Picture::read(b"no picture").is_err());
+        let mut bytes = picture.png();
+        bytes[12..16].fill(0);
+        assert_eq!(Picture::read(&bytes).unwrap_err(), "the picture is damaged, or no PNG");
     }
 }

@@ -131,6 +131,31 @@ impl Source {
         &self.text
     }
 
+    /// What is wrong with a character, where the scene has it first; none where no text of the scene does.
+    #[must_use]
+    pub fn complain_of_character(&self, character: char, what: impl Into<String>) -> Option<Diagnostic> {
+        let document = json::parse(&self.text).ok()?;
+        let mut open = vec![&document.root];
+        while let Some(value) = open.pop() {
+            let found = match &value.kind {
+                json::Kind::Text(text) => text.contains(character).then_some(value.at),
+                json::Kind::List(items) => {
+                    open.extend(items.iter().rev());
+                    None
+                }
+                json::Kind::Object(entries) => {
+                    open.extend(entries.iter().rev().map(|entry| &entry.value));
+                    entries.iter().find(|entry| entry.key.contains(character)).map(|entry| entry.at)
+                }
+                _ => None,
+            };
+            if let Some(at) = found {
+                return Some(Fault::new(at, what).locate(&self.file, &self.text, Some(&document.root)));
+            }
+        }
+        None
+    }
+
     /// What is wrong with a part of the scene, with its line, column and path.
     #[must_use]
     pub fn complain(&self, subject: Subject, what: impl Into<String>, mend: Option<String>) -> Diagnostic {

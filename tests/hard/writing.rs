@@ -154,3 +154,51 @@ fn two_exams_at_once_both_end_right() {
     };
     assert_eq!(hidden(&folder.path("exam")) + hidden(&folder.path("exam/questions")), 0);
 }
+
+/// What may not be written is not replaced; who may read what stood there may read what takes its place.
+#[test]
+fn a_file_keeps_its_mode() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new("mode");
+    folder.write("slider.json", SLIDER);
+    let mode = |name: &str| std::fs::metadata(folder.path(name)).unwrap().permissions().mode() & 0o777;
+    let set = |name: &str, mode: u32| {
+        std::fs::set_permissions(folder.path(name), std::fs::Permissions::from_mode(mode)).unwrap();
+    };
+    folder.write("x.svg", "as it was");
+    set("x.svg", 0o600);
+    let ran = folder.run(&["draw", "slider.json", "-o", "x.svg"]);
+    assert_eq!((ran.code, mode("x.svg")), (Some(0), 0o600), "{ran:?}");
+    folder.write("x.svg", "as it was");
+    set("x.svg", 0o444);
+    let said = folder.refused(&["draw", "slider.json", "-o", "x.svg"]);
+    assert!(said.contains("x.svg: is write-protected"), "{said}");
+    assert_eq!((std::fs::read(folder.path("x.svg")).unwrap(), mode("x.svg")), (b"as it was".to_vec(), 0o444));
+    assert_eq!(folder.names().len(), 2, "{:?}", folder.names());
+}
+
+#[test]
+fn a_version_that_nobody_can_read_is_an_error() {
+    let folder = Folder::new("version");
+    let full = |what: &str| {
+        let command = format!("exec {} {what} > /dev/full", linkgram());
+        folder.run_by(Command::new("sh").args(["-c", &command]))
+    };
+    for what in ["--version", "--help", "draw --help"] {
+        let ran = full(what);
+        assert_eq!(ran.code, Some(2), "{what}: {ran:?}");
+        assert!(ran.err.contains("standard output"), "{what}: {ran:?}");
+    }
+}
+
+#[test]
+fn what_cannot_be_set_or_read_is_told_with_its_place() {
+    let folder = Folder::new("told-places");
+    folder.write("s.json", SLIDER.replacen('{', "{\n  \"title\": \"a\\u0007b\",", 1));
+    let said = folder.refused(&["draw", "s.json", "-o", "x.tex"]);
+    assert!(said.contains("s.json:2:12: title: plain LaTeX cannot set"), "{said}");
+    std::fs::create_dir(folder.path("suite")).unwrap();
+    folder.write("suite/suite.json", "{\n  \"figures\": 3 }");
+    let said = folder.refused(&["golden", "check", "suite"]);
+    assert!(said.contains("suite.json:2:14: invalid type"), "{said}");
+}
