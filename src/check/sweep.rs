@@ -97,15 +97,12 @@ fn positions(sweep: &Sweep) -> Vec<f64> {
 fn confirm_at(sweep: &Sweep, at: f64) -> Result<(), SweepUnconfirmed> {
     let (Some(values), Some(mechanism)) = (sweep.at(at), sweep.mechanism_at(at)) else { return Ok(()) };
     let quantities: Vec<Quantity> = mechanism.asked.iter().map(|asked| asked.quantity).collect();
-    let order = quantities.iter().map(|quantity| quantity.order()).max();
-    let Some(order) = order else { return Ok(()) };
-    // Forces are found of what is asked.
-    let state = if quantities.iter().any(|quantity| matches!(quantity, Quantity::Force(..))) {
-        analytic::solve_for(&mechanism, &quantities)
-    } else {
-        analytic::solve(&mechanism, order)
-    };
-    let state = state.map_err(|why| SweepUnconfirmed::Refused { at, why })?;
+    if quantities.is_empty() {
+        return Ok(());
+    }
+    // Of what is asked alone: other links may be impossible there.
+    let state =
+        analytic::solve_for(&mechanism, &quantities).map_err(|why| SweepUnconfirmed::Refused { at, why })?;
     let mut last = None;
     for (index, column) in sweep.columns.iter().enumerate().filter(|(_, column)| !column.watched) {
         let Some(swept) = values[index] else { continue };

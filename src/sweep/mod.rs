@@ -268,7 +268,8 @@ impl Sweep {
         let asked = mechanism.asked.len();
         let standing = crate::graphical::standing(mechanism)?;
         let placed = &*standing;
-        let (mut mechanism, swept, start) = prepare::ready(placed)?;
+        let moved = prepare::Moved::by_asked(placed, shown)?;
+        let (mut mechanism, swept, start) = prepare::ready(placed, &moved)?;
         let told = mechanism.asked.len();
         for more in shown {
             if !mechanism.asked.iter().any(|known| known.quantity == more.quantity) {
@@ -276,7 +277,7 @@ impl Sweep {
             }
         }
         let structure = Structure::of(&mechanism)?;
-        let starts = prepare::starts(placed, &mechanism, &structure)?;
+        let starts = prepare::starts(placed, &mechanism, &structure, &moved)?;
         let variable = match over {
             Over::Input => Variable::Input(swept),
             Over::Time => Variable::Time(prepare::laws(&mut mechanism)?),
@@ -328,11 +329,11 @@ impl Sweep {
         let range_is_free = range.is_none() && (over == Over::Time || matches!(input, InputKind::Slide(_)));
         let (input, rate, range, start, whole_turn) = match &variable {
             Variable::Input(_) => {
-                let (range, start, whole_turn) = prepare::range(input, range, start, &mechanism)?;
+                let (range, start, whole_turn) = prepare::range(input, range, start, &mechanism, &moved)?;
                 (input, rate, range, start, whole_turn)
             }
             Variable::Time(laws) => {
-                let (range, whole_turn) = prepare::span(input, range, laws, &mechanism)?;
+                let (range, whole_turn) = prepare::span(input, range, laws, &mechanism, &moved)?;
                 (InputKind::Time, 1.0, range, 0.0, whole_turn)
             }
         };

@@ -75,7 +75,7 @@ pub fn other_positions(
 /// # Errors
 /// Where the mechanism does not move on as it is given.
 pub fn moved_to(mechanism: &Mechanism, other: &OtherPosition) -> Result<Mechanism, SweepError> {
-    let (mut moved, _, _) = prepare::ready(mechanism)?;
+    let (mut moved, _, _) = prepare::ready(mechanism, &prepare::Moved::all(mechanism))?;
     moved.asked.clear();
     if let (OtherKind::Input(to), Some(input)) = (other.kind, moved.inputs.first_mut()) {
         match input {
@@ -107,7 +107,7 @@ impl Mover {
         let whole = |mechanism: &Mechanism, structure: &Structure| {
             Plan::with(mechanism, structure, Extent::WholeSkeleton, CentreSource::Diagram)
         };
-        let (mut ready, _, start) = prepare::ready(mechanism)?;
+        let (mut ready, _, start) = prepare::ready(mechanism, &prepare::Moved::all(mechanism))?;
         ready.asked.clear();
         let mut asked_nothing = mechanism.clone();
         asked_nothing.asked.clear();

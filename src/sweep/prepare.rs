@@ -1,6 +1,7 @@
 //! From a scene's instant to a mechanism that can move: dimensions instead of places, and what a sweep
 //! watches besides what was asked.
 
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 use super::{InputKind, SweepError};
@@ -15,9 +16,45 @@ use crate::mechanism::{
 };
 use crate::plan::{Extent, Plan};
 
+/// The links that move in a sweep: those on which something hangs that was asked for. Others may be impossible, or
+/// possible in two ways.
+pub(super) struct Moved(Vec<bool>);
+
+impl Moved {
+    pub(super) fn all(mechanism: &Mechanism) -> Self {
+        Self(vec![true; mechanism.links.len()])
+    }
+
+    /// What the asked quantities, and what is shown besides, need.
+    pub(super) fn by_asked(mechanism: &Mechanism, shown: &[Asked]) -> Result<Self, SweepError> {
+        let mut asking = mechanism.clone();
+        asking.asked.extend_from_slice(shown);
+        let structure = Structure::of(&asking)?;
+        let plan = Plan::new(&asking, &structure, Extent::Asked);
+        let steps = plan.diagrams.iter().flat_map(|diagram| &diagram.steps);
+        let groups: BTreeSet<usize> = steps.map(|step| step.group).collect();
+        // What is fixed or driven is asked of no step.
+        let moved =
+            |link: usize| structure.group_of(LinkId(link)).is_none_or(|group| groups.contains(&group));
+        Ok(Self((0..asking.links.len()).map(moved).collect()))
+    }
+
+    fn has(&self, link: LinkId) -> bool {
+        self.0[link.0]
+    }
+
+    fn slides(&self, mechanism: &Mechanism, slide: &Slide) -> bool {
+        let rider = match slide.rider {
+            Rider::Pin { point, .. } => mechanism.point(point).links.iter().any(|link| self.has(*link)),
+            Rider::Link { link, .. } => self.has(link),
+        };
+        rider && self.has(slide.guide.link)
+    }
+}
+
 /// The mechanism without anything that holds at one instant only; the index of its first input; and where
 /// that input stands.
-pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), SweepError> {
+pub(super) fn ready(mechanism: &Mechanism, moved: &Moved) -> Result<(Mechanism, usize, f64), SweepError> {
     let mut ready = mechanism.clone();
     let place = |p: PointId| mechanism.point(p).place.exact();
     for (index, link) in mechanism.links.iter().enumerate().skip(1) {
@@ -35,6 +72,9 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
         }
     }
     for (index, slide) in mechanism.slides.iter().enumerate() {
+        if !moved.slides(mechanism, slide) {
+            continue;
+        }
         if let Rider::Link { link, turned: None } = slide.rider {
             // It rides as placed: its own axes are the world's, from which the guide is turned at this instant.
             let along = direction_now(mechanism, slide.guide)?.ok_or_else(|| instant(mechanism, link))?;
@@ -91,7 +131,7 @@ pub(super) fn ready(mechanism: &Mechanism) -> Result<(Mechanism, usize, f64), Sw
     for asked in &mut ready.asked {
         asked.method = Method::Polygon;
     }
-    watch(&mut ready);
+    watch(&mut ready, moved);
     Ok((ready, 0, start))
 }
 
@@ -127,9 +167,10 @@ pub(super) fn starts(
     placed: &Mechanism,
     ready: &Mechanism,
     structure: &Structure,
+    moved: &Moved,
 ) -> Result<Vec<Option<GivenPoint>>, SweepError> {
     let mut starts = Vec::new();
-    for (wheel, centre) in rolled(ready, structure) {
+    for (wheel, centre) in rolled(ready, structure).filter(|(wheel, _)| moved.has(*wheel)) {
         starts.resize(ready.points.len(), None);
         let link = ready.link(wheel);
         for &point in &link.points {
@@ -178,18 +219,18 @@ fn instant(mechanism: &Mechanism, link: LinkId) -> SweepError {
     ))
 }
 
-/// Adds what a sweep watches: the places of pins on guides of the frame, the angles of links pivoted to it,
+/// Adds what a sweep watches of the links that move: the places of pins on guides of the frame, the angles of links pivoted to it,
 /// the transmission angles of four-bar loops.
-fn watch(mechanism: &mut Mechanism) {
+fn watch(mechanism: &mut Mechanism, moved: &Moved) {
     let unit = |symbol: &str, si: f64| Unit { symbol: symbol.to_owned(), si };
     let mut wanted: Vec<(String, Quantity, Unit)> = Vec::new();
-    for slide in &mechanism.slides {
+    for slide in mechanism.slides.iter().filter(|slide| moved.slides(mechanism, slide)) {
         if let (Rider::Pin { point, .. }, LinkId::FRAME) = (slide.rider, slide.guide.link) {
             let name = format!("x({})", mechanism.point(point).name);
             wanted.push((name, Quantity::Position(point), unit("m", 1.0)));
         }
     }
-    for link in mechanism.moving() {
+    for link in mechanism.moving().filter(|link| moved.has(*link)) {
         let here = mechanism.link(link);
         let pivot = here.points.iter().find(|&&p| mechanism.is_fixed(p));
         if here.block || pivot.is_none() || here.points.len() < 2 || driven(mechanism, link) {
@@ -203,8 +244,8 @@ fn watch(mechanism: &mut Mechanism) {
                 [a, b] if b == link => a,
                 _ => continue,
             };
-            if other == LinkId::FRAME || mechanism.link(other).block || mechanism.link(other).points.len() < 2
-            {
+            let bar = !mechanism.link(other).block && mechanism.link(other).points.len() > 1;
+            if other == LinkId::FRAME || !bar || !moved.has(other) {
                 continue;
             }
             let name = format!("transmission({}/{})", mechanism.link(other).number, here.number);
@@ -391,9 +432,10 @@ pub(super) fn span(
     stated: Option<[f64; 2]>,
     laws: &[Law],
     mechanism: &Mechanism,
+    moved: &Moved,
 ) -> Result<([f64; 2], bool), SweepError> {
     let way = match input {
-        InputKind::Slide(_) => 2.0 * reach(mechanism),
+        InputKind::Slide(_) => 2.0 * reach(mechanism, moved),
         _ => 2.0 * PI,
     };
     let turns = matches!(input, InputKind::Angle(_));
@@ -431,8 +473,8 @@ fn time_for(way: f64, law: Law) -> f64 {
     (v + (v * v - 2.0 * a * way).sqrt()) / -a
 }
 
-/// Longer than the mechanism can reach: the sum of its dimensions.
-fn reach(mechanism: &Mechanism) -> f64 {
+/// Longer than the links that move can reach: the sum of their dimensions.
+fn reach(mechanism: &Mechanism, moved: &Moved) -> f64 {
     let longest = |form: &Form| match form {
         Form::Length(l) => l.value,
         Form::Line(p) => p.iter().map(|x| x.value.abs()).fold(0.0, f64::max),
@@ -441,7 +483,8 @@ fn reach(mechanism: &Mechanism) -> f64 {
         Form::Shape(p) => p.iter().flatten().map(|x| x.value.abs()).fold(0.0, f64::max),
         Form::Placed | Form::Single => 0.0,
     };
-    mechanism.links.iter().map(|link| longest(&link.form)).sum()
+    let links = mechanism.links.iter().zip(&moved.0).filter(|(_, moved)| **moved);
+    links.map(|(link, _)| longest(&link.form)).sum()
 }
 
 /// The range to walk, the start in it, and whether it is a whole turn.
@@ -450,6 +493,7 @@ pub(super) fn range(
     stated: Option<[f64; 2]>,
     start: f64,
     mechanism: &Mechanism,
+    moved: &Moved,
 ) -> Result<([f64; 2], f64, bool), SweepError> {
     let turn = 2.0 * PI;
     let range = match (stated, input) {
@@ -457,7 +501,7 @@ pub(super) fn range(
         (Some(_), _) => return Err(SweepError::Range("the range ends before it begins".to_owned())),
         (None, InputKind::Angle(_) | InputKind::Time) => [0.0, turn],
         (None, InputKind::Slide(_)) => {
-            let reach = reach(mechanism);
+            let reach = reach(mechanism, moved);
             [start - 2.0 * reach, start + 2.0 * reach]
         }
     };
