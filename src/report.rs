@@ -171,7 +171,16 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                         let loci = stated.loci.map(|locus| locus_in_words(scene, &locus)).join(" and ");
                         format!("ambiguous: {loci} meet in {first} and in {second}")
                     }
-                    None => format!("ambiguous: the chain closes with {name} at {first} and at {second}"),
+                    None => {
+                        let both =
+                            format!("ambiguous: the chain closes with {name} at {first} and at {second}");
+                        match scene.mechanism.point(*pin).place {
+                            Place::Near(hint) => {
+                                format!("{both}, as far from {} the one as the other", place(&hint))
+                            }
+                            _ => both,
+                        }
+                    }
                 },
                 format!("choose one, as in \"near\": {{ \"{name}\": {first} }}"),
             )

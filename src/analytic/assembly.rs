@@ -358,7 +358,11 @@ impl<'a> Assembler<'a> {
                 })
             })
             .map(|index| m.points[index].name.clone())
-            .collect();
+            .collect::<Vec<_>>();
+        // Parts that are too small to tell their places apart stand otherwise all the same.
+        let stands = |body: &usize| (0..3).any(|axis| one[3 * body + axis] != other[3 * body + axis]);
+        let links = (1..m.links.len()).filter(stands).map(|body| format!("link {}", m.links[body].number));
+        let points = if points.is_empty() { links.collect() } else { points };
         AnalyticError::Ambiguous { points }
     }
 

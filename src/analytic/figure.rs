@@ -201,7 +201,7 @@ pub(super) fn standing(mechanism: &Mechanism) -> Result<Cow<'_, Mechanism>, Anal
             what: "nothing stands from which a place is stated".to_owned(),
         });
     };
-    figure.size = size(mechanism, reference);
+    figure.size = size(mechanism, reference, &|_| true, &|_| true);
     for statement in &mechanism.statements {
         let spot = figure.place(statement)?;
         if let Some(slot) = figure.spots.get_mut(statement.point.0) {

@@ -65,9 +65,9 @@ pub enum AnalyticError {
         residual: f64,
     },
     /// Two assemblies, and no hint that tells them apart.
-    #[error("two assemblies fit: say near which place {} lies", points.join(" or "))]
+    #[error("two assemblies fit: no rough place (`near`) tells where {} lies", points.join(" or "))]
     Ambiguous {
-        /// Names of the points that lie elsewhere in the second assembly.
+        /// Names of the points that lie elsewhere in the second assembly, or of the links that stand otherwise.
         points: Vec<String>,
     },
     /// The inputs and places do not determine the position.

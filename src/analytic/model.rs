@@ -126,14 +126,22 @@ fn malformed(what: impl Into<String>) -> AnalyticError {
 impl Model {
     /// Compiles the mechanism.
     pub(super) fn new(mechanism: &Mechanism) -> Result<Self, AnalyticError> {
-        let reference = mechanism
-            .points
-            .iter()
-            .filter_map(|p| p.place.exact())
-            .map(|p| [p[0].value, p[1].value])
-            .next()
-            .unwrap_or([0.0; 2]);
-        let length = power_of_two(size(mechanism, reference));
+        Self::in_unit(mechanism, None)
+    }
+
+    /// The same, in this unit of length.
+    pub(super) fn in_unit(mechanism: &Mechanism, unit: Option<f64>) -> Result<Self, AnalyticError> {
+        // Of the first place at which a body is, so that one at which there is none takes no digits away.
+        let places = |held: bool| {
+            let mut points = mechanism.points.iter().filter(move |p| {
+                let of_frame = p.links.iter().all(|link| *link == LinkId::FRAME);
+                !held || !of_frame || !mechanism.slides.is_empty()
+            });
+            points.find_map(|p| p.place.exact())
+        };
+        let reference = places(true).or_else(|| places(false)).map(|p| p.map(|c| c.value));
+        let reference = reference.unwrap_or([0.0; 2]);
+        let length = unit.unwrap_or_else(|| power_of_two(size(mechanism, reference, &|_| true, &|_| true)));
         let time = 1.0 / power_of_two(pace(mechanism, length));
         let mut model = Self {
             mechanism: sync::Arc::new(mechanism.clone()),
@@ -237,6 +245,52 @@ impl Model {
         }
         self.kept = kept;
         Ok(())
+    }
+
+    /// Whether some length is beyond all proportion to another.
+    pub(super) fn is_beyond_proportion(&self) -> bool {
+        let mut least = f64::INFINITY;
+        each_length(&self.mechanism, self.reference, &|_| true, &|_| true, &mut |x| {
+            if x > 0.0 {
+                least = least.min(x);
+            }
+        });
+        self.length > BEYOND * least
+    }
+
+    /// A unit of length for the bodies that are kept and the points by which they meet, where the present one is that of
+    /// something beyond all proportion, on which nothing hangs.
+    pub(super) fn nearer_unit(&self, quantities: &[Quantity]) -> Option<f64> {
+        let m = &self.mechanism;
+        let asked =
+            |point: PointId| quantities.iter().any(|quantity| quantity.about().0.contains(&Some(point)));
+        // Whatever lies on a guide, or tells where one lies.
+        let mut on_guide = vec![false; m.points.len()];
+        for slide in &m.slides {
+            let pin = if let Rider::Pin { point, .. } = slide.rider { Some(point) } else { None };
+            let (mut ends, mut whole) = ([pin, None, None], &[][..]);
+            match slide.guide.path {
+                Path::Straight { through, direction, .. } => {
+                    if let GuidePoint::Point(point) = through {
+                        ends[1] = Some(point);
+                    }
+                    if let Direction::Toward(point) = direction {
+                        ends[2] = Some(point);
+                    }
+                }
+                Path::Arc { .. } => whole = &m.link(slide.guide.link).points,
+            }
+            ends.iter().flatten().chain(whole).for_each(|point| on_guide[point.0] = true);
+        }
+        let kept = |link: LinkId| self.kept.get(link.0).copied().unwrap_or(true);
+        let meets = |point: PointId| {
+            let links = &m.point(point).links;
+            links.len() > 1 && links.iter().any(|link| *link != LinkId::FRAME && kept(*link))
+        };
+        let counts = |point: PointId| meets(point) || asked(point) || on_guide[point.0];
+        let size = size(m, self.reference, &kept, &counts);
+        let unit = power_of_two(size);
+        (size > 0.0 && self.length > BEYOND * unit).then_some(unit)
     }
 
     /// The order in which the equations of the position are solved. Of more equations than unknowns those are left out
@@ -1180,25 +1234,57 @@ impl Model {
     }
 }
 
-/// The largest length in the mechanism, metres.
-pub(super) fn size(mechanism: &Mechanism, reference: [f64; 2]) -> f64 {
+/// What is so many times as large as everything that is solved is beyond all proportion.
+const BEYOND: f64 = 1_048_576.0;
+
+/// The largest length in the mechanism, metres, of these links and between points that count.
+pub(super) fn size(
+    mechanism: &Mechanism,
+    reference: [f64; 2],
+    kept: &dyn Fn(LinkId) -> bool,
+    counts: &dyn Fn(PointId) -> bool,
+) -> f64 {
     let mut size = 0.0_f64;
-    let mut see = |x: f64| size = size.max(x.abs());
-    for point in &mechanism.points {
-        if let Some(place) = point.place.exact() {
+    each_length(mechanism, reference, kept, counts, &mut |x| size = size.max(x));
+    size
+}
+
+/// Every length that is given, or a coordinate, not negative.
+fn each_length(
+    mechanism: &Mechanism,
+    reference: [f64; 2],
+    kept: &dyn Fn(LinkId) -> bool,
+    counts: &dyn Fn(PointId) -> bool,
+    seen: &mut dyn FnMut(f64),
+) {
+    let mut see = |x: f64| seen(x.abs());
+    for (index, point) in mechanism.points.iter().enumerate() {
+        if let Some(place) = point.place.exact().filter(|_| counts(PointId(index))) {
             see(place[0].value - reference[0]);
             see(place[1].value - reference[1]);
         }
     }
-    for link in &mechanism.links {
+    for (_, link) in mechanism.links.iter().enumerate().filter(|(index, _)| kept(LinkId(*index))) {
+        let counted = |index: usize| link.points.get(index).is_none_or(|point| counts(*point));
         match &link.form {
             Form::Length(length) => see(length.value),
-            Form::Line(positions) => positions.iter().for_each(|p| see(p.value)),
-            Form::Sides { first_second, second_third, third_first, .. } => {
-                [first_second, second_third, third_first].iter().for_each(|g| see(g.value));
+            Form::Line(positions) => {
+                let positions = positions.iter().enumerate().filter(|(index, _)| counted(*index));
+                positions.for_each(|(_, p)| see(p.value));
             }
-            Form::Arms { second, third, .. } => [second, third].iter().for_each(|g| see(g.value)),
-            Form::Shape(points) => points.iter().flatten().for_each(|g| see(g.value)),
+            Form::Sides { first_second, second_third, third_first, .. } => {
+                let sides = [([0, 1], first_second), ([1, 2], second_third), ([2, 0], third_first)];
+                let sides = sides.iter().filter(|(ends, _)| ends.iter().all(|end| counted(*end)));
+                sides.for_each(|(_, side)| see(side.value));
+            }
+            Form::Arms { second, third, .. } => {
+                let arms = [(1, second), (2, third)].into_iter().filter(|(end, _)| counted(*end));
+                arms.for_each(|(_, arm)| see(arm.value));
+            }
+            Form::Shape(points) => {
+                let points = points.iter().enumerate().filter(|(index, _)| counted(*index));
+                points.for_each(|(_, place)| place.iter().for_each(|g| see(g.value)));
+            }
             Form::Placed | Form::Single => {}
         }
     }
@@ -1208,7 +1294,6 @@ pub(super) fn size(mechanism: &Mechanism, reference: [f64; 2]) -> f64 {
             Roll::Line { radius, .. } => see(radius.value),
         }
     }
-    size
 }
 
 /// The largest rate of the inputs, 1/s, in the unit of length given.

@@ -66,7 +66,7 @@ impl State {
         only: Option<&[Quantity]>,
     ) -> Result<Self, AnalyticError> {
         let standing = figure::standing(mechanism)?;
-        let mut model = Model::new(&standing)?;
+        let mut model = Self::compiled(&standing, order, only)?;
         let mut shares: Vec<Share> = match only {
             Some(quantities) => quantities.iter().filter_map(share_of).collect(),
             None => Vec::new(),
@@ -165,6 +165,27 @@ impl State {
     #[must_use]
     pub fn stuck(&self) -> Option<&Indeterminate> {
         self.stuck.as_ref()
+    }
+
+    /// A mechanism in a unit of length in which what these quantities depend on can be told apart.
+    fn compiled(
+        mechanism: &Mechanism,
+        order: Order,
+        only: Option<&[Quantity]>,
+    ) -> Result<Model, AnalyticError> {
+        let model = Model::new(mechanism)?;
+        let Some(quantities) = only else { return Ok(model) };
+        // With forces nothing is left out.
+        let forces = quantities.iter().any(|quantity| share_of(quantity).is_some());
+        if forces || !model.is_beyond_proportion() {
+            return Ok(model);
+        }
+        let mut narrowed = model.clone();
+        narrowed.narrow(quantities, order >= Order::Velocity)?;
+        match narrowed.nearer_unit(quantities) {
+            Some(unit) => Model::in_unit(mechanism, Some(unit)),
+            None => Ok(model),
+        }
     }
 
     /// The highest derivative that is known of the motion.

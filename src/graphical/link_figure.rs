@@ -8,19 +8,28 @@ use super::construction::Act;
 use super::draughtsman::Draughtsman;
 use super::missing::Missing;
 
-/// The lengths that a link's form states, for a first idea of the mechanism's size.
-pub(super) fn given_lengths(link: &Link) -> Vec<f64> {
+/// The lengths that a link's form states between points that count, for a first idea of the mechanism's size.
+pub(super) fn given_lengths(link: &Link, counts: &dyn Fn(PointId) -> bool) -> Vec<f64> {
+    let counted = |index: usize| link.points.get(index).is_none_or(|point| counts(*point));
+    let some = |ends: [usize; 2], length: f64| ends.into_iter().all(counted).then_some(length);
     match &link.form {
         Form::Length(l) => vec![l.value],
         Form::Line(positions) => {
-            let values = || positions.iter().map(|p| p.value);
-            vec![values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)]
+            let values = || positions.iter().enumerate().filter(|(i, _)| counted(*i)).map(|(_, p)| p.value);
+            vec![(values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)).max(0.0)]
         }
         Form::Sides { first_second, second_third, third_first, .. } => {
-            vec![first_second.value, second_third.value, third_first.value]
+            let sides = [([0, 1], first_second), ([1, 2], second_third), ([2, 0], third_first)];
+            sides.into_iter().filter_map(|(ends, side)| some(ends, side.value)).collect()
         }
-        Form::Arms { second, third, .. } => vec![second.value, third.value],
-        Form::Shape(points) => points.iter().flat_map(|p| [p[0].value, p[1].value]).collect(),
+        Form::Arms { second, third, .. } => {
+            let arms = [([0, 1], second), ([0, 2], third)];
+            arms.into_iter().filter_map(|(ends, arm)| some(ends, arm.value)).collect()
+        }
+        Form::Shape(points) => {
+            let points = points.iter().enumerate().filter(|(index, _)| counted(*index));
+            points.flat_map(|(_, p)| [p[0].value, p[1].value]).collect()
+        }
         Form::Placed | Form::Single => Vec::new(),
     }
 }

@@ -52,7 +52,7 @@ use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
 use construction::Construction;
 use draughtsman::Draughtsman;
-use scales::{board_scales, measure, provisional_scales};
+use scales::{board_scales, measure, planned_scales, provisional_scales};
 
 /// A finished drawing and the tape behind it.
 #[derive(Debug, Clone)]
@@ -304,7 +304,7 @@ pub fn solution(
     (plan, extent): (&Plan, Extent),
     choose: impl Fn(Extents) -> Scales,
 ) -> Result<(Scales, Solution), DrawError> {
-    let board = board_scales(mechanism);
+    let board = board_scales(mechanism, structure, plan);
     let drawn = draw(Board::new(Tape::of(arithmetic)), mechanism, structure, plan, board);
     let drawn = drawn.and_then(|mut drawn| verify::verify(&mut drawn).map(|()| drawn));
     let mut drawn = drawn.map_err(|error| with_range(error, mechanism, structure, plan))?;
@@ -344,7 +344,7 @@ pub fn extents(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Res
 
 /// As [`extents`], without telling for which input a chain closes that does not close.
 pub(crate) fn seen(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Result<Extents, DrawError> {
-    let scales = provisional_scales(mechanism);
+    let scales = planned_scales(mechanism, structure, plan);
     // A tangency can only be told from a miss with a tape; it is rare, so try without one first.
     let bare = || -> Result<Extents, DrawError> {
         let mut drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
@@ -368,7 +368,7 @@ pub(crate) fn places(
     structure: &Structure,
     plan: &Plan,
 ) -> Result<Vec<Option<[f64; 2]>>, DrawError> {
-    let scales = provisional_scales(mechanism);
+    let scales = planned_scales(mechanism, structure, plan);
     let origin = origin(mechanism);
     let world = |at: [f64; 2]| [0, 1].map(|axis| origin[axis] + at[axis] * scales.length());
     let drawn = draw(Board::scratch(), mechanism, structure, plan, scales)?;
@@ -442,7 +442,7 @@ fn with_range(error: DrawError, mechanism: &Mechanism, structure: &Structure, pl
     let (&[input], 1) = (driven.as_slice(), mechanism.inputs.len()) else { return error };
     let Input::Angle { link, angle: Some(_), .. } = mechanism.inputs[input] else { return error };
     let positions = plan.skeleton();
-    let scales = provisional_scales(mechanism);
+    let scales = planned_scales(mechanism, structure, &positions);
     let closes = |at: f64| {
         let mut turned = mechanism.clone();
         if let Input::Angle { angle, .. } = &mut turned.inputs[input] {

@@ -16,15 +16,29 @@ use super::missing::Missing;
 use super::pose::{Pose, Track};
 use super::{DrawError, Misfit};
 
-/// Where the skeleton's own frame begins: the first fixed point, else the first placed one.
+/// Where the skeleton's own frame begins: the first fixed point, else the first placed one, of those by which anything is
+/// held.
 pub(super) fn origin_of_space(mechanism: &crate::mechanism::Mechanism) -> [Given; 2] {
-    let exact = |fixed: bool| {
-        let points = mechanism.points.iter();
-        let mut points = points.filter(|p| !fixed || matches!(p.place, crate::mechanism::Place::Fixed(_)));
-        points.find_map(|p| p.place.exact())
+    let leads = |point: PointId| {
+        mechanism.slides.iter().any(|slide| match slide.guide.path {
+            Path::Straight { through, direction, .. } => {
+                through == GuidePoint::Point(point) || direction == crate::mechanism::Direction::Toward(point)
+            }
+            Path::Arc { .. } => true,
+        })
     };
+    let exact = |fixed: bool, held: bool| {
+        let points = mechanism.points.iter().enumerate();
+        let mut points = points
+            .filter(|(_, p)| !fixed || matches!(p.place, crate::mechanism::Place::Fixed(_)))
+            .filter(|(index, p)| {
+                !held || p.links.iter().any(|link| *link != LinkId::FRAME) || leads(PointId(*index))
+            });
+        points.find_map(|(_, p)| p.place.exact())
+    };
+    let ways = [(true, true), (true, false), (false, false)];
     // Where nothing has a given place, one's own paper begins where one likes.
-    exact(true).or_else(|| exact(false)).unwrap_or([Given::exact(0.0); 2])
+    ways.into_iter().find_map(|(fixed, held)| exact(fixed, held)).unwrap_or([Given::exact(0.0); 2])
 }
 
 /// Draws the steps of the skeleton.

@@ -1,8 +1,12 @@
 //! The scale factors of a solution, and how large its diagrams are in reality, by which scales are chosen.
 
+use std::collections::BTreeSet;
+
 use crate::mechanism::quantity::{DiagramKind, Dimension};
 use crate::mechanism::statement::Locus;
-use crate::mechanism::{Input, Mechanism, Roll};
+use crate::mechanism::structure::Structure;
+use crate::mechanism::{Direction, GuidePoint, Input, LinkId, Mechanism, Path, PointId, Rider, Roll};
+use crate::plan::Plan;
 
 use super::construction::{Construction, Label, OtherPosition, TransferInk};
 use super::link_figure;
@@ -121,13 +125,54 @@ impl Extents {
 
 /// Scales at which paper numbers are of order 100, whatever the units.
 pub(super) fn provisional_scales(mechanism: &Mechanism) -> Scales {
+    scales_for(mechanism, size_of(mechanism, &|_| true, &|_| true))
+}
+
+/// The same for what a plan builds: a place or a part beyond all proportion that it leaves out has no part in what is
+/// near and far.
+pub(super) fn planned_scales(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Scales {
+    let steps = || plan.diagrams.iter().flat_map(|diagram| &diagram.steps);
+    let groups: BTreeSet<usize> = steps().map(|step| step.group).collect();
+    let wanted: BTreeSet<PointId> = steps().flat_map(|step| &step.points).map(|(_, point)| *point).collect();
+    let built = |link: LinkId| structure.group_of(link).is_some_and(|group| groups.contains(&group));
+    let mut on_guides: BTreeSet<PointId> = BTreeSet::new();
+    for slide in &mechanism.slides {
+        if let Rider::Pin { point, .. } = slide.rider {
+            on_guides.insert(point);
+        }
+        match slide.guide.path {
+            Path::Straight { through, direction, .. } => {
+                on_guides.extend(if let GuidePoint::Point(point) = through { Some(point) } else { None });
+                on_guides.extend(if let Direction::Toward(point) = direction { Some(point) } else { None });
+            }
+            Path::Arc { .. } => on_guides.extend(&mechanism.link(slide.guide.link).points),
+        }
+    }
+    let counts = |point: PointId| {
+        let links = &mechanism.point(point).links;
+        wanted.contains(&point)
+            || on_guides.contains(&point)
+            || (links.len() > 1 && links.iter().any(|link| *link != LinkId::FRAME && built(*link)))
+    };
+    let (all, near) = (size_of(mechanism, &|_| true, &|_| true), size_of(mechanism, &built, &counts));
+    scales_for(mechanism, if near > 0.0 && all > BEYOND * near { near } else { all })
+}
+
+/// What is so many times as large as all that is built is beyond all proportion.
+const BEYOND: f64 = 1_048_576.0;
+
+/// The largest length in the mechanism, of these links and points.
+fn size_of(mechanism: &Mechanism, built: &dyn Fn(LinkId) -> bool, counts: &dyn Fn(PointId) -> bool) -> f64 {
     let mut size: f64 = 0.0;
     let mut longest: f64 = 0.0;
     let mut seen = |x: f64| longest = longest.max(x.abs());
-    for link in &mechanism.links {
-        link_figure::given_lengths(link).into_iter().for_each(&mut seen);
+    for (index, link) in mechanism.links.iter().enumerate() {
+        if built(LinkId(index)) {
+            link_figure::given_lengths(link, counts).into_iter().for_each(&mut seen);
+        }
     }
-    let places: Vec<[f64; 2]> = mechanism.points.iter().filter_map(|p| p.place.hint()).collect();
+    let points = mechanism.points.iter().enumerate().filter(|(index, _)| counts(PointId(*index)));
+    let places: Vec<[f64; 2]> = points.filter_map(|(_, p)| p.place.hint()).collect();
     for locus in mechanism.statements.iter().flat_map(|statement| statement.loci) {
         if let Locus::Circle { radius, .. } = locus {
             seen(radius.value);
@@ -136,7 +181,10 @@ pub(super) fn provisional_scales(mechanism: &Mechanism) -> Scales {
     for p in &places {
         size = size.max(libm::hypot(p[0] - places[0][0], p[1] - places[0][1]));
     }
-    size = size.max(longest);
+    size.max(longest)
+}
+
+fn scales_for(mechanism: &Mechanism, size: f64) -> Scales {
     let (mut speed, mut acceleration) = (0.0_f64, 0.0_f64);
     for input in &mechanism.inputs {
         let (v, a) = match input {
@@ -168,8 +216,8 @@ pub(super) fn provisional_scales(mechanism: &Mechanism) -> Scales {
 
 /// The scales of the board: powers of two at which paper numbers are of order 100. Every operation is homogeneous, so
 /// that no bit of an answer depends on them.
-pub(super) fn board_scales(mechanism: &Mechanism) -> Scales {
-    let provisional = provisional_scales(mechanism);
+pub(super) fn board_scales(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Scales {
+    let provisional = planned_scales(mechanism, structure, plan);
     Scales::new(|dimension| {
         let (mantissa, exponent) = libm::frexp(provisional.of(dimension));
         libm::ldexp(1.0, if mantissa < std::f64::consts::FRAC_1_SQRT_2 { exponent - 1 } else { exponent })

@@ -665,7 +665,13 @@ impl<'m> Draughtsman<'m> {
         if turns {
             return std::f64::consts::PI;
         }
-        let lengths: f64 = self.mechanism.links.iter().flat_map(given_lengths).map(f64::abs).sum::<f64>()
+        let lengths: f64 = self
+            .mechanism
+            .links
+            .iter()
+            .flat_map(|link| given_lengths(link, &|_| true))
+            .map(f64::abs)
+            .sum::<f64>()
             / self.scales.length();
         let places = self.places.iter().flatten().map(|p| libm::hypot(p.value()[0], p.value()[1]));
         let origin = self.origin_of_space().map(|g| g.value);

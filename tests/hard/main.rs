@@ -16,6 +16,7 @@ mod mutation;
 mod readers;
 mod reading;
 mod scale;
+mod unasked;
 #[cfg(unix)]
 mod writing;
 
