@@ -106,11 +106,10 @@ impl SolveError {
             Self::Indeterminate { why: Indeterminate::NoEquilibrium { .. }, .. } => {
                 Some(Refusal::NoEquilibrium)
             }
-            Self::Stuck { how: Stuck::AtRest, .. } | Self::Indeterminate { .. } => {
+            Self::Stuck { how: Stuck::AtRest, .. } | Self::Unanswered { .. } | Self::Indeterminate { .. } => {
                 Some(Refusal::Indeterminate)
             }
-            Self::Unanswered { .. }
-            | Self::Structure(_)
+            Self::Structure(_)
             | Self::Position(_)
             | Self::Draw(DrawError::NoConstruction { .. } | DrawError::Missing(_)) => None,
         }

@@ -700,3 +700,61 @@ fn a_torque_against_the_motion_turns_round_with_it_in_a_sweep() {
     sweep.columns[5].asked.quantity = of;
     assert!(check::confirm_sweep(&sweep).is_err());
 }
+
+/// What acts without a direction leaves no number of what hangs on it, with the true reason, and takes nothing else along.
+#[test]
+fn what_acts_without_a_direction_refuses_quantity_by_quantity() {
+    const BARS: &str = r#"{
+      "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [110, 0], "P": [110, 0] },
+      "links": { "2": { "joins": ["O2", "A"], "length": 40 }, "3": { "joins": ["A", "B"], "length": 120 },
+                 "4": { "joins": ["O4", "B"], "length": 80 } },
+      "masses": { "3": { "mass": 2, "at": "A" } },
+      "near": { "B": [125, 80] }, "input": { "link": 2, "angle": 60, "omega": "10 rad/s ccw" }"#;
+    let cases = [
+        (
+            r#""loads": [{ "on": 4, "at": "O4", "force": 100, "direction": "against" }]"#,
+            "loads[0] has no direction: the loaded point O4 does not move",
+        ),
+        (
+            r#""loads": [{ "on": 4, "at": "B", "force": 100, "direction": { "from": "O4", "to": "P" } }]"#,
+            "loads[0] has no direction: O4 and P are one place",
+        ),
+        (
+            r#""springs": [{ "between": [{ "link": 1, "at": "P" }, { "link": 4, "at": "O4" }], "force": 50 }]"#,
+            "springs[0] has no direction: P and O4 are one place",
+        ),
+    ];
+    for (acts, why) in cases {
+        let find = r#""find": ["v(B)", "omega(4)", "Fin(3)", "T(2)", "F(1,4)"]"#;
+        let scene = match scene::read(&format!("{BARS}, {acts}, {find} }}"), "forces.json") {
+            Ok(scene) => scene,
+            Err(error) => panic!("{error}"),
+        };
+        let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+        let analytic = linkgram::solve::solve_analytically(&scene);
+        let agreement = check::agreement(&scene, &solved, &analytic);
+        assert!(agreement.ok(), "{acts}: {:?} {:?}", agreement.refused, agreement.disagreements());
+        let state = analytic.unwrap();
+        for asked in &scene.mechanism.asked {
+            let ours = solved.answer(&scene, &asked.name).unwrap();
+            let other = state.answer(&asked.quantity);
+            if ["v(B)", "omega(4)", "Fin(3)"].contains(&asked.name.as_str()) {
+                assert!(!matches!(ours, Answer::Indeterminate(_)), "{acts}: {}: {ours:?}", asked.name);
+                assert!(!matches!(other, Answer::Indeterminate(_)), "{acts}: {}: {other:?}", asked.name);
+                continue;
+            }
+            for answer in [ours, &other] {
+                let Answer::Indeterminate(told) = answer else {
+                    panic!("{acts}: {}: {answer:?}", asked.name)
+                };
+                assert_eq!(told.to_string(), why, "{}", asked.name);
+            }
+        }
+        // Nothing of it hinders the skeleton.
+        let find = r#""find": ["v(B)", "F(1,2)"]"#;
+        let whole = scene::read(&format!("{BARS}, {acts}, {find} }}"), "forces.json").unwrap();
+        let wish = linkgram::drawing::Wish { figures: vec!["skeleton".to_owned()], ..Default::default() };
+        let figure = linkgram::drawing::figure(&whole, &wish);
+        assert!(figure.is_ok(), "{acts}: {}", figure.unwrap_err().told(&whole));
+    }
+}

@@ -3,14 +3,17 @@
 use super::constraints::{Formulas, Row, Scope, Site};
 use super::model::Tie;
 use super::state::{Measured, State};
-use super::statics::{Acting, HeavyBody};
-use super::tape::{Tape, Var};
-use crate::mechanism::force::{Action, Force, Share, Sought, Through};
+use super::statics::{Acting, Aim, Balance, Burden, HeavyBody};
+use super::tape::{Leaf, Linear, Tape, Var};
+use crate::mechanism::force::{Action, Force, Share, Sought, Through, Unaimed};
 use crate::mechanism::quantity::{Answer, Indeterminate};
 use crate::mechanism::{LinkId, PointId};
 
 /// A force whose bound passes a quarter of it counts as zero: it has no line.
 const ZERO: f64 = 4.0;
+
+/// What does not exceed its bound so often points nowhere.
+const CLEAR: f64 = 4.0;
 
 type Read = Result<Answer, Indeterminate>;
 
@@ -96,10 +99,16 @@ impl State {
         let acting = Acting::new(scope, (&self.model, burden), (&balance.x, &balance.strength), share, moves);
         let out = formula(&acting);
         if tape.broken() {
-            return undefined("it divides by a length of zero");
+            let why = burden.unaimed.clone();
+            return why.map_or_else(|| undefined("it divides by a length of zero"), Err);
         }
         let mut measured = [Measured::default(); N];
         for (slot, var) in measured.iter_mut().zip(out) {
+            if let Some(why) = &burden.unaimed
+                && self.strays(&tape.sweep(var), burden, balance, share)
+            {
+                return Err(why.clone());
+            }
             *slot =
                 self.measure(&tape, var, solved, Some(balance)).map_err(|why| match (&self.stuck, why) {
                     (Some(stuck), Indeterminate::Singular) => stuck.clone(),
@@ -107,6 +116,50 @@ impl State {
                 })?;
         }
         Ok(measured)
+    }
+
+    /// Whether a number hangs on the balance of a body on which something without a direction acts, or on what such a
+    /// thing would fix.
+    fn strays(&self, number: &Linear, burden: &Burden, balance: &Balance, share: Share) -> bool {
+        let mut gradient = vec![0.0; balance.x.len()];
+        for (leaf, slope) in &number.terms {
+            if let Leaf::Force(at) = leaf {
+                gradient[*at] += slope;
+            }
+        }
+        if gradient.iter().zip(&balance.undetermined).any(|(g, lost)| *lost && *g != 0.0) {
+            return true;
+        }
+        let behind = balance.system.adjoint(gradient).rows;
+        // Three balances of each body, the frame has none.
+        behind.iter().any(|(row, weight)| *weight != 0.0 && burden.strays_on(row / 3 + 1, share))
+    }
+
+    /// What acts without a direction here, because two places are one or nothing moves, and why.
+    pub(super) fn unaimed(&self) -> Vec<(Unaimed, Indeterminate)> {
+        let Some(burden) = &self.burden else { return Vec::new() };
+        let solved = self.solved.as_ref();
+        let mut found = Vec::new();
+        for (what, aim) in burden.aims() {
+            let read = match aim {
+                Aim::Between([from, to]) => self.read(0, None, |s| {
+                    let (a, b) = (s.site(&from), s.site(&to));
+                    [b[0].v - a[0].v, b[1].v - a[1].v]
+                }),
+                _ if solved.is_none() => continue,
+                Aim::Velocity(site) => self.read(1, solved, |s| s.site(&site).map(|c| c.d)),
+                Aim::Turning(body) => self.read(1, solved, |s| [s.angle(body).d, s.tape.constant(0.0)]),
+            };
+            match read {
+                Ok([x, y]) if libm::hypot(x.value, y.value) > CLEAR * libm::hypot(x.bound, y.bound) => {}
+                Ok(_) => {
+                    let why = self.model.mechanism.say_unaimed(what);
+                    found.push((what, Indeterminate::Undefined { why }));
+                }
+                Err(why) => found.push((what, why)),
+            }
+        }
+        found
     }
 
     /// An asked force.

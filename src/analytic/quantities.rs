@@ -347,7 +347,7 @@ impl State {
     fn ratio(&self, link: LinkId, other: LinkId) -> Read {
         let [turns] = self.read(1, self.solved.as_ref(), |s| [s.angle(other.0).d])?;
         if turns.value.abs() <= ZERO * turns.bound {
-            return undefined(format!("link {} does not turn", self.number(other)));
+            return undefined(format!("ω{} is zero", self.number(other)));
         }
         self.scalar(1, 1.0, |s| s.angle(link.0).d / s.angle(other.0).d)
     }

@@ -100,6 +100,10 @@ impl State {
             state.solved = Some(solved);
             state.unit = unit;
         }
+        let unaimed = state.unaimed();
+        if let Some(burden) = &mut state.burden {
+            unaimed.into_iter().for_each(|(what, why)| burden.leave_out(what, why));
+        }
         if let Some(burden) = &state.burden {
             // The balance of powers is that of all that acts.
             shares.push(Share::Total);

@@ -17,8 +17,9 @@ use super::motion::{Located, Solved};
 use super::ordering::{Ordering, order};
 use super::tape::{Calculus, Jet, Leaf, Linear, Tape, U, Var, dot, minus};
 use crate::mechanism::force::{
-    Area, Heaviness, Inertia, LoadKind, Pointing, Share, Size, Sought, SpringKind, SpringLaw,
+    Area, Heaviness, Inertia, LoadKind, Pointing, Share, Size, Sought, SpringKind, SpringLaw, Unaimed,
 };
+use crate::mechanism::quantity::Indeterminate;
 use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 
@@ -42,6 +43,8 @@ pub(super) struct Burden {
     pub(super) sought: Vec<Sought>,
     /// The pairs that rub.
     pub(super) rubbing: Vec<Rubbing>,
+    /// Why something that acts has no direction here: what hangs on it is not told.
+    pub(super) unaimed: Option<Indeterminate>,
 }
 
 /// A mass.
@@ -79,6 +82,8 @@ pub(super) struct BodyLoad {
     pub(super) at: Option<Site>,
     size: LoadSize,
     pointing: Toward,
+    /// It has no direction here.
+    pub(super) unaimed: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -105,6 +110,8 @@ enum Toward {
 pub(super) struct BodySpring {
     ends: [Site; 2],
     law: BodyLaw,
+    /// It has no direction here.
+    pub(super) unaimed: bool,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -296,6 +303,10 @@ impl<'t> Acting<'t> {
     /// The force of a load, or its torque in the first place of the three: x, y, torque.
     pub(super) fn load(&self, load: &BodyLoad) -> [Var<'t>; 3] {
         let zero = self.tape().constant(0.0);
+        if load.unaimed {
+            // Whatever is read off it is no number.
+            return [self.tape().constant(1.0) / zero; 3];
+        }
         let s = &self.real;
         let size = match load.size {
             LoadSize::One(size) => s.num(size).v,
@@ -373,6 +384,9 @@ impl<'t> Acting<'t> {
     /// The pull of a spring on one of its ends, and where that is.
     pub(super) fn spring_on(&self, spring: &BodySpring, end: usize) -> ([Var<'t>; 2], [Var<'t>; 2]) {
         let (own, other) = (self.real.site(&spring.ends[end]), self.real.site(&spring.ends[1 - end]));
+        if spring.unaimed {
+            return ([self.tape().constant(1.0) / self.tape().constant(0.0); 2], own.map(|c| c.v));
+        }
         let (length, pull) = (Self::length(&self.real, spring).v, self.pull(spring));
         let along = minus(other, own);
         (along.map(|c| c.v / length * pull), own.map(|c| c.v))
@@ -462,7 +476,7 @@ impl<'t> Acting<'t> {
         }
         let mut sum = zero;
         // What is sought is a load for a unit of it: it stands among the unknowns, not in the sum.
-        for load in self.burden.loads.iter().filter(|load| load.body == body) {
+        for load in self.burden.loads.iter().filter(|load| load.body == body && !load.unaimed) {
             let unit = |index: usize| {
                 let alone = BodyLoad { size: LoadSize::One(Num::Exact(1.0)), ..*load };
                 (pairs + index, alone)
@@ -484,7 +498,7 @@ impl<'t> Acting<'t> {
             }
         }
         for spring in &self.burden.springs {
-            if !spring.ends.iter().any(|end| end.body == body) {
+            if spring.unaimed || !spring.ends.iter().any(|end| end.body == body) {
                 continue;
             }
             let length = Self::length(&virtually, spring);
@@ -642,12 +656,14 @@ impl Burden {
                         Some(with) => Toward::Motion(if with { 1.0 } else { -1.0 }),
                         None => Toward::World(Num::Exact(0.0)),
                     },
+                    unaimed: false,
                 },
                 LoadKind::Vector { at, parts, of } => BodyLoad {
                     body: load.link.0,
                     at: Some(site_in(model, at, load.link)?),
                     size: LoadSize::Pair(parts.map(|part| model.given(part, force))),
                     pointing: Toward::Own(of.0, Num::Exact(0.0)),
+                    unaimed: false,
                 },
                 LoadKind::Force { at, size, pointing } => BodyLoad {
                     body: load.link.0,
@@ -662,6 +678,7 @@ impl Burden {
                         }
                         Pointing::Motion { with } => Toward::Motion(if with { 1.0 } else { -1.0 }),
                     },
+                    unaimed: false,
                 },
             });
         }
@@ -680,7 +697,7 @@ impl Burden {
                 SpringLaw::Force(Size::Given(pull)) => BodyLaw::Force(model.given(pull, force)),
                 SpringLaw::Force(_) => BodyLaw::ForceSought(index),
             };
-            burden.springs.push(BodySpring { ends, law });
+            burden.springs.push(BodySpring { ends, law, unaimed: false });
         }
         if let Some(spin) = &forces.spin {
             let drag = match spin.drag {
@@ -743,6 +760,57 @@ fn any_site(model: &Model, point: PointId) -> Result<Site, AnalyticError> {
     model.sites[point.0].first().copied().ok_or_else(|| AnalyticError::Malformed {
         what: format!("{} is in no link", model.mechanism.points[point.0].name),
     })
+}
+
+/// How a direction is told, as numbers that are not all zero.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Aim {
+    /// By the way from one place to another.
+    Between([Site; 2]),
+    /// By the velocity of a place.
+    Velocity(Site),
+    /// By the sense in which a body turns.
+    Turning(usize),
+}
+
+impl Burden {
+    /// What has a direction by places or by the motion.
+    pub(super) fn aims(&self) -> Vec<(Unaimed, Aim)> {
+        let loads = self.loads.iter().enumerate().filter_map(|(index, load)| {
+            let aim = match (load.pointing, load.at) {
+                (Toward::Between(ends, _), _) => Aim::Between(ends),
+                (Toward::Motion(_), Some(at)) => Aim::Velocity(at),
+                (Toward::Motion(_), None) => Aim::Turning(load.body),
+                _ => return None,
+            };
+            Some((Unaimed::Load(index), aim))
+        });
+        let springs = self.springs.iter().enumerate();
+        let springs = springs.map(|(index, spring)| (Unaimed::Spring(index), Aim::Between(spring.ends)));
+        loads.chain(springs).collect()
+    }
+
+    /// Notes that something has no direction here.
+    pub(super) fn leave_out(&mut self, what: Unaimed, why: Indeterminate) {
+        match what {
+            Unaimed::Load(index) => self.loads[index].unaimed = true,
+            Unaimed::Spring(index) => self.springs[index].unaimed = true,
+        }
+        self.unaimed.get_or_insert(why);
+    }
+
+    /// Whether something without a direction acts on a body, in a share of what acts.
+    pub(super) fn strays_on(&self, body: usize, share: Share) -> bool {
+        let counts = |sought: bool| sought || share != Share::Inertia;
+        let load = |load: &BodyLoad| {
+            load.unaimed && load.body == body && counts(matches!(load.size, LoadSize::Sought(_)))
+        };
+        let spring = |spring: &BodySpring| {
+            let sought = matches!(spring.law, BodyLaw::StiffnessSought(..) | BodyLaw::ForceSought(_));
+            spring.unaimed && spring.ends.iter().any(|end| end.body == body) && counts(sought)
+        };
+        self.loads.iter().any(load) || self.springs.iter().any(spring)
+    }
 }
 
 /// Which balances hang on which unknowns, and how far off their slopes may be.

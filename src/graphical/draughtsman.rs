@@ -364,6 +364,7 @@ impl<'m> Draughtsman<'m> {
     pub(super) fn all_reasons(&self) -> Vec<Vec<u32>> {
         let links = |why: &Cause| match why {
             Cause::InLine(links) => links.clone(),
+            Cause::Missing(Missing::Turning(link)) => vec![self.mechanism.link(*link).number],
             Cause::Missing(_) => Vec::new(),
         };
         self.reasons.iter().map(links).collect()

@@ -5,6 +5,7 @@
 //! something was missing is refused as a whole ([`super::DrawError::Missing`]).
 
 use crate::board::{Amount, Direction, Point, Reason};
+use crate::mechanism::force::Unaimed;
 use crate::mechanism::friction::RubbingPair;
 use crate::mechanism::quantity::{Indeterminate, Order, Stuck};
 use crate::mechanism::structure::TrialDriver;
@@ -42,6 +43,10 @@ pub enum Missing {
     Side(RubbingPair),
     /// A balance with friction: forces drawn again and again come to no end.
     Balance,
+    /// The direction of a load or spring.
+    Aim(Unaimed),
+    /// The turning of a link, of which another one's is a multiple.
+    Turning(LinkId),
 }
 
 impl Missing {
@@ -94,6 +99,8 @@ impl Missing {
                 format!("no step of the drawing finds the angular {} of link {}", word(order), number(link))
             }
             Self::Input(input) => format!("input {} gives no value to draw with", input + 1),
+            Self::Turning(link) => format!("ω{} is zero", number(link)),
+            Self::Aim(what) => mechanism.say_unaimed(what),
             Self::Sense(pair) => {
                 format!("{} does not move: its friction has no sense", mechanism.say_rubbing(pair))
             }

@@ -248,7 +248,9 @@ impl Draughtsman<'_> {
             Quantity::RelativeOmega(i, j) => self.read_difference(Order::Velocity, i, j),
             Quantity::Ratio(i, j) | Quantity::Advantage(j, i) => {
                 let (first, second) = (self.rate(Order::Velocity, i), self.rate(Order::Velocity, j));
-                let reason = self.reason(&[j]);
+                let reason = self.reason_missing(Missing::Turning(j));
+                // Both the other way: what divides is no number of its own but this one's, so that it spoils nothing else.
+                let (first, second) = (self.board.opposite(first), self.board.opposite(second));
                 Read::Scalar(self.board.quotient(first, second, reason))
             }
             Quantity::RelativeAlpha(i, j) => self.read_difference(Order::Acceleration, i, j),

@@ -541,6 +541,45 @@ pub enum Force {
     Arm(Action, PointId),
 }
 
+/// Something that acts, of which the scene says no direction of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Unaimed {
+    /// A load, by its index.
+    Load(usize),
+    /// A spring, by its index.
+    Spring(usize),
+}
+
+impl Mechanism {
+    /// Why something that acts has no direction here, as a clause in plain English.
+    #[must_use]
+    pub fn say_unaimed(&self, what: Unaimed) -> String {
+        let name = |point: PointId| self.point(point).name.as_str();
+        match what {
+            Unaimed::Load(index) => {
+                let load = &self.forces.loads[index];
+                let why = match load.kind {
+                    LoadKind::Force { at, pointing: Pointing::Motion { .. }, .. } => {
+                        format!("no direction: the loaded point {} does not move", name(at))
+                    }
+                    LoadKind::Force { pointing: Pointing::Between { from, to, .. }, .. } => {
+                        format!("no direction: {} and {} are one place", name(from), name(to))
+                    }
+                    _ => format!("no sense: the loaded link {} does not turn", self.link(load.link).number),
+                };
+                format!("loads[{index}] has {why}")
+            }
+            Unaimed::Spring(index) => {
+                let ends = match self.forces.springs[index].kind {
+                    SpringKind::Pull(ends) => ends.map(|(_, point)| name(point)).join(" and "),
+                    SpringKind::Torsion(_) => "its ends".to_owned(),
+                };
+                format!("springs[{index}] has no direction: {ends} are one place")
+            }
+        }
+    }
+}
+
 /// Which part of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Share {

@@ -1,9 +1,10 @@
 //! What is given, laid off: loads, weights, inertia, springs.
 
-use crate::board::{Amount, Direction};
+use crate::board::{Amount, Direction, Reason};
 use crate::given::Given;
 use crate::mechanism::force::{
     Area, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Share, Size, Sought, SpringKind, SpringLaw,
+    Unaimed,
 };
 use crate::mechanism::quantity::Order;
 use crate::mechanism::spin::SpinSpeed;
@@ -40,7 +41,7 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
         let assumed = balance.assumed.iter().find(|(s, _)| *s == Sought::Spring(index)).map(|(_, a)| *a);
         let pull = d.spring_pull(spring.law, ends.map(|(_, point)| point), assumed);
         let [first, second] = ends.map(|(_, point)| d.at(point));
-        let reason = d.reason(&ends.map(|(link, _)| link));
+        let reason = d.reason_missing(Missing::Aim(Unaimed::Spring(index)));
         let (toward, _) = d.board.toward(first, second, reason);
         let on_first = d.pull_along(toward, pull);
         let items = [(first, on_first), (second, Draughtsman::opposite(on_first))];
@@ -214,7 +215,7 @@ impl Draughtsman<'_> {
                 let mut torque = self.size(size, assumed);
                 if let Some(with) = with_motion {
                     let omega = self.rate(Order::Velocity, load.link);
-                    let reason = self.reason(&[load.link]);
+                    let reason = self.reason_of_load(load);
                     torque = self.board.in_sense_of(torque, omega, reason);
                     if !with {
                         torque = self.board.opposite(torque);
@@ -247,14 +248,23 @@ impl Draughtsman<'_> {
             }
             LoadKind::Force { at, size, pointing } => {
                 let size = self.size(size, assumed);
-                let along = self.pointing(pointing, at, load.link);
+                let reason = self.reason_of_load(load);
+                let along = self.pointing(pointing, at, reason);
                 let pull = self.pull_along(along, size);
                 Item { pull: Some(pull), at: self.at(at), couple: None }
             }
         }
     }
 
-    fn pointing(&mut self, pointing: Pointing, at: PointId, on: LinkId) -> Direction {
+    /// For which reason a load may have no direction.
+    fn reason_of_load(&mut self, load: &Load) -> Reason {
+        match self.mechanism.forces.loads.iter().position(|other| other.name == load.name) {
+            Some(index) => self.reason_missing(Missing::Aim(Unaimed::Load(index))),
+            None => self.reason(&[load.link]),
+        }
+    }
+
+    fn pointing(&mut self, pointing: Pointing, at: PointId, reason: Reason) -> Direction {
         match pointing {
             Pointing::World(angle) => {
                 let angle = self.board.angle(angle);
@@ -262,7 +272,6 @@ impl Draughtsman<'_> {
             }
             Pointing::Between { from, to, turned } => {
                 let (a, b) = (self.at(from), self.at(to));
-                let reason = self.reason(&[on]);
                 let (along, _) = self.board.toward(a, b, reason);
                 if turned == Given::exact(0.0) {
                     return along;
@@ -278,7 +287,6 @@ impl Draughtsman<'_> {
             Pointing::Motion { with } => {
                 let image = self.image(Order::Velocity, at);
                 let pole = self.board.origin();
-                let reason = self.reason(&[on]);
                 let (along, _) = self.board.toward(pole, image, reason);
                 if with { along } else { self.board.reverse(along) }
             }

@@ -1,6 +1,8 @@
 //! What the balance leaves on the paper: the free bodies in the order of solution, and the whole.
 
-use crate::mechanism::force::{Action, Force, LoadKind, Party, Share, Sought, SpringKind};
+use crate::mechanism::force::{
+    Action, Force, Load, LoadKind, Party, Pointing, Share, Sought, Spring, SpringKind,
+};
 use crate::mechanism::friction::{Rub, RubbingPair};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, LinkId, PointId};
@@ -17,7 +19,7 @@ const REACH: f64 = 0.6;
 /// The free bodies of a plan, with everything that acts on them.
 pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<ForceSheet> {
     let (_, balance) = d.balances.iter().find(|(share, _)| *share == Share::Total)?;
-    if balance.refused.is_some() {
+    if balance.refused.is_some() || d.acts_without_direction() {
         return None;
     }
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
@@ -132,6 +134,33 @@ pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
 }
 
 impl Draughtsman<'_> {
+    /// Whether a load or a spring has no direction here: then nothing that it balances is a stroke.
+    fn acts_without_direction(&mut self) -> bool {
+        let forces = self.mechanism.forces.clone();
+        let aimed = |load: &Load| match load.kind {
+            LoadKind::Force { pointing, .. } => {
+                matches!(pointing, Pointing::Motion { .. } | Pointing::Between { .. })
+            }
+            LoadKind::Torque { with_motion, .. } => with_motion.is_some(),
+            LoadKind::Vector { .. } => false,
+        };
+        let loads = forces.loads.iter().enumerate().filter(|(_, load)| aimed(load));
+        let loads = loads.map(|(index, _)| Action::Load(index));
+        let pulls = |spring: &Spring| matches!(spring.kind, SpringKind::Pull(_));
+        let springs = forces.springs.iter().enumerate().filter(|(_, spring)| pulls(spring));
+        let springs = springs.map(|(index, _)| Action::Spring { index, end: 0 });
+        let mut marks: Vec<u32> = Vec::new();
+        for action in loads.chain(springs) {
+            let Ok(items) = self.items_of(action, Share::Total) else { continue };
+            for item in items {
+                let parts = item.pull.map(|pull| self.components_of(pull));
+                marks.extend(parts.into_iter().flatten().chain(item.couple).map(|part| part.mark()));
+            }
+        }
+        let tape = self.board.tape();
+        marks.into_iter().any(|mark| tape.weakness(mark).is_some())
+    }
+
     /// A force as it stands on the paper; none where no polygon leads to it.
     fn acting(&mut self, action: Action, known: Knowledge) -> Option<Acting> {
         let items = self.items_of(action, Share::Total).ok()?;
