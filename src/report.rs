@@ -254,9 +254,11 @@ fn draw(scene: &Scene, error: &DrawError) -> (Subject, String, String) {
                 | Missing::Rate(_, link)
                 | Missing::Turning(link) => Subject::Link(link),
                 Missing::Input(input) => Subject::Input(input),
-                Missing::Sought | Missing::Aim(_) | Missing::Sense(_) | Missing::Side(_) | Missing::Balance => {
-                    Subject::Scene
-                }
+                Missing::Sought
+                | Missing::Aim(_)
+                | Missing::Sense(_)
+                | Missing::Side(_)
+                | Missing::Balance => Subject::Scene,
             },
             format!("cannot be drawn: {}", what.say(&scene.mechanism)),
             "say it by a dimension, or place the points that it follows from".to_owned(),

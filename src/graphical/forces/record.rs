@@ -18,8 +18,11 @@ const REACH: f64 = 0.6;
 
 /// The free bodies of a plan, with everything that acts on them.
 pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<ForceSheet> {
+    if d.acts_without_direction() {
+        return None;
+    }
     let (_, balance) = d.balances.iter().find(|(share, _)| *share == Share::Total)?;
-    if balance.refused.is_some() || d.acts_without_direction() {
+    if balance.refused.is_some() {
         return None;
     }
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
