@@ -74,7 +74,9 @@ pub(super) fn read(value: Option<&Value<'_>>, scales: &Scales, mechanism: &Mecha
         fields.get("scales").map(|v| Fields::of(v, keys::SCALES, "scales by diagram")).transpose()?;
     let scale = |key: &str, measure: Measure| -> Res<Option<f64>> {
         let inner = nested.as_ref().and_then(|f| f.entry(key));
-        let chosen = match (inner, fields.entry(key)) {
+        // The scales of motion may stand in `sheet` itself.
+        let own = keys::SHEET.contains(&key).then(|| fields.entry(key)).flatten();
+        let chosen = match (inner, own) {
             (Some(one), Some(other)) => {
                 return Err(Fault::new(one.at.max(other.at), format!("the `{key}` scale is given twice")));
             }
