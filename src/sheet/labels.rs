@@ -24,8 +24,14 @@ const TOUCH: f64 = 1000.0;
 const MISREAD: f64 = 75.0;
 /// What else is named is this much further away than what a name names, or the name might be its.
 const BESIDE: f64 = 1.0;
+/// Names reach into each other by no more than this.
+const INTO: f64 = 0.2;
 /// Lines no further apart than this are named side by side.
 const TOGETHER: f64 = 0.8;
+/// A name that stands by so much nearer to something else than to its own is that one's.
+const NEARER: f64 = 0.2;
+/// A leader passes other points, and ends beside other lines, no nearer than this.
+const PASSING: f64 = 0.5;
 /// Passes of repair; each label moves to its best place given all others.
 const PASSES: usize = 8;
 /// Moves by which a crowd is untangled: where so many do not suffice there is no room.
@@ -86,6 +92,21 @@ pub struct Request {
     pub names: Vec<String>,
     /// When it came onto the paper.
     pub life: Option<Life>,
+    /// It never stands nearer to something else that is named, nor behind it: where there is no such place a leader ties it.
+    pub strict: bool,
+    /// The stroke that it names, where it stands beside a piece of it only.
+    pub stroke: Option<(Point, Point)>,
+    /// The point to which a leader ties it wherever it stands.
+    pub tie: Option<Point>,
+}
+
+/// What stands among the names without asking for one here.
+#[derive(Debug, Default)]
+pub struct Others {
+    /// Points.
+    pub points: Vec<Point>,
+    /// Strokes.
+    pub lines: Vec<(Point, Point)>,
 }
 
 impl Request {
@@ -123,6 +144,9 @@ impl Request {
             leader: false,
             names: Vec::new(),
             life: None,
+            strict: false,
+            stroke: None,
+            tie: None,
         }
     }
 }
@@ -397,7 +421,7 @@ fn between(a: Rect, b: Rect) -> (f64, bool) {
         (15.0, false)
     } else if !a.inflate(WORD, 0.0).intersect(b).is_zero_area() {
         // On one line and this near they would be read as one.
-        (6.0, false)
+        (20.0, false)
     } else {
         (0.0, false)
     }
@@ -432,24 +456,26 @@ fn crowded(requests: &[Request]) -> Vec<bool> {
 /// which there is no room each is left out that finds none; the group's data tell the names of those that had to stand.
 #[must_use]
 pub fn place(group: &Group, requests: &[Request], within: Option<Rect>) -> Group {
+    place_among(group, requests, within, &Others::default())
+}
+
+/// The same among others that are named elsewhere, or not at all.
+#[must_use]
+pub fn place_among(group: &Group, requests: &[Request], within: Option<Rect>, others: &Others) -> Group {
+    /// Of nobody's request.
+    const NOBODY: usize = usize::MAX;
     let obstacles = Obstacles::of(group);
     let bodies: Vec<Body> = requests.iter().map(Body::new).collect();
-    let anchors: Vec<(usize, Point)> = requests
-        .iter()
-        .enumerate()
-        .filter_map(|(i, r)| match r.sites[..] {
-            [Site::Around { at, .. }] => Some((i, at)),
-            _ => None,
-        })
-        .collect();
-    let lines_named: Vec<(usize, Point, Point)> = requests
-        .iter()
-        .enumerate()
-        .filter_map(|(i, r)| match r.sites[..] {
-            [Site::Along { from, to }, ..] => Some((i, from, to)),
-            _ => None,
-        })
-        .collect();
+    let anchors = requests.iter().enumerate().filter_map(|(i, r)| match r.sites[..] {
+        [Site::Around { at, .. }] => Some((i, r.tie.unwrap_or(at))),
+        _ => None,
+    });
+    let anchors = anchors.chain(others.points.iter().map(|at| (NOBODY, *at))).collect();
+    let lines_named = requests.iter().enumerate().filter_map(|(i, r)| match (r.stroke, &r.sites[..]) {
+        (Some((from, to)), _) | (None, &[Site::Along { from, to }, ..]) => Some((i, from, to)),
+        _ => None,
+    });
+    let lines_named = lines_named.chain(others.lines.iter().map(|(a, b)| (NOBODY, *a, *b))).collect();
     let strangers = Strangers::new(anchors, lines_named);
     let crowded = crowded(requests);
     let yields =
@@ -782,6 +808,15 @@ fn conflict<I: Iterator<Item = Rect>>(
             touch |= t;
         }
     }
+    let whole = |boxes: &mut dyn Iterator<Item = Rect>| boxes.reduce(|a, b| a.union(b));
+    if let (false, Some(x), Some(y)) = (touch, whole(&mut boxes()), whole(&mut other_boxes.iter().copied())) {
+        // An index that reaches into another name's is read with it.
+        let both = x.intersect(y);
+        if both.width().min(both.height()) > INTO {
+            cost += TOUCH;
+            touch = true;
+        }
+    }
     let crossed = match (leader, other_leader) {
         (Some((a, b)), Some((c, d))) if crossing(a, b, c, d) => 200.0,
         _ => 0.0,
@@ -852,8 +887,12 @@ impl Market<'_> {
                 candidate.touches_ink = true;
             }
         }
-        // A name that is tied to what it names is no stranger's.
-        if candidate.leader.is_some() {
+        let request = &self.requests[index];
+        if let Some((from, to)) = candidate.leader {
+            // A name that is tied to what it names is no stranger's, but its leader might be.
+            if request.strict {
+                candidate.cost += self.astray(index, candidate.site, from, to);
+            }
             return;
         }
         let Some(own) = body.boxes(candidate.centre).reduce(|a, b| a.union(b)) else { return };
@@ -874,11 +913,16 @@ impl Market<'_> {
                     if far + BESIDE < clear {
                         candidate.cost += MISREAD;
                     }
+                    if request.strict && far + BESIDE + NEARER < clear {
+                        candidate.cost += TOUCH;
+                        candidate.touches_ink = true;
+                    }
                 }
                 // What stands at the middle of a dimension line is read as its number.
                 let dimension = |i: usize| {
                     let (j, ..) = strangers.lines[i];
-                    j != index && self.requests[j].class == super::dimensions::CLASS
+                    let class = self.requests.get(j).map(|request| request.class);
+                    j != index && class == Some(super::dimensions::CLASS)
                 };
                 strangers.line_grid.near(reach, strangers.lines.len(), met, near, dimension);
                 for (_, a, b) in near.iter().map(|i| strangers.lines[*i]) {
@@ -889,9 +933,12 @@ impl Market<'_> {
                 }
             }
             Site::Along { from, to } => {
+                let (from, to) = request.stroke.unwrap_or((from, to));
                 let clear = gap(own, from, to) + BESIDE;
                 let stranger = |i: usize| strangers.lines[i].0 != index;
                 let reach = own.inflate(clear, clear);
+                let centre = own.center();
+                let foot = centre.lerp(nearest(centre, from, to), 0.95);
                 strangers.line_grid.near(reach, strangers.lines.len(), met, near, stranger);
                 for (_, a, b) in near.iter().map(|i| strangers.lines[*i]) {
                     let far = gap(own, a, b);
@@ -902,7 +949,46 @@ impl Market<'_> {
                     if far + BESIDE + TOGETHER < clear {
                         candidate.cost += MISREAD;
                     }
+                    let behind = || crossing(centre, foot, a, b);
+                    if request.strict && (far + BESIDE + NEARER < clear || behind()) {
+                        candidate.cost += TOUCH;
+                        candidate.touches_ink = true;
+                    }
                 }
+            }
+        }
+    }
+}
+
+impl Market<'_> {
+    /// What a leader costs that might be taken for another's: it ends beside another line, or passes another point.
+    fn astray(&self, index: usize, site: usize, from: Point, to: Point) -> f64 {
+        let (met, near) = (&mut Met::default(), &mut Vec::new());
+        let strangers = &self.strangers;
+        let request = &self.requests[index];
+        match request.sites[site] {
+            Site::Along { .. } => {
+                let foot = Rect::from_points(from, from).inflate(PASSING, PASSING);
+                let stranger = |i: usize| strangers.lines[i].0 != index;
+                strangers.line_grid.near(foot, strangers.lines.len(), met, near, stranger);
+                let beside = near.iter().map(|i| strangers.lines[*i]);
+                30.0 * beside.filter(|(_, a, b)| to_line(from, *a, *b) < PASSING).count() as f64
+            }
+            Site::Around { at, .. } => {
+                let own = request.tie.unwrap_or(at);
+                let reach = Rect::from_points(from, to).inflate(PASSING, PASSING);
+                let stranger = |i: usize| {
+                    let (j, p) = strangers.points[i];
+                    j != index && p.distance(own) > 0.2
+                };
+                strangers.point_grid.near(reach, strangers.points.len(), met, near, stranger);
+                let passed = near.iter().map(|i| strangers.points[*i].1);
+                let cost = |p: Point| match to_line(p, from, to) {
+                    _ if p.distance(from) < own.distance(from) => TOUCH / 2.0,
+                    far if far < PASSING => 45.0,
+                    _ => 0.0,
+                };
+                passed.map(cost).sum()
             }
         }
     }
@@ -951,9 +1037,14 @@ fn gap(own: Rect, a: Point, b: Point) -> f64 {
 }
 
 fn to_line(p: Point, a: Point, b: Point) -> f64 {
+    nearest(p, a, b).distance(p)
+}
+
+/// The point of a stroke that is nearest to another.
+fn nearest(p: Point, a: Point, b: Point) -> Point {
     let d = b - a;
     let t = ((p - a).dot(d) / d.hypot2().max(1e-12)).clamp(0.0, 1.0);
-    a.lerp(b, t).distance(p)
+    a.lerp(b, t)
 }
 
 fn distance(r: Rect, p: Point) -> f64 {
@@ -972,7 +1063,7 @@ fn directions() -> impl Iterator<Item = f64> {
 fn candidates(request: &Request, site: Site, body: &Body, how_far: Reach) -> Vec<Candidate> {
     let half = body.half;
     let stand = |centre: Point, cost: f64, leader: Option<Point>| {
-        let leader = leader.map(|from| {
+        let leader = request.tie.or(leader).map(|from| {
             let to = if let Some(radius) = request.ring {
                 let d = from - centre;
                 centre + d * (radius / d.hypot().max(1e-9)).min(1.0)
@@ -1028,7 +1119,7 @@ fn candidates(request: &Request, site: Site, body: &Body, how_far: Reach) -> Vec
                         for (ring, gap) in leaders([4.0, 6.0, 8.5, 11.0], how_far) {
                             let foot = from + d * t;
                             let centre = foot + normal * (side * (reach + gap));
-                            let start = foot + normal * (side * 0.4);
+                            let start = foot + normal * (side * ENDS);
                             all.push(stand(centre, 30.0 + taste + 4.0 * ring as f64, Some(start)));
                         }
                     }
@@ -1048,7 +1139,7 @@ fn candidates(request: &Request, site: Site, body: &Body, how_far: Reach) -> Vec
                         for (ring, gap) in leaders([6.0, 9.0, 12.0], how_far) {
                             let centre = beside(foot, way, gap, half);
                             let cost = 34.0 + 0.8 * i as f64 + 4.0 * ring as f64;
-                            all.push(stand(centre, cost, Some(foot + along * 0.4)));
+                            all.push(stand(centre, cost, Some(foot + along * ENDS)));
                         }
                     }
                 }
@@ -1057,6 +1148,9 @@ fn candidates(request: &Request, site: Site, body: &Body, how_far: Reach) -> Vec
     }
     all
 }
+
+/// So far from the middle of its line a leader ends: on it, as far as can be seen.
+const ENDS: f64 = 0.1;
 
 /// The lengths of leaders, with their ranks: in a crowd they go on to half a page.
 fn leaders<const N: usize>(near: [f64; N], reach: Reach) -> impl Iterator<Item = (usize, f64)> {

@@ -7,7 +7,7 @@ use super::detail::{self, Spot};
 use super::figure::{Group, Life, Mark, Pen, Shape, Tone};
 use super::growth::Images;
 use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, dot, head, hull, page, right_angle};
-use super::labels::{Request, Site, place};
+use super::labels::{Others, Request, Site, place_among};
 use super::notation::Notation;
 use super::overlap::{clip, overlaps_in};
 use super::rich::Rich;
@@ -59,14 +59,15 @@ pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: 
         group.group(circles);
         requests.extend(names);
     }
+    let others = unnamed(polygon, window, &requests, notation);
     let mut named = group.clone();
-    named.group(place(&group, &requests, None));
+    named.group(place_among(&group, &requests, None, &others));
     // In the small drawing of a step there may be no room for the names of all vectors; its words tell them.
     if !overlaps_in(&named, None).is_empty() {
         let vectors = requests.iter_mut().filter(|request| request.class == VECTOR_NAME);
         vectors.for_each(|request| request.optional = true);
         named = group.clone();
-        named.group(place(&group, &requests, None));
+        named.group(place_among(&group, &requests, None, &others));
     }
     let mut group = named;
     detail::add(&mut group, &spots, polygon, notation, births);
@@ -74,6 +75,17 @@ pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: 
         coriolis::add_insets(&mut group, polygon, steps, notation, births);
     }
     group
+}
+
+/// The points and vectors that have no name of their own among these: they are named in a detail, or too short for a name.
+fn unnamed(polygon: &Diagram, window: Rect, requests: &[Request], notation: &Notation<'_>) -> Others {
+    let has = |name: &String| requests.iter().any(|request| request.names.contains(name));
+    let images = polygon.images.iter().filter(|image| !has(&notation.image_name(image.label, polygon.kind)));
+    let vectors = polygon.vectors.iter().filter(|v| !v.as_point && !has(&notation.quantity_name(v.quantity)));
+    Others {
+        points: images.map(|image| page(image.at)).filter(|at| window.contains(*at)).collect(),
+        lines: vectors.map(|v| (page(v.from), page(v.to))).collect(),
+    }
 }
 
 /// The class of a diagram, and what it is called.
@@ -393,7 +405,7 @@ fn labels(
     let pole = Image { label: Label::Pole, at: [0.0, 0.0] };
     let mut groups: Vec<(Point, Vec<Label>)> = Vec::new();
     for image in std::iter::once(&pole).chain(&polygon.images) {
-        let at = shown(page(image.at), polygon, window);
+        let at = shown(detail::drawn_at(page(image.at), polygon), polygon, window);
         match groups.iter_mut().find(|(p, _)| p.distance(at) < COINCIDENT) {
             Some((_, labels)) if labels.contains(&image.label) => {}
             Some((_, labels)) => labels.push(image.label),
@@ -423,6 +435,9 @@ fn labels(
         let born = births.and_then(|births| labels.iter().map(|l| births.label(*l)).min());
         let mut request = Request::new(text, LABEL, site, "label image-name").naming(of).lived(born);
         request.leader = true;
+        request.strict = true;
+        // Beside a spot it is the name of one of several points.
+        request.tie = about.map(|_| at);
         requests.push(request);
     }
     // A vector that is its own normal part is drawn twice and named once: A = Aⁿ.
@@ -479,6 +494,8 @@ fn labels(
         let mut request =
             Request::new(text, SMALL, first, VECTOR_NAME).naming(own.of.clone()).lived(own.life);
         request.sites.extend(sites);
+        request.strict = true;
+        request.stroke = Some((own.from, own.to));
         request.leader = own.from.distance(own.to) < SHORT;
         requests.push(request);
     }
