@@ -20,7 +20,7 @@ use super::construction::{
 use super::departure::Departure;
 use super::forces::Balance;
 use super::missing::Missing;
-use super::page::SHORTEST_VECTOR;
+use super::page::is_a_point;
 use super::pose::Pose;
 use super::rolled::Starts;
 use super::trial::Tried;
@@ -651,7 +651,7 @@ impl<'m> Draughtsman<'m> {
     ) -> usize {
         let step = self.step_index();
         let (from, to) = (from.value(), to.value());
-        let as_point = libm::hypot(to[0] - from[0], to[1] - from[1]) < SHORTEST_VECTOR;
+        let as_point = is_a_point(libm::hypot(to[0] - from[0], to[1] - from[1]));
         let Some(polygon) = self.polygon_mut(order) else { return 0 };
         polygon.vectors.push(Vector {
             kind,

@@ -37,6 +37,7 @@ pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
 pub(crate) use figure::standing;
 pub use missing::Missing;
+pub use page::is_a_point;
 pub use reading::Numbers;
 pub use scales::{DiagramExtent, Extents, Scales, Told};
 pub use shown::{Shown, is_trial};

@@ -10,8 +10,14 @@ use super::construction::{
     TransferAct, TransferInk,
 };
 
-/// Vectors shorter than this are drawn as points (millimetres).
-pub(super) const SHORTEST_VECTOR: f64 = 1.0;
+/// Whether a vector of this length on paper, as it is read, is too short for an arrow: it is drawn as a point. Shorter than
+/// 1.0 mm is what is read so.
+#[must_use]
+pub fn is_a_point(mm: f64) -> bool {
+    /// In tenths of a millimetre.
+    const SHORTEST: f64 = 10.0;
+    (10.0 * mm).round() < SHORTEST
+}
 
 impl Construction {
     /// Brings a construction from the scales of the board to those of the page.
@@ -84,7 +90,7 @@ fn diagram(diagram: &mut Diagram, by: f64, si_per_mm: f64) {
         scale(&mut vector.from, by);
         scale(&mut vector.to, by);
         let length = libm::hypot(vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]);
-        vector.as_point = vector.is_zero || length < SHORTEST_VECTOR;
+        vector.as_point = vector.is_zero || is_a_point(length);
     }
     diagram.lines.iter_mut().for_each(|drawn| line(drawn, by));
     for image in &mut diagram.link_images {

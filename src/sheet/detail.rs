@@ -34,6 +34,8 @@ pub(super) struct Spot {
     multiple: f64,
     /// The names of its points, with their places on the page.
     points: Vec<(Label, Point)>,
+    /// What else lies within the circle, and is named beside it too.
+    besides: Vec<(Label, Point)>,
 }
 
 impl Spot {
@@ -70,25 +72,33 @@ impl Spot {
     }
 }
 
+/// Where a point is drawn: a vector too short for an arrow is a point, and so is what stands at its ends. A foot stands where
+/// its vector begins or ends, an image where the other one is.
+pub(super) fn drawn_at(at: Point, polygon: &Diagram) -> Point {
+    let foot = |label: Label| matches!(label, Label::Foot { .. });
+    let step = |at: Point| {
+        polygon.vectors.iter().filter(|v| v.as_point && !v.is_zero).find_map(|v| {
+            let (tail, head) = (page(v.from), page(v.to));
+            let (moved, stays) = if foot(v.tail) && !foot(v.head) { (tail, head) } else { (head, tail) };
+            (moved.distance(at) < COINCIDENT && moved.distance(stays) > COINCIDENT).then_some(stays)
+        })
+    };
+    // A short vector may hang on another one.
+    let once = step(at).unwrap_or(at);
+    step(once).unwrap_or(once)
+}
+
 /// The spots in which points that are not one stand nearer to each other than they may.
 pub(super) fn spots(polygon: &Diagram, window: Rect) -> Vec<Spot> {
     let tried = |label: Label| matches!(label, Label::Trial { .. });
-    let own = polygon.images.iter().map(|image| (image.label, page(image.at)));
+    let own = polygon.images.iter().map(|image| (image.label, drawn_at(page(image.at), polygon)));
     let all = std::iter::once((Label::Pole, Point::ZERO)).chain(own);
     let all: Vec<(Label, Point)> = all.filter(|(label, at)| !tried(*label) && window.contains(*at)).collect();
-    // A vector too short to draw is a point, and so is all that stands at its ends.
-    let drawn_as_one = |a: Point, b: Point| {
-        polygon.vectors.iter().filter(|v| v.as_point).any(|v| {
-            let ends = [page(v.from), page(v.to)];
-            let at = |p: Point| ends.iter().any(|end| end.distance(p) < COINCIDENT);
-            at(a) && at(b)
-        })
-    };
     let mut clusters: Vec<Vec<(Label, Point)>> = Vec::new();
-    for own in all {
+    for own in all.iter().copied() {
         let near = |other: &(Label, Point)| {
             let apart = own.1.distance(other.1);
-            apart < APART && apart > COINCIDENT && !drawn_as_one(own.1, other.1)
+            apart < APART && apart > COINCIDENT
         };
         let (mut touching, rest): (Vec<_>, Vec<_>) =
             clusters.into_iter().partition(|cluster| cluster.iter().any(near));
@@ -100,16 +110,20 @@ pub(super) fn spots(polygon: &Diagram, window: Rect) -> Vec<Spot> {
         clusters.push(merged);
     }
     clusters.retain(|cluster| cluster.len() > 1);
-    clusters.into_iter().filter_map(spot).collect()
+    clusters.into_iter().filter_map(|cluster| spot(cluster, &all)).collect()
 }
 
-fn spot(points: Vec<(Label, Point)>) -> Option<Spot> {
+fn spot(points: Vec<(Label, Point)>, all: &[(Label, Point)]) -> Option<Spot> {
     let first = points.first()?.1;
     let bounds = points.iter().fold(Rect::from_points(first, first), |all, (_, at)| all.union_pt(*at));
     let centre = bounds.center();
     let radius = points.iter().map(|(_, at)| at.distance(centre)).fold(0.0, f64::max) + AROUND;
     let multiple = MULTIPLES.into_iter().find(|multiple| radius * multiple <= LARGEST)?;
-    Some(Spot { centre, radius, multiple, points })
+    let inside = |(label, at): &&(Label, Point)| {
+        at.distance(centre) < radius && !points.iter().any(|(own, _)| own == label)
+    };
+    let besides = all.iter().filter(inside).copied().collect();
+    Some(Spot { centre, radius, multiple, points, besides })
 }
 
 /// What a detail is called among several; one alone needs no name.
@@ -166,7 +180,8 @@ fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Diagram, notation: &Notati
     own.mark(Mark::outlined(ring, Pen::solid(FINE), Tone::Paper).class("ring"));
     for line in &polygon.lines {
         if let ConstructionLine::Ray { from, to, .. } = line
-            && let Some((from, to, _)) = spot.inside(page(*from), page(*to))
+            && let [from, to] = [from, to].map(|at| drawn_at(page(*at), polygon))
+            && let Some((from, to, _)) = spot.inside(from, to)
         {
             own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).class("detail-ray"));
         }
@@ -174,7 +189,8 @@ fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Diagram, notation: &Notati
     let whole = |v: &&Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
     let parts = polygon.vectors.iter().filter(|v| !whole(v));
     for vector in parts.chain(polygon.vectors.iter().filter(whole)).filter(|v| !v.as_point) {
-        let Some((from, to, ends)) = spot.inside(page(vector.from), page(vector.to)) else { continue };
+        let [from, to] = [vector.from, vector.to].map(|at| drawn_at(page(at), polygon));
+        let Some((from, to, ends)) = spot.inside(from, to) else { continue };
         let width = if whole(&vector) { THICK } else { THIN };
         let length = from.distance(to);
         let d = (to - from).normalize();
@@ -190,7 +206,7 @@ fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Diagram, notation: &Notati
     }
     let mut requests: Vec<Request> = Vec::new();
     let mut names: Vec<(Point, Vec<Label>)> = Vec::new();
-    for (label, at) in &spot.points {
+    for (label, at) in spot.points.iter().chain(&spot.besides) {
         match names.iter_mut().find(|(p, _)| p.distance(*at) < COINCIDENT) {
             Some((_, labels)) if labels.contains(label) => {}
             Some((_, labels)) => labels.push(*label),
@@ -211,10 +227,11 @@ fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Diagram, notation: &Notati
         let site = Site::Around { at, radius: 0.9, toward: None };
         let mut request = Request::new(text, LABEL, site, "label image-name").naming(of);
         request.leader = true;
+        request.strict = true;
         requests.push(request);
     }
     for vector in named_inside(spot, polygon) {
-        let (from, to) = (spot.to_detail(page(vector.from)), spot.to_detail(page(vector.to)));
+        let [from, to] = [vector.from, vector.to].map(|at| spot.to_detail(drawn_at(page(at), polygon)));
         if from.distance(to) < SHORTEST_NAMED {
             continue;
         }
@@ -223,6 +240,7 @@ fn draw(spot: &Spot, letter: Option<&Rich>, polygon: &Diagram, notation: &Notati
         let of = notation.quantity_name(vector.quantity);
         let mut request = Request::new(text, SMALL, site, "label vector-name").naming([of]);
         request.leader = true;
+        request.strict = true;
         requests.push(request);
     }
     let labels = place(&own, &requests, None);
