@@ -959,6 +959,23 @@ pub enum Act {
         /// Radius in metres.
         radius: f64,
     },
+    /// Draw the path of a rolling wheel's centre: the parallel to the line on which it rolls, or the circle about the other
+    /// wheel's centre.
+    DrawCentrePath {
+        /// The centre.
+        centre: PointId,
+        /// The rolling pair.
+        roll: usize,
+    },
+    /// Lay off a driven place along a guide that is drawn.
+    LayOffAlong {
+        /// Index of the sliding pair.
+        slide: usize,
+        /// The point found.
+        point: PointId,
+        /// Length along the guide in metres.
+        length: f64,
+    },
     /// Draw the line of a fixed guide.
     DrawGuide {
         /// Index of the sliding pair.

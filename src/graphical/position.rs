@@ -489,6 +489,8 @@ impl Draughtsman<'_> {
                 let mm = self.board.to_paper(at, scale);
                 let place = self.board.lay_off(line.through, line.along, mm);
                 self.place(first, place);
+                let length = at.value();
+                self.act(Act::LayOffAlong { slide, point: first, length });
             }
             Drive::Trial(driver) => match (self.tried_place(driver), self.track(slide, None)) {
                 (Some(at), Track::Straight(line)) => {
@@ -536,8 +538,9 @@ impl Draughtsman<'_> {
             let circle = self.circle(main[0], centre);
             let reason = self.reason(&[rod, wheel]);
             let mut met = Vec::new();
-            for track in self.centre_tracks(roll, wheel) {
-                met.push(match track {
+            let tracks = self.centre_tracks(roll, wheel);
+            for track in &tracks {
+                met.push(match *track {
                     Track::Straight(line) => self.board.meet_line_circle(line, circle, reason),
                     Track::Arc(arc) => self.board.meet_circles(circle, arc, reason),
                 });
@@ -562,8 +565,31 @@ impl Draughtsman<'_> {
             };
             self.chosen(track);
             let radius = circle.radius.value() * self.scales.length();
+            self.act(Act::DrawCentrePath { centre, roll });
             self.act(Act::StrikeArc { centre: base, to: centre, radius });
             self.take_hinted(&main, None, centre, pair)?;
+            /// Of the radius of the arc.
+            const PIECE: f64 = 0.3;
+            let at = self.at(centre).value();
+            let step = self.step_index();
+            let path = match tracks.get(track) {
+                Some(Track::Straight(line)) => {
+                    // A piece of it: it is drawn where the arc meets it.
+                    let through = line.through.value();
+                    let far = libm::hypot(through[0] - at[0], through[1] - at[1]);
+                    let part = (PIECE * circle.radius.value() / far.max(f64::MIN_POSITIVE)).min(1.0);
+                    let from = [0, 1].map(|k| at[k] + part * (through[k] - at[k]));
+                    Some(ConstructionLine::Ray { from, to: at, claim: None, step })
+                }
+                Some(Track::Arc(arc)) => {
+                    let (centre, radius) = (arc.centre.value(), arc.radius.value());
+                    Some(ConstructionLine::Arc { centre, radius, at, step })
+                }
+                None => None,
+            };
+            path.into_iter().for_each(|path| self.space_line(path));
+            let (centre, radius) = (circle.centre.value(), circle.radius.value());
+            self.space_line(ConstructionLine::Arc { centre, radius, at, step });
         }
         self.transfer_points(step, &main, centre);
         self.contact(wheel, roll);

@@ -292,7 +292,8 @@ impl Teller<'_> {
     fn guide(&self, index: usize, slide: &Slide) -> Option<Rich> {
         let words = self.n.words;
         let link = ("link", self.number(slide.guide.link));
-        let guide = ("guide", self.n.guide(index));
+        let moving = slide.guide.link != LinkId::FRAME;
+        let guide = ("guide", if moving { self.n.guide_of(index) } else { self.n.guide(index) });
         let (through, direction, turned, offset) = match slide.guide.path {
             Path::Arc { centre, radius } => {
                 let centre = match centre {
@@ -356,8 +357,19 @@ impl Teller<'_> {
             }
             Roll::Line { guide, wheel, radius, .. } => {
                 let radius = ("radius", self.length(radius.value));
-                let parts = [("wheel", self.number(*wheel)), radius, ("link", self.number(guide.link))];
-                Rich::fill(words.given_rack, &parts)
+                let wheel = ("wheel", self.number(*wheel));
+                if let (LinkId::FRAME, Path::Straight { through, direction, turned, offset }) =
+                    (guide.link, guide.path)
+                    && let Direction::Angle(angle) = direction
+                {
+                    let angle = ("angle", human::degrees(angle.value + turned.value));
+                    let place = ("place", place_of(through, self.n));
+                    let told = Rich::fill(words.given_rail, &[wheel, radius, place, angle]);
+                    let aside = [("offset", self.length(offset.value))];
+                    let offset = (offset.value != 0.0).then(|| Rich::fill(words.given_offset, &aside));
+                    return offset.map_or(told.clone(), |offset| told.up(" ").then(&offset));
+                }
+                Rich::fill(words.given_rack, &[wheel, radius, ("link", self.number(guide.link))])
             }
         }
     }

@@ -9,7 +9,7 @@ use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, ConstructionLine, Diagram, Label, Step,
 };
 use crate::mechanism::quantity::DiagramKind;
-use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Slide};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider, Roll, Slide};
 
 /// The class of ink that stood there before.
 const OLD: &str = "old";
@@ -74,9 +74,12 @@ impl<'a> Births<'a> {
         };
         let guides = acts(steps).filter_map(guide).collect();
         let space = &construction.space.lines;
+        let on_line = |roll: usize| matches!(mechanism.rolls.get(roll), Some(Roll::Line { .. }));
         let lines = in_turn(space, steps, |act| match act {
+            Act::DrawCentrePath { roll, .. } if !on_line(*roll) => Some(Kind::Arc),
             Act::StrikeArc { .. } | Act::DrawSeeing { .. } => Some(Kind::Arc),
             Act::DrawGuide { .. }
+            | Act::DrawCentrePath { .. }
             | Act::DrawStatedRay { .. }
             | Act::DrawSquare { .. }
             | Act::DrawPath { .. } => Some(Kind::Ray(None)),
@@ -184,6 +187,7 @@ fn place(steps: &[Step], mechanism: &Mechanism, point: PointId) -> Moment {
     let found = |act: &Act| match act {
         Act::LayOffLink { to: found, .. }
         | Act::LayOffPlace { to: found, .. }
+        | Act::LayOffAlong { point: found, .. }
         | Act::MarkIntersection { point: found, .. }
         | Act::TransferPoint { point: found, .. }
         | Act::MarkContact { contact: found } => *found == point,

@@ -345,9 +345,14 @@ impl<'a> Notation<'a> {
     /// A signed rotation: its size, its unit, its sense after it.
     #[must_use]
     pub fn rotation(&self, si: f64, unit: &Unit) -> Rich {
+        self.with_sense(human::quantity(si.abs(), unit), si)
+    }
+
+    /// An amount with the sense of this number after it.
+    #[must_use]
+    pub fn with_sense(&self, amount: Rich, si: f64) -> Rich {
         let sense = self.sense(si);
-        let value = human::quantity(si.abs(), unit);
-        if sense.is_empty() { value } else { value.word(sense) }
+        if sense.is_empty() { amount } else { amount.word(sense) }
     }
 
     /// ccw, cw, or nothing for zero.
@@ -365,17 +370,23 @@ impl<'a> Notation<'a> {
     /// The guide of a sliding pair in words.
     #[must_use]
     pub fn guide(&self, slide: usize) -> Rich {
-        let Some(own) = self.mechanism().slides.get(slide) else { return Rich::default() };
-        let name = match own.rider {
-            Rider::Pin { point, .. } => Rich::fill(self.words.guide_of, &[("point", self.point(point))]),
-            Rider::Link { link, .. } => {
-                Rich::fill(self.words.guide_of_link, &[("link", Rich::upright(self.number(link)))])
-            }
-        };
+        let name = self.guide_of(slide);
         match self.which_guide(slide) {
             Some(_) if self.lie(slide).is_some() => self.named_guide(slide),
             Some(which) => name.up("\u{a0}(").then(&which).up(")"),
             None => name,
+        }
+    }
+
+    /// The guide of a sliding pair where its link is told beside it.
+    #[must_use]
+    pub fn guide_of(&self, slide: usize) -> Rich {
+        let Some(own) = self.mechanism().slides.get(slide) else { return Rich::default() };
+        match own.rider {
+            Rider::Pin { point, .. } => Rich::fill(self.words.guide_of, &[("point", self.point(point))]),
+            Rider::Link { link, .. } => {
+                Rich::fill(self.words.guide_of_link, &[("link", Rich::upright(self.number(link)))])
+            }
         }
     }
 

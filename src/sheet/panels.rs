@@ -86,6 +86,15 @@ impl Panel {
         Some(captioned(self.drawing(construction, notation, None)?, &caption))
     }
 
+    /// The panel of a construction that stands by itself: it is lettered among such constructions only.
+    #[must_use]
+    pub fn apart(self, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
+        let own = |panel: &Self| matches!(panel, Self::Auxiliary(_));
+        let place = Self::all(construction).into_iter().filter(own).position(|panel| panel == self)?;
+        let caption = self.caption_at(place, construction, notation)?;
+        Some(captioned(self.drawing(construction, notation, None)?, &caption))
+    }
+
     /// The drawing without its caption; with the lives of its ink where these are told.
     #[must_use]
     pub fn drawing(
@@ -123,6 +132,16 @@ impl Panel {
     /// What stands below the drawing: its letter, name and scale, and the legend of what is dashed in it.
     #[must_use]
     pub fn caption(self, construction: &Construction, notation: &Notation<'_>) -> Option<Vec<Rich>> {
+        let place = Self::all(construction).iter().position(|panel| *panel == self)?;
+        self.caption_at(place, construction, notation)
+    }
+
+    fn caption_at(
+        self,
+        place: usize,
+        construction: &Construction,
+        notation: &Notation<'_>,
+    ) -> Option<Vec<Rich>> {
         let words = notation.words;
         let name = |caption: &str| Rich::upright(caption);
         let skeleton = || notation.length_scale(construction.space.metres_per_mm);
@@ -152,7 +171,6 @@ impl Panel {
                 (panel.title(notation), panel.scale(construction.cycle.as_ref()?, notation))
             }
         };
-        let place = Self::all(construction).iter().position(|panel| *panel == self)?;
         let letter = letter(place, words);
         let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
         if !scale.is_empty() {
