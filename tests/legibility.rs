@@ -405,3 +405,240 @@ fn every_printed_line_gives_its_printed_result() {
     assert!(open.is_empty(), "{} of {lines}: {open:#?}", open.len());
     assert!(empty.is_empty(), "{empty:#?}");
 }
+
+/// The distance of a box from a stroke, by points of the stroke.
+fn gap(own: Rect, (a, b): (Point, Point)) -> f64 {
+    let apart = |p: Point| {
+        let dx = (own.x0 - p.x).max(p.x - own.x1).max(0.0);
+        let dy = (own.y0 - p.y).max(p.y - own.y1).max(0.0);
+        dx.hypot(dy)
+    };
+    (0..=200).map(|i| apart(a.lerp(b, f64::from(i) / 200.0))).fold(f64::INFINITY, f64::min)
+}
+
+fn nearest(p: Point, (a, b): (Point, Point)) -> Point {
+    let d = b - a;
+    a.lerp(b, ((p - a).dot(d) / d.hypot2().max(1e-12)).clamp(0.0, 1.0))
+}
+
+fn cross(a: Point, b: Point, (c, d): (Point, Point)) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p) > 0.0;
+    side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b)
+}
+
+/// The names of a polygon that stand at another vector or point than their own, or whose leader ends there.
+fn misplaced(diagram: &Group) -> Vec<String> {
+    /// Closer than this to its own a name is its, whatever else is as near.
+    const AT: f64 = 1.0;
+    let outside = |group: &&&Group| !has(group, "detail");
+    let own: Vec<&Group> = diagram
+        .children
+        .iter()
+        .filter_map(|node| match node {
+            Node::Group(group) => Some(group),
+            _ => None,
+        })
+        .filter(|group| outside(&group))
+        .flat_map(within)
+        .collect();
+    let vectors: Vec<(&str, (Point, Point))> = own
+        .iter()
+        .filter(|group| has(group, "vector"))
+        .filter_map(|group| Some((data(group, "quantity")?, ends(group)?)))
+        .collect();
+    let points: Vec<(&str, Point)> = own
+        .iter()
+        .filter(|group| has(group, "image"))
+        .filter_map(|group| Some((data(group, "point")?, place(group)?)))
+        .collect();
+    let mut wrong = Vec::new();
+    for name in own.iter().filter(|group| has(group, "name")) {
+        let of: Vec<&str> = data(name, "of").unwrap_or_default().split(' ').collect();
+        let texts = || {
+            name.children.iter().filter_map(|node| match node {
+                Node::Text(text) => Some(text),
+                _ => None,
+            })
+        };
+        let Some(own) = texts().filter_map(Text::bounds).reduce(|a, b| a.union(b)) else { continue };
+        let leader = marks(name).find_map(|mark| match mark.shape {
+            Shape::Line(from, _) if mark.class == "leader" => Some(from),
+            _ => None,
+        });
+        if texts().any(|text| text.class.contains("vector-name")) {
+            let (mine, others): (Vec<_>, Vec<_>) = vectors.iter().partition(|(what, _)| of.contains(what));
+            if let Some(end) = leader {
+                let far =
+                    mine.iter().map(|(_, v)| nearest(end, *v).distance(end)).fold(f64::INFINITY, f64::min);
+                if far > 0.3 {
+                    wrong.push(format!("{of:?}: its leader ends {far:.1} mm from it"));
+                }
+                continue;
+            }
+            let centre = own.center();
+            let Some((_, to)) = mine.iter().min_by(|a, b| {
+                let far = |v: &(&str, (Point, Point))| nearest(centre, v.1).distance(centre);
+                far(a).total_cmp(&far(b))
+            }) else {
+                continue;
+            };
+            let clear = mine.iter().map(|(_, v)| gap(own, *v)).fold(f64::INFINITY, f64::min);
+            let foot = centre.lerp(nearest(centre, *to), 0.93);
+            for (other, v) in others {
+                let far = gap(own, *v);
+                if clear > AT && far < clear - 0.3 {
+                    wrong.push(format!("{of:?}: {clear:.1} mm from its own, {far:.1} mm from {other}"));
+                } else if cross(centre, foot, *v) {
+                    wrong.push(format!("{of:?} stands behind {other}"));
+                }
+            }
+        } else if texts().any(|text| text.class.contains("image-name")) {
+            let mine: Vec<Point> = points.iter().filter(|(p, _)| of.contains(p)).map(|(_, at)| *at).collect();
+            let from = |at: Point, p: Point| at.distance(p);
+            let apart = |p: &Point| mine.iter().all(|own| own.distance(*p) > 0.8);
+            let others = || points.iter().filter(|(p, at)| !of.contains(p) && apart(at));
+            let (clear, reach): (f64, Box<dyn Fn(Point) -> f64>) = match leader {
+                Some(end) => {
+                    let far = mine.iter().map(|p| from(end, *p)).fold(f64::INFINITY, f64::min);
+                    (far, Box::new(move |p| from(end, p)))
+                }
+                None => {
+                    let far = mine.iter().map(|p| gap(own, (*p, *p))).fold(f64::INFINITY, f64::min);
+                    (far, Box::new(move |p| gap(own, (p, p))))
+                }
+            };
+            let near = others().find(|(_, p)| reach(*p) < clear - 0.2);
+            // What lies out of the window has its name where the line to it leaves.
+            if let Some((other, _)) = near.filter(|_| clear.is_finite()) {
+                wrong.push(format!("{of:?} stands at {other}"));
+            }
+        }
+    }
+    wrong
+}
+
+/// Each name is nearer to what it names than to any other vector or point, and stands behind none; or a leader ties it.
+#[test]
+fn every_name_stands_at_its_own_vector_or_point() {
+    let (mut polygons, mut wrong) = (0, Vec::new());
+    for (name, figure) in all() {
+        for diagram in within(&figure.root).into_iter().filter(|group| has(group, "polygon")) {
+            polygons += 1;
+            wrong.extend(misplaced(diagram).into_iter().map(|what| format!("{name}: {what}")));
+        }
+    }
+    assert!(polygons > 200, "{polygons}");
+    assert!(wrong.is_empty(), "{} of {polygons} polygons: {wrong:#?}", wrong.len());
+}
+
+/// What a line says: of what, by which symbols, with which numbers.
+fn formula(sentence: &str) -> Option<(String, Vec<String>, Vec<String>, String)> {
+    let parts: Vec<&str> = sentence.split('=').map(str::trim).collect();
+    let [of, symbols, numbers, result] = parts[..] else { return None };
+    let tidy = |text: &str| text.replace("^2", "").trim_matches([' ', '\u{a0}']).to_owned();
+    let cut = |text: &str, signs: [char; 2]| -> Vec<String> {
+        text.split(signs).map(tidy).map(|part| part.trim_end_matches('²').to_owned()).collect()
+    };
+    Some((tidy(of), cut(symbols, ['/', '·']), cut(numbers, ['/', '×']), result.to_owned()))
+}
+
+/// The number at the beginning of a text, as it is printed.
+fn printed(text: &str) -> Option<String> {
+    let (.., rest) = number(text)?;
+    let own = text[..text.len() - rest.len()].trim();
+    (!own.is_empty()).then(|| own.to_owned())
+}
+
+/// A line uses a value as the reading or the line before it printed it, and the table repeats it.
+#[test]
+fn one_value_has_one_print() {
+    let (mut uses, mut rows, mut wrong) = (0, 0, Vec::new());
+    for (name, figure) in all() {
+        let mut told: std::collections::HashMap<String, String> = std::collections::HashMap::new();
+        for sentence in sentences(&figure) {
+            if let Some((of, symbols, numbers, result)) = formula(&sentence) {
+                if symbols.len() == numbers.len() {
+                    for (symbol, number) in symbols.iter().zip(&numbers) {
+                        let Some(before) = told.get(symbol) else { continue };
+                        uses += 1;
+                        if before != number {
+                            wrong.push(format!("{name}: {sentence}, but {symbol} was {before}"));
+                        }
+                    }
+                }
+                if let Some(result) = printed(&result) {
+                    told.insert(of, result);
+                }
+            } else if let Some(read) = sentence.strip_prefix("Read ")
+                && let Some((of, _)) = read.split_once('=')
+                && let Some(result) = read.rsplit('=').next().and_then(printed)
+            {
+                told.insert(of.trim_matches([' ', '\u{a0}']).to_owned(), result);
+            }
+        }
+        for table in within(&figure.root).into_iter().filter(|group| has(group, "results")) {
+            let cells: Vec<String> = table
+                .children
+                .iter()
+                .filter_map(|node| match node {
+                    Node::Text(text) => Some(characters(text)),
+                    _ => None,
+                })
+                .collect();
+            for pair in cells.windows(2) {
+                let (Some(before), Some(own)) = (told.get(&pair[0]), printed(&pair[1])) else { continue };
+                rows += 1;
+                if *before != own {
+                    wrong.push(format!("{name}: the table has {} = {own}, the steps {before}", pair[0]));
+                }
+            }
+        }
+    }
+    println!("{uses} uses, {rows} rows");
+    assert!(uses > 500 && rows > 300, "{uses} uses, {rows} rows");
+    assert!(wrong.is_empty(), "{} of {uses}: {wrong:#?}", wrong.len());
+}
+
+/// No table passes the margins, and no two stand on each other, on any paper and in any language.
+#[test]
+fn tables_keep_within_the_margins_of_every_paper() {
+    /// The margin, less what a rounding takes.
+    const MARGIN: f64 = 16.9;
+    let (mut tables, mut wrong) = (0, Vec::new());
+    for (i, kind) in KINDS.iter().enumerate() {
+        let mut scene = linkgram::scene::read(kind.scene, kind.name).unwrap();
+        for (j, paper) in ["A5", "A6", "A4", "A5 landscape", "A3"].into_iter().enumerate() {
+            // All kinds on the paper that is narrow for a table, some on every other.
+            if j > 0 && i % 5 != j {
+                continue;
+            }
+            scene.sheet.paper = Some(paper.to_owned());
+            let Ok(solved) = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene)
+            else {
+                continue;
+            };
+            let languages = [Language::English, Language::Arabic, Language::Persian];
+            for language in languages.into_iter().take(if i % 4 == 0 { 3 } else { 1 }) {
+                let figure = sheet::solution(&scene, &solved.solution.construction, language);
+                let found = within(&figure.root);
+                let own: Vec<Rect> = found
+                    .iter()
+                    .filter(|group| has(group, "results"))
+                    .filter_map(|group| group.bounds())
+                    .collect();
+                tables += own.len();
+                let out = own.iter().filter(|own| own.x0 < MARGIN || own.x1 > figure.width - MARGIN).count();
+                let over = own
+                    .iter()
+                    .enumerate()
+                    .filter(|(k, a)| own[..*k].iter().any(|b| !a.intersect(*b).is_zero_area()))
+                    .count();
+                if out + over > 0 {
+                    wrong.push(format!("{} on {paper} {language:?}: {out} out, {over} on others", kind.name));
+                }
+            }
+        }
+    }
+    assert!(tables > 60, "{tables}");
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

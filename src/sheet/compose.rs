@@ -32,9 +32,9 @@ const LEADING: f64 = 4.9;
 /// The same where Arabic script reaches further up and down; lines whose letters come too near keep more.
 pub(super) const ARABIC_LEADING: f64 = 5.5;
 /// What is on a last page and fills less of it than this is taken back to those before where they can be set tighter.
-const LEAST_LAST: f64 = 0.2;
+const LEAST_LAST: f64 = 0.36;
 /// How much nearer lines may stand to each other for that.
-const TIGHTER: [f64; 3] = [0.97, 0.94, 0.91];
+const TIGHTER: [f64; 4] = [0.97, 0.94, 0.91, 0.88];
 /// Blank between the letters of two lines, at least.
 const BETWEEN_LINES: f64 = 0.3;
 /// The steps begin on a page that has so much room left: for a head and some lines in both columns.
@@ -106,7 +106,8 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let given = given::paragraph(&notation);
     let beside = width - 2.0 * MARGIN - GUTTER - drawn.first().map_or(0.0, |(_, skeleton)| skeleton.width);
     // All results beside the skeleton, or those of velocity there and the others below the panels.
-    let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT);
+    let (steps, figures) = steps::items(construction, &notation);
+    let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT, &figures);
     let fits = |table: &Table| {
         !table.rows.is_empty() && table.width() <= beside && table.rows.len() <= table.rows_in(TALLEST_BESIDE)
     };
@@ -121,14 +122,13 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     // Beside the skeleton, which is the first of them.
     let mut drawn = drawn.into_iter().map(|(_, block)| block);
     let blocks: Vec<Block> = drawn.next().into_iter().chain(first).chain(drawn).collect();
-    let steps = steps::items(construction, &notation);
     let set = |tight: f64| {
         let mut pager = Pager { tight, ..Pager::new(width, height, title(scene, words), words) };
         pager.heading(&given);
         pager.tell(&steps);
         pager.rows(&blocks);
         if let Some(table) = &rest {
-            pager.results(&table.clone().fitted(pager.column()));
+            pager.results(table);
         }
         pager.steps();
         pager
@@ -490,10 +490,11 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
             return (!figures.is_empty()).then(|| stack(&figures));
         }
         "results" => {
-            let table = results::table(construction, &notation, &ORDERS, TEXT);
+            let (_, figures) = steps::items(construction, &notation);
+            let table = results::table(construction, &notation, &ORDERS, TEXT, &figures);
             (table.draw("results", 0, table.rows.len()), words.results)
         }
-        "steps" => (column(&steps::items(construction, &notation), 90.0, words), words.steps),
+        "steps" => (column(&steps::items(construction, &notation).0, 90.0, words), words.steps),
         "turning-moment" | "energy" => {
             let sheet = construction.cycle.as_ref()?;
             let panel = CyclePanel::all(sheet).into_iter().find(|panel| panel.figure() == name)?;
@@ -553,7 +554,7 @@ fn with_steps(
     construction: &Construction,
     notation: &Notation<'_>,
 ) -> Option<Block> {
-    let mut block = panels::of_auxiliary(drawing, construction)?.block(construction, notation)?;
+    let mut block = panels::of_auxiliary(drawing, construction)?.apart(construction, notation)?;
     let items = auxiliary::items(drawing, construction, notation);
     // The caption says already what the head of the steps would say.
     let mut steps = column(&items[1.min(items.len())..], block.width.max(120.0), notation.words);
@@ -982,10 +983,21 @@ impl Pager {
         }
     }
 
+    /// The result table in so many columns, in type a little smaller if need be; none where it would be much smaller.
+    fn results_in(&self, columns: usize, table: &Table) -> Option<Table> {
+        let width = (self.width() - (columns as f64 - 1.0) * GUTTER) / columns as f64;
+        let narrow = table.clone().fitted(width);
+        (narrow.fits(width) && narrow.size > 0.8 * table.size).then_some(narrow)
+    }
+
     /// The result table in columns of even height, on as many pages as it needs: two columns, or three
-    /// where that keeps it on the page.
+    /// where that keeps it on the page, or one on paper too narrow for two.
     fn results(&mut self, table: &Table) {
         let rows = table.rows.len();
+        let pair = self.results_in(2, table);
+        let usual = if pair.is_some() { 2 } else { 1 };
+        let three = pair.as_ref().and_then(|_| self.results_in(3, table));
+        let table = &pair.unwrap_or_else(|| table.clone().fitted(self.width()));
         let mut from = 0;
         while from < rows {
             let fit = table.rows_in(self.bottom() - self.y);
@@ -997,11 +1009,10 @@ impl Pager {
                 self.page();
                 continue;
             }
-            // Three columns in type a little smaller, if that keeps the table on the page.
-            let narrow = table.clone().fitted((self.width() - 2.0 * GUTTER) / 3.0);
-            let three = narrow.fits((self.width() - 2.0 * GUTTER) / 3.0) && narrow.size > 0.8 * table.size;
-            let (columns, table) =
-                if left > 2 * fit && left <= 3 * fit && three { (3, &narrow) } else { (2, table) };
+            let (columns, table) = match &three {
+                Some(narrow) if left > 2 * fit && left <= 3 * fit => (3, narrow),
+                _ => (usual, table),
+            };
             let here = left.min(columns * fit.max(1));
             // Some last rows alone on a page are lost there.
             if (1..=6).contains(&(left - here)) && self.y > MARGIN + 30.0 {
@@ -1111,7 +1122,10 @@ impl Pager {
             line.put(&mut page, at, "page-number");
             if i > 0 {
                 let title = Rich::written(&self.title, Face::Italic);
-                if let Some(line) = title.wrap(3.2, self.width()).first() {
+                let lines = title.wrap(3.2, self.width() - 4.0);
+                if let Some(first) = lines.first() {
+                    // What goes on is on the first page.
+                    let line = if lines.len() > 1 { first.clone().up("\u{a0}…") } else { first.clone() };
                     let line = line.set(3.2);
                     let at = Point::new(self.indented(MARGIN, line.width), MARGIN - 3.0);
                     line.put(&mut page, at, "running-title");

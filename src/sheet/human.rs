@@ -75,20 +75,60 @@ pub fn closing_all(factors: &[f64], result: f64, reckon: impl Fn(&[f64]) -> f64)
     with(more).map(|(text, _)| text).collect()
 }
 
-/// A reading on paper, and what it is by the scale: tenths of a millimetre, and a guard figure in either where the product
-/// would not be the printed one without it. No reading is finer than a hundredth of a millimetre.
+/// A reading on paper, and what it is by the scale, as the one is rounded to the tenth of a millimetre, or to the hundredth
+/// where the product would not be the printed one without it, and what is longer than a decimetre to the tenth.
 pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {
-    let closes = |(decimals, more): &(usize, usize)| {
-        let written: f64 = format!("{mm:.*}", *decimals).parse().unwrap_or(mm);
-        rounds_to(written * factor, result, *more)
-    };
-    let tries = [(1, 0), (1, 1), (2, 0), (2, 1)];
-    if let Some((decimals, more)) = tries.into_iter().find(closes) {
-        return [with_unit(&Rich::upright(fixed(mm, decimals)), "mm"), finer(result, more).0];
+    let (reading, amount, _) = reading_at(mm, factor, result, 0);
+    [reading, amount]
+}
+
+/// The same with so many figures more, and the number that then stands there.
+pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64) {
+    let finest = if mm < DECIMETRE { 2 } else { 1 };
+    let read = |decimals: usize| format!("{mm:.decimals$}").parse().unwrap_or(mm) * factor;
+    let (wanted, written) = limited(result, more);
+    let shown = |decimals: usize| with_unit(&Rich::upright(fixed(mm, decimals)), "mm");
+    if let Some(decimals) = (1..=finest).find(|decimals| agrees(read(*decimals), written, result, more)) {
+        return (shown(decimals), wanted, written);
     }
     // No ruler reads finer: the result is that of what was read.
-    let read: f64 = format!("{mm:.2}").parse().unwrap_or(mm);
-    [with_unit(&Rich::upright(fixed(mm, 2)), "mm"), finer(read * factor, 1).0]
+    let (amount, written) = limited(read(finest), more);
+    (shown(finest), amount, written)
+}
+
+/// Readings on paper as finely as what is reckoned from them needs, to the hundredth of a millimetre at most.
+pub fn readings<const N: usize>(mm: [f64; N], result: f64, reckon: impl Fn([f64; N]) -> f64) -> [Rich; N] {
+    let (_, written) = finer(result, 0);
+    let read = |decimals: usize| mm.map(|mm| format!("{mm:.decimals$}").parse().unwrap_or(mm));
+    let decimals = if agrees(reckon(read(1)), written, result, 0) { 1 } else { 2 };
+    mm.map(|mm| with_unit(&Rich::upright(fixed(mm, decimals)), "mm"))
+}
+
+/// Readings of a decimetre and more have one decimal, mm.
+const DECIMETRE: f64 = 100.0;
+/// More figures than a drawing can give.
+const MOST_FIGURES: usize = 4;
+
+/// A number with so many figures more than usual, of which there are four at most, and the number that then stands there.
+pub fn limited(value: f64, more: usize) -> (Rich, f64) {
+    let most = MOST_FIGURES.saturating_sub(usual_figures(value));
+    finer(value, more.min(most))
+}
+
+/// Whether what is reckoned is, in the figures in which `result` is printed, the number that stands there for it.
+pub fn agrees(reckoned: f64, written: f64, result: f64, more: usize) -> bool {
+    if written == 0.0 || !written.is_finite() {
+        return reckoned == written;
+    }
+    let figures = (usual_figures(result) + more).clamp(usual_figures(result), MOST_FIGURES) as f64;
+    let place = libm::floor(libm::log10(written.abs())) - (figures - 1.0);
+    (reckoned - written).abs() <= 0.5 * libm::exp10(place) * (1.0 + 1e-9)
+}
+
+/// A stated number, as it is written where it is given; of a number that has more figures those of [`limited`].
+pub fn given(value: f64, more: usize) -> (Rich, f64) {
+    let short: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (short - value).abs() <= 1e-9 * value.abs() { (stated(value), short) } else { limited(value, more) }
 }
 
 /// A scale that follows from another and is multiplied with readings: as many of its figures as it needs, at most five; and
@@ -265,12 +305,13 @@ mod tests {
         // 35.1 × 5 is 175.5, and what is printed is 175; 63.5 × 5 is not 317, but 317.5.
         let line = |mm: f64| reading(mm, 5.0, 5.0 * mm).map(|part| plain(&part));
         assert_eq!(line(35.062), ["35.06\u{a0}mm", "175"]);
-        assert_eq!(line(63.496), ["63.5\u{a0}mm", "317.5"]);
+        assert_eq!(line(63.496), ["63.50\u{a0}mm", "317"]);
         assert_eq!(line(30.0), ["30.0\u{a0}mm", "150"]);
-        // 13.37 × 50 is neither 668 nor 668.4: what was read tells.
+        // 57.4 × 50 is not 2871, and 682.6 × 50 has no more figures than were read.
         let line = |mm: f64| reading(mm, 50.0, 50.0 * mm).map(|part| plain(&part));
-        assert_eq!(line(13.369), ["13.37\u{a0}mm", "668.5"]);
-        assert_eq!(line(33.147), ["33.15\u{a0}mm", "1657.5"]);
+        assert_eq!(line(57.426), ["57.43\u{a0}mm", "2871"]);
+        let line = |mm: f64| reading(mm, 5000.0, 5000.0 * mm).map(|part| plain(&part));
+        assert_eq!(line(6.826), ["6.83\u{a0}mm", "34\u{2009}150"]);
     }
 
     #[test]

@@ -3,13 +3,20 @@
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
+use super::steps::Figures;
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{Construction, Reading};
 use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Order, Quantity};
 
-/// The asked quantities of these orders with their values, senses and directions.
+/// The asked quantities of these orders with their values, senses and directions; what was told in the steps as it was told.
 #[must_use]
-pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Order], size: f64) -> Table {
+pub fn table(
+    construction: &Construction,
+    notation: &Notation<'_>,
+    orders: &[Order],
+    size: f64,
+    figures: &Figures,
+) -> Table {
     let words = notation.words;
     let rows = notation
         .mechanism()
@@ -17,7 +24,7 @@ pub fn table(construction: &Construction, notation: &Notation<'_>, orders: &[Ord
         .iter()
         .zip(&construction.answers)
         .filter(|(asked, _)| orders.contains(&polygon_of(asked.quantity)))
-        .map(|(asked, reading)| row(asked, reading, notation))
+        .map(|(asked, reading)| row(asked, reading, notation, figures))
         .collect();
     Table {
         columns: vec![Align::Left, Align::Right, Align::Left],
@@ -63,24 +70,30 @@ fn polygon_of(quantity: Quantity) -> Order {
     }
 }
 
-fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
+fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figures) -> Vec<Rich> {
     let words = notation.words;
     let mut symbol = notation.symbol(asked.quantity, false);
     if let Some(method) = notation.method(asked.method) {
         symbol = symbol.up(",\u{a0}").up(method);
     }
+    let amount = |si: f64| {
+        let told = figures.told(asked.quantity, si, &asked.unit, notation);
+        let own = || human::quantity(si, &asked.unit);
+        told.filter(|_| si > 0.0 && asked.method == crate::mechanism::quantity::Method::Polygon)
+            .unwrap_or_else(own)
+    };
     match &reading.answer {
         // What is not told from zero reads as zero, here and below.
         answer @ Answer::Scalar { value, .. } if answer.may_be_zero() && *value != 0.0 => {
             let none = Answer::Scalar { value: 0.0, bound: 0.0 };
-            row(asked, &Reading { answer: none, ..reading.clone() }, notation)
+            row(asked, &Reading { answer: none, ..reading.clone() }, notation, figures)
         }
         Answer::Scalar { value, .. } => match asked.quantity {
             Quantity::Omega(_)
             | Quantity::RelativeOmega(..)
             | Quantity::Alpha(_)
             | Quantity::RelativeAlpha(..) => {
-                let value_cell = human::quantity(value.abs(), &asked.unit);
+                let value_cell = amount(value.abs());
                 vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
             }
             Quantity::Force(force, _) if force.turns() => {
@@ -103,7 +116,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>) -> Vec<Rich> {
             } else {
                 Rich::default()
             };
-            vec![symbol, human::quantity(size, &asked.unit), direction]
+            vec![symbol, amount(size), direction]
         }
         Answer::AtInfinity { direction: [x, y], .. } => {
             let angle = libm::remainder(libm::atan2(*y, *x), std::f64::consts::PI);

@@ -1,5 +1,8 @@
 //! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
 
+use std::cell::RefCell;
+use std::collections::{HashMap, HashSet};
+
 use super::given::{StatedLength, dimensions};
 use super::human;
 use super::notation::Notation;
@@ -12,9 +15,10 @@ use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, Diagram, Equation, Label, Reference, Step, Term, TermDirection,
     Vector, VectorKind,
 };
-use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity};
+use crate::graphical::is_a_point;
+use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
-use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider};
+use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
 
 /// Flatter crossings than this are badly readable by hand.
 const FLAT: f64 = 3.0;
@@ -30,10 +34,11 @@ pub enum Item {
     Sentence(Rich),
 }
 
-/// All steps in order.
+/// All steps in order, and what is printed in them.
 #[must_use]
-pub fn items(construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
-    by_step(construction, notation).into_iter().flat_map(|told| told.items).collect()
+pub fn items(construction: &Construction, notation: &Notation<'_>) -> (Vec<Item>, Figures) {
+    let (told, figures) = told(construction, notation);
+    (told.into_iter().flat_map(|told| told.items).collect(), figures)
 }
 
 /// What is said of a step.
@@ -52,19 +57,41 @@ pub struct Told {
 /// The same step by step.
 #[must_use]
 pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told> {
+    told(construction, notation).0
+}
+
+/// Step by step, and what is printed in them. What is used later in a line that would not close has the figures that this
+/// line needs where it is first told.
+#[must_use]
+pub fn told(construction: &Construction, notation: &Notation<'_>) -> (Vec<Told>, Figures) {
+    /// What needs figures for what needs figures, and so on: further back the steps do not look.
+    const ROUNDS: usize = 4;
+    let mut figures = Figures::default();
+    for round in 0.. {
+        let next = RefCell::new(figures.again());
+        let told = tell(construction, notation, &next);
+        figures = next.into_inner();
+        if figures.wanted.is_subset(&figures.finer) || round == ROUNDS {
+            return (told, figures);
+        }
+    }
+    (Vec::new(), figures)
+}
+
+fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Told> {
     let mut all: Vec<Told> = Vec::new();
     let mut rubbing = false;
     let mut measured: Vec<[PointId; 2]> = Vec::new();
     let mut marked = false;
-    let mut known = Known::given(construction, notation);
-    let mut conversions = Some(conversions(notation));
+    let mut known = Known::given(construction, notation, figures);
+    let mut conversions = Some(conversions(notation, figures));
     for (i, step) in construction.steps.iter().enumerate() {
         // Where nothing moves forces need no diagram of the motion.
         let rests = construction.diagram(step.diagram).is_some_and(Diagram::rests);
         if construction.forces.is_some() && step.diagram != DiagramKind::Skeleton && rests {
             continue;
         }
-        let teller = Teller { construction, notation, step };
+        let teller = Teller { construction, notation, step, figures };
         // Rubbing speeds of several pins stand under one head.
         let rubs = only_rubs(step);
         let same = rubs && rubbing;
@@ -253,7 +280,8 @@ pub fn calculation(
         _ => DiagramKind::Velocity,
     };
     let step = Step { diagram, links: Vec::new(), equations: Vec::new(), acts: Vec::new() };
-    Teller { construction, notation, step: &step }.calculation(calculation)
+    let figures = RefCell::default();
+    Teller { construction, notation, step: &step, figures: &figures }.calculation(calculation)
 }
 
 /// A sentence with a warning after it where lines cross too flat to be read by hand.
@@ -266,9 +294,6 @@ pub fn warned(sentence: Rich, crossing: f64, notation: &Notation<'_>) -> Rich {
     sentence.up(" ").then(&Rich::fill(notation.words.flat_crossing, &[angle]))
 }
 
-/// What is shorter than this on paper is not read: it is drawn as a point.
-const TOO_SHORT: f64 = 1.0;
-
 /// The sentence of a reading: so many mm between two images are so much.
 #[must_use]
 pub fn read(
@@ -278,6 +303,8 @@ pub fn read(
     value: f64,
     polygon: &Diagram,
     notation: &Notation<'_>,
+    figures: &mut Figures,
+    key: Key,
 ) -> Rich {
     let words = notation.words;
     let unit = notation.unit(polygon.kind.dimension());
@@ -286,12 +313,13 @@ pub fn read(
             [("tail", tail), ("head", head)].map(|(name, label)| (name, notation.image(label, polygon.kind)));
         return Rich::fill(words.vector_is_zero, &[("vector", vector), tail, head]);
     }
-    if mm < TOO_SHORT {
-        let amount = human::quantity(value, &unit);
+    if is_a_point(mm) {
+        let amount = human::with_unit(&figures.tell(key, value, &unit), &unit.symbol);
         return Rich::fill(words.too_short, &[("vector", vector), ("value", amount)]);
     }
     let factor = polygon.si_per_mm / unit.si;
-    let [reading, amount] = human::reading(mm, factor, value / unit.si);
+    let (reading, amount, written) = human::reading_at(mm, factor, value / unit.si, figures.more(key));
+    figures.note(key, &amount, (written, value / unit.si), &unit);
     let reading = reading
         .up("\u{a0}×\u{a0}")
         .then(&human::stated(factor))
@@ -306,10 +334,142 @@ struct Known<'a> {
     quantities: Vec<Quantity>,
     construction: &'a Construction,
     notation: &'a Notation<'a>,
+    figures: &'a RefCell<Figures>,
+}
+
+/// What a number is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Key {
+    /// The magnitude of a quantity.
+    Of(Quantity),
+    /// The distance of two points on the skeleton, the first of lower number.
+    Length([PointId; 2]),
+}
+
+impl Key {
+    fn of(quantity: Quantity, notation: &Notation<'_>) -> Self {
+        Self::Of(absolute(quantity, notation))
+    }
+
+    fn length([p, q]: [PointId; 2]) -> Self {
+        Self::Length([p.min(q), p.max(q)])
+    }
+}
+
+/// How each number is printed on a sheet, wherever it stands there: as it was told first.
+#[derive(Debug, Clone, Default)]
+pub struct Figures {
+    printed: HashMap<Key, Print>,
+    /// What has a figure more than usual, because a line that uses it needs it.
+    finer: HashSet<Key>,
+    /// What lines would have needed a figure more.
+    wanted: HashSet<Key>,
+}
+
+/// A number as it is printed.
+#[derive(Debug, Clone)]
+struct Print {
+    text: Rich,
+    /// The number that stands there.
+    number: f64,
+    /// The number that it stands for, in the same unit.
+    exact: f64,
+    unit: Unit,
+}
+
+impl Figures {
+    /// Begins again with what was wanted.
+    fn again(&self) -> Self {
+        let finer = self.finer.union(&self.wanted).copied().collect();
+        Self { finer, ..Self::default() }
+    }
+
+    fn more(&self, key: Key) -> usize {
+        usize::from(self.finer.contains(&key))
+    }
+
+    fn note(&mut self, key: Key, text: &Rich, (number, exact): (f64, f64), unit: &Unit) {
+        let print = Print { text: text.clone(), number, exact, unit: unit.clone() };
+        self.printed.entry(key).or_insert(print);
+    }
+
+    /// A magnitude as it is printed in this unit; of what was not told yet as it is told from now on.
+    fn tell(&mut self, key: Key, si: f64, unit: &Unit) -> Rich {
+        self.number(key, si, unit).0
+    }
+
+    /// The same with the number that stands there.
+    fn number(&mut self, key: Key, si: f64, unit: &Unit) -> (Rich, f64) {
+        if let Some(print) = self.printed.get(&key).filter(|print| print.unit == *unit) {
+            return (print.text.clone(), print.number);
+        }
+        let (text, number) = human::given(si.abs() / unit.si, self.more(key));
+        self.note(key, &text, (number, si.abs() / unit.si), unit);
+        (text, number)
+    }
+
+    /// A magnitude as it was told in the steps; that of a link which turns with another as that one's was told.
+    pub fn told(&self, quantity: Quantity, si: f64, unit: &Unit, notation: &Notation<'_>) -> Option<Rich> {
+        let own = si.abs() / unit.si;
+        let kind = std::mem::discriminant(&quantity);
+        let alike = |(key, print): &(&Key, &Print)| match key {
+            Key::Of(other) => {
+                std::mem::discriminant(other) == kind
+                    && print.unit == *unit
+                    && (print.exact - own).abs() <= 1e-9 * own
+            }
+            Key::Length(_) => false,
+        };
+        let print = self.printed.get(&Key::of(quantity, notation));
+        // Of several that are one number any tells it, the least first, so that a sheet is always the same.
+        let print = print.or_else(|| {
+            let all = self.printed.iter().filter(alike).map(|(_, print)| print);
+            all.min_by(|a, b| a.number.total_cmp(&b.number))
+        })?;
+        if print.unit == *unit {
+            return Some(human::with_unit(&print.text, &unit.symbol));
+        }
+        Some(human::quantity(print.number * print.unit.si, unit))
+    }
+
+    /// The factors of a line as they are printed, and its result: that of the printed factors.
+    fn line<const N: usize>(
+        &mut self,
+        factors: [(Key, f64, &Unit); N],
+        (key, si, unit): (Key, f64, &Unit),
+        reckon: impl Fn([f64; N]) -> f64,
+    ) -> ([Rich; N], Rich) {
+        let told = factors.map(|(key, si, unit)| self.number(key, si, unit));
+        let reckoned = reckon(std::array::from_fn(|i| told[i].1));
+        let (exact, more) = (si.abs() / unit.si, self.more(key));
+        let (mut text, mut number) = human::limited(exact, more);
+        if !human::agrees(reckoned, number, exact, more) {
+            self.wanted.extend(factors.iter().map(|(key, ..)| *key));
+            (text, number) = human::limited(reckoned, more);
+        }
+        self.note(key, &text, (number, exact), unit);
+        let numbers = told.map(|(text, _)| text);
+        (numbers, text)
+    }
+}
+
+/// Relative to a fixed point is not relative.
+fn absolute(quantity: Quantity, notation: &Notation<'_>) -> Quantity {
+    match quantity {
+        Quantity::RelativeVelocity(p, q) if notation.mechanism().is_fixed(q) => Quantity::Velocity(p),
+        Quantity::RelativeAcceleration(p, q) if notation.mechanism().is_fixed(q) => Quantity::Acceleration(p),
+        Quantity::RelativeNormal(p, q) if notation.mechanism().is_fixed(q) => Quantity::Normal(p),
+        Quantity::RelativeTangential(p, q) if notation.mechanism().is_fixed(q) => Quantity::Tangential(p),
+        other => other,
+    }
 }
 
 impl<'a> Known<'a> {
-    fn given(construction: &'a Construction, notation: &'a Notation<'a>) -> Self {
+    fn given(
+        construction: &'a Construction,
+        notation: &'a Notation<'a>,
+        figures: &'a RefCell<Figures>,
+    ) -> Self {
         let mechanism = notation.mechanism();
         let inputs = mechanism.inputs.iter().flat_map(|input| match *input {
             Input::Angle { link, .. } => vec![Quantity::Omega(link), Quantity::Alpha(link)],
@@ -321,19 +481,13 @@ impl<'a> Known<'a> {
             Input::Slide { .. } => Vec::new(),
         });
         let stated: Vec<Quantity> = inputs.collect();
-        let mut known = Self { quantities: Vec::new(), construction, notation };
+        let mut known = Self { quantities: Vec::new(), construction, notation, figures };
         stated.into_iter().for_each(|quantity| known.note(quantity));
         known
     }
 
-    /// Relative to a fixed point is not relative.
     fn absolute(&self, quantity: Quantity) -> Quantity {
-        match quantity {
-            Quantity::RelativeVelocity(p, q) if self.notation.mechanism().is_fixed(q) => {
-                Quantity::Velocity(p)
-            }
-            other => other,
-        }
+        absolute(quantity, self.notation)
     }
 
     fn note(&mut self, quantity: Quantity) {
@@ -360,7 +514,8 @@ impl<'a> Known<'a> {
         let ends = self.ends(quantity, polygon)?;
         let name = self.notation.symbol_from(quantity, from);
         let mm = speed / polygon.si_per_mm;
-        Some(read(name, ends, mm, speed, polygon, self.notation))
+        let (mut figures, key) = (self.figures.borrow_mut(), Key::Of(quantity));
+        Some(read(name, ends, mm, speed, polygon, self.notation, &mut figures, key))
     }
 
     /// The images between which a velocity lies.
@@ -400,7 +555,7 @@ impl<'a> Known<'a> {
 }
 
 /// The driven rates in radians where the scene states them otherwise: 300 rpm are 2π · 300 / 60.
-fn conversions(notation: &Notation<'_>) -> Vec<Rich> {
+fn conversions(notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Rich> {
     let mut all = Vec::new();
     for (i, input) in notation.mechanism().inputs.iter().enumerate() {
         let Input::Angle { link, omega, alpha, .. } = input else { continue };
@@ -425,7 +580,9 @@ fn conversions(notation: &Notation<'_>) -> Vec<Rich> {
                 number.up("\u{a0}×\u{a0}").then(&human::stated(ratio))
             };
             let symbol = notation.symbol(quantity, false).up("\u{a0}= ");
-            all.push(symbol.then(&line).up("\u{a0}= ").then(&notation.rotation(value, &unit)));
+            let told = figures.borrow_mut().tell(Key::Of(quantity), value, &unit);
+            let told = notation.with_sense(human::with_unit(&told, &unit.symbol), value);
+            all.push(symbol.then(&line).up("\u{a0}= ").then(&told));
         }
     }
     all
@@ -440,6 +597,7 @@ struct Teller<'a> {
     construction: &'a Construction,
     notation: &'a Notation<'a>,
     step: &'a Step,
+    figures: &'a RefCell<Figures>,
 }
 
 impl Teller<'_> {
@@ -493,7 +651,7 @@ impl Teller<'_> {
                     table.head.push(Rich::upright(if i > 0 { "+" } else { "=" }));
                     table.rows.iter_mut().for_each(|row| row.push(Rich::default()));
                 }
-                let (magnitude, direction) = self.term(term, unit.si);
+                let (magnitude, direction) = self.term(term, &unit);
                 table.columns.push(Align::Middle);
                 table.head.push(self.notation.symbol(term.quantity, true));
                 for (row, cell) in table.rows.iter_mut().zip([magnitude, direction]) {
@@ -504,10 +662,13 @@ impl Teller<'_> {
         table
     }
 
-    fn term(&self, term: &Term, unit: f64) -> (Rich, Rich) {
+    fn term(&self, term: &Term, unit: &Unit) -> (Rich, Rich) {
         let unknown = || Rich::upright(self.notation.words.unknown);
         let magnitude = match term.magnitude {
-            Some(value) => Rich::tick().gap(0.15).then(&human::number(value / unit)),
+            Some(value) => {
+                let key = Key::of(term.quantity, self.notation);
+                Rich::tick().gap(0.15).then(&self.figures.borrow_mut().tell(key, value, unit))
+            }
             None => unknown(),
         };
         let direction = match term.direction {
@@ -652,7 +813,19 @@ impl Teller<'_> {
                 }
             }
             Act::TrialRate { driver, order, rate } => {
-                let value = self.trial_value(*driver, *order, *rate);
+                let quantity = match (driver, order) {
+                    (TrialDriver::Turn(link), Order::Acceleration) => Some(Quantity::Alpha(*link)),
+                    (TrialDriver::Turn(link), _) => Some(Quantity::Omega(*link)),
+                    (TrialDriver::Slide(_), _) => None,
+                };
+                let value = match quantity.filter(|_| *rate != 0.0) {
+                    Some(quantity) => {
+                        let unit = n.angular_unit(*order);
+                        let told = self.figures.borrow_mut().tell(Key::Of(quantity), *rate, &unit);
+                        n.with_sense(human::with_unit(&told, &unit.symbol), *rate)
+                    }
+                    None => self.trial_value(*driver, *order, *rate),
+                };
                 let symbol = self.trial_symbol(*driver, *order)?;
                 Rich::fill(words.trial_rate, &[("rate", symbol), ("value", value)])
             }
@@ -691,13 +864,52 @@ impl Teller<'_> {
                 ],
             ),
             Act::DrawGuide { slide } => self.draw_guide(*slide),
+            Act::LayOffAlong { slide, point, length } => {
+                let through = match n.mechanism().slides.get(*slide)?.guide.path {
+                    Path::Straight { through, .. } => through,
+                    Path::Arc { centre, .. } => centre,
+                };
+                let parts = [
+                    ("value", human::stated_quantity(*length, length_unit)),
+                    ("mm", human::millimetres(length / per_mm)),
+                    ("place", super::given::place_of(through, n)),
+                    ("point", n.point(*point)),
+                ];
+                Rich::fill(words.lay_off_along, &parts)
+            }
+            Act::DrawCentrePath { centre, roll } => {
+                let stated = |si: f64| human::stated(si / length_unit.si);
+                let (template, about, sum, length) = match n.mechanism().rolls.get(*roll)? {
+                    Roll::Line { radius, .. } => {
+                        let own = human::stated_quantity(radius.value, length_unit);
+                        (words.draw_centre_line, Rich::default(), own, radius.value)
+                    }
+                    Roll::Circles { centres, radii, internal, .. } => {
+                        let other = if centres[0] == *centre { centres[1] } else { centres[0] };
+                        let [a, b] = radii.map(|radius| radius.value);
+                        let (a, b) = (a.max(b), a.min(b));
+                        let (sign, length) = if *internal { ("−", a - b) } else { ("+", a + b) };
+                        let sum = stated(a).up("\u{a0}").up(sign).up("\u{a0}").then(&stated(b));
+                        let sum = sum.up("\u{a0}= ").then(&human::stated_quantity(length, length_unit));
+                        (words.draw_centre_arc, n.point(other), sum, length)
+                    }
+                };
+                let mm = human::millimetres(length / per_mm);
+                Rich::fill(
+                    template,
+                    &[("centre", about), ("sum", sum), ("mm", mm), ("point", n.point(*centre))],
+                )
+            }
             Act::MarkIntersection { point, crossing } => {
                 let met = Rich::fill(words.mark_intersection, &[("point", n.point(*point))]);
                 warned(met, *crossing, n)
             }
             Act::TransferPoint { link, point } => self.transfer_point(*link, *point),
             Act::MeasureLength { from, to, mm, value } => {
-                let [mm, value] = human::reading(*mm, per_mm / length_unit.si, value / length_unit.si);
+                let (mut figures, key) = (self.figures.borrow_mut(), Key::length([*from, *to]));
+                let (factor, exact) = (per_mm / length_unit.si, value / length_unit.si);
+                let (mm, value, written) = human::reading_at(*mm, factor, exact, figures.more(key));
+                figures.note(key, &value, (written, exact), length_unit);
                 let value = human::with_unit(&value, &length_unit.symbol);
                 let parts = [("length", n.length(*from, *to)), ("mm", mm), ("value", value)];
                 Rich::fill(words.measure_length, &parts)
@@ -777,7 +989,8 @@ impl Teller<'_> {
             Act::ReadVector { vector, mm, value } => {
                 let vector = self.vector(*vector)?;
                 let ends = [vector.tail, vector.head];
-                read(self.name(vector), ends, *mm, *value, self.polygon()?, n)
+                let (mut figures, key) = (self.figures.borrow_mut(), Key::of(vector.quantity, n));
+                read(self.name(vector), ends, *mm, *value, self.polygon()?, n, &mut figures, key)
             }
         };
         Some(sentence)
@@ -966,77 +1179,89 @@ impl Teller<'_> {
         };
         let vector = |quantity: &Quantity, from: PointId| n.symbol_from(*quantity, Some(from));
         let rotation = |quantity: Quantity| n.symbol(quantity, false);
+        let of = |quantity: Quantity, si: f64, unit| (Key::of(quantity, n), si, unit);
+        let between = |ends: [PointId; 2], si: f64| (Key::length(ends), si, length);
+        let close = |factors, result, reckon: &dyn Fn([f64; 2]) -> f64| {
+            self.figures.borrow_mut().line::<2>(factors, result, reckon)
+        };
+        let close_one = |factors, result, reckon: &dyn Fn([f64; 1]) -> f64| {
+            self.figures.borrow_mut().line::<1>(factors, result, reckon)
+        };
         let text = match calculation {
             Calculation::Speed { quantity, link, ends, omega, length: l, value } => {
-                let [rate, size] =
-                    human::closing([omega.abs() / w.si, l / length.si], value / v.si, |[a, b]| a * b);
+                let factors = [of(Quantity::Omega(*link), *omega, &w), between(*ends, *l)];
+                let ([rate, size], result) = close(factors, of(*quantity, *value, &v), &|[a, b]| a * b);
                 line(
                     vector(quantity, ends[0]),
                     rotation(Quantity::Omega(*link)).up(times).then(&n.length(ends[0], ends[1])),
                     rate.up(cross).then(&size),
-                    human::quantity(*value, &v),
+                    human::with_unit(&result, &v.symbol),
                 )
             }
             Calculation::Omega { link, quantity, ends, speed, length: l, value } => {
-                let [read, size] =
-                    human::closing([speed / v.si, l / length.si], value.abs() / w.si, |[a, b]| a / b);
+                let factors = [of(*quantity, *speed, &v), between(*ends, *l)];
+                let result = of(Quantity::Omega(*link), *value, &w);
+                let ([read, size], result) = close(factors, result, &|[a, b]| a / b);
                 line(
                     rotation(Quantity::Omega(*link)),
                     vector(quantity, ends[0]).up(over).then(&n.length(ends[0], ends[1])),
                     read.up(over).then(&size),
-                    n.rotation(*value, &w),
+                    n.with_sense(human::with_unit(&result, &w.symbol), *value),
                 )
             }
             Calculation::Normal { quantity, velocity, ends, speed, length: l, value } => {
-                let [read, size] =
-                    human::closing([speed / v.si, l / length.si], value / a.si, |[x, l]| x * x / l);
+                let factors = [of(*velocity, *speed, &v), between(*ends, *l)];
+                let ([read, size], result) = close(factors, of(*quantity, *value, &a), &|[x, l]| x * x / l);
                 line(
                     vector(quantity, ends[0]),
                     vector(velocity, ends[0]).squared().up(over).then(&n.length(ends[0], ends[1])),
                     read.up("²").up(over).then(&size),
-                    human::quantity(*value, &a),
+                    human::with_unit(&result, &a.symbol),
                 )
             }
             Calculation::Tangential { quantity, link, ends, alpha, length: l, value } => {
-                let [rate, size] =
-                    human::closing([alpha.abs() / e.si, l / length.si], value / a.si, |[a, b]| a * b);
+                let factors = [of(Quantity::Alpha(*link), *alpha, &e), between(*ends, *l)];
+                let ([rate, size], result) = close(factors, of(*quantity, *value, &a), &|[a, b]| a * b);
                 line(
                     vector(quantity, ends[0]),
                     rotation(Quantity::Alpha(*link)).up(times).then(&n.length(ends[0], ends[1])),
                     rate.up(cross).then(&size),
-                    human::quantity(*value, &a),
+                    human::with_unit(&result, &a.symbol),
                 )
             }
             Calculation::Alpha { link, quantity, ends, tangential, length: l, value } => {
-                let [read, size] =
-                    human::closing([tangential / a.si, l / length.si], value.abs() / e.si, |[a, b]| a / b);
+                let factors = [of(*quantity, *tangential, &a), between(*ends, *l)];
+                let result = of(Quantity::Alpha(*link), *value, &e);
+                let ([read, size], result) = close(factors, result, &|[a, b]| a / b);
                 line(
                     rotation(Quantity::Alpha(*link)),
                     vector(quantity, ends[0]).up(over).then(&n.length(ends[0], ends[1])),
                     read.up(over).then(&size),
-                    n.rotation(*value, &e),
+                    n.with_sense(human::with_unit(&result, &e.symbol), *value),
                 )
             }
             Calculation::Coriolis { quantity, link, slip, speed, omega, value } => {
-                let [read, rate] =
-                    human::closing([speed / v.si, omega.abs() / w.si], value / a.si, |[x, w]| 2.0 * x * w);
+                let factors = [of(*slip, *speed, &v), of(Quantity::Omega(*link), *omega, &w)];
+                let result = of(*quantity, *value, &a);
+                let ([read, rate], result) = close(factors, result, &|[x, w]| 2.0 * x * w);
                 let omega_of = rotation(Quantity::Omega(*link));
                 let formula = line(
                     n.symbol(*quantity, false),
                     Rich::upright("2").up(times).then(&n.symbol(*slip, false)).up(times).then(&omega_of),
                     Rich::upright("2").up(cross).then(&read).up(cross).then(&rate),
-                    human::quantity(*value, &a),
+                    human::with_unit(&result, &a.symbol),
                 );
                 ruled(formula, rule(link, slip, omega, speed))
             }
             Calculation::SlipNormal { quantity, slip, speed, radius, value } => {
-                let [read, size] =
-                    human::closing([speed / v.si, radius / length.si], value / a.si, |[x, r]| x * x / r);
+                let (size, own) = human::given(radius / length.si, 0);
+                let factors = [of(*slip, *speed, &v)];
+                let ([read], result) = close_one(factors, of(*quantity, *value, &a), &|[x]| x * x / own);
                 line(
                     n.symbol(*quantity, false),
                     n.symbol(*slip, false).squared().up(over).it("R"),
                     read.up("²").up(over).then(&size),
-                    human::quantity(*value, &a),
+                    human::with_unit(&result, &a.symbol),
                 )
             }
             Calculation::Translation { link } => {

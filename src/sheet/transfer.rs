@@ -558,13 +558,17 @@ impl Teller<'_> {
                 Rich::fill(words.transfer_omega, &parts)
             }
             TransferAct::OmegaByParallel { link, from, to, mm, omega } => {
+                let w = self.notation.angular_unit(Order::Velocity);
+                let rate =
+                    |[a, b]: [f64; 2]| (a - b).abs() * self.si_per_mm / (b * self.metres_per_mm) / w.si;
+                let [a, b] = human::readings(mm, omega.abs() / w.si, rate);
                 let parts = [
                     ("omega", self.omega(link)),
                     ("from", own(from)),
                     ("to", own(to)),
                     ("line", self.notation.length(from, to)),
-                    ("a", human::millimetres(mm[0])),
-                    ("b", human::millimetres(mm[1])),
+                    ("a", a),
+                    ("b", b),
                     ("value", self.turning(omega)),
                 ];
                 Rich::fill(words.transfer_omega_by_parallel, &parts)
