@@ -172,7 +172,9 @@ impl Panel {
             }
         };
         let letter = letter(place, words);
-        let mut caption = Rich::bold(format!("({letter})")).up(" ").then(&caption);
+        // Viewers thicken Arabic letters, which takes some of the blank.
+        let blank = if words.right_to_left { "\u{2002}" } else { " " };
+        let mut caption = Rich::bold(format!("({letter})")).up(blank).then(&caption);
         if !scale.is_empty() {
             let scale = Rich::fill(words.scale, &[("scale", scale)]);
             caption = caption.up(words.comma.trim_end()).up("\u{2002}").then(&scale);

@@ -303,8 +303,7 @@ pub fn read(
     value: f64,
     polygon: &Diagram,
     notation: &Notation<'_>,
-    figures: &mut Figures,
-    key: Key,
+    (figures, key): (&mut Figures, Key),
 ) -> Rich {
     let words = notation.words;
     let unit = notation.unit(polygon.kind.dimension());
@@ -515,7 +514,7 @@ impl<'a> Known<'a> {
         let name = self.notation.symbol_from(quantity, from);
         let mm = speed / polygon.si_per_mm;
         let (mut figures, key) = (self.figures.borrow_mut(), Key::Of(quantity));
-        Some(read(name, ends, mm, speed, polygon, self.notation, &mut figures, key))
+        Some(read(name, ends, mm, speed, polygon, self.notation, (&mut figures, key)))
     }
 
     /// The images between which a velocity lies.
@@ -990,7 +989,11 @@ impl Teller<'_> {
                 let vector = self.vector(*vector)?;
                 let ends = [vector.tail, vector.head];
                 let (mut figures, key) = (self.figures.borrow_mut(), Key::of(vector.quantity, n));
-                read(self.name(vector), ends, *mm, *value, self.polygon()?, n, &mut figures, key)
+                // What was calculated is not read once more.
+                if figures.printed.contains_key(&key) && !is_a_point(*mm) {
+                    return None;
+                }
+                read(self.name(vector), ends, *mm, *value, self.polygon()?, n, (&mut figures, key))
             }
         };
         Some(sentence)
