@@ -419,7 +419,7 @@ fn gap(own: Rect, (a, b): (Point, Point)) -> f64 {
     let apart = |p: Point| {
         let dx = (own.x0 - p.x).max(p.x - own.x1).max(0.0);
         let dy = (own.y0 - p.y).max(p.y - own.y1).max(0.0);
-        dx.hypot(dy)
+        libm::hypot(dx, dy)
     };
     (0..=200).map(|i| apart(a.lerp(b, f64::from(i) / 200.0))).fold(f64::INFINITY, f64::min)
 }
