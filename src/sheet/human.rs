@@ -302,10 +302,10 @@ mod tests {
         assert_eq!((plain(&speed), plain(&length)), ("317.2".to_owned(), "80".to_owned()));
         let [speed, _] = closing([317.04, 80.0], 317.04 * 317.04 / 80.0, |[v, l]| v * v / l);
         assert_eq!(plain(&speed), "317");
-        // 35.1 × 5 is 175.5, and what is printed is 175; 63.5 × 5 is not 317, but 317.5.
+        // 35.1 × 5 is 175.5, half way to 175.
         let line = |mm: f64| reading(mm, 5.0, 5.0 * mm).map(|part| plain(&part));
-        assert_eq!(line(35.062), ["35.06\u{a0}mm", "175"]);
-        assert_eq!(line(63.496), ["63.50\u{a0}mm", "317"]);
+        assert_eq!(line(35.062), ["35.1\u{a0}mm", "175"]);
+        assert_eq!(line(63.496), ["63.5\u{a0}mm", "317"]);
         assert_eq!(line(30.0), ["30.0\u{a0}mm", "150"]);
         // 57.4 × 50 is not 2871, and 682.6 × 50 has no more figures than were read.
         let line = |mm: f64| reading(mm, 50.0, 50.0 * mm).map(|part| plain(&part));
