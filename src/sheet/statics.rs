@@ -5,7 +5,7 @@ use super::forces::{ForcePanel, per_mm, pole};
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
-use super::steps::Item;
+use super::steps::{Figures, Item, Key};
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
     Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, Knowledge, Label, MassForces,
@@ -379,7 +379,8 @@ impl Teller<'_> {
             .find(|label| matches!(label, Label::Image { point, .. } if *point == own.centre))?;
         let mm = own.acceleration / polygon.si_per_mm;
         let name = self.n.symbol(quantity, false);
-        Some(super::steps::read(name, [Label::Pole, image], mm, own.acceleration, polygon, self.n))
+        let told = (&mut Figures::default(), Key::Of(quantity));
+        Some(super::steps::read(name, [Label::Pole, image], mm, own.acceleration, polygon, self.n, told))
     }
 
     fn body_name(&self, body: &FreeBody) -> Rich {
