@@ -19,7 +19,11 @@ pub(super) fn besides(scene: &Scene, solved: &Solved) -> Vec<Asked> {
     // Which way a link with one joint looks is told by nothing else.
     let placed = |point: &PointId| construction.space.places[point.0].is_some();
     let single = |link: &LinkId| mechanism.link(*link).points.iter().filter(|p| placed(p)).count() == 1;
-    let angles = mechanism.moving().filter(single).map(Quantity::Angle);
+    // What cannot be drawn does not move either.
+    let left_out = |link: &LinkId| {
+        solved.left_out.as_ref().is_some_and(|out| out.links.contains(&mechanism.link(*link).number))
+    };
+    let angles = mechanism.moving().filter(|link| single(link) && !left_out(link)).map(Quantity::Angle);
     let mut all: Vec<Asked> = Vec::new();
     let circle = construction.circle.iter().flat_map(|circle| &circle.centres);
     let centres = circle.filter(|centre| !matches!(centre.found, Found::Pin(_)));
