@@ -95,7 +95,7 @@ pub fn draw(
         Sides::Areas { areas, torque, angle, total } => desk.by_areas(areas, *torque, *angle, *total)?,
         _ => desk.by_curves()?,
     };
-    let mut sheet = drawn.sheet(cycle.period.value);
+    let mut sheet = drawn.sheet(cycle.period.value, desk.board.tape());
     let mut asked = asked.to_vec();
     asked.sort_unstable_by_key(|of| of.name());
     asked.dedup();
@@ -180,8 +180,16 @@ struct Crossing {
 }
 
 impl Diagram {
-    fn sheet(&self, period: f64) -> CycleSheet {
-        let value = |amounts: &[Amount]| amounts.iter().map(Amount::value).collect();
+    fn sheet(&self, period: f64, tape: &mut Tape) -> CycleSheet {
+        // What its bound cannot tell from zero is zero: the level at the end of a period is its beginning.
+        let mut told = |amounts: &[Amount]| -> Vec<f64> {
+            let settled = |amount: &Amount| {
+                let value = amount.value();
+                if value.abs() > tape.bound(amount.mark()) { value } else { 0.0 }
+            };
+            amounts.iter().map(settled).collect()
+        };
+        let (areas, levels) = (told(&self.areas), told(&self.levels));
         let mut curves = [Vec::new(), Vec::new()];
         for node in &self.nodes {
             for (side, curve) in curves.iter_mut().enumerate() {
@@ -202,8 +210,8 @@ impl Diagram {
             curves,
             constant: self.constant,
             crossings: crossings.collect(),
-            areas: value(&self.areas),
-            levels: value(&self.levels),
+            areas,
+            levels,
             extremes: self.extremes,
             numbers: Vec::new(),
         }
