@@ -653,14 +653,3 @@ fn a_group_that_closes_at_half_a_turn_is_found() {
         "find": ["x(A)", "x(B)"] }"#;
     gives(cross, &[("x(A)", vec![0.020, 0.050]), ("x(B)", vec![0.070, -0.020])]);
 }
-
-/// A piston placed at (140, −15), a rod of 130 and a distance of 140.00001 along the guide: one fact but for rounding.
-/// v(B) − v(A) is square to the rod (120, −50): 1200 + 5200 ω₂ = 0.
-#[test]
-fn a_distance_along_the_guide_that_repeats_a_place() {
-    let piston = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] }, "placed": { "A": [20, 35], "B": [140, -15] },
-        "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["A", "B"], "length": 130 } },
-        "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": [0, -15] } } ],
-        "input": { "slide": "B", "at": 140.00001, "velocity": 10 }, "find": ["omega(2)", "x(B)"] }"#;
-    gives(piston, &[("omega(2)", vec![-1200.0 / 5200.0]), ("x(B)", vec![0.140, -0.015])]);
-}
