@@ -7,15 +7,15 @@ use super::LiveError;
 use super::moves::{Binder, Frame, Move, Moving, Place, Seen, bind};
 use crate::graphical::Scales;
 use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
-use crate::mechanism::quantity::{DiagramKind, Dimension, Quantity, Unit};
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
+use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::figure::{Group, Mark, Node, Shape};
-use crate::sheet::moving::{self, Draughts, Drawing, Name, Spot};
+use crate::sheet::moving::{self, arrow, Draughts, Drawing, Layer, Name, Spot, Way};
 use crate::sheet::{Language, scale};
 use crate::solve::{Settings, solve_with};
-use crate::sweep::Sweep;
+use crate::sweep::{Column, Sweep};
 
 /// At so many positions ink is drawn to find out how it moves.
 const DRAWN: usize = 5;
@@ -29,24 +29,40 @@ const POLYGON: (f64, f64) = (110.0, 100.0);
 const BORDER: f64 = 13.0;
 /// Of equally spaced positions so many of a hundred count for the scale of a polygon.
 const COUNTED: usize = 95;
+/// A panel grows to this for what a layer adds to its skeleton, mm.
+const LARGEST: (f64, f64) = (160.0, 150.0);
 /// A vector that is shorter has no name now, mm.
 const SHORTEST_NAMED: f64 = 4.0;
+
+/// What a panel shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Shows {
+    /// The skeleton, a polygon.
+    Diagram,
+    /// The skeleton under a layer, by index.
+    Layer(usize),
+    /// The circle diagram, which does not change.
+    Circle,
+}
 
 /// A diagram of a page.
 #[derive(Debug)]
 pub(super) struct Panel {
     pub(super) kind: DiagramKind,
+    pub(super) shows: Shows,
     pub(super) title: String,
     pub(super) scale_text: String,
     /// Its ink at the scene's own position, every moving group with an identifier.
     pub(super) ink: Group,
     /// The part of its plane that is shown, mm.
     pub(super) shown: Rect,
-    si_per_mm: f64,
+    pub(super) si_per_mm: f64,
     /// The scene's unit of what its lengths stand for.
     unit: Unit,
     origin: [f64; 2],
     places: Vec<Place>,
+    /// So many of the places are those of the diagram itself.
+    own_places: usize,
     moving: Vec<Moving>,
     names: Vec<Placed>,
 }
@@ -117,11 +133,14 @@ impl Diagrams {
         let sketches = sketches(scene, construction, sweep, &start);
         let scales = scales(scene, &sketches, &course);
         let drawn = drawn(scene, sweep, scales, language)?;
-        let panels = sketches
-            .into_iter()
-            .enumerate()
-            .filter_map(|(index, sketch)| panel(index, sketch, sweep, &drawn, (&course, &start), scales))
+        let layers: Vec<Sketch> = (0..drawn.layers.first().map_or(0, Vec::len))
+            .filter_map(|layer| Some(with_centres(sketches.first()?, layer, construction, sweep)))
             .collect();
+        let mut panels: Vec<Panel> = Vec::new();
+        for sketch in sketches.into_iter().chain(layers) {
+            panels.extend(panel(panels.len(), sketch, (scene, sweep), &drawn, (&course, &start), scales));
+        }
+        panels.extend(drawn.circle.as_ref().map(|(ink, title)| circle(ink, title)));
         Ok(Self { panels })
     }
 
@@ -144,9 +163,44 @@ impl Diagrams {
     }
 }
 
+/// The circle diagram, which is the same in every position.
+fn circle(ink: &Group, title: &str) -> Panel {
+    Panel {
+        kind: DiagramKind::Skeleton,
+        shows: Shows::Circle,
+        title: crate::markup::escaped(title),
+        scale_text: String::new(),
+        ink: ink.clone(),
+        shown: ink.bounds().unwrap_or(Rect::ZERO).inflate(4.0, 4.0),
+        si_per_mm: 1.0,
+        unit: Unit { symbol: String::new(), si: 1.0 },
+        origin: [0.0; 2],
+        places: Vec::new(),
+        own_places: 0,
+        moving: Vec::new(),
+        names: Vec::new(),
+    }
+}
+
+/// The skeleton once more, with the instant centres among its places.
+fn with_centres(skeleton: &Sketch, layer: usize, construction: &Construction, sweep: &Sweep) -> Sketch {
+    let mut sketch = skeleton.clone();
+    sketch.layer = Some(layer);
+    for centre in construction.circle.iter().flat_map(|circle| &circle.centres) {
+        let [i, j] = centre.links;
+        if let Some(x) = column(sweep, Quantity::Centre(i, j)).or_else(|| column(sweep, Quantity::Centre(j, i)))
+        {
+            sketch.places.push(Place { terms: vec![(1, x)] });
+        }
+    }
+    sketch
+}
+
 /// The places of a diagram, before its scale is known.
+#[derive(Clone)]
 struct Sketch {
     kind: DiagramKind,
+    layer: Option<usize>,
     places: Vec<Place>,
     /// Of a skeleton the points, of a polygon the names of the places.
     points: Vec<PointId>,
@@ -165,10 +219,10 @@ fn sketches(scene: &Scene, construction: &Construction, sweep: &Sweep, start: &N
         }
     }
     let origin = crate::graphical::origin(mechanism);
-    let mut all = vec![Sketch { kind: DiagramKind::Skeleton, places, points, labels: Vec::new(), origin }];
+    let mut all = vec![Sketch { kind: DiagramKind::Skeleton, layer: None, places, points, labels: Vec::new(), origin }];
     for polygon in &construction.diagrams {
         let (labels, places) = images(scene, polygon, sweep, start);
-        all.push(Sketch { kind: polygon.kind, places, points: Vec::new(), labels, origin: [0.0; 2] });
+        all.push(Sketch { kind: polygon.kind, layer: None, places, points: Vec::new(), labels, origin: [0.0; 2] });
     }
     all
 }
@@ -285,6 +339,8 @@ struct Drawn {
     numbers: Vec<Numbers>,
     constructions: Vec<Construction>,
     diagrams: Vec<Vec<Drawing>>,
+    layers: Vec<Vec<Layer>>,
+    circle: Option<(Group, String)>,
     /// Of the scene's own position.
     names: Names,
 }
@@ -311,6 +367,8 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
         numbers: Vec::new(),
         constructions: Vec::new(),
         diagrams: Vec::new(),
+        layers: Vec::new(),
+        circle: None,
         names: Names::default(),
     };
     let home = sweep.stretch_at(sweep.start).cloned();
@@ -338,7 +396,9 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
         let draughts = Draughts::new(&moved, &construction, language);
         if all.constructions.is_empty() {
             all.names = names(scene, &construction, &draughts);
+            all.circle = draughts.circle();
         }
+        all.layers.push(draughts.layers());
         all.diagrams.push(draughts.diagrams());
         all.numbers.push(numbers);
         all.constructions.push(construction);
@@ -394,18 +454,22 @@ fn of_kind<T>(all: &[(DiagramKind, T)], kind: DiagramKind) -> Option<&T> {
 }
 
 impl Panel {
-    fn seen(&self, numbers: &Numbers) -> Option<Seen> {
+    fn seen(&self, numbers: &Numbers) -> Seen {
         let page = |at: [f64; 2]| {
             let [x, y] = [0, 1].map(|axis| (at[axis] - self.origin[axis]) / self.si_per_mm);
-            Point::new(x, -y)
+            let at = Point::new(x, -y);
+            at.is_finite().then_some(at)
         };
-        self.places.iter().map(|place| place.at(numbers).map(page)).collect()
+        let places = self.places.iter().map(|place| place.at(numbers).and_then(page)).collect();
+        Seen { places, numbers: numbers.clone() }
     }
 
     fn json(&self) -> Value {
         let shown = [self.shown.x0, self.shown.y0, self.shown.x1, self.shown.y1];
         json!({
             "class": self.ink.class,
+            "polygon": self.kind != DiagramKind::Skeleton,
+            "still": self.moving.iter().filter(|moving| moving.by == Move::Still).count(),
             "box": shown,
             "origin": self.origin,
             "si_per_mm": self.si_per_mm,
@@ -421,12 +485,7 @@ impl Placed {
         let anchors: Vec<Value> = self
             .anchors
             .iter()
-            .map(|(frame, own)| match frame {
-                Frame::Fixed => json!([[0], [own.x, own.y]]),
-                Frame::At(a) => json!([[1, a], [own.x, own.y]]),
-                Frame::Rigid(a, b) => json!([[2, a, b], [own.x, own.y]]),
-                Frame::Similar(a, b) => json!([[3, a, b], [own.x, own.y]]),
-            })
+            .map(|(frame, own)| json!([frame.json(), [own.x, own.y]]))
             .collect();
         // Tenths of a millimetre, each told by its difference from the frame before.
         #[expect(clippy::cast_possible_truncation, reason = "some millimetres")]
@@ -458,7 +517,7 @@ fn coded(number: i32, into: &mut String) {
 fn panel(
     index: usize,
     sketch: Sketch,
-    sweep: &Sweep,
+    (scene, sweep): (&Scene, &Sweep),
     drawn: &Drawn,
     (course, start): (&[Numbers], &Numbers),
     scales: Scales,
@@ -470,24 +529,33 @@ fn panel(
     let first = *own.first()?;
     let mut panel = Panel {
         kind,
-        title: first.title.clone(),
+        shows: sketch.layer.map_or(Shows::Diagram, Shows::Layer),
+        title: crate::markup::escaped(&first.title),
         scale_text: of_kind(&drawn.names.scales, kind).cloned().unwrap_or_default(),
         ink: Group::new(first.ink.class.clone()),
         shown: Rect::ZERO,
         si_per_mm,
         unit: of_kind(&drawn.names.units, kind)?.clone(),
         origin: sketch.origin,
+        own_places: if kind == DiagramKind::Skeleton { sketch.points.len() } else { sketch.places.len() },
         places: sketch.places,
         moving: Vec::new(),
         names: Vec::new(),
     };
-    let seen: Option<Vec<Seen>> = drawn.numbers.iter().map(|numbers| panel.seen(numbers)).collect();
-    let binder = Binder { seen: seen? };
+    let binder = binder(&panel, sweep, &drawn.numbers);
     let mut spots: Vec<(Name, Anchors)> = Vec::new();
     if kind == DiagramKind::Skeleton {
         let points = &sketch.points;
-        skeleton(&mut panel, index, (&own, points), &binder, (sweep, course, start), &drawn.names);
+        let numbers = (&scene.mechanism, sweep, course, start);
+        skeleton(&mut panel, index, (&own, points), &binder, numbers, &drawn.names);
         spots.extend(names_of_skeleton(&own, &binder, &panel));
+        if let Some(layer) = sketch.layer {
+            // Of an instant of the input only how the links stand and what is drawn over them.
+            let same: Vec<&Layer> = drawn.layers.iter().filter_map(|all| all.get(layer)).collect();
+            panel.title = same.first().map_or_else(String::new, |layer| layer.title.clone());
+            spots.retain(|(name, _)| matches!(name.class(), "label point-name" | "label link-number"));
+            spots.extend(lay_over(&mut panel, index, &same, &binder));
+        }
     } else {
         let construction = drawn.constructions.first()?;
         let polygon = construction.diagram(kind)?;
@@ -501,15 +569,118 @@ fn panel(
 
 /// What of the plane is shown: everything over the course, of a polygon as far as its scale counts.
 fn shown(panel: &Panel, course: &[Numbers], start: &Numbers) -> Rect {
-    let mut all = panel.seen(start).into_iter().flatten().fold(Rect::ZERO, |all, at| all.union_pt(at));
+    // What a layer adds to the skeleton may run off the paper.
+    let count = panel.own_places;
+    let places = |numbers: &Numbers| -> Option<Vec<Point>> {
+        panel.seen(numbers).places.into_iter().take(count).collect()
+    };
+    let mut all = places(start).into_iter().flatten().fold(Rect::ZERO, |all, at| all.union_pt(at));
     let most = if panel.kind == DiagramKind::Skeleton { 1e4 } else { POLYGON.0.max(POLYGON.1) * 1.02 };
-    for seen in course.iter().filter_map(|numbers| panel.seen(numbers)) {
-        if seen.iter().all(|at| at.x.is_finite() && at.y.is_finite() && at.to_vec2().hypot() < most) {
+    for seen in course.iter().filter_map(places) {
+        if seen.iter().all(|at| at.to_vec2().hypot() < most) {
             all = seen.into_iter().fold(all, |all, at| all.union_pt(at));
         }
     }
     let ink = if panel.kind == DiagramKind::Skeleton { panel.ink.bounds().unwrap_or(all) } else { all };
-    all.union(ink).inflate(BORDER, BORDER)
+    let mut shown = all.union(ink).inflate(BORDER, BORDER);
+    // As many of what a layer adds as find room, at the scene's own position.
+    let home = panel.seen(start);
+    for at in home.places.iter().skip(count).flatten() {
+        let grown = shown.union(Rect::from_center_size(*at, (2.0 * BORDER, 2.0 * BORDER)));
+        if grown.width() <= LARGEST.0.max(shown.width()) && grown.height() <= LARGEST.1.max(shown.height()) {
+            shown = grown;
+        }
+    }
+    shown
+}
+
+/// Draws a layer over its skeleton; its names with what they hang on.
+fn lay_over(panel: &mut Panel, index: usize, same: &[&Layer], binder: &Binder) -> Vec<(Name, Anchors)> {
+    let Some((first, whole)) = same.first().zip(Some(same.len() == binder.seen.len())) else { return Vec::new() };
+    let mut ink = Group::new("layer");
+    let everywhere = |of: &dyn Fn(&Layer) -> Option<Point>| -> Option<Vec<Point>> {
+        same.iter().map(|layer| of(layer)).collect::<Option<Vec<_>>>().filter(|_| whole)
+    };
+    for (number, stroke) in first.strokes.iter().enumerate() {
+        let alike = |layer: &&&Layer| {
+            layer.strokes.len() == first.strokes.len()
+                && layer.strokes[number].at.len() == stroke.at.len()
+                && std::mem::discriminant(&layer.strokes[number].way) == std::mem::discriminant(&stroke.way)
+        };
+        let ends = || -> Vec<Option<(Frame, Vec2)>> {
+            let end = |k: usize| binder.bound(&everywhere(&|layer: &Layer| layer.strokes[number].at[k])?);
+            (0..stroke.at.len()).map(end).collect()
+        };
+        let mut by = Move::Still;
+        if same.iter().filter(alike).count() == same.len() {
+            let ends = ends();
+            let all: Option<Vec<(Frame, Vec2)>> = ends.iter().copied().collect();
+            by = match (stroke.way, all) {
+                // A centre that is always at infinity is no point of its line.
+                (Way::Through, _) if ends.iter().flatten().count() >= 2 => {
+                    Move::Through(ends.into_iter().flatten().collect())
+                }
+                (Way::Arrow, Some(ends)) if ends.len() == 2 => Move::Arrow([ends[0], ends[1]]),
+                (Way::Line, Some(ends)) => Move::Strokes(vec![(false, ends)]),
+                (Way::Circle(_), Some(centre)) => {
+                    let radius = |layer: &&Layer| match layer.strokes[number].way {
+                        Way::Circle(radius) => radius,
+                        _ => 0.0,
+                    };
+                    let radii: Vec<f64> = same.iter().map(radius).collect();
+                    match binder.part_of(&radii) {
+                        Some(part) => Move::Round(centre[0], part),
+                        None => Move::Still,
+                    }
+                }
+                _ => Move::Still,
+            };
+        }
+        let known: Vec<Point> = stroke.at.iter().flatten().copied().collect();
+        let (Some(from), Some(to)) = (known.first(), known.last()) else { continue };
+        let id = format!("d{index}o{number}");
+        let mut own = Group::new(stroke.class);
+        if !stroke.of.is_empty() {
+            own = own.data("of", stroke.of.clone());
+        }
+        own.id = Some(id.clone());
+        match stroke.way {
+            Way::Circle(radius) => {
+                own.mark(Mark::stroke(Shape::Circle { centre: *from, radius }, stroke.pen).precise());
+            }
+            Way::Arrow => arrow(&mut own, *from, *to, stroke.pen.width),
+            Way::Line | Way::Through => {
+                own.mark(Mark::stroke(Shape::Line(*from, *to), stroke.pen).precise());
+            }
+        }
+        ink.group(own.clone());
+        panel.moving.push(Moving { id, by, quantity: None, sense: None, step: None, ink: own });
+    }
+    let mut names = Vec::new();
+    for (number, point) in first.points.iter().enumerate() {
+        let same_names = same.iter().all(|layer| layer.points.len() == first.points.len());
+        let at = everywhere(&|layer: &Layer| layer.points.get(number)?.at).filter(|_| same_names);
+        let bound = at.and_then(|at| binder.bound(&at));
+        let by = match bound {
+            Some((Frame::At(place), own)) if own.hypot() < 1e-6 => Move::Whole(Frame::At(place)),
+            Some(bound) => Move::Mark(bound),
+            None => Move::Still,
+        };
+        let Some(here) = point.at else { continue };
+        if !point.ink.children.is_empty() {
+            let id = format!("d{index}q{number}");
+            let mut own = point.ink.clone();
+            own.translate(here.to_vec2());
+            own.id = Some(id.clone());
+            ink.group(own.clone());
+            panel.moving.push(Moving { id, by, quantity: None, sense: None, step: None, ink: own });
+        }
+        if let (Some(name), Some(bound)) = (&point.name, bound) {
+            names.push((name.clone(), vec![bound]));
+        }
+    }
+    panel.ink.group(ink);
+    names
 }
 
 /// Items of the skeleton's ink: the children of its groups, marks each in a group of their own.
@@ -535,7 +706,7 @@ fn skeleton(
     index: usize,
     (own, points): (&[&Drawing], &[PointId]),
     binder: &Binder,
-    (sweep, course, start): (&Sweep, &[Numbers], &Numbers),
+    (mechanism, sweep, course, start): (&Mechanism, &Sweep, &[Numbers], &Numbers),
     names: &Names,
 ) {
     let drawn: Vec<Vec<(String, Vec<Group>)>> = own.iter().map(|diagram| items(&diagram.ink)).collect();
@@ -568,6 +739,10 @@ fn skeleton(
                 all.group(ink.clone());
                 panel.moving.push(Moving { id, by, quantity: quantity.clone(), sense, step, ink });
             };
+            let is_of_an_instant = item.class.starts_with("rotation") || class == "angles";
+            if is_of_an_instant && matches!(panel.shows, Shows::Layer(_)) {
+                continue;
+            }
             if item.class.starts_with("rotation") {
                 let turns = names.rotations.iter().find(|(name, ..)| Some(name) == quantity.as_ref());
                 let Some((_, link, second)) = turns else { continue };
@@ -586,6 +761,12 @@ fn skeleton(
                 continue;
             }
             let mut by = bind(binder, &same);
+            if by == Move::Still
+                && let Some((rigid, frame)) = as_a_body(item, &same, binder, &course, (mechanism, sweep, points))
+            {
+                add(&rigid, Move::Whole(frame), None);
+                continue;
+            }
             if class == "frame" {
                 if let Move::Whole(Frame::At(rider)) = by {
                     // The frame stands still: its guide is drawn as far as the rider goes.
@@ -603,7 +784,19 @@ fn skeleton(
 }
 
 fn panel_seen(panel: &Panel, course: &[Numbers]) -> Vec<Seen> {
-    course.iter().filter_map(|numbers| panel.seen(numbers)).collect()
+    course.iter().map(|numbers| panel.seen(numbers)).collect()
+}
+
+fn binder(panel: &Panel, sweep: &Sweep, drawn: &[Numbers]) -> Binder {
+    let of = |wanted: fn(&Column) -> bool| {
+        let columns = sweep.columns.iter().enumerate().filter(move |(_, column)| wanted(column));
+        columns.map(|(index, _)| index).collect()
+    };
+    Binder {
+        seen: drawn.iter().map(|numbers| panel.seen(numbers)).collect(),
+        angles: of(|column| matches!(column.asked.quantity, Quantity::Angle(_))),
+        vectors: of(|c| c.axis == Some(0) && c.asked.quantity.order() != Order::Position),
+    }
 }
 
 /// The frame of a link: its first two points, or its only one.
@@ -615,6 +808,104 @@ fn frame_of_link(sweep: &Sweep, link: LinkId, points: &[PointId]) -> Frame {
         (Some(a), None) => Frame::At(a),
         _ => Frame::Fixed,
     }
+}
+
+/// The ink of a link that the sheet draws differently in every position, because a slot is as long as its rider goes: a link
+/// is rigid, and on the page its slots are as long as their riders ever go.
+fn as_a_body(
+    item: &Group,
+    same: &[&Group],
+    binder: &Binder,
+    course: &[Seen],
+    (mechanism, sweep, points): (&Mechanism, &Sweep, &[PointId]),
+) -> Option<(Group, Frame)> {
+    let number = item.data.iter().find(|(name, _)| *name == "link").map(|(_, of)| of.as_str());
+    let named = |link: &LinkId| number == Some(mechanism.link(*link).number.to_string().as_str());
+    let link = mechanism.moving().find(|link| item.class.starts_with("link") && named(link))?;
+    let frame = match frame_of_link(sweep, link, points) {
+        Frame::At(place) => Frame::Headed(place, scalar(sweep, Quantity::Angle(link))?),
+        Frame::Rigid(a, b) => Frame::Rigid(a, b),
+        _ => return None,
+    };
+    let (home, riders) = (binder.seen.first()?, riders(mechanism, link));
+    let mut own = item.clone();
+    if !item.class.contains("slot") || riders.is_empty() {
+        return Some((own, frame));
+    }
+    // Along the longest stroke.
+    let mut along: Option<Vec2> = None;
+    item.walk(&mut |node| {
+        if let Node::Mark(mark) = node {
+            for (a, b) in mark.shape.outline() {
+                let (Some(a), Some(b)) = (frame.local(a, home), frame.local(b, home)) else { continue };
+                if along.is_none_or(|known| known.hypot() < (b - a).hypot()) {
+                    along = Some(b - a);
+                }
+            }
+        }
+    });
+    let along = along.filter(|along| along.hypot() > 1.0)?.normalize();
+    let way = |at: Point, seen: &Seen| frame.local(at, seen).map(|own| own.dot(along));
+    let reach = |group: &Group, seen: &Seen| {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        group.walk(&mut |node| {
+            if let Node::Mark(Mark { shape: Shape::Polygon(points), .. }) = node
+                && points.len() == 4
+            {
+                for at in points.iter().filter_map(|at| way(*at, seen)) {
+                    (low, high) = (low.min(at), high.max(at));
+                }
+            }
+        });
+        (low, high)
+    };
+    let (low, high) = reach(item, home);
+    if low >= high {
+        return Some((own, frame));
+    }
+    let (mut least, mut most) = (low, high);
+    for (group, seen) in same.iter().zip(&binder.seen) {
+        let (low, high) = reach(group, seen);
+        (least, most) = (least.min(low), most.max(high));
+    }
+    for rider in riders {
+        let Some(place) = points.iter().position(|point| *point == rider) else { continue };
+        for at in course.iter().filter_map(|seen| way(seen.at(place)?, seen)).filter(|at| at.abs() < 1e3) {
+            (least, most) = (least.min(at - BEYOND), most.max(at + BEYOND));
+        }
+    }
+    let middle = f64::midpoint(low, high);
+    let stretched = |at: Point| {
+        let Some(own) = frame.local(at, home) else { return at };
+        let by = if own.dot(along) > middle { most - high } else { least - low };
+        frame.global(own + along * by, home).unwrap_or(at)
+    };
+    let mut all = Group { children: Vec::new(), ..item.clone() };
+    item.walk(&mut |node| {
+        let Node::Mark(mark) = node else { return };
+        let shape = match &mark.shape {
+            Shape::Line(a, b) => Shape::Line(stretched(*a), stretched(*b)),
+            Shape::Polygon(points) => Shape::Polygon(points.iter().map(|at| stretched(*at)).collect()),
+            Shape::Polyline(points) => Shape::Polyline(points.iter().map(|at| stretched(*at)).collect()),
+            other => other.clone(),
+        };
+        all.mark(Mark { shape, ..mark.clone() });
+    });
+    own = all;
+    Some((own, frame))
+}
+
+/// A slot ends so far beyond its rider, mm.
+const BEYOND: f64 = 5.0;
+
+/// The points that ride in the slots of a link.
+fn riders(mechanism: &Mechanism, link: LinkId) -> Vec<PointId> {
+    let own = mechanism.slides.iter().filter(|slide| slide.guide.link == link);
+    own.filter_map(|slide| match slide.rider {
+        Rider::Pin { point, .. } => Some(point),
+        Rider::Link { link, .. } => mechanism.link(link).points.first().copied(),
+    })
+    .collect()
 }
 
 /// The arc of an angle from the right, and what stands still beside it.
@@ -631,7 +922,8 @@ fn turns(item: &Group, binder: &Binder) -> Vec<(Group, Move)> {
     });
     let mut all = vec![(still, Move::Whole(Frame::Fixed))];
     let first = binder.seen.first();
-    let place = |centre: Point| first.and_then(|seen| seen.iter().position(|at| at.distance(centre) < 1e-4));
+    let near = |centre: Point| move |at: &Option<Point>| at.is_some_and(|at| at.distance(centre) < 1e-4);
+    let place = |centre: Point| first.and_then(|seen| seen.places.iter().position(near(centre)));
     if let Some((centre, radius)) = arc
         && let Some(place) = place(centre)
     {
@@ -680,7 +972,7 @@ fn mirrored(item: &Group) -> Group {
 
 /// A guide as far as its rider goes: copies one beside the other, each as long as it is drawn.
 fn along_the_course(item: &Group, rider: usize, course: &[Seen], binder: &Binder) -> Vec<Group> {
-    let Some(start) = binder.seen.first().and_then(|seen| seen.get(rider)).copied() else {
+    let Some(start) = binder.seen.first().and_then(|seen| seen.at(rider)) else {
         return vec![item.clone()];
     };
     let mut line = None;
@@ -691,7 +983,7 @@ fn along_the_course(item: &Group, rider: usize, course: &[Seen], binder: &Binder
     });
     let Some((a, b)) = line.filter(|(a, b)| a.distance(*b) > 1.0) else { return vec![item.clone()] };
     let (length, along) = (a.distance(b), (b - a).normalize());
-    let way = |seen: &Seen| seen.get(rider).map(|at| (*at - start).dot(along)).filter(|way| way.abs() < 1e3);
+    let way = |seen: &Seen| seen.at(rider).map(|at| (at - start).dot(along)).filter(|way| way.abs() < 1e3);
     let (low, high) =
         course.iter().filter_map(way).fold((0.0_f64, 0.0_f64), |(l, h), w| (l.min(w), h.max(w)));
     let mut at = low;
@@ -849,7 +1141,7 @@ fn place_names(
     start: &Numbers,
     cyclic: bool,
 ) {
-    let Some(home) = panel.seen(start) else { return };
+    let home = panel.seen(start);
     let frame = |numbers: &Numbers| {
         let seen = panel.seen(numbers);
         let mut ink = Group::new("moved");
@@ -857,18 +1149,15 @@ fn place_names(
             let visible = moving.sense.is_none_or(|(output, positive)| {
                 numbers[output].is_some_and(|value| value != 0.0 && (value > 0.0) == positive)
             });
-            if let (true, Some(seen)) = (visible, &seen)
-                && let Some(moved) = moving.moved(&home, seen)
-            {
+            if visible && let Some(moved) = moving.moved(&home, &seen) {
                 ink.group(moved);
             }
         }
         let spot = |anchors: &[(Frame, Vec2)]| {
-            let seen = seen.as_ref()?;
             let points: Option<Vec<Point>> =
-                anchors.iter().map(|(frame, own)| frame.global(*own, seen)).collect();
+                anchors.iter().map(|(frame, own)| frame.global(*own, &seen)).collect();
             match points?[..] {
-                [at] => Some(Spot::Point(at)),
+                [at] => Some(Spot::Point(at)).filter(|_| panel.shown.contains(at)),
                 [from, to, ..]
                     if panel.kind == DiagramKind::Skeleton || from.distance(to) >= SHORTEST_NAMED =>
                 {

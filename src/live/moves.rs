@@ -16,8 +16,24 @@ pub(super) struct Place {
     pub(super) terms: Vec<(i8, usize)>,
 }
 
-/// Where the places of a diagram are in one position, on the page.
-pub(super) type Seen = Vec<Point>;
+/// One position of a diagram.
+#[derive(Debug, Clone)]
+pub(super) struct Seen {
+    /// Where its places are on the page; nothing where one is not known now, or lies at infinity.
+    pub(super) places: Vec<Option<Point>>,
+    /// The numbers of the position, by output.
+    pub(super) numbers: Vec<Option<f64>>,
+}
+
+impl Seen {
+    pub(super) fn at(&self, place: usize) -> Option<Point> {
+        self.places.get(place).copied().flatten()
+    }
+
+    fn number(&self, output: usize) -> Option<f64> {
+        self.numbers.get(output).copied().flatten()
+    }
+}
 
 /// What ink keeps its place in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,10 +46,16 @@ pub(super) enum Frame {
     Rigid(usize, usize),
     /// The same, and stretched with their distance.
     Similar(usize, usize),
+    /// At a place, turned to an angle that is an output.
+    Headed(usize, usize),
+    /// At a place, turned and stretched with the vector whose coordinates are this output and the one after it.
+    Carried(usize, usize),
 }
 
 /// Places nearer to each other tell no direction, mm.
 const NEAR: f64 = 0.05;
+/// Shorter vectors tell no direction, in their SI units.
+const SMALL: f64 = 1e-9;
 /// What strays by less keeps its place, mm.
 const STRAY: f64 = 2e-5;
 
@@ -42,9 +64,17 @@ impl Frame {
     fn axes(self, seen: &Seen) -> Option<(Point, Vec2)> {
         match self {
             Self::Fixed => Some((Point::ORIGIN, Vec2::new(1.0, 0.0))),
-            Self::At(a) => Some((*seen.get(a)?, Vec2::new(1.0, 0.0))),
+            Self::At(a) => Some((seen.at(a)?, Vec2::new(1.0, 0.0))),
+            Self::Headed(a, output) => {
+                let (sin, cos) = libm::sincos(seen.number(output)?);
+                Some((seen.at(a)?, Vec2::new(cos, -sin)))
+            }
+            Self::Carried(a, output) => {
+                let along = Vec2::new(seen.number(output)?, -seen.number(output + 1)?);
+                (along.hypot() > SMALL && along.is_finite()).then_some((seen.at(a)?, along))
+            }
             Self::Rigid(a, b) | Self::Similar(a, b) => {
-                let (a, b) = (*seen.get(a)?, *seen.get(b)?);
+                let (a, b) = (seen.at(a)?, seen.at(b)?);
                 let along = b - a;
                 if along.hypot() < NEAR {
                     return None;
@@ -54,7 +84,7 @@ impl Frame {
         }
     }
 
-    fn local(self, at: Point, seen: &Seen) -> Option<Vec2> {
+    pub(super) fn local(self, at: Point, seen: &Seen) -> Option<Vec2> {
         let (origin, x) = self.axes(seen)?;
         let d = at - origin;
         Some(Vec2::new(d.dot(x), x.cross(d)) / x.hypot2())
@@ -70,12 +100,14 @@ impl Frame {
         self.axes(seen).map_or(1.0, |(_, x)| x.hypot())
     }
 
-    fn json(self) -> Value {
+    pub(super) fn json(self) -> Value {
         match self {
             Self::Fixed => json!([0]),
             Self::At(a) => json!([1, a]),
             Self::Rigid(a, b) => json!([2, a, b]),
             Self::Similar(a, b) => json!([3, a, b]),
+            Self::Headed(a, output) => json!([4, a, output]),
+            Self::Carried(a, output) => json!([5, a, output]),
         }
     }
 }
@@ -85,12 +117,16 @@ impl Frame {
 pub(super) struct Binder {
     /// The places in each position; the scene's own is the first.
     pub(super) seen: Vec<Seen>,
+    /// Outputs that are angles of links.
+    pub(super) angles: Vec<usize>,
+    /// Outputs that are the first coordinate of a vector that moves.
+    pub(super) vectors: Vec<usize>,
 }
 
 impl Binder {
     /// The frame in which points keep their place, each told in every position; the simplest that there is.
     pub(super) fn frame(&self, points: &[Vec<Point>]) -> Option<Frame> {
-        let count = self.seen.first()?.len();
+        let count = self.seen.first()?.places.len();
         if self.seen.len() < 3 || points.is_empty() {
             return None;
         }
@@ -99,7 +135,9 @@ impl Binder {
         std::iter::once(Frame::Fixed)
             .chain(singles)
             .chain(pairs().map(|(a, b)| Frame::Rigid(a, b)))
+            .chain((0..count).flat_map(|a| self.angles.iter().map(move |angle| Frame::Headed(a, *angle))))
             .chain(pairs().map(|(a, b)| Frame::Similar(a, b)))
+            .chain((0..count).flat_map(|a| self.vectors.iter().map(move |vector| Frame::Carried(a, *vector))))
             .find(|frame| points.iter().all(|point| self.keeps(*frame, point)))
     }
 
@@ -115,6 +153,27 @@ impl Binder {
 
     pub(super) fn local(&self, frame: Frame, at: Point) -> Option<Vec2> {
         frame.local(at, self.seen.first()?)
+    }
+
+    /// A point that is told in every position, in the frame in which it keeps its place.
+    pub(super) fn bound(&self, points: &[Point]) -> Option<(Frame, Vec2)> {
+        let frame = self.frame(&[points.to_vec()])?;
+        Some((frame, self.local(frame, *points.first()?)?))
+    }
+
+    /// A length that is told in every position, as a part of the unit of a frame.
+    pub(super) fn part_of(&self, lengths: &[f64]) -> Option<(Frame, f64)> {
+        let count = self.seen.first()?.places.len();
+        let pairs = (0..count).flat_map(|a| (0..a).map(move |b| Frame::Similar(a, b)));
+        let vectors = self.vectors.iter().flat_map(|vector| (0..count.min(1)).map(|a| Frame::Carried(a, *vector)));
+        std::iter::once(Frame::Fixed).chain(pairs).chain(vectors).find_map(|frame| {
+            let sizes = self.seen.iter().map(|seen| Some(frame.axes(seen)?.1.hypot()));
+            let parts: Option<Vec<f64>> = sizes.zip(lengths).map(|(size, length)| Some(length / size?)).collect();
+            let (parts, size) = (parts?, frame.size(self.seen.first()?));
+            let first = *parts.first()?;
+            let same = parts.len() >= 3 && parts.iter().all(|part| (part - first).abs() * size <= STRAY);
+            same.then_some((frame, first))
+        })
     }
 }
 
@@ -133,6 +192,14 @@ pub(super) enum Move {
     Outline(Vec<usize>),
     /// An arc with an arrow about a place, from the right to the angle that is varied.
     Turn(usize, f64),
+    /// A line through all of these points that are known, and a little past the outermost; as far as it is on the panel.
+    Through(Vec<(Frame, Vec2)>),
+    /// An arrow from point to point.
+    Arrow([(Frame, Vec2); 2]),
+    /// A circle about a point, its radius a part of the unit of a frame.
+    Round((Frame, Vec2), (Frame, f64)),
+    /// A mark about a point of a frame, upright.
+    Mark((Frame, Vec2)),
     /// Seen at the scene's own position only.
     Still,
 }
@@ -160,11 +227,11 @@ pub(super) struct Moving {
 impl Moving {
     pub(super) fn json(&self, panel: usize) -> Value {
         let mut all = json!({ "panel": panel, "id": self.id });
+        let point = |(frame, own): &(Frame, Vec2)| json!([frame.json(), [own.x, own.y]]);
         let (kind, at) = match &self.by {
             Move::Whole(Frame::Fixed) => ("fixed", json!([])),
             Move::Whole(frame) => ("whole", frame.json()),
             Move::Strokes(strokes) => {
-                let point = |(frame, own): &(Frame, Vec2)| json!([frame.json(), [own.x, own.y]]);
                 let stroke = |(closed, points): &(bool, Vec<(Frame, Vec2)>)| {
                     json!([closed, points.iter().map(point).collect::<Vec<_>>()])
                 };
@@ -174,6 +241,10 @@ impl Moving {
             Move::Ray(ends) => ("ray", json!(ends)),
             Move::Outline(through) => ("outline", json!(through)),
             Move::Turn(place, radius) => ("turn", json!([place, radius])),
+            Move::Through(points) => ("through", json!(points.iter().map(point).collect::<Vec<_>>())),
+            Move::Arrow(ends) => ("arrow", json!(ends.iter().map(point).collect::<Vec<_>>())),
+            Move::Round(centre, (frame, part)) => ("round", json!([point(centre), frame.json(), part])),
+            Move::Mark(at) => ("mark", point(at)),
             Move::Still => ("still", json!([])),
         };
         all["move"] = json!(kind);
@@ -224,14 +295,29 @@ impl Moving {
                 }
             }
             Move::Vector([a, b]) | Move::Ray([a, b]) => {
-                let (from, mut to) = (*now.get(*a)?, *now.get(*b)?);
+                let (from, mut to) = (now.at(*a)?, now.at(*b)?);
                 if matches!(self.by, Move::Ray(_)) {
                     to += (to - from) * (PAST / (to - from).hypot().max(1e-9));
                 }
                 let pen = crate::sheet::figure::Pen::solid(0.3);
                 group.mark(Mark::stroke(Shape::Line(from, to), pen));
             }
-            Move::Outline(_) | Move::Turn(..) => return None,
+            Move::Through(points) => {
+                let known: Vec<Point> = points.iter().filter_map(|(f, own)| f.global(*own, now)).collect();
+                let far = |at: &&Point| at.to_vec2().hypot() < 1e4;
+                let (from, to) = (known.first().filter(far)?, known.last().filter(far)?);
+                group.mark(Mark::stroke(Shape::Line(*from, *to), crate::sheet::figure::Pen::solid(0.2)));
+            }
+            Move::Arrow([from, to]) => {
+                let (from, to) = (from.0.global(from.1, now)?, to.0.global(to.1, now)?);
+                group.mark(Mark::stroke(Shape::Line(from, to), crate::sheet::figure::Pen::solid(0.3)));
+            }
+            Move::Round(centre, (frame, part)) => {
+                let (centre, radius) = (centre.0.global(centre.1, now)?, part * frame.size(now));
+                let circle = Shape::Circle { centre, radius };
+                group.mark(Mark::stroke(circle, crate::sheet::figure::Pen::solid(0.2)));
+            }
+            Move::Outline(_) | Move::Turn(..) | Move::Mark(_) => return None,
         }
         Some(group)
     }

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::diagrams::{Diagrams, Panel};
+use super::diagrams::{Diagrams, Panel, Shows};
 use super::{Live, LiveError, hash, words};
 use crate::markup::escaped;
 use crate::mechanism::quantity::{Asked, Quantity};
@@ -244,7 +244,7 @@ fn panels(all: &[Panel]) -> String {
             n(shown.height()),
             escaped(crate::sheet::font::FAMILIES),
             svg::fragment(&panel.ink).replace(">\n<", "><"),
-            escaped(&panel.title),
+            panel.title,
             panel.scale_text,
         ));
     }
@@ -321,7 +321,22 @@ fn document(
 
 fn text(scene: &Scene, draughts: &Draughts<'_>, language: Language, panels: &[Panel]) -> Value {
     let tag = language.words().tag;
-    let titles: Vec<String> = panels.iter().map(|panel| draughts.title(panel.kind)).collect();
+    let layers = draughts.layers();
+    let titles: Vec<String> = panels
+        .iter()
+        .map(|panel| match panel.shows {
+            Shows::Diagram => escaped(&draughts.title(panel.kind)),
+            Shows::Layer(index) => layers.get(index).map_or_else(String::new, |layer| layer.title.clone()),
+            Shows::Circle => draughts.circle().map_or_else(String::new, |(_, title)| escaped(&title)),
+        })
+        .collect();
+    let scales: Vec<String> = panels
+        .iter()
+        .map(|panel| match panel.shows {
+            Shows::Circle => String::new(),
+            _ => draughts.scale(panel.kind.dimension(), panel.si_per_mm),
+        })
+        .collect();
     let symbols: Vec<String> =
         scene.mechanism.asked.iter().map(|asked| draughts.symbol(asked.quantity)).collect();
     let steps: Vec<Value> = draughts
@@ -338,6 +353,7 @@ fn text(scene: &Scene, draughts: &Draughts<'_>, language: Language, panels: &[Pa
         "title": scene.title.in_language(tag).unwrap_or(language.words().untitled),
         "rtl": language.words().right_to_left,
         "panels": titles,
+        "scales": scales,
         "symbols": symbols,
         "steps": steps,
         "scale": scale,

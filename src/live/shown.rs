@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
+use crate::graphical::construction::Found;
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, PointId};
+use crate::plan::Auxiliary;
 use crate::scene::Scene;
 use crate::solve::Solved;
 
@@ -19,9 +21,30 @@ pub(super) fn besides(scene: &Scene, solved: &Solved) -> Vec<Asked> {
     let single = |link: &LinkId| mechanism.link(*link).points.iter().filter(|p| placed(p)).count() == 1;
     let angles = mechanism.moving().filter(single).map(Quantity::Angle);
     let mut all: Vec<Asked> = Vec::new();
-    for quantity in shown.chain(vectors).chain(angles) {
-        let stands = !matches!(quantity, Quantity::Centre(..));
-        if stands && !all.iter().any(|known| known.quantity == quantity) {
+    let circle = construction.circle.iter().flat_map(|circle| &circle.centres);
+    let centres = circle.filter(|centre| !matches!(centre.found, Found::Pin(_)));
+    let centres = centres.map(|centre| Quantity::Centre(centre.links[0], centre.links[1]));
+    // What a construction on the skeleton besides the polygons hangs on.
+    let drawn = construction.auxiliary.iter().find(|drawing| drawing.refused.is_none());
+    let klein = construction.auxiliary.iter().any(|d| matches!(d.kind, Auxiliary::Klein { .. }));
+    let points = || (0..mechanism.points.len()).map(PointId).filter(|p| placed(p) && !mechanism.is_fixed(*p));
+    let second = solved.solution.shown.iter().any(|shown| shown.quantity.order() == Order::Acceleration);
+    let mut more: Vec<Quantity> = Vec::new();
+    if drawn.is_some() || construction.circle.as_ref().is_some_and(|circle| !circle.transfers.is_empty()) {
+        more.extend(points().map(Quantity::Velocity));
+    }
+    if klein && second {
+        more.extend(points().map(Quantity::Acceleration));
+        let of = |link: LinkId| match mechanism.link(link).points[..] {
+            [a, b, ..] if placed(&a) && placed(&b) && !mechanism.is_fixed(a) && !mechanism.is_fixed(b) => {
+                Some([Quantity::RelativeNormal(b, a), Quantity::RelativeNormal(a, b)])
+            }
+            _ => None,
+        };
+        more.extend(mechanism.moving().filter_map(of).flatten());
+    }
+    for quantity in shown.chain(vectors).chain(angles).chain(centres).chain(more) {
+        if !all.iter().any(|known| known.quantity == quantity) {
             let (name, unit) = (quantity.name(mechanism), unit(scene, quantity));
             all.push(Asked { name, quantity, unit, method: Method::Polygon });
         }

@@ -30,7 +30,7 @@ const PAST: f64 = 4.0;
 /// Side of a right-angle mark.
 const SQUARE: f64 = 2.2;
 /// A pen for what was sought: between links and components.
-const RESULT: f64 = 0.35;
+pub(super) const RESULT: f64 = 0.35;
 /// Pieces of a clipped circle.
 const PIECES: usize = 360;
 

@@ -4,18 +4,26 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::circle;
+pub use super::ink::arrow;
 use super::feet::told_apart;
-use super::figure::{Group, Life, Mark, Pen, Shape};
+use super::figure::{Group, Life, Mark, Pen, Shape, Tone};
 use super::growth::Births;
+use super::ink::{FINE, SMALL, THICK, THIN, dot, page};
 use super::labels::{Obstacles, Request, Site};
 use super::notation::Notation;
 use super::panels::{self, Panel};
 use super::rich::Rich;
 use super::steps::{self, Item};
 use super::words::Language;
-use super::{human, polygon, skeleton};
-use crate::graphical::construction::{Construction, Label, Vector};
+use super::{auxiliary, human, polygon, skeleton, transfer};
+use crate::graphical::auxiliary::{StrokeRole, StrokeShape};
+use crate::graphical::construction::{
+    CentreLine, CentrePlace, CircleDiagram, Construction, Found, Label, TransferInk, Vector,
+};
+use crate::mechanism::Rider;
 use crate::mechanism::quantity::{DiagramKind, Dimension, Quantity, Unit};
+use crate::plan::chord;
 use crate::scene::Scene;
 
 /// A diagram without its names.
@@ -31,6 +39,56 @@ pub struct Drawing {
     pub names: Vec<Name>,
     /// Its caption, as hypertext.
     pub title: String,
+}
+
+/// What is drawn over a skeleton: lines of centres, a construction besides the polygons.
+#[derive(Debug, Clone)]
+pub struct Layer {
+    /// Its caption, as hypertext.
+    pub title: String,
+    /// Its strokes, in the same order in every position.
+    pub strokes: Vec<LayerStroke>,
+    /// Its points that have a name or a mark.
+    pub points: Vec<LayerPoint>,
+}
+
+/// A stroke of a layer.
+#[derive(Debug, Clone)]
+pub struct LayerStroke {
+    /// How its points make it.
+    pub way: Way,
+    /// The points; none for one that is at infinity.
+    pub at: Vec<Option<Point>>,
+    /// Its pen.
+    pub pen: Pen,
+    /// Its class.
+    pub class: &'static str,
+    /// What it carries, as the data of the ink call it.
+    pub of: String,
+}
+
+/// How points make a stroke.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Way {
+    /// From the first to the last.
+    Line,
+    /// Through all that are on the paper, and a little past the outermost.
+    Through,
+    /// An arrow from the first to the last.
+    Arrow,
+    /// A circle with this radius about the first.
+    Circle(f64),
+}
+
+/// A point of a layer.
+#[derive(Debug, Clone)]
+pub struct LayerPoint {
+    /// Where it is; nothing where it is at infinity.
+    pub at: Option<Point>,
+    /// Its name.
+    pub name: Option<Name>,
+    /// Its mark, about the origin.
+    pub ink: Group,
 }
 
 /// A name that is to be placed.
@@ -170,6 +228,156 @@ impl<'a> Draughts<'a> {
             all.push(Drawing { kind: diagram.kind, ink, names: Vec::new(), title });
         }
         all
+    }
+
+    /// What is drawn over the skeleton in figures of their own.
+    #[must_use]
+    pub fn layers(&self) -> Vec<Layer> {
+        let mut all = Vec::new();
+        if let Some(circle) = &self.construction.circle {
+            all.push(self.centres(circle));
+            for own in transfer::by_method(circle) {
+                all.push(self.transfers(&own));
+            }
+        }
+        let drawings = self.construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none());
+        all.extend(drawings.map(|drawing| self.auxiliary(drawing)));
+        all
+    }
+
+    /// The circle diagram, which is the same in every position, and its caption.
+    #[must_use]
+    pub fn circle(&self) -> Option<(Group, String)> {
+        let circle = self.construction.circle.as_ref()?;
+        Some((circle::draw(circle, &self.notation), self.notation.words.circle_diagram.to_owned()))
+    }
+
+    fn centres(&self, found: &CircleDiagram) -> Layer {
+        /// Of more centres than these the pins have no names.
+        const NAMED: usize = 10;
+        let notation = &self.notation;
+        let on_paper = |links| match found.centre(links).map(|centre| centre.place) {
+            Some(CentrePlace::At(at)) => Some(page(at)),
+            _ => None,
+        };
+        let mut strokes: Vec<LayerStroke> = Vec::new();
+        for centre in &found.centres {
+            let Found::Kennedy { lines } = centre.found else { continue };
+            let [i, j] = centre.links;
+            for line in lines {
+                let (at, mut of) = match line {
+                    CentreLine::Via(k) => {
+                        let members = [chord(i, k), chord(k, j), centre.links];
+                        (members.map(on_paper).to_vec(), members.to_vec())
+                    }
+                    CentreLine::Normal(slide) => {
+                        let rider = notation.mechanism().slides.get(slide).map(|slide| slide.rider);
+                        let pin = match rider {
+                            Some(Rider::Pin { point, .. }) => self.construction.space.places[point.0],
+                            _ => None,
+                        };
+                        (vec![pin.map(page), on_paper(centre.links)], vec![centre.links])
+                    }
+                };
+                of.sort();
+                let of: Vec<String> = of.iter().map(|links| circle::centre_name(*links, notation)).collect();
+                let of = of.join(" ");
+                let known = |stroke: &LayerStroke| stroke.of == of && at.len() == 3;
+                if !strokes.iter().any(known) {
+                    let (way, pen, class) = (Way::Through, Pen::solid(FINE), "line-of-centres");
+                    strokes.push(LayerStroke { way, at, pen, class, of });
+                }
+            }
+        }
+        let mut points: Vec<LayerPoint> = Vec::new();
+        let mut pins: Vec<(crate::mechanism::PointId, Vec<_>)> = Vec::new();
+        for centre in &found.centres {
+            match centre.found {
+                Found::Pin(point) => match pins.iter_mut().find(|(own, _)| *own == point) {
+                    Some((_, all)) => all.push(centre.links),
+                    None => pins.push((point, vec![centre.links])),
+                },
+                _ => {
+                    let mut ink = Group::new("centre").data("centre", circle::centre_name(centre.links, notation));
+                    if centre.links[0] == crate::mechanism::LinkId::FRAME {
+                        let ring = Shape::Circle { centre: Point::ORIGIN, radius: 1.2 };
+                        ink.mark(Mark::outlined(ring, Pen::solid(THIN), Tone::Paper).class("pole"));
+                    }
+                    ink.mark(dot(Point::ORIGIN, 0.55).class("centre"));
+                    let name = self.name_of_centres(&[centre.links], 1.3);
+                    points.push(LayerPoint { at: on_paper(centre.links), name: Some(name), ink });
+                }
+            }
+        }
+        if found.centres.len() <= NAMED {
+            for (_, links) in pins {
+                let at = links.first().and_then(|links| on_paper(*links));
+                let name = self.name_of_centres(&links, skeleton::PIN + 0.2);
+                points.push(LayerPoint { at, name: Some(name), ink: Group::default() });
+            }
+        }
+        Layer { title: notation.words.centres_figure.to_owned(), strokes, points }
+    }
+
+    fn name_of_centres(&self, links: &[[crate::mechanism::LinkId; 2]], radius: f64) -> Name {
+        let texts: Vec<Rich> = links.iter().map(|links| circle::name(*links, &self.notation)).collect();
+        let text = Rich::join(&texts, &Rich::upright(","));
+        let names: Vec<String> = links.iter().map(|links| circle::centre_name(*links, &self.notation)).collect();
+        let site = Site::Around { at: Point::ORIGIN, radius, toward: None };
+        Name { request: Request::new(text, SMALL, site, "label centre-name").naming(names) }
+    }
+
+    fn transfers(&self, own: &[&crate::graphical::construction::Transfer]) -> Layer {
+        let strokes = transfer::strokes(own).into_iter().filter_map(|stroke| {
+            let (from, to) = transfer::ends(&stroke);
+            let (way, pen, class) = match stroke {
+                TransferInk::Arc { .. } => return None,
+                TransferInk::Velocity { .. } | TransferInk::Turned { .. } | TransferInk::Difference { .. } => {
+                    (Way::Arrow, Pen::solid(THICK), "vector")
+                }
+                _ => (Way::Line, Pen::solid(FINE), "construction"),
+            };
+            Some(LayerStroke { way, at: vec![Some(from), Some(to)], pen, class, of: String::new() })
+        });
+        let strokes = strokes.collect();
+        Layer { title: transfer::title(own, &self.notation).html(), strokes, points: Vec::new() }
+    }
+
+    fn auxiliary(&self, drawing: &crate::graphical::auxiliary::AuxiliaryDrawing) -> Layer {
+        let strokes = drawing.strokes.iter().filter_map(|stroke| {
+            let pen = match stroke.role {
+                StrokeRole::Construction | StrokeRole::Produced => Pen::solid(FINE),
+                StrokeRole::Image | StrokeRole::Result => Pen::solid(auxiliary::RESULT),
+                StrokeRole::Axis => Pen::chain(FINE),
+                StrokeRole::Other => Pen::dashed(THIN),
+                StrokeRole::Counterpart => Pen::dashed(auxiliary::RESULT),
+                StrokeRole::Vector => Pen::solid(THICK),
+            };
+            let (way, at) = match &stroke.shape {
+                StrokeShape::Line(from, to) => {
+                    let way = match stroke.role {
+                        StrokeRole::Vector => Way::Arrow,
+                        StrokeRole::Produced | StrokeRole::Axis => Way::Through,
+                        _ => Way::Line,
+                    };
+                    (way, vec![Some(page(*from)), Some(page(*to))])
+                }
+                StrokeShape::Circle { centre, radius } => (Way::Circle(*radius), vec![Some(page(*centre))]),
+                StrokeShape::Curve { .. } | StrokeShape::RightAngle { .. } => return None,
+            };
+            Some(LayerStroke { way, at, pen, class: "construction", of: String::new() })
+        });
+        let points = drawing.points.iter().map(|point| {
+            let text = auxiliary::name(point.name, &self.notation);
+            let site = Site::Around { at: Point::ORIGIN, radius: 0.9, toward: None };
+            let name = Name { request: Request::new(text, super::ink::LABEL, site, "label auxiliary-name") };
+            let mut ink = Group::new("point");
+            let circle = Shape::Circle { centre: Point::ORIGIN, radius: 0.7 };
+            ink.mark(Mark::outlined(circle, Pen::solid(THIN), Tone::Ink).class("point"));
+            LayerPoint { at: Some(page(point.at)), name: Some(name), ink }
+        });
+        let title = auxiliary::title(&drawing.kind, &self.notation).html();
+        Layer { title, strokes: strokes.collect(), points: points.collect() }
     }
 
     /// The name of images that are always one point.

@@ -70,7 +70,7 @@ pub fn draw(
 }
 
 /// All strokes, each once: transfers along one chain begin alike.
-fn strokes(transfers: &[&Transfer]) -> Vec<TransferInk> {
+pub(super) fn strokes(transfers: &[&Transfer]) -> Vec<TransferInk> {
     let mut all: Vec<TransferInk> = Vec::new();
     for stroke in transfers.iter().flat_map(|t| &t.ink) {
         if !all.contains(stroke) {
@@ -81,7 +81,7 @@ fn strokes(transfers: &[&Transfer]) -> Vec<TransferInk> {
 }
 
 /// The ends of a stroke on the page.
-fn ends(stroke: &TransferInk) -> (Point, Point) {
+pub(super) fn ends(stroke: &TransferInk) -> (Point, Point) {
     let (from, to) = match stroke {
         TransferInk::LineOfCentres { from, to }
         | TransferInk::Radius { from, to }

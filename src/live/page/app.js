@@ -591,7 +591,10 @@ function begin() {
     setText(diagramHead, words.diagram);
     setText(document.querySelector('#sheet > summary') || make('p'), words.sheet);
     [words.quantity, words.value, words.sense].forEach((word, i) => setText(heads[i], word));
-    text.panels.forEach((/** @type {string} */ title, /** @type {number} */ i) => setText(byId(`title${i}`), title));
+    text.panels.forEach((/** @type {string} */ title, /** @type {number} */ i) => {
+      setRich(byId(`title${i}`), title);
+      setRich(byId(`scale${i}`), text.scales[i]);
+    });
     rows.forEach((/** @type {any} */ row, /** @type {number} */ i) => {
       setRich(row.name, text.symbols[i]);
       row.last = '';
@@ -679,7 +682,7 @@ function begin() {
   /** The scale of a panel in this position, by the rule for one position. */
   function refitted(/** @type {Panel} */ panel) {
     const data = panel.data;
-    if (!state.refit || panel.index === 0) return data.si_per_mm;
+    if (!state.refit || !data.polygon) return data.si_per_mm;
     panel.siPerMm = 1;
     const seen = panel.seen(outputs).filter(Boolean);
     const side = (/** @type {'x' | 'y'} */ axis) => Math.max(0, ...seen.map((/** @type {any} */ p) => p[axis])) - Math.min(0, ...seen.map((/** @type {any} */ p) => p[axis]));
@@ -715,16 +718,19 @@ function begin() {
     const isOwn = Math.abs(state.at - variable.start) <= 1e-12 * (Math.abs(variable.range[0]) + Math.abs(variable.range[1]));
     const lost = [];
     for (const panel of panels) {
+      const { data } = panel;
       panel.siPerMm = refitted(panel);
       panel.calm = calm.matches;
       panel.angle = variable.kind === 'angle' ? state.at : undefined;
       panel.show(outputs, state.at, state.step, isOwn);
       const scale = byId(`scale${panel.index}`);
-      if (panel.index > 0) {
+      if (data.polygon) {
         const value = withUnit(plainText(figures(panel.siPerMm * 10 / panel.data.unit, 6, true).join('')), panel.data.unit_symbol);
         setText(scale, filled(live.texts[state.lang].scale, { scale: `${value}\u00a0≡\u00a01\u00a0cm` }));
+        setRich(byId(`beyond${panel.index}`), beyond(panel));
+      } else if (data.still > 0) {
+        setText(byId(`beyond${panel.index}`), isOwn ? '' : ` · ${filled(words.not_moving, { count: String(data.still) })}`);
       }
-      if (panel.index > 0) setRich(byId(`beyond${panel.index}`), beyond(panel));
     }
     for (const { place, grip } of skeleton.grips || []) {
       const at = skeleton.now[place];

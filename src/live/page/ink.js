@@ -20,6 +20,13 @@ function axesOf(/** @type {number[]} */ frame, /** @type {any[]} */ seen) {
   const a = seen[i];
   if (!a) return null;
   if (kind === 1) return { o: a, x: { x: 1, y: 0 } };
+  if (kind >= 4) {
+    // Turned to an angle, or turned and stretched with a vector: both are outputs.
+    const p = seen.outputs[j], q = seen.outputs[j + 1];
+    if (p === null || (kind === 5 && q === null)) return null;
+    if (kind === 4) return { o: a, x: { x: Math.cos(p), y: -Math.sin(p) } };
+    return Math.hypot(p, q) > 1e-9 ? { o: a, x: { x: p, y: -q } } : null;
+  }
   const b = seen[j];
   if (!b) return null;
   const d = { x: b.x - a.x, y: b.y - a.y };
@@ -34,6 +41,21 @@ function globalOf(/** @type {number[]} */ frame, /** @type {number[]} */ own, /*
   if (!axes) return null;
   const { o, x } = axes;
   return { x: o.x + x.x * own[0] - x.y * own[1], y: o.y + x.y * own[0] + x.x * own[1] };
+}
+
+/** The part of a line from a to b that lies in a box, as parts of the way; nothing where none does. */
+function clipped(/** @type {any} */ a, /** @type {any} */ b, /** @type {number[]} */ box) {
+  let from = 0, to = 1;
+  for (const [p, d, low, high] of [[a.x, b.x - a.x, box[0], box[2]], [a.y, b.y - a.y, box[1], box[3]]]) {
+    if (d === 0) {
+      if (p < low || p > high) return null;
+      continue;
+    }
+    const [one, other] = [(low - p) / d, (high - p) / d];
+    from = Math.max(from, Math.min(one, other));
+    to = Math.min(to, Math.max(one, other));
+  }
+  return from < to ? [from, to] : null;
 }
 
 /** Numbers that are letters where they are small. @param {string} text */
@@ -77,7 +99,7 @@ class Panel {
   /** Where the places are, mm of the panel; null where one is not known. @param {(number | null)[]} outputs */
   seen(outputs) {
     const { origin, places } = this.data;
-    return places.map((/** @type {number[][]} */ terms) => {
+    const all = places.map((/** @type {number[][]} */ terms) => {
       const at = [0, 0];
       for (const [sign, output] of terms) {
         for (let axis = 0; axis < 2; axis++) {
@@ -89,6 +111,8 @@ class Panel {
       const x = (at[0] - origin[0]) / this.siPerMm, y = -(at[1] - origin[1]) / this.siPerMm;
       return Number.isFinite(x) && Number.isFinite(y) ? { x, y } : null;
     });
+    all.outputs = outputs;
+    return all;
   }
 
   /** What the markup shows: the ink at the scene's own position. @param {(number | null)[]} outputs */
@@ -96,7 +120,7 @@ class Panel {
     this.home = this.seen(outputs);
     for (const ink of this.ink) {
       if (ink.move === 'strokes') ink.paths = [...ink.element.querySelectorAll('path')];
-      if (ink.move === 'vector') {
+      if (ink.move === 'vector' || ink.move === 'arrow') {
         for (const name of ['shaft', 'head']) {
           let part = ink.element.querySelector(`.${name}`);
           if (!part) {
@@ -161,9 +185,60 @@ class Panel {
         ink.element.querySelector('path').setAttribute('d', `M${points.map(pair).join(' L')} Z`);
         return true;
       }
+      case 'arrow': {
+        const [a, b] = ink.at.map((/** @type {any} */ p) => globalOf(p[0], p[1], seen));
+        return this.moveVector(ink, a, b);
+      }
+      case 'through': return this.moveThrough(ink, seen);
+      case 'round': {
+        const [[frame, own], unit, part] = ink.at;
+        const centre = globalOf(frame, own, seen), axes = axesOf(unit, seen);
+        if (!centre || !axes) return false;
+        const radius = part * Math.hypot(axes.x.x, axes.x.y);
+        if (!(radius < 1e4)) return false;
+        const circle = ink.element.querySelector('circle');
+        for (const [name, value] of [['cx', centre.x], ['cy', centre.y], ['r', radius]]) circle.setAttribute(name, mm(value));
+        return true;
+      }
+      case 'mark': {
+        const at = globalOf(ink.at[0], ink.at[1], seen), from = globalOf(ink.at[0], ink.at[1], this.home || seen);
+        if (!at || !from) return false;
+        ink.element.setAttribute('transform', `translate(${mm(at.x - from.x)} ${mm(at.y - from.y)})`);
+        return true;
+      }
       case 'turn': return this.moveTurn(ink, seen[ink.at[0]]);
       default: return true;
     }
+  }
+
+  /** A line through all of its points that are known, a little past the outermost of those on the panel; where it goes on to one that is not, to the border with an arrow. @param {any} ink @param {any[]} seen */
+  moveThrough(ink, seen) {
+    const points = ink.at.map((/** @type {any} */ p) => globalOf(p[0], p[1], seen)).filter(Boolean);
+    if (points.length < 2) return false;
+    // The two that are farthest apart tell the direction, told from the one nearest to the middle.
+    const [x0, y0, x1, y1] = this.data.box, middle = { x: (x0 + x1) / 2, y: (y0 + y1) / 2 };
+    const off = (/** @type {any} */ p, /** @type {any} */ q) => Math.hypot(p.x - q.x, p.y - q.y);
+    const near = points.reduce((/** @type {any} */ a, /** @type {any} */ b) => (off(b, middle) < off(a, middle) ? b : a));
+    const far = points.reduce((/** @type {any} */ a, /** @type {any} */ b) => (off(b, near) > off(a, near) ? b : a));
+    const length = off(near, far);
+    if (length < NEAR) return false;
+    const u = { x: (far.x - near.x) / length, y: (far.y - near.y) / length };
+    const ways = points.map((/** @type {any} */ p) => (p.x - near.x) * u.x + (p.y - near.y) * u.y);
+    const along = (/** @type {number} */ way) => ({ x: near.x + u.x * way, y: near.y + u.y * way });
+    const reach = 2 * (x1 - x0 + y1 - y0) + off(near, middle);
+    const cut = clipped(along(-reach), along(reach), this.data.box);
+    if (!cut) return false;
+    const [low, high] = cut.map((part) => (2 * part - 1) * reach);
+    const from = Math.max(low, Math.min(...ways) - PAST), to = Math.min(high, Math.max(...ways) + PAST);
+    if (!(from < to)) return false;
+    let path = `M${pair(along(from))} L${pair(along(to))}`;
+    for (const [end, way] of [[from === low ? low : null, 1], [to === high ? high : null, -1]]) {
+      if (end === null) continue;
+      const tip = along(end), back = along(end + way * 2.5), side = { x: -u.y * 0.5, y: u.x * 0.5 };
+      path += ` M${mm(back.x + side.x)} ${mm(back.y + side.y)} L${pair(tip)} L${mm(back.x - side.x)} ${mm(back.y - side.y)}`;
+    }
+    ink.element.querySelector('path').setAttribute('d', path);
+    return true;
   }
 
   /** One transform for a group. @param {any} ink @param {any[]} seen */
@@ -235,7 +310,9 @@ class Panel {
     for (const label of this.labels) {
       const ends = label.anchors.map((/** @type {any} */ a) => globalOf(a[0], a[1], seen));
       let shown = !ends.includes(null) && (label.step === null || label.step <= step);
-      if (shown && ends.length === 2 && this.index > 0) {
+      const [x0, y0, x1, y1] = this.data.box;
+      if (shown && ends.length === 1) shown = ends[0].x > x0 && ends[0].x < x1 && ends[0].y > y0 && ends[0].y < y1;
+      if (shown && ends.length === 2 && this.data.polygon) {
         shown = Math.hypot(ends[1].x - ends[0].x, ends[1].y - ends[0].y) >= 4;
       }
       visible(label.element, shown);
