@@ -99,7 +99,7 @@ async function inkOf(html, parts) {
         slide.value = String(wish);
         slide.dispatchEvent(new Event('input'));
         const read = (group) => {
-          const of = (name) => group.querySelector(name)?.getAttribute('d')?.match(/-?[\d.]+(e-?\d+)?/g)?.slice(0, 2).map(Number);
+          const of = (name) => group.querySelector(name)?.getAttribute('d')?.match(/-?[\d.]+(e-?\d+)?/g)?.slice(0, 4).map(Number);
           const hidden = group.getAttribute('visibility') === 'hidden' || group.querySelector('.shaft').getAttribute('visibility') === 'hidden';
           return [group.closest('svg').id, group.dataset.quantity, hidden ? null : [of('.shaft'), of('.head')]];
         };
@@ -118,8 +118,11 @@ async function inkOf(html, parts) {
         const own = live.quantities[quantity];
         if (!ends || !own || own.outputs.length !== 2) continue;
         const { si_per_mm: scale } = live.panels[Number(panel.slice(5))];
-        const [[x0, y0], [x1, y1]] = ends;
+        const [[x0, y0, xn, yn], [x1, y1]] = ends;
         const [vx, vy] = own.outputs.map((o) => outputs[o] / scale);
+        // The shaft lies in the vector.
+        const off = Math.abs((xn - x0) * (y1 - y0) - (yn - y0) * (x1 - x0)) / Math.hypot(x1 - x0, y1 - y0);
+        assert.ok(off <= 3e-6 && (xn - x0) * (x1 - x0) + (yn - y0) * (y1 - y0) > 0, `${quantity} at ${drawn[0]}: its shaft strays by ${off} mm`);
         assert.ok(Math.hypot(x1 - x0 - vx, y0 - y1 - vy) <= 3e-6, `${quantity} at ${drawn[0]}: ${[x1 - x0, y0 - y1]} is not ${[vx, vy]}`);
         compared += 1;
       }
@@ -186,7 +189,8 @@ test('mouse, keys, field and play', async () => {
   await page.keyboard.press('Home');
   await rest(60);
   assert.equal(await at(), start);
-  await page.click('#exact', { clickCount: 3 });
+  await page.focus('#exact');
+  await page.evaluate(() => /** @type {any} */ (document.getElementById('exact')).select());
   await page.keyboard.type('123.4');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');

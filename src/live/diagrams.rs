@@ -4,6 +4,7 @@ use kurbo::{Point, Rect, Vec2};
 use serde_json::{Value, json};
 
 use super::LiveError;
+use super::said::Printed;
 use super::moves::{Binder, Frame, Move, Moving, Place, Seen, bind};
 use crate::graphical::Scales;
 use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
@@ -12,7 +13,7 @@ use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::figure::{Group, Mark, Node, Shape};
-use crate::sheet::moving::{self, arrow, Draughts, Drawing, Layer, Name, Spot, Way};
+use crate::sheet::moving::{self, arrow, Draughts, Drawing, Layer, Name, Said, Spot, Way};
 use crate::sheet::{Language, scale};
 use crate::solve::{Settings, solve_with};
 use crate::sweep::{Column, Sweep};
@@ -83,6 +84,7 @@ struct Placed {
 #[derive(Debug)]
 pub(super) struct Diagrams {
     pub(super) panels: Vec<Panel>,
+    drawn: Drawn,
 }
 
 /// Numbers of one position, by column.
@@ -141,7 +143,36 @@ impl Diagrams {
             panels.extend(panel(panels.len(), sketch, (scene, sweep), &drawn, (&course, &start), scales));
         }
         panels.extend(drawn.circle.as_ref().map(|(ink, title)| circle(ink, title)));
-        Ok(Self { panels })
+        Ok(Self { panels, drawn })
+    }
+
+    /// What is said of the steps, with what their numbers hang on.
+    pub(super) fn said(&self, sweep: &Sweep, input: f64, language: Language) -> Vec<Value> {
+        let drawn = &self.drawn;
+        let draughts: Vec<Draughts<'_>> = drawn
+            .scenes
+            .iter()
+            .zip(&drawn.constructions)
+            .map(|(scene, construction)| Draughts::new(scene, construction, language))
+            .collect();
+        let Some(first) = draughts.first() else { return Vec::new() };
+        let order = |kind: DiagramKind| move |of: Quantity| match kind {
+            DiagramKind::Skeleton => false,
+            DiagramKind::Velocity => of.order() == Order::Velocity,
+            DiagramKind::Acceleration => of.order() == Order::Acceleration,
+        };
+        let tests: Vec<_> = self.panels.iter().map(|panel| order(panel.kind)).collect();
+        let polygons: Vec<(usize, f64, &dyn Fn(Quantity) -> bool)> = self
+            .panels
+            .iter()
+            .zip(&tests)
+            .enumerate()
+            .map(|(index, (panel, on))| (index, panel.si_per_mm, on as &dyn Fn(Quantity) -> bool))
+            .collect();
+        let printed =
+            Printed::of(sweep, (&drawn.places, &drawn.numbers), &polygons, input, first.senses());
+        let said: Vec<Vec<Said>> = draughts.iter().map(Draughts::said).collect();
+        printed.steps(&said, &first.of_an_instant())
     }
 
     pub(super) fn json(&self) -> Value {
@@ -335,8 +366,12 @@ fn reach_of(all: &[[f64; 2]]) -> (f64, f64) {
 }
 
 /// The diagrams at some positions of the course; the scene's own is the first.
+#[derive(Debug)]
 struct Drawn {
+    /// What is varied.
+    places: Vec<f64>,
     numbers: Vec<Numbers>,
+    scenes: Vec<Scene>,
     constructions: Vec<Construction>,
     diagrams: Vec<Vec<Drawing>>,
     layers: Vec<Vec<Layer>>,
@@ -352,7 +387,7 @@ type Named<T> = (Vec<T>, Name);
 type Anchors = Vec<(Frame, Vec2)>;
 
 /// What only the sheet can say, by polygon.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Names {
     images: Vec<(DiagramKind, Vec<Named<Label>>)>,
     vectors: Vec<(DiagramKind, Vec<Named<usize>>)>,
@@ -364,6 +399,8 @@ struct Names {
 
 fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Result<Drawn, LiveError> {
     let mut all = Drawn {
+        places: Vec::new(),
+        scenes: Vec::new(),
         numbers: Vec::new(),
         constructions: Vec::new(),
         diagrams: Vec::new(),
@@ -383,7 +420,8 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
         }
         let (Some(mechanism), Some(numbers)) = (sweep.mechanism_at(at), numbers(sweep, at)) else { continue };
         let mut moved = scene.clone();
-        moved.mechanism = mechanism;
+        // By the methods that were asked for, which a sweep does not know.
+        moved.mechanism = Mechanism { asked: scene.mechanism.asked.clone(), ..mechanism };
         moved.sheet.positions.clear();
         moved.sheet.other_assembly = false;
         let solved = solve_with(&moved, Extent::WholeSkeleton, &[], Settings::default(), |_, _| scales);
@@ -402,6 +440,8 @@ fn drawn(scene: &Scene, sweep: &Sweep, scales: Scales, language: Language) -> Re
         all.diagrams.push(draughts.diagrams());
         all.numbers.push(numbers);
         all.constructions.push(construction);
+        all.places.push(at);
+        all.scenes.push(moved);
     }
     Ok(all)
 }
@@ -468,6 +508,8 @@ impl Panel {
         let shown = [self.shown.x0, self.shown.y0, self.shown.x1, self.shown.y1];
         json!({
             "class": self.ink.class,
+            "own": self.own_places,
+            "layer": matches!(self.shows, Shows::Layer(_)),
             "polygon": self.kind != DiagramKind::Skeleton,
             "still": self.moving.iter().filter(|moving| moving.by == Move::Still).count(),
             "box": shown,

@@ -12,6 +12,7 @@ mod hash;
 mod moves;
 mod page;
 mod program;
+mod said;
 mod schema;
 mod shown;
 mod words;

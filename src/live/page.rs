@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::diagrams::{Diagrams, Panel, Shows};
 use super::{Live, LiveError, hash, words};
 use crate::markup::escaped;
+use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::render::{number::decimal, svg};
 use crate::scene::Scene;
@@ -75,7 +76,12 @@ pub fn page(
     for language in &languages {
         let draughts = Draughts::new(scene, construction, *language);
         let panels = moving.as_ref().map_or(&[][..], |(_, diagrams)| &diagrams.panels);
-        texts.insert(language.words().tag.to_owned(), text(scene, &draughts, *language, panels));
+        let steps = moving.as_ref().ok().map(|(live, diagrams)| {
+            let input = super::course::unit(scene, live.sweep()).si;
+            diagrams.said(live.sweep(), input, *language)
+        });
+        let own = text(scene, &draughts, *language, (panels, steps.unwrap_or_default()));
+        texts.insert(language.words().tag.to_owned(), own);
     }
     data["texts"] = Value::Object(texts);
     data["seconds"] = json!(options.seconds);
@@ -147,6 +153,18 @@ fn kind(quantity: Quantity) -> &'static str {
         | Quantity::Angle(_)
         | Quantity::Transmission(..) => "number",
         _ => "vector",
+    }
+}
+
+/// The same of one with so many numbers: what is called a vector may be a torque or an arm.
+fn told(quantity: Quantity, numbers: usize) -> &'static str {
+    match (kind(quantity), quantity) {
+        ("vector", Quantity::Force(force, _)) if numbers == 1 => match force {
+            Force::Offset(_) | Force::Arm(..) => "number",
+            _ => "rotation",
+        },
+        ("vector", _) if numbers == 1 => "number",
+        (kind, _) => kind,
     }
 }
 
@@ -319,7 +337,12 @@ fn document(
     )
 }
 
-fn text(scene: &Scene, draughts: &Draughts<'_>, language: Language, panels: &[Panel]) -> Value {
+fn text(
+    scene: &Scene,
+    draughts: &Draughts<'_>,
+    language: Language,
+    (panels, steps): (&[Panel], Vec<Value>),
+) -> Value {
     let tag = language.words().tag;
     let layers = draughts.layers();
     let titles: Vec<String> = panels
@@ -339,15 +362,8 @@ fn text(scene: &Scene, draughts: &Draughts<'_>, language: Language, panels: &[Pa
         .collect();
     let symbols: Vec<String> =
         scene.mechanism.asked.iter().map(|asked| draughts.symbol(asked.quantity)).collect();
-    let steps: Vec<Value> = draughts
-        .said()
-        .into_iter()
-        .map(|said| {
-            json!({
-                "step": said.step, "head": said.head, "equations": said.equations, "sentences": said.sentences,
-            })
-        })
-        .collect();
+    let terms: serde_json::Map<String, Value> =
+        draughts.terms().into_iter().map(|(symbol, name)| (symbol, Value::from(name))).collect();
     let scale = language.words().scale;
     json!({
         "title": scene.title.in_language(tag).unwrap_or(language.words().untitled),
@@ -356,6 +372,8 @@ fn text(scene: &Scene, draughts: &Draughts<'_>, language: Language, panels: &[Pa
         "scales": scales,
         "symbols": symbols,
         "steps": steps,
+        "terms": terms,
+        "senses": draughts.senses(),
         "scale": scale,
         "words": words::of(language).json(),
     })
@@ -375,7 +393,7 @@ fn rows(live: &Live<'_>, asked: &[Asked]) -> Vec<Value> {
                 None => [of(Some(0)), of(Some(1))].into_iter().flatten().collect(),
             };
             json!({
-                "name": asked.name, "kind": kind(asked.quantity), "outputs": outputs,
+                "name": asked.name, "kind": told(asked.quantity, outputs.len()), "outputs": outputs,
                 "unit": moving::unit(&asked.unit.symbol), "si": asked.unit.si,
             })
         })
@@ -392,7 +410,7 @@ fn quantities(live: &Live<'_>) -> Value {
         let outputs: Vec<usize> = if column.axis.is_some() { vec![index, index + 1] } else { vec![index] };
         let unit = &column.asked.unit;
         let told = json!({
-            "kind": kind(column.asked.quantity), "outputs": outputs, "unit": moving::unit(&unit.symbol), "si": unit.si,
+            "kind": told(column.asked.quantity, outputs.len()), "outputs": outputs, "unit": moving::unit(&unit.symbol), "si": unit.si,
         });
         all.entry(live.name_in_ink(column.asked.quantity)).or_insert(told);
     }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::graphical::construction::Found;
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
 use crate::scene::Scene;
 use crate::solve::Solved;
@@ -29,7 +29,15 @@ pub(super) fn besides(scene: &Scene, solved: &Solved) -> Vec<Asked> {
     let klein = construction.auxiliary.iter().any(|d| matches!(d.kind, Auxiliary::Klein { .. }));
     let points = || (0..mechanism.points.len()).map(PointId).filter(|p| placed(p) && !mechanism.is_fixed(*p));
     let second = solved.solution.shown.iter().any(|shown| shown.quantity.order() == Order::Acceleration);
-    let mut more: Vec<Quantity> = Vec::new();
+    // The arrows of driven links.
+    let driven = mechanism.inputs.iter().filter_map(|input| match *input {
+        Input::Angle { link, .. } | Input::Speed { link, .. } => Some(link),
+        Input::Slide { .. } => None,
+    });
+    let mut more: Vec<Quantity> = driven.clone().map(Quantity::Omega).collect();
+    if second {
+        more.extend(driven.map(Quantity::Alpha));
+    }
     if drawn.is_some() || construction.circle.as_ref().is_some_and(|circle| !circle.transfers.is_empty()) {
         more.extend(points().map(Quantity::Velocity));
     }

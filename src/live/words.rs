@@ -28,7 +28,7 @@ words! {
     scale, fixed, refit, help, keys_off, theme, language, copy, save, save_table, print, link_here,
     denied, no_script, still, cw, ccw, apart, take_apart, reached_limit, sheet, traces, diagram, beyond, full, close,
     help_keys, moving_page, seconds_a_turn, copied, answer,
-    page_version, at_start_only, not_moving,
+    page_version, not_moving, said_at_start,
 }
 
 /// The words of a language.
@@ -102,8 +102,8 @@ const ENGLISH: Words = Words {
     copied: "Copied",
     answer: "Answers",
     page_version: "This page's script does not know this version of the drawing.",
-    at_start_only: "Said of the scene's own position:",
     not_moving: "{count} strokes are drawn at the scene's own position only",
+    said_at_start: "{count} lines (…) are said of the scene's own position only",
 };
 
 const ARABIC: Words = Words {
@@ -166,8 +166,8 @@ const ARABIC: Words = Words {
     copied: "نُسخ",
     answer: "الإجابات",
     page_version: "لا يعرف برنامج هذه الصفحة هذا الإصدار من الرسم.",
-    at_start_only: "في الوضع المعطى:",
     not_moving: "{count} من الخطوط يُرسم في الوضع المعطى فقط",
+    said_at_start: "{count} من السطور (…) تخص الوضع المعطى فقط",
 };
 
 const PERSIAN: Words = Words {
@@ -230,6 +230,6 @@ const PERSIAN: Words = Words {
     copied: "رونوشت شد",
     answer: "پاسخ‌ها",
     page_version: "اسکریپت این صفحه این نسخه از ترسیم را نمی‌شناسد.",
-    at_start_only: "در وضعیت داده‌شده:",
     not_moving: "{count} خط فقط در وضعیت داده‌شده رسم می‌شود",
+    said_at_start: "{count} سطر (…) تنها دربارهٔ وضعیت داده‌شده است",
 };

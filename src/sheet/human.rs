@@ -18,7 +18,7 @@ pub fn number(value: f64) -> Rich {
 
 /// What [`number`] writes with so many figures more, and the number that then stands there. A number that is exactly a
 /// shorter one has no more.
-fn finer(value: f64, more: usize) -> (Rich, f64) {
+pub(super) fn finer(value: f64, more: usize) -> (Rich, f64) {
     let short: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     if (short - value).abs() <= 1e-9 * value.abs() {
         return (figures(value, 3, true), short);
@@ -152,7 +152,7 @@ pub fn length_of(speed: &Unit) -> Option<Unit> {
     Some(Unit { symbol: symbol.to_owned(), si })
 }
 
-fn fixed(value: f64, decimals: usize) -> String {
+pub(super) fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     let text = if zero { text.trim_start_matches('-').to_owned() } else { text };

@@ -429,6 +429,47 @@ impl<'a> Draughts<'a> {
         self.notation.quantity_name(quantity)
     }
 
+    /// The words for a rotation: counterclockwise, clockwise.
+    #[must_use]
+    pub fn senses(&self) -> [String; 2] {
+        [self.notation.sense(1.0).to_owned(), self.notation.sense(-1.0).to_owned()]
+    }
+
+    /// Words of the steps that hold at the instant that was drawn, whatever numbers stand beside them.
+    #[must_use]
+    pub fn of_an_instant(&self) -> Vec<String> {
+        let words = self.notation.words;
+        let vectors = self.construction.diagrams.iter().flat_map(|diagram| &diagram.vectors);
+        let velocities = vectors.flat_map(|vector| match vector.quantity {
+            Quantity::Acceleration(p) => vec![Quantity::Velocity(p)],
+            Quantity::SlipAcceleration(p, link) => vec![Quantity::Slip(p, link)],
+            _ => Vec::new(),
+        });
+        let mut all: Vec<String> = velocities
+            .flat_map(|velocity| {
+                let rotation = self.notation.symbol(velocity, false);
+                [words.in_sense_of, words.against_sense_of]
+                    .map(|template| Rich::fill(template, &[("rotation", rotation.clone())]).html())
+            })
+            .collect();
+        all.push("→".to_owned());
+        all
+    }
+
+    /// Vectors by the symbols that stand for them in the tables of terms.
+    #[must_use]
+    pub fn terms(&self) -> Vec<(String, String)> {
+        let vectors = self.construction.diagrams.iter().flat_map(|diagram| &diagram.vectors);
+        let both = |q: Quantity| (self.notation.symbol(q, true).html(), self.notation.quantity_name(q));
+        let mut all: Vec<(String, String)> = Vec::new();
+        for pair in vectors.map(|vector| both(vector.quantity)) {
+            if !all.iter().any(|(symbol, _)| *symbol == pair.0) {
+                all.push(pair);
+            }
+        }
+        all
+    }
+
     /// The steps in words.
     #[must_use]
     pub fn said(&self) -> Vec<Said> {
@@ -454,6 +495,30 @@ impl<'a> Draughts<'a> {
         })
         .collect()
     }
+}
+
+/// A number as the steps print it, with so many figures more, as hypertext.
+#[must_use]
+pub fn printed(value: f64, more: usize) -> String {
+    human::finer(value, more).0.html()
+}
+
+/// A stated number, as hypertext.
+#[must_use]
+pub fn printed_stated(value: f64) -> String {
+    human::stated(value).html()
+}
+
+/// Millimetres of paper without their unit.
+#[must_use]
+pub fn printed_mm(value: f64, decimals: usize) -> String {
+    human::fixed(value, decimals)
+}
+
+/// An angle in degrees.
+#[must_use]
+pub fn printed_degrees(radians: f64) -> String {
+    human::degrees(radians).html()
 }
 
 /// A cell as hypertext, with its tick as a letter.

@@ -34,6 +34,7 @@ function begin() {
   const state = { at: variable.start, step: last + 1, refit: false, lang: languages[0], keys: true, playing: false, way: 1 };
   let words = live.texts[state.lang].words;
   let outputs = own;
+  let isOwn = true;
   let queued = 0;
   let message = '';
   /** @type {string | null} */
@@ -151,9 +152,10 @@ function begin() {
   const rows = live.rows.map((/** @type {any} */ quantity) => {
     const row = make('tr', { 'data-quantity': quantity.name });
     const name = make('button', { type: 'button', 'aria-pressed': 'false' });
-    const cell = make('td'), value = make('td'), sense = make('td');
+    const cell = make('td'), value = make('bdi'), sense = make('bdi');
     cell.append(name);
-    row.append(cell, value, sense);
+    row.append(cell);
+    for (const one of [value, sense]) row.appendChild(make('td')).append(one);
     body.append(row);
     listen(row, quantity.name);
     name.addEventListener('click', () => pin(quantity.name));
@@ -169,13 +171,16 @@ function begin() {
   stepSlide.append(stepSlider);
   stepRow.append(backButton, stepSlide, onButton);
   const stepTitle = make('h3'), stepBody = make('div', { class: 'scroll', tabindex: '0', role: 'region' });
-  stepBox.append(stepHead, stepRow, stepTitle, stepBody);
+  const stepNote = make('p');
+  stepBox.append(stepHead, stepRow, stepTitle, stepBody, stepNote);
   backButton.addEventListener('click', () => toStep(state.step - 1));
   onButton.addEventListener('click', () => toStep(state.step + 1));
   stepSlider.addEventListener('input', () => toStep(Number(stepSlider.value)));
 
   /** @type {{quantity: any, value: Element, sense: Element}[]} */
   let stepCells = [];
+  /** Texts with numbers of the position. @type {{element: Element, text: any, last: string}[]} */
+  let stepTexts = [];
 
   // --- traces and diagram ---
   const traceHead = make('h2'), traceRow = make('div', { class: 'row traces' });
@@ -183,7 +188,9 @@ function begin() {
   for (const panel of panels) {
     panel.labels.forEach((/** @type {any} */ label) => {
       const frame = label.anchors[0][0];
-      const isPoint = label.point && label.anchors.length === 1 && frame[0] === 1 && label.of.length > 0;
+      // What stands under a layer has its path in the panel of its own.
+      const isPoint = label.anchors.length === 1 && frame[0] === 1 && label.of.length > 0
+        && (panel.data.layer ? frame[1] >= panel.data.own : label.point);
       if (!isPoint || !moves(panel, frame[1])) return;
       const box = make('input', { type: 'checkbox' });
       const choice = make('label');
@@ -629,6 +636,8 @@ function begin() {
     const said = all.find((/** @type {any} */ one) => one.step >= state.step) || null;
     stepBody.replaceChildren();
     stepCells = [];
+    stepTexts = [];
+    setText(stepNote, '');
     stepSlider.value = String(state.step);
     if (!said || state.step > last) {
       setText(stepTitle, words.all_steps);
@@ -639,9 +648,17 @@ function begin() {
     stepSlider.setAttribute('aria-valuetext', plainText(said.head));
     for (const equation of said.equations) {
       const own = make('table');
+      const names = equation[0].map((/** @type {any} */ cell) => live.texts[state.lang].terms[cell]);
       for (const cells of equation) {
         const row = make('tr');
-        for (const text of cells) setRich(row.appendChild(make('td')), text);
+        cells.forEach((/** @type {any} */ text, /** @type {number} */ i) => {
+          const cell = row.appendChild(make('td'));
+          stepTexts.push({ element: cell, text, last: '' });
+          if (!names[i]) return;
+          cell.setAttribute('data-quantity', names[i]);
+          listen(cell, names[i]);
+          cell.addEventListener('click', () => pin(names[i]));
+        });
         own.append(row);
       }
       stepBody.append(own);
@@ -658,6 +675,8 @@ function begin() {
       for (const name of quantities) {
         const row = make('tr', { 'data-quantity': name });
         const value = make('td'), sense = make('td');
+        value.append(make('bdi'));
+        sense.append(make('bdi'));
         row.append(make('th', { scope: 'row' }, name), value, sense);
         own.append(row);
         listen(row, name);
@@ -665,12 +684,67 @@ function begin() {
       }
       stepBody.append(own);
     }
-    const sentences = make('details');
-    sentences.append(make('summary', {}, words.at_start_only));
     const list = make('ol', { class: 'said' });
-    for (const sentence of said.sentences) setRich(list.appendChild(make('li')), sentence);
-    sentences.append(list);
-    if (said.sentences.length > 0) stepBody.append(sentences);
+    for (const text of said.sentences) {
+      const item = list.appendChild(make('li'));
+      stepTexts.push({ element: item, text, last: '' });
+    }
+    stepBody.append(list);
+    sayNumbers();
+    light();
+  }
+
+  /** What was last read off the paper of a line, mm, and the scale by which it is multiplied. */
+  let read = NaN, factor = 1;
+
+  /** A text with the numbers of this position; nothing where it is said of the scene's own only. */
+  function textHere(/** @type {any} */ text) {
+    if (typeof text === 'string') return text;
+    if (!Array.isArray(text)) return isOwn ? text.own : null;
+    read = NaN;
+    const pieces = text.map((piece) => (typeof piece === 'string' ? piece : numberHere(piece)));
+    return pieces.includes(null) ? null : pieces.join('');
+  }
+
+  function numberHere(/** @type {any} */ [form, output, si, more, panel]) {
+    if (form === 5) return stated(state.at / si);
+    if (form === 8) {
+      factor = panels[output].siPerMm / si;
+      return stated(factor);
+    }
+    if (form === 7) return withGuard(read * factor, output);
+    const { program } = course, row = (/** @type {number} */ i) => live.outputs[i].row;
+    const one = outputs[output];
+    if (one === null) return null;
+    if (form === 6) return one === 0 ? '' : one > 0 ? live.texts[state.lang].senses[0] : live.texts[state.lang].senses[1];
+    if (form < 2) {
+      const value = program.isClear(row(output)) ? one : 0;
+      return withGuard((form === 0 ? Math.abs(value) : value) / si, more);
+    }
+    const other = outputs[output + 1];
+    if (other === null) return null;
+    const bound = Math.hypot(program.error(row(output)), program.error(row(output + 1))) * CLEAR;
+    const size = Math.hypot(one, other) <= bound ? 0 : Math.hypot(one, other);
+    if (form === 4) return degrees(size === 0 ? 0 : angleOf(other, one));
+    // The paper is that of the scale in force.
+    if (form === 3) {
+      const text = fixed(size / panels[panel].siPerMm, more);
+      read = Number(text);
+      return text;
+    }
+    return withGuard(size / si, more);
+  }
+
+  function sayNumbers() {
+    let left = 0;
+    for (const one of stepTexts) {
+      const said = textHere(one.text);
+      if (said === null) left += 1;
+      const now = said === null ? '…' : said;
+      if (now !== one.last || one.last === '') setRich(one.element, now);
+      one.last = now;
+    }
+    setText(stepNote, left > 0 ? filled(words.said_at_start, { count: String(left) }) : '');
   }
 
   // --- drawing ---
@@ -715,7 +789,7 @@ function begin() {
     const found = course.look(state.at);
     if (!found) return;
     outputs = found;
-    const isOwn = Math.abs(state.at - variable.start) <= 1e-12 * (Math.abs(variable.range[0]) + Math.abs(variable.range[1]));
+    isOwn = Math.abs(state.at - variable.start) <= 1e-12 * (Math.abs(variable.range[0]) + Math.abs(variable.range[1]));
     const lost = [];
     for (const panel of panels) {
       const { data } = panel;
@@ -753,10 +827,11 @@ function begin() {
       setRich(row.sense, said.sense);
       if (said.value === '—') lost.push(said.sense);
     }
+    sayNumbers();
     for (const { quantity, value, sense } of stepCells) {
       const said = told(quantity, course, outputs, words);
-      setRich(value, said.value);
-      setRich(sense, said.sense);
+      setRich(value.firstElementChild || value, said.value);
+      setRich(sense.firstElementChild || sense, said.sense);
     }
     if (document.activeElement !== slider) slider.value = String(state.at);
     if (document.activeElement !== field) field.value = fieldText();

@@ -6,6 +6,20 @@ function withPower(/** @type {number} */ value) {
   return power ? `${digits}<sup>${power}</sup>` : digits;
 }
 
+/** A number as a line of a step has it, with so many figures more than usual. */
+function withGuard(/** @type {number} */ value, /** @type {number} */ more) {
+  const short = Number(scientific(value, 2));
+  if (more === 0 || Math.abs(short - value) <= 1e-9 * Math.abs(value)) return withPower(value);
+  const [digits, power] = figures(value, (Math.abs(value) >= 1000 ? 4 : 3) + more, false);
+  return power ? `${digits}<sup>${power}</sup>` : digits;
+}
+
+/** A stated number: as many of its figures as it needs, at most six. @param {number} value */
+function stated(value) {
+  const [digits, power] = figures(value, 6, true);
+  return power ? `${digits}<sup>${power}</sup>` : digits;
+}
+
 /** @param {string} text @param {string} unit */
 function withUnit(text, unit) {
   if (!unit) return text;
