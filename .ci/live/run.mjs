@@ -317,6 +317,70 @@ test('steps, highlighting, diagram, traces, languages', async () => {
   await page.close();
 });
 
+test('steps say what the sheet says there', async () => {
+  let compared = 0, same = 0, left = 0;
+  const told = async (html, at) => {
+    const page = await open(html, { hash: at === null ? '' : `#at=${at}` });
+    const lines = await page.evaluate(() => {
+      const all = [], slide = document.getElementById('step');
+      for (let i = 0; i < Number(slide.max); i++) {
+        slide.value = String(i);
+        slide.dispatchEvent(new Event('input'));
+        const title = slide.getAttribute('aria-valuetext');
+        for (const one of document.querySelectorAll('.said li, .said')) if (one.matches('li')) all.push(`${title}: ${one.textContent}`);
+        const box = document.querySelector('.said');
+        for (const cell of box ? box.parentElement.querySelectorAll('td') : []) all.push(`${title}: ${cell.textContent}`);
+      }
+      return all;
+    });
+    await page.close();
+    return lines;
+  };
+  for (const [scene, other] of [[four, 100], [slider, 200]]) {
+    const text = readFileSync(scene, 'utf8');
+    const moved = path.join(work, `moved-${path.basename(scene)}`);
+    const changedText = text.replace(/"angle":\s*-?[\d.]+/, `"angle": ${other}`);
+    assert.notEqual(changedText, text);
+    writeFileSync(moved, changedText);
+    const [there, own] = [await told(pageOf(scene), other), await told(pageOf(moved), null)];
+    assert.equal(there.length, own.length);
+    const numbers = (line) => line.match(/\d[\d\u2009]*(\.\d+)?/g) || [];
+    there.forEach((line, i) => {
+      if (line.endsWith('…')) { left += 1; return; }
+      compared += 1;
+      if (line === own[i]) { same += 1; return; }
+      // As many guard figures as another line needs: the words are the same, and the numbers.
+      const bare = (text) => text.replace(/\d[\d\u2009]*(\.\d+)?/g, '#');
+      assert.equal(bare(line), bare(own[i]));
+      numbers(line).forEach((text, k) => {
+        const [a, b] = [text, numbers(own[i])[k]].map((one) => Number(one.replace(/\u2009/g, '')));
+        assert.ok(Math.abs(a - b) <= 6e-3 * Math.abs(b), `${line} is not ${own[i]}`);
+      });
+    });
+  }
+  assert.ok(compared > 40 && same > 0.8 * compared && left < compared, `${compared} compared, ${same} the same, ${left} left`);
+  return `${compared} texts, ${same} to the letter, ${left} at the scene's own position only`;
+});
+
+test('centres and constructions move', async () => {
+  for (const [name, moves] of [['centres/four-bar', ['through', 'arrow']], ['constructions/klein', ['through', 'round']]]) {
+    const html = pageOf(path.join(root, 'examples', `${name}.json`));
+    const live = JSON.parse(/id="linkgram-live">(.*?)<\/script>/s.exec(readFileSync(html, 'utf8'))[1]);
+    for (const move of moves) assert.ok(live.ink.some((ink) => ink.move === move), `${name}: nothing moves as ${move}`);
+    const page = await open(html);
+    const drawn = () => page.evaluate((ids) => ids.map((id) => [...document.getElementById(id).querySelectorAll('path, circle')]
+      .map((one) => ['d', 'cx', 'cy', 'r'].map((key) => one.getAttribute(key)).join(' ')).join()), live.ink.filter((ink) => moves.includes(ink.move)).map((ink) => ink.id));
+    const before = await drawn();
+    await page.keyboard.down('Shift');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.up('Shift');
+    await rest(80);
+    const after = await drawn();
+    assert.ok(before.filter((one, i) => one !== after[i]).length > before.length / 2);
+    await page.close();
+  }
+});
+
 test('axe finds nothing', async () => {
   const question = path.join(work, 'question.html');
   run('draw', four, '--as', 'question', '-o', question);

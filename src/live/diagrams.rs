@@ -4,8 +4,8 @@ use kurbo::{Point, Rect, Vec2};
 use serde_json::{Value, json};
 
 use super::LiveError;
-use super::said::Printed;
 use super::moves::{Binder, Frame, Move, Moving, Place, Seen, bind};
+use super::said::{Paper, Printed};
 use crate::graphical::Scales;
 use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
@@ -13,7 +13,7 @@ use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::Extent;
 use crate::scene::Scene;
 use crate::sheet::figure::{Group, Mark, Node, Shape};
-use crate::sheet::moving::{self, arrow, Draughts, Drawing, Layer, Name, Said, Spot, Way};
+use crate::sheet::moving::{self, Draughts, Drawing, Layer, Name, Said, Spot, Way, arrow};
 use crate::sheet::{Language, scale};
 use crate::solve::{Settings, solve_with};
 use crate::sweep::{Column, Sweep};
@@ -156,21 +156,22 @@ impl Diagrams {
             .map(|(scene, construction)| Draughts::new(scene, construction, language))
             .collect();
         let Some(first) = draughts.first() else { return Vec::new() };
-        let order = |kind: DiagramKind| move |of: Quantity| match kind {
-            DiagramKind::Skeleton => false,
-            DiagramKind::Velocity => of.order() == Order::Velocity,
-            DiagramKind::Acceleration => of.order() == Order::Acceleration,
+        let order = |kind: DiagramKind| {
+            move |of: Quantity| match kind {
+                DiagramKind::Skeleton => false,
+                DiagramKind::Velocity => of.order() == Order::Velocity,
+                DiagramKind::Acceleration => of.order() == Order::Acceleration,
+            }
         };
         let tests: Vec<_> = self.panels.iter().map(|panel| order(panel.kind)).collect();
-        let polygons: Vec<(usize, f64, &dyn Fn(Quantity) -> bool)> = self
+        let polygons: Vec<Paper<'_>> = self
             .panels
             .iter()
             .zip(&tests)
             .enumerate()
             .map(|(index, (panel, on))| (index, panel.si_per_mm, on as &dyn Fn(Quantity) -> bool))
             .collect();
-        let printed =
-            Printed::of(sweep, (&drawn.places, &drawn.numbers), &polygons, input, first.senses());
+        let printed = Printed::of(sweep, (&drawn.places, &drawn.numbers), &polygons, input, first.senses());
         let said: Vec<Vec<Said>> = draughts.iter().map(Draughts::said).collect();
         printed.steps(&said, &first.of_an_instant())
     }
@@ -219,7 +220,8 @@ fn with_centres(skeleton: &Sketch, layer: usize, construction: &Construction, sw
     sketch.layer = Some(layer);
     for centre in construction.circle.iter().flat_map(|circle| &circle.centres) {
         let [i, j] = centre.links;
-        if let Some(x) = column(sweep, Quantity::Centre(i, j)).or_else(|| column(sweep, Quantity::Centre(j, i)))
+        if let Some(x) =
+            column(sweep, Quantity::Centre(i, j)).or_else(|| column(sweep, Quantity::Centre(j, i)))
         {
             sketch.places.push(Place { terms: vec![(1, x)] });
         }
@@ -250,10 +252,18 @@ fn sketches(scene: &Scene, construction: &Construction, sweep: &Sweep, start: &N
         }
     }
     let origin = crate::graphical::origin(mechanism);
-    let mut all = vec![Sketch { kind: DiagramKind::Skeleton, layer: None, places, points, labels: Vec::new(), origin }];
+    let mut all =
+        vec![Sketch { kind: DiagramKind::Skeleton, layer: None, places, points, labels: Vec::new(), origin }];
     for polygon in &construction.diagrams {
         let (labels, places) = images(scene, polygon, sweep, start);
-        all.push(Sketch { kind: polygon.kind, layer: None, places, points: Vec::new(), labels, origin: [0.0; 2] });
+        all.push(Sketch {
+            kind: polygon.kind,
+            layer: None,
+            places,
+            points: Vec::new(),
+            labels,
+            origin: [0.0; 2],
+        });
     }
     all
 }
@@ -524,11 +534,8 @@ impl Panel {
 
 impl Placed {
     fn json(&self, panel: usize) -> Value {
-        let anchors: Vec<Value> = self
-            .anchors
-            .iter()
-            .map(|(frame, own)| json!([frame.json(), [own.x, own.y]]))
-            .collect();
+        let anchors: Vec<Value> =
+            self.anchors.iter().map(|(frame, own)| json!([frame.json(), [own.x, own.y]])).collect();
         // Tenths of a millimetre, each told by its difference from the frame before.
         #[expect(clippy::cast_possible_truncation, reason = "some millimetres")]
         let tenths = |x: f64| (10.0 * x).round() as i32;
@@ -539,11 +546,29 @@ impl Placed {
             now.iter().zip(last).for_each(|(now, last)| coded(now - last, &mut by));
             last = now;
         }
+        let by = shortened(&by);
         json!({
             "panel": panel, "id": self.id, "anchors": anchors, "by": by, "step": self.step, "of": self.of,
             "point": self.is_of_point,
         })
     }
+}
+
+/// Runs of no difference, told by how long they are between `~` and a comma: names mostly stay where they are.
+fn shortened(letters: &str) -> String {
+    let mut out = String::with_capacity(letters.len() / 4);
+    let mut rest = letters;
+    while let Some(first) = rest.chars().next() {
+        let run = rest.len() - rest.trim_start_matches('U').len();
+        if run > 4 {
+            out.push_str(&format!("~{run},"));
+            rest = &rest[run..];
+        } else {
+            out.push(first);
+            rest = &rest[first.len_utf8()..];
+        }
+    }
+    out
 }
 
 /// A small whole number as one letter, `U` for none; a larger one as digits between `z` and a comma.
@@ -638,7 +663,9 @@ fn shown(panel: &Panel, course: &[Numbers], start: &Numbers) -> Rect {
 
 /// Draws a layer over its skeleton; its names with what they hang on.
 fn lay_over(panel: &mut Panel, index: usize, same: &[&Layer], binder: &Binder) -> Vec<(Name, Anchors)> {
-    let Some((first, whole)) = same.first().zip(Some(same.len() == binder.seen.len())) else { return Vec::new() };
+    let Some((first, whole)) = same.first().zip(Some(same.len() == binder.seen.len())) else {
+        return Vec::new();
+    };
     let mut ink = Group::new("layer");
     let everywhere = |of: &dyn Fn(&Layer) -> Option<Point>| -> Option<Vec<Point>> {
         same.iter().map(|layer| of(layer)).collect::<Option<Vec<_>>>().filter(|_| whole)
@@ -804,7 +831,8 @@ fn skeleton(
             }
             let mut by = bind(binder, &same);
             if by == Move::Still
-                && let Some((rigid, frame)) = as_a_body(item, &same, binder, &course, (mechanism, sweep, points))
+                && let Some((rigid, frame)) =
+                    as_a_body(item, &same, binder, &course, (mechanism, sweep, points))
             {
                 add(&rigid, Move::Whole(frame), None);
                 continue;

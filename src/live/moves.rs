@@ -165,10 +165,12 @@ impl Binder {
     pub(super) fn part_of(&self, lengths: &[f64]) -> Option<(Frame, f64)> {
         let count = self.seen.first()?.places.len();
         let pairs = (0..count).flat_map(|a| (0..a).map(move |b| Frame::Similar(a, b)));
-        let vectors = self.vectors.iter().flat_map(|vector| (0..count.min(1)).map(|a| Frame::Carried(a, *vector)));
+        let vectors =
+            self.vectors.iter().flat_map(|vector| (0..count.min(1)).map(|a| Frame::Carried(a, *vector)));
         std::iter::once(Frame::Fixed).chain(pairs).chain(vectors).find_map(|frame| {
             let sizes = self.seen.iter().map(|seen| Some(frame.axes(seen)?.1.hypot()));
-            let parts: Option<Vec<f64>> = sizes.zip(lengths).map(|(size, length)| Some(length / size?)).collect();
+            let parts: Option<Vec<f64>> =
+                sizes.zip(lengths).map(|(size, length)| Some(length / size?)).collect();
             let (parts, size) = (parts?, frame.size(self.seen.first()?));
             let first = *parts.first()?;
             let same = parts.len() >= 3 && parts.iter().all(|part| (part - first).abs() * size <= STRAY);

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::diagrams::{Diagrams, Panel, Shows};
 use super::{Live, LiveError, hash, words};
 use crate::markup::escaped;
+use crate::mechanism::LinkId;
 use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::render::{number::decimal, svg};
@@ -87,7 +88,7 @@ pub fn page(
     data["seconds"] = json!(options.seconds);
     if let Ok((live, _)) = &moving {
         data["rows"] = json!(rows(live, &scene.mechanism.asked));
-        data["quantities"] = quantities(live);
+        data["quantities"] = quantities(scene, live);
     }
     let script = joined(&SCRIPTS);
     Ok((document(scene, options, &panels, &script, Some(&data), still.as_deref()), still))
@@ -292,9 +293,12 @@ fn document(
     );
     let title = escaped(scene.title.in_language(tag).unwrap_or(language.words().untitled));
     let direction = if language.words().right_to_left { "rtl" } else { "ltr" };
+    // What moves tells itself in every language; the finished sheet is there once.
+    let shown = if data.is_some() && still.is_none() { 1 } else { options.sheets.len() };
     let sheets: String = options
         .sheets
         .iter()
+        .take(shown)
         .enumerate()
         .map(|(index, (language, figure))| {
             let hidden = if index == 0 { "" } else { " hidden" };
@@ -374,6 +378,7 @@ fn text(
         "steps": steps,
         "terms": terms,
         "senses": draughts.senses(),
+        "flat": language.words().flat_crossing,
         "scale": scale,
         "words": words::of(language).json(),
     })
@@ -400,8 +405,23 @@ fn rows(live: &Live<'_>, asked: &[Asked]) -> Vec<Value> {
         .collect()
 }
 
+/// The link by whose turning a quantity comes about.
+fn link_of(scene: &Scene, quantity: Quantity) -> Option<LinkId> {
+    match quantity {
+        Quantity::Omega(link) | Quantity::Alpha(link) => Some(link),
+        Quantity::RelativeVelocity(p, q)
+        | Quantity::RelativeAcceleration(p, q)
+        | Quantity::RelativeNormal(p, q)
+        | Quantity::RelativeTangential(p, q) => scene.mechanism.moving().find(|link| {
+            let points = &scene.mechanism.link(*link).points;
+            points.contains(&p) && points.contains(&q)
+        }),
+        _ => None,
+    }
+}
+
 /// Everything that is shown, by the name that the ink calls it.
-fn quantities(live: &Live<'_>) -> Value {
+fn quantities(scene: &Scene, live: &Live<'_>) -> Value {
     let mut all = serde_json::Map::new();
     for (index, column) in live.sweep().columns.iter().enumerate() {
         if column.axis == Some(1) {
@@ -409,9 +429,12 @@ fn quantities(live: &Live<'_>) -> Value {
         }
         let outputs: Vec<usize> = if column.axis.is_some() { vec![index, index + 1] } else { vec![index] };
         let unit = &column.asked.unit;
-        let told = json!({
+        let mut told = json!({
             "kind": told(column.asked.quantity, outputs.len()), "outputs": outputs, "unit": moving::unit(&unit.symbol), "si": unit.si,
         });
+        if let Some(link) = link_of(scene, column.asked.quantity) {
+            told["link"] = json!(scene.mechanism.link(link).number);
+        }
         all.entry(live.name_in_ink(column.asked.quantity)).or_insert(told);
     }
     Value::Object(all)

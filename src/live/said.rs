@@ -64,6 +64,9 @@ struct Candidate {
     values: Vec<f64>,
 }
 
+/// A panel, its SI units for a millimetre, and whether a quantity is drawn on its paper.
+pub(super) type Paper<'a> = (usize, f64, &'a dyn Fn(Quantity) -> bool);
+
 /// Everything that can be printed.
 #[derive(Debug)]
 pub(super) struct Printed {
@@ -72,17 +75,20 @@ pub(super) struct Printed {
 }
 
 impl Printed {
-    /// What a sweep computes at positions that were drawn; `polygons`: panels with their SI units for a millimetre and
-    /// whether a quantity is on their paper.
+    /// What a sweep computes at positions that were drawn.
     pub(super) fn of(
         sweep: &Sweep,
         (places, numbers): (&[f64], &[Vec<Option<f64>>]),
-        polygons: &[(usize, f64, &dyn Fn(Quantity) -> bool)],
+        polygons: &[Paper<'_>],
         input: f64,
         senses: [String; 2],
     ) -> Self {
         let mut all = Vec::new();
-        let mut add = |form: Form, output: usize, si: f64, panel: Option<usize>, of: &dyn Fn(&[Option<f64>]) -> Option<f64>| {
+        let mut add = |form: Form,
+                       output: usize,
+                       si: f64,
+                       panel: Option<usize>,
+                       of: &dyn Fn(&[Option<f64>]) -> Option<f64>| {
             let values: Option<Vec<f64>> = numbers.iter().map(|all| Some(of(all)? / si)).collect();
             if let Some(values) = values {
                 all.push(Candidate { form, output, si, panel, values });
@@ -91,9 +97,11 @@ impl Printed {
         for (index, column) in sweep.columns.iter().enumerate() {
             let quantity = column.asked.quantity;
             let alike = sweep.columns.iter().filter(|other| {
-                other.asked.quantity.order() == quantity.order() && other.axis.is_none() == column.axis.is_none()
+                other.asked.quantity.order() == quantity.order()
+                    && other.axis.is_none() == column.axis.is_none()
             });
-            let mut units: Vec<f64> = alike.map(|other| other.asked.unit.si).chain([column.asked.unit.si]).collect();
+            let mut units: Vec<f64> =
+                alike.map(|other| other.asked.unit.si).chain([column.asked.unit.si]).collect();
             units.sort_by(f64::total_cmp);
             units.dedup();
             match column.axis {
@@ -149,9 +157,12 @@ impl Printed {
         while let Some(first) = rest.chars().next() {
             let sense = self.senses.iter().find(|word| {
                 let ends = |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric());
-                rest.starts_with(word.as_str()) && !before.is_alphanumeric() && ends(rest[word.len()..].chars().next())
+                rest.starts_with(word.as_str())
+                    && !before.is_alphanumeric()
+                    && ends(rest[word.len()..].chars().next())
             });
-            let length = if script == 0 && !before.is_alphanumeric() && before != '.' { number(rest) } else { 0 };
+            let length =
+                if script == 0 && !before.is_alphanumeric() && before != '.' { number(rest) } else { 0 };
             let taken = match (sense, length) {
                 (Some(word), _) => {
                     all.push(Token::Sense(word.clone()));
@@ -242,10 +253,13 @@ impl Printed {
                     }
                     // No ruler reads finer: it is that of what was read.
                     (None, Some((.., read)), Some(by)) => {
+                        // As a number: what is exactly a shorter one is printed as one.
+                        let value = |text: &str| text.replace('\u{2009}', "").parse::<f64>().ok();
                         let fits = |more: &usize| {
                             read.iter().zip(&same).all(|(read, text)| {
                                 let read: f64 = read.parse().unwrap_or(f64::NAN);
-                                (0..=*more).any(|more| moving::printed(read * by, more) == **text)
+                                let is = |more| value(&moving::printed(read * by, more)) == value(text);
+                                value(text).is_some() && (0..=*more).any(is)
                             })
                         };
                         match (0..=GUARDS).find(fits) {
@@ -338,7 +352,9 @@ fn number(text: &str) -> usize {
         let goes_on = match c {
             '0'..='9' => true,
             '−' => length == 0,
-            '.' | '\u{2009}' => digits > 0 && text[length + c.len_utf8()..].starts_with(|c: char| c.is_ascii_digit()),
+            '.' | '\u{2009}' => {
+                digits > 0 && text[length + c.len_utf8()..].starts_with(|c: char| c.is_ascii_digit())
+            }
             _ => false,
         };
         if !goes_on {

@@ -5,10 +5,10 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::circle;
-pub use super::ink::arrow;
 use super::feet::told_apart;
 use super::figure::{Group, Life, Mark, Pen, Shape, Tone};
 use super::growth::Births;
+pub use super::ink::arrow;
 use super::ink::{FINE, SMALL, THICK, THIN, dot, page};
 use super::labels::{Obstacles, Request, Site};
 use super::notation::Notation;
@@ -298,7 +298,8 @@ impl<'a> Draughts<'a> {
                     None => pins.push((point, vec![centre.links])),
                 },
                 _ => {
-                    let mut ink = Group::new("centre").data("centre", circle::centre_name(centre.links, notation));
+                    let mut ink =
+                        Group::new("centre").data("centre", circle::centre_name(centre.links, notation));
                     if centre.links[0] == crate::mechanism::LinkId::FRAME {
                         let ring = Shape::Circle { centre: Point::ORIGIN, radius: 1.2 };
                         ink.mark(Mark::outlined(ring, Pen::solid(THIN), Tone::Paper).class("pole"));
@@ -322,7 +323,8 @@ impl<'a> Draughts<'a> {
     fn name_of_centres(&self, links: &[[crate::mechanism::LinkId; 2]], radius: f64) -> Name {
         let texts: Vec<Rich> = links.iter().map(|links| circle::name(*links, &self.notation)).collect();
         let text = Rich::join(&texts, &Rich::upright(","));
-        let names: Vec<String> = links.iter().map(|links| circle::centre_name(*links, &self.notation)).collect();
+        let names: Vec<String> =
+            links.iter().map(|links| circle::centre_name(*links, &self.notation)).collect();
         let site = Site::Around { at: Point::ORIGIN, radius, toward: None };
         Name { request: Request::new(text, SMALL, site, "label centre-name").naming(names) }
     }
@@ -332,9 +334,9 @@ impl<'a> Draughts<'a> {
             let (from, to) = transfer::ends(&stroke);
             let (way, pen, class) = match stroke {
                 TransferInk::Arc { .. } => return None,
-                TransferInk::Velocity { .. } | TransferInk::Turned { .. } | TransferInk::Difference { .. } => {
-                    (Way::Arrow, Pen::solid(THICK), "vector")
-                }
+                TransferInk::Velocity { .. }
+                | TransferInk::Turned { .. }
+                | TransferInk::Difference { .. } => (Way::Arrow, Pen::solid(THICK), "vector"),
                 _ => (Way::Line, Pen::solid(FINE), "construction"),
             };
             Some(LayerStroke { way, at: vec![Some(from), Some(to)], pen, class, of: String::new() })

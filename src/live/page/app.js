@@ -5,6 +5,9 @@ const live = JSON.parse(/** @type {HTMLElement} */ (document.getElementById('lin
 const languages = Object.keys(live.texts);
 const byId = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
 
+/** Flatter crossings than this are badly readable by hand. */
+const FLAT = 3 * Math.PI / 180;
+
 /** What a store keeps is a favour: in a sandboxed frame asking for it throws. */
 const store = {
   get(/** @type {string} */ key) {
@@ -127,12 +130,18 @@ function begin() {
     mark(event.at, kind);
   }
   mark(variable.start, 'own');
+  // Where nothing can be assembled the slider is hatched.
+  let reached = variable.range[0];
+  for (const { from, to } of [...course.stretches, { from: variable.range[1], to: variable.range[1] }]) {
+    if (from > reached) mark(reached, 'gap', from);
+    reached = Math.max(reached, to);
+  }
 
   /** A mark of the slider, by an attribute that is no style. */
-  function mark(/** @type {number} */ at, /** @type {string} */ kind) {
-    const part = (at - variable.range[0]) / (variable.range[1] - variable.range[0]);
+  function mark(/** @type {number} */ at, /** @type {string} */ kind, to = at) {
+    const span = variable.range[1] - variable.range[0], part = (at - variable.range[0]) / span;
     const one = make('i', { class: kind });
-    one.style.insetInlineStart = `${(100 * part).toFixed(3)}%`;
+    if (to > at) one.style.width = `${(100 * (to - at) / span).toFixed(3)}%`;
     one.style.left = `${(100 * part).toFixed(3)}%`;
     marks.append(one);
   }
@@ -314,12 +323,53 @@ function begin() {
     light();
   }
 
+  // A link shows what it is that turns, and is shown by it.
+  for (const element of document.querySelectorAll('#stage [data-link]')) {
+    if (element.hasAttribute('data-quantity')) continue;
+    const link = element.getAttribute('data-link');
+    element.addEventListener('pointerenter', () => { hoveredLink = link; light(); });
+    element.addEventListener('pointerleave', () => { hoveredLink = null; light(); });
+  }
+  /** @type {string | null} */
+  let hoveredLink = null;
+  const beside = makeInk('path', { class: 'beside' });
+  skeleton.svg.append(beside);
+  /** Of what is lit the points to whose line it is parallel or square, by their places. @type {number[] | null} */
+  let besidePlaces = null;
+
+  const linkOf = (/** @type {string | null} */ name) => (name && live.quantities[name] && live.quantities[name].link !== undefined ? String(live.quantities[name].link) : null);
+
+  function placeNamed(/** @type {string} */ name) {
+    const label = skeleton.labels.find((/** @type {any} */ one) => one.point && one.of.includes(name));
+    return label && label.anchors[0][0][0] === 1 ? label.anchors[0][0][1] : -1;
+  }
+
+  function showBeside() {
+    const ends = besidePlaces ? besidePlaces.map((place) => skeleton.now && skeleton.now[place]) : [];
+    const drawn = ends.length === 2 && ends.every(Boolean);
+    visible(beside, drawn);
+    if (drawn) beside.setAttribute('d', `M${pair(ends[0])} L${pair(ends[1])}`);
+  }
+
   function light() {
     const lit = hovered || pinned;
+    const link = hoveredLink || linkOf(lit);
+    besidePlaces = null;
+    if (lit) {
+      const claims = [...document.querySelectorAll('#stage .vector')].filter((one) => one.getAttribute('data-quantity') === lit)
+        .map((one) => one.getAttribute('data-parallel') || one.getAttribute('data-perpendicular')).filter(Boolean);
+      const places = String(claims[0] || '').split(' ').map(placeNamed);
+      if (places.length === 2 && !places.includes(-1)) besidePlaces = places;
+    }
+    showBeside();
+    for (const element of document.querySelectorAll('#stage [data-link]')) {
+      if (!element.hasAttribute('data-quantity')) element.classList.toggle('lit', link !== null && element.getAttribute('data-link') === link);
+    }
     for (const element of document.querySelectorAll('#live [data-quantity], #live [data-of]')) {
       const own = element.getAttribute('data-quantity');
       const of = (element.getAttribute('data-of') || '').split(' ');
-      element.classList.toggle('lit', lit !== null && (own === lit || of.includes(lit)));
+      const byLink = hoveredLink !== null && linkOf(own) === hoveredLink;
+      element.classList.toggle('lit', byLink || (lit !== null && (own === lit || of.includes(lit))));
     }
     for (const row of rows) row.name.setAttribute('aria-pressed', String(pinned === row.quantity.name));
   }
@@ -606,7 +656,9 @@ function begin() {
       setRich(row.name, text.symbols[i]);
       row.last = '';
     });
-    for (const sheet of document.querySelectorAll('#sheet .sheet')) /** @type {any} */ (sheet).hidden = sheet.getAttribute('lang') !== tag;
+    // The finished sheet is there in the first language, or in all.
+    const sheets = [...document.querySelectorAll('#sheet .sheet')];
+    if (sheets.length > 1) for (const sheet of sheets) /** @type {any} */ (sheet).hidden = sheet.getAttribute('lang') !== tag;
     eventBox.replaceChildren(make('option', { value: '' }, '—'));
     course.events.forEach((/** @type {any} */ event, /** @type {number} */ i) => {
       eventBox.append(make('option', { value: String(i) }, `${inUnit(event.at)}: ${eventText(event)}`));
@@ -769,6 +821,21 @@ function begin() {
     return step * power * data.unit / 10;
   }
 
+  /** The least angle at which two lines of a panel meet that lead to one place. @param {Panel} panel */
+  function flattest(panel) {
+    const rays = panel.ink.filter((ink) => ink.move === 'ray' && ink.element.getAttribute('visibility') !== 'hidden');
+    let least = Math.PI / 2;
+    rays.forEach((one, i) => {
+      for (const other of rays.slice(i + 1)) {
+        if (one.at[1] !== other.at[1] || one.step !== other.step) continue;
+        const [a, b] = [one, other].map((ink) => ({ x: panel.now[ink.at[1]].x - panel.now[ink.at[0]].x, y: panel.now[ink.at[1]].y - panel.now[ink.at[0]].y }));
+        const size = Math.hypot(a.x, a.y) * Math.hypot(b.x, b.y);
+        if (size > 0) least = Math.min(least, Math.asin(Math.min(1, Math.abs(a.x * b.y - a.y * b.x) / size)));
+      }
+    });
+    return least;
+  }
+
   /** In words what leaves the panel: the longest vector that does. @param {Panel} panel */
   function beyond(panel) {
     const [x0, y0, x1, y1] = panel.data.box;
@@ -780,9 +847,11 @@ function begin() {
       const length = Math.hypot(b.x - a.x, b.y - a.y);
       if (length > longest) [longest, name] = [length, ink.quantity];
     }
-    if (name === '') return '';
+    const angle = flattest(panel);
+    const flat = angle < FLAT ? ` ${filled(live.texts[state.lang].flat, { angle: degrees(angle) })}` : '';
+    if (name === '') return flat;
     const said = filled(words.beyond, { name: name.replace(/[<&]/g, ''), length: plainText(withPower(longest)) });
-    return ` · ${said}`;
+    return ` · ${said}${flat}`;
   }
 
   function draw() {
@@ -796,7 +865,7 @@ function begin() {
       panel.siPerMm = refitted(panel);
       panel.calm = calm.matches;
       panel.angle = variable.kind === 'angle' ? state.at : undefined;
-      panel.show(outputs, state.at, state.step, isOwn);
+      panel.show(outputs, state.at, state.step > last ? Infinity : state.step, isOwn);
       const scale = byId(`scale${panel.index}`);
       if (data.polygon) {
         const value = withUnit(plainText(figures(panel.siPerMm * 10 / panel.data.unit, 6, true).join('')), panel.data.unit_symbol);
@@ -806,6 +875,7 @@ function begin() {
         setText(byId(`beyond${panel.index}`), isOwn ? '' : ` · ${filled(words.not_moving, { count: String(data.still) })}`);
       }
     }
+    showBeside();
     for (const { place, grip } of skeleton.grips || []) {
       const at = skeleton.now[place];
       if (!at) continue;

@@ -61,7 +61,7 @@ function clipped(/** @type {any} */ a, /** @type {any} */ b, /** @type {number[]
 /** Numbers that are letters where they are small. @param {string} text */
 function uncoded(text) {
   const letters = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxy';
-  return (text.match(/z-?\d+,|[0-9A-Za-y]/g) || [])
+  return (text.replace(/~(\d+),/g, (_, run) => 'U'.repeat(Number(run))).match(/z-?\d+,|[0-9A-Za-y]/g) || [])
     .map((one) => (one[0] === 'z' ? Number(one.slice(1, -1)) : letters.indexOf(one) - 30));
 }
 
