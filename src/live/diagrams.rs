@@ -534,8 +534,13 @@ impl Panel {
 
 impl Placed {
     fn json(&self, panel: usize) -> Value {
-        let anchors: Vec<Value> =
-            self.anchors.iter().map(|(frame, own)| json!([frame.json(), [own.x, own.y]])).collect();
+        // Names stand as near as the eye sees.
+        let round = |x: f64| (x * 1e5).round() / 1e5;
+        let anchors: Vec<Value> = self
+            .anchors
+            .iter()
+            .map(|(frame, own)| json!([frame.json(), [round(own.x), round(own.y)]]))
+            .collect();
         // Tenths of a millimetre, each told by its difference from the frame before.
         #[expect(clippy::cast_possible_truncation, reason = "some millimetres")]
         let tenths = |x: f64| (10.0 * x).round() as i32;
