@@ -552,10 +552,13 @@ impl Placed {
             last = now;
         }
         let by = shortened(&by);
-        json!({
+        let mut label = json!({
             "panel": panel, "id": self.id, "anchors": anchors, "by": by, "step": self.step, "of": self.of,
-            "point": self.is_of_point,
-        })
+        });
+        if self.is_of_point {
+            label["point"] = json!(true);
+        }
+        label
     }
 }
 
