@@ -108,8 +108,8 @@ async function inkOf(html, parts) {
             Number(slide.value), [...document.querySelectorAll('#stage .vector')].map(read),
             [...document.querySelectorAll('#stage .bar')].map((bar) => {
               const matrix = bar.ownerSVGElement.getScreenCTM().inverse().multiply(bar.getScreenCTM());
-              const point = bar.getPointAtLength(0).matrixTransform(matrix);
-              return [bar.parentNode.dataset.link, [point.x, point.y]];
+              const ends = [0, bar.getTotalLength()].map((at) => bar.getPointAtLength(at).matrixTransform(matrix));
+              return [bar.parentNode.dataset.link, ends.map((point) => [point.x, point.y])];
             })])));
         });
       }, from + part * (to - from));
@@ -126,12 +126,14 @@ async function inkOf(html, parts) {
         assert.ok(Math.hypot(x1 - x0 - vx, y0 - y1 - vy) <= 3e-6, `${quantity} at ${drawn[0]}: ${[x1 - x0, y0 - y1]} is not ${[vx, vy]}`);
         compared += 1;
       }
-      // A bar begins at a joint.
+      // A bar begins and ends at a joint.
       const { origin, si_per_mm: scale, places } = live.panels[0];
       const joints = places.map(([[, o]]) => [(outputs[o] - origin[0]) / scale, -(outputs[o + 1] - origin[1]) / scale]);
-      for (const [link, [x, y]] of drawn[2]) {
-        const off = Math.min(...joints.map((joint) => Math.hypot(joint[0] - x, joint[1] - y)));
-        assert.ok(off < 1e-3, `link ${link} at ${drawn[0]} is ${off} mm off its joints`);
+      for (const [link, ends] of drawn[2]) {
+        for (const [x, y] of ends) {
+          const off = Math.min(...joints.map((joint) => Math.hypot(joint[0] - x, joint[1] - y)));
+          assert.ok(off < 1e-3, `link ${link} at ${drawn[0]} is ${off} mm off its joints`);
+        }
         compared += 1;
       }
     }
@@ -339,9 +341,10 @@ test('steps say what the sheet says there', async () => {
   for (const [scene, other] of [[four, 100], [slider, 200]]) {
     const text = readFileSync(scene, 'utf8');
     const moved = path.join(work, `moved-${path.basename(scene)}`);
-    const changedText = text.replace(/"angle":\s*-?[\d.]+/, `"angle": ${other}`);
-    assert.notEqual(changedText, text);
-    writeFileSync(moved, changedText);
+    const stated = JSON.parse(text);
+    assert.notEqual(stated.input.angle, other);
+    stated.input.angle = other;
+    writeFileSync(moved, JSON.stringify(stated));
     const [there, own] = [await told(pageOf(scene), other), await told(pageOf(moved), null)];
     assert.equal(there.length, own.length);
     const numbers = (line) => line.match(/\u2212?\d[\d\u2009]*(\.\d+)?°?/g) || [];
