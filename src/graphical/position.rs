@@ -894,7 +894,8 @@ impl Draughtsman<'_> {
         (from, along): (Point, Direction),
     ) -> Point {
         let scale = self.length_scale();
-        if matches!(self.mechanism.link(link).form, Form::Length(_)) {
+        let joints = [base, point].map(|p| p == first || p == second);
+        if joints == [true; 2] && matches!(self.mechanism.link(link).form, Form::Length(_)) {
             let length = self.length(link, base, point);
             let mm = self.board.to_paper(length, scale);
             let outward = if base == first { along } else { self.board.reverse(along) };
@@ -906,10 +907,10 @@ impl Draughtsman<'_> {
         let (own_along, _) = self.board.toward(a, b, reason);
         let (start, end) = (self.own(link, base), self.own(link, point));
         let [forward, left] = self.board.square_off(Line { through: start, along: own_along }, end);
-        if matches!(self.mechanism.link(link).form, Form::Line(_)) {
-            return self.board.lay_off(from, along, forward);
-        }
         let foot = self.board.lay_off(from, along, forward);
+        if self.is_straight(link) {
+            return foot;
+        }
         let square = self.board.quarter_turn(along);
         self.board.lay_off(foot, square, left)
     }
