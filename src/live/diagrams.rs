@@ -553,8 +553,11 @@ impl Placed {
         }
         let by = shortened(&by);
         let mut label = json!({
-            "panel": panel, "id": self.id, "anchors": anchors, "by": by, "step": self.step, "of": self.of,
+            "panel": panel, "id": self.id, "anchors": anchors, "by": by, "step": self.step,
         });
+        if !self.of.is_empty() {
+            label["of"] = json!(self.of);
+        }
         if self.is_of_point {
             label["point"] = json!(true);
         }

@@ -198,7 +198,7 @@ function begin() {
     panel.labels.forEach((/** @type {any} */ label) => {
       const frame = label.anchors[0][0];
       // What stands under a layer has its path in the panel of its own.
-      const isPoint = label.anchors.length === 1 && frame[0] === 1 && label.of.length > 0
+      const isPoint = label.anchors.length === 1 && frame[0] === 1 && label.of !== undefined
         && (panel.data.layer ? frame[1] >= panel.data.own : label.point);
       if (!isPoint || !moves(panel, frame[1])) return;
       const box = make('input', { type: 'checkbox' });
@@ -340,7 +340,7 @@ function begin() {
   const linkOf = (/** @type {string | null} */ name) => (name && live.quantities[name] && live.quantities[name].link !== undefined ? String(live.quantities[name].link) : null);
 
   function placeNamed(/** @type {string} */ name) {
-    const label = skeleton.labels.find((/** @type {any} */ one) => one.point && one.of.includes(name));
+    const label = skeleton.labels.find((/** @type {any} */ one) => one.point && one.of?.includes(name));
     return label && label.anchors[0][0][0] === 1 ? label.anchors[0][0][1] : -1;
   }
 
