@@ -30,7 +30,7 @@ pub struct ManifestError {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an object with `figures`")]
 struct Manifest {
     #[serde(default = "dpi")]
     dpi: f32,
@@ -53,7 +53,7 @@ pub enum Keep {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an object with `scenes`")]
 struct Listed {
     scenes: Vec<String>,
     #[serde(default)]

@@ -2,8 +2,9 @@
 //!
 //! Letters and marks are matched one to one, so that the letters in all lie as near to their marks as they can: a dot
 //! rather than a place where lines end, that rather than the end of one line. Whatever leaves a choice (a mark that two
-//! letters claim, two marks as near, none within reach) is told, never guessed. Which figure a letter belongs to is told by the layer (an `id`, class or label that holds `velocity`, `acceleration` or `skeleton`),
-//! and without layers by its spelling: *A* is a joint, *a* a velocity image, *a′* an acceleration image.
+//! letters claim, two marks as near, none within reach) is told, never guessed. Which figure a letter belongs to is told
+//! by the layer (an `id`, class or label that holds `velocity`, `acceleration` or `skeleton`), and without layers by its
+//! spelling: *A* is a joint, *a* a velocity image, *a′* an acceleration image.
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
@@ -33,6 +34,9 @@ const DOT_RANK: f64 = REACH;
 
 /// The same for a place where several lines end against the end of one.
 const END_RANK: f64 = 0.35;
+
+/// A leader ends so near to the middle of its letter, in heights of the letter.
+const TIED: f64 = 1.2;
 
 /// Two ways to read the letters that differ by less than this (in heights of a letter) are two ways.
 const DOUBT: f64 = 0.1;
@@ -65,6 +69,8 @@ struct Marks {
     ends: Vec<Point>,
     /// Tips of arrowheads, and how far these reach back.
     tips: Vec<(Point, f64)>,
+    /// Lines that tie a letter to its mark; they mark nothing themselves.
+    leaders: Vec<[Point; 2]>,
 }
 
 /// One place that letters may name.
@@ -101,11 +107,12 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
         return Err(Fault::new(root.range().start, "neither JSON, nor a table, nor an SVG"));
     }
     let (marks, letters) = read_all(root, &Names::new(scene))?;
+    let leaders = marks.leaders.clone();
     let marks = marks.gathered();
     let mut figures: Vec<FigurePoints> = Vec::new();
     let mut named: HashMap<(usize, String), [f64; 2]> = HashMap::new();
     let mut shared: Vec<(usize, String, String)> = Vec::new();
-    for (letter, (mark, rival)) in matched(letters, &marks)? {
+    for (letter, (mark, rival)) in matched(letters, &marks, &leaders)? {
         let place = [mark.x, -mark.y];
         let index = figures.iter().position(|f| f.order == letter.order).unwrap_or_else(|| {
             figures.push(FigurePoints { order: letter.order, points: Vec::new(), shared: Vec::new() });
@@ -144,12 +151,17 @@ pub(super) fn points(svg: &str, scene: &Scene) -> Res<Vec<FigurePoints>> {
 type Named = (Point, Option<String>);
 
 /// The letters with their marks.
-fn matched(mut letters: Vec<Letter>, marks: &[Mark]) -> Res<Vec<(Letter, Named)>> {
+fn matched(mut letters: Vec<Letter>, marks: &[Mark], leaders: &[[Point; 2]]) -> Res<Vec<(Letter, Named)>> {
     let places: Vec<Point> = marks.iter().map(|mark| mark.at).collect();
     let nearest = Nearest::new(&places);
     // In heights of the letter, the nearest first.
     let claims = |letter: &Letter| -> Vec<(usize, f64)> {
         let reach = REACH * letter.height;
+        let tied = leaders.iter().flat_map(|[p, q]| [[*p, *q], [*q, *p]]);
+        let tied = tied.filter(|[from, _]| from.distance(letter.middle) <= TIED * letter.height);
+        // What a leader ties a letter to is nearest to it, however far.
+        let tied: HashSet<usize> =
+            tied.flat_map(|[_, to]| nearest.within(to, SAME_MARK, 1)).map(|(mark, _)| mark).collect();
         let cost = |(mark, far): (usize, f64)| {
             let rank = if marks[mark].dot {
                 0.0
@@ -160,8 +172,9 @@ fn matched(mut letters: Vec<Letter>, marks: &[Mark]) -> Res<Vec<(Letter, Named)>
             };
             (mark, far / letter.height + rank)
         };
-        let mut claims: Vec<(usize, f64)> =
-            nearest.within(letter.middle, reach, CANDIDATES).into_iter().map(cost).collect();
+        let free = nearest.within(letter.middle, reach, CANDIDATES).into_iter().map(cost);
+        let free = free.filter(|(mark, _)| !tied.contains(mark));
+        let mut claims: Vec<(usize, f64)> = free.chain(tied.iter().map(|mark| (*mark, 0.0))).collect();
         claims.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         claims
     };
@@ -350,13 +363,15 @@ fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> 
             return Err(Fault::new(node.range().start, what).mend("hand in the drawing alone"));
         }
         // What is shown once more, enlarged, marks nothing.
-        let enlarged = |child: &Node<'_, '_>| {
-            child.attribute("class").is_some_and(|class| class.split_whitespace().any(|c| c == "detail"))
-        };
-        let children = node.children().rev().filter(|child| child.is_element() && !enlarged(child));
+        let children = node.children().rev().filter(|child| child.is_element() && !is_of(*child, "detail"));
         open.extend(children.map(|child| (child, around)));
     }
     Ok((marks, letters))
+}
+
+/// Whether an element says to be of a class.
+fn is_of(node: Node<'_, '_>, class: &str) -> bool {
+    node.attribute("class").is_some_and(|all| all.split_whitespace().any(|own| own == class))
 }
 
 impl Marks {
@@ -380,8 +395,11 @@ impl Marks {
             }
             "path" => {
                 let closed = node.attribute("d").is_some_and(|path| path.contains(['z', 'Z']));
-                let corners = corners(node)?.into_iter().filter_map(place).collect();
-                self.add_corners(corners, closed);
+                let corners: Vec<Point> = corners(node)?.into_iter().filter_map(place).collect();
+                match corners[..] {
+                    [from, to] if is_of(node, "leader") => self.leaders.push([from, to]),
+                    _ => self.add_corners(corners, closed),
+                }
             }
             _ => {}
         }

@@ -408,8 +408,9 @@ fn pair_bonds(point: PointId, known: &[bool], draft: &Draft<'_>) -> Vec<Bond> {
             .iter()
             .any(|input| matches!(input, Input::Slide { slide, at: Some(_), .. } if *slide == index));
         let locus = Locus::On(slide.guide.path);
-        // As a circle, it can be drawn before the skeleton only by what is given or stated.
-        let drawn = in_world(&slide.guide, draft) && locus.hangs_on().iter().all(|&p| draft.is_exact(p));
+        // As a circle, it can be drawn before the skeleton only by what is given, or stated and stands by now.
+        let stands = |p: &PointId| known[p.0] && draft.is_exact(*p);
+        let drawn = in_world(&slide.guide, draft) && locus.hangs_on().iter().all(stands);
         let posed =
             slide.guide.link == LinkId::FRAME || is_posed(slide.guide.link, None, known, draft) || drawn;
         match (posed, at) {

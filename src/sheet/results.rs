@@ -97,7 +97,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
                 vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
             }
             Quantity::Force(force, _) if force.turns() => {
-                let value_cell = human::quantity(value.abs(), &asked.unit);
+                let value_cell = amount(value.abs());
                 vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
             }
             _ => vec![symbol, human::quantity(*value, &asked.unit), Rich::default()],

@@ -1,6 +1,8 @@
 //! The forces as they are told: weights and inertia, and of every body its balance, the moments that give a size, the
 //! polygon that gives the rest.
 
+use std::cell::RefCell;
+
 use super::forces::{ForcePanel, per_mm, pole};
 use super::human;
 use super::notation::Notation;
@@ -24,14 +26,16 @@ const DOT: &str = "\u{a0}·\u{a0}";
 const OVER: &str = "\u{a0}/\u{a0}";
 const EQUALS: &str = "\u{a0}= ";
 
-/// Everything that is told of forces, each with what is drawn beside it.
+/// Everything that is told of forces, each with what is drawn beside it; with the figures in which its numbers are printed
+/// on the sheet.
 #[must_use]
 pub fn told(
     sheet: &ForceSheet,
     construction: &Construction,
     notation: &Notation<'_>,
+    figures: &RefCell<Figures>,
 ) -> Vec<(ForcePanel, Vec<Item>)> {
-    let teller = Teller { sheet, construction, n: notation };
+    let teller = Teller { sheet, construction, n: notation, figures };
     let mut all = vec![(ForcePanel::Loads, teller.given())];
     all.extend((0..sheet.bodies.len()).map(|index| (ForcePanel::Body(index), teller.body(index))));
     all.push((ForcePanel::Whole, teller.whole()));
@@ -47,15 +51,23 @@ pub fn arm_name(sheet: &ForceSheet, arm: &Arm, notation: &Notation<'_>) -> Rich 
     if let Some([from, to]) = arm.between {
         return notation.length(from, to);
     }
+    match numbered(sheet, arm) {
+        Some(number) => Rich::italic("x").sub(&format!("{number}")),
+        None => Rich::italic("e"),
+    }
+}
+
+/// The number of an arm on the sheet, from 1 on; the arm of the shaking force has none.
+fn numbered(sheet: &ForceSheet, arm: &Arm) -> Option<usize> {
+    let last = sheet.shaking.as_ref().and_then(|shaking| shaking.found.arm);
+    if last.is_some_and(|last| last == *arm) {
+        return None;
+    }
     let all = sheet.moments.iter().chain(&sheet.shaking);
     let arms =
         all.flat_map(|moments| moments.terms.iter().chain([&moments.found])).filter_map(|term| term.arm);
     let place = arms.filter(|other| other.between.is_none()).position(|other| other == *arm);
-    let last = sheet.shaking.as_ref().and_then(|shaking| shaking.found.arm);
-    if last.is_some_and(|last| last == *arm) {
-        return Rich::italic("e");
-    }
-    Rich::italic("x").sub(&format!("{}", place.unwrap_or(0) + 1))
+    Some(place.unwrap_or(0) + 1)
 }
 
 /// The symbol of what has a moment.
@@ -75,14 +87,49 @@ struct Teller<'a> {
     sheet: &'a ForceSheet,
     construction: &'a Construction,
     n: &'a Notation<'a>,
+    figures: &'a RefCell<Figures>,
 }
 
-/// A number in a computed line: its value, the unit of the scene, and the SI unit.
+/// A number in a computed line: its value, the unit of the scene, and the SI unit; and what it is of, where other lines
+/// tell it too.
 #[derive(Clone, Copy)]
 struct Factor<'a> {
     si: f64,
     unit: &'a Unit,
     name: &'static str,
+    key: Option<Key>,
+}
+
+impl<'a> Factor<'a> {
+    const fn new(si: f64, unit: &'a Unit, name: &'static str) -> Self {
+        Self { si, unit, name, key: None }
+    }
+
+    const fn of(self, key: Key) -> Self {
+        Self { key: Some(key), ..self }
+    }
+
+    /// The SI unit.
+    fn base(&self) -> Unit {
+        if (self.unit.si - 1.0).abs() < 1e-12 {
+            return self.unit.clone();
+        }
+        Unit { symbol: self.name.to_owned(), si: 1.0 }
+    }
+}
+
+const fn whole(force: Force) -> Key {
+    Key::Of(Quantity::Force(force, Share::Total))
+}
+
+/// What has a moment, as a number on the sheet.
+const fn key_of(of: Turning) -> Key {
+    match of {
+        Turning::Force(action) => whole(Force::Vector(action)),
+        Turning::Along(action) => Key::Part(action, false),
+        Turning::Across(action) => Key::Part(action, true),
+        Turning::Torque(torque) => whole(torque),
+    }
 }
 
 impl Teller<'_> {
@@ -119,26 +166,41 @@ impl Teller<'_> {
     ) -> Rich {
         let units: Vec<f64> = factors.iter().map(|factor| factor.unit.si).collect();
         let together = (reckon(&units) / result.unit.si - 1.0).abs() < 1e-9;
+        self.line_in(together, of, formula, factors, set, reckon, result)
+    }
+
+    /// The same where it is known whether the units of the scene go together.
+    #[expect(clippy::too_many_arguments, reason = "a line has a name, a formula, numbers and a result")]
+    fn line_in(
+        &self,
+        together: bool,
+        of: Rich,
+        formula: Rich,
+        factors: &[Factor<'_>],
+        set: impl Fn(&[Rich]) -> Rich,
+        reckon: impl Fn(&[f64]) -> f64,
+        result: Factor<'_>,
+    ) -> Rich {
         let line = of.up(EQUALS).then(&formula).up(EQUALS);
-        let values: Vec<f64> = factors
-            .iter()
-            .map(|factor| if together { factor.si / factor.unit.si } else { factor.si })
+        let bases: Vec<Unit> = factors.iter().map(Factor::base).collect();
+        let in_units = factors.iter().zip(&bases);
+        let values: Vec<(Option<Key>, f64, &Unit)> = in_units
+            .map(|(factor, base)| (factor.key, factor.si, if together { factor.unit } else { base }))
             .collect();
-        let size = if together { result.si / result.unit.si } else { result.si };
-        let mut written = human::closing_all(&values, size, &reckon);
+        let base = result.base();
+        let unit = if together { result.unit } else { &base };
+        let (mut written, text) =
+            self.figures.borrow_mut().line_of(&values, (result.key, result.si, unit), &reckon);
         if !together {
             for (text, factor) in written.iter_mut().zip(factors) {
                 *text = human::with_unit(text, factor.name);
             }
         }
-        let line = line.then(&set(&written)).up(EQUALS);
-        let own = human::quantity(result.si, result.unit);
-        if together {
-            return line.then(&own);
+        let line = line.then(&set(&written)).up(EQUALS).then(&human::with_unit(&text, &unit.symbol));
+        if together || base == *result.unit {
+            return line;
         }
-        let si = human::with_unit(&human::number(result.si), result.name);
-        let same = (result.unit.si - 1.0).abs() < 1e-12;
-        if same { line.then(&si) } else { line.then(&si).up(EQUALS).then(&own) }
+        line.up(EQUALS).then(&human::quantity(result.si, result.unit))
     }
 
     fn acceleration(&self) -> Unit {
@@ -171,10 +233,10 @@ impl Teller<'_> {
                 Area::Given(given) => given.value,
                 Area::Bore { bore, rod } => {
                     let rod = rod.map(|rod| rod.value);
-                    let of = |d: f64| Factor { si: d, unit: &units.length, name: "m" };
+                    let of = |d: f64| Factor::new(d, &units.length, "m");
                     let less = rod.map_or(0.0, |rod| rod * rod);
                     let value = std::f64::consts::PI / 4.0 * (bore.value * bore.value - less);
-                    let result = Factor { si: value, unit: &square, name: "m²" };
+                    let result = Factor::new(value, &square, "m²");
                     let formula = match rod {
                         None => Rich::upright("π\u{2009}").it("D").up("²").up(OVER).up("4"),
                         Some(_) => {
@@ -199,11 +261,9 @@ impl Teller<'_> {
                     value
                 }
             };
-            let factors = [
-                Factor { si: pressure.value, unit: &units.pressure, name: "Pa" },
-                Factor { si: size, unit: &square, name: "m²" },
-            ];
-            let result = Factor { si: pressure.value * size, unit: &units.force, name: "N" };
+            let factors =
+                [Factor::new(pressure.value, &units.pressure, "Pa"), Factor::new(size, &square, "m²")];
+            let result = Factor::new(pressure.value * size, &units.force, "N");
             let formula = Rich::italic("p").up(DOT).it("A");
             lines.push(self.line(name, formula, &factors, product, |n| n.iter().product(), result));
         }
@@ -225,12 +285,11 @@ impl Teller<'_> {
             ];
             lines.push(Rich::fill(self.n.words.measure_length, &parts));
             let factors = [
-                Factor { si: stiffness.value, unit: &units.stiffness, name: "N/m" },
-                Factor { si: length, unit: &units.length, name: "m" },
-                Factor { si: free.value, unit: &units.length, name: "m" },
+                Factor::new(stiffness.value, &units.stiffness, "N/m"),
+                Factor::new(length, &units.length, "m"),
+                Factor::new(free.value, &units.length, "m"),
             ];
-            let result =
-                Factor { si: stiffness.value * (length - free.value), unit: &units.force, name: "N" };
+            let result = Factor::new(stiffness.value * (length - free.value), &units.force, "N");
             let formula = Rich::italic("K")
                 .sub(&spring.name)
                 .up("\u{2009}(")
@@ -253,10 +312,12 @@ impl Teller<'_> {
         result: Factor<'_>,
     ) -> Rich {
         // π belongs to the numbers, not to the units: those of lengths always go together.
-        let values: Vec<f64> = factors.iter().map(|factor| factor.si / factor.unit.si).collect();
-        let written = human::closing_all(&values, result.si / result.unit.si, &reckon);
+        let values: Vec<(Option<Key>, f64, &Unit)> =
+            factors.iter().map(|factor| (factor.key, factor.si, factor.unit)).collect();
+        let result = (result.key, result.si, result.unit);
+        let (written, text) = self.figures.borrow_mut().line_of(&values, result, &reckon);
         let of = Rich::italic("A").up(EQUALS).then(&formula).up(EQUALS);
-        of.then(&set(&written)).up(EQUALS).then(&human::quantity(result.si, result.unit))
+        of.then(&set(&written)).up(EQUALS).then(&human::with_unit(&text, &result.2.symbol))
     }
 
     /// The weight of a link, its inertia force against the acceleration of G, its torque against ε, their offset.
@@ -273,20 +334,14 @@ impl Teller<'_> {
         let turning = own.alpha.filter(|alpha| *alpha != 0.0 && own.inertia.is_some());
         match (stated.heaviness, own.mass, own.weight) {
             (Heaviness::Weight(weight), Some(mass), _) if own.acceleration > 0.0 || turning.is_some() => {
-                let factors = [
-                    Factor { si: weight.value, unit: &units.force, name: "N" },
-                    Factor { si: g, unit: &a, name: "m/s²" },
-                ];
-                let result = Factor { si: mass, unit: &units.mass, name: "kg" };
+                let factors = [Factor::new(weight.value, &units.force, "N"), Factor::new(g, &a, "m/s²")];
+                let result = Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", own.link));
                 let formula = name("W").up(OVER).it("g");
                 lines.push(self.line(name("M"), formula, &factors, quotient, |n| n[0] / n[1], result));
             }
             (Heaviness::Mass(given), _, Some(weight)) => {
-                let factors = [
-                    Factor { si: given.value, unit: &units.mass, name: "kg" },
-                    Factor { si: g, unit: &a, name: "m/s²" },
-                ];
-                let result = Factor { si: weight, unit: &units.force, name: "N" };
+                let factors = [Factor::new(given.value, &units.mass, "kg"), Factor::new(g, &a, "m/s²")];
+                let result = Factor::new(weight, &units.force, "N").of(Key::OfLink("W", own.link));
                 let formula = name("M").up(DOT).it("g");
                 lines.push(self.line(name("W"), formula, &factors, product, |n| n[0] * n[1], result));
             }
@@ -297,10 +352,11 @@ impl Teller<'_> {
             lines.extend(self.read_acceleration(own));
             inertia_force = mass * own.acceleration;
             let factors = [
-                Factor { si: mass, unit: &units.mass, name: "kg" },
-                Factor { si: own.acceleration, unit: &a, name: "m/s²" },
+                Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", own.link)),
+                Factor::new(own.acceleration, &a, "m/s²").of(Key::Of(Quantity::Acceleration(own.centre))),
             ];
-            let result = Factor { si: inertia_force, unit: &units.force, name: "N" };
+            let result = Factor::new(inertia_force, &units.force, "N")
+                .of(whole(Force::Vector(Action::Inertia(own.link))));
             let of = force(Force::Vector(Action::Inertia(own.link)));
             let acceleration = self.n.symbol(Quantity::Acceleration(own.centre), false);
             let formula = name("M").up(DOT).then(&acceleration);
@@ -312,10 +368,10 @@ impl Teller<'_> {
         match (stated.inertia, own.mass) {
             (Inertia::Gyration(radius), Some(mass)) => {
                 let factors = [
-                    Factor { si: mass, unit: &units.mass, name: "kg" },
-                    Factor { si: radius.value, unit: &units.length, name: "m" },
+                    Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", own.link)),
+                    Factor::new(radius.value, &units.length, "m"),
                 ];
-                let result = Factor { si: inertia, unit: &units.inertia, name: "kg·m²" };
+                let result = Factor::new(inertia, &units.inertia, "kg·m²").of(Key::OfLink("I", own.link));
                 let formula = name("M").up(DOT).then(&name("ρ").squared());
                 let set = |n: &[Rich]| n[0].clone().up(TIMES).then(&n[1]).up("²");
                 lines.push(self.line(name("I"), formula, &factors, set, |n| n[0] * n[1] * n[1], result));
@@ -323,11 +379,11 @@ impl Teller<'_> {
             (Inertia::About(point, given), Some(mass)) if point != own.centre => {
                 let away = libm::sqrt(((given.value - inertia) / mass).max(0.0));
                 let factors = [
-                    Factor { si: given.value, unit: &units.inertia, name: "kg·m²" },
-                    Factor { si: mass, unit: &units.mass, name: "kg" },
-                    Factor { si: away, unit: &units.length, name: "m" },
+                    Factor::new(given.value, &units.inertia, "kg·m²"),
+                    Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", own.link)),
+                    Factor::new(away, &units.length, "m"),
                 ];
-                let result = Factor { si: inertia, unit: &units.inertia, name: "kg·m²" };
+                let result = Factor::new(inertia, &units.inertia, "kg·m²").of(Key::OfLink("I", own.link));
                 let about = Rich::italic("I").sub(&format!("{number},{}", self.n.index(point)));
                 let d = self.n.length(point, own.centre);
                 let formula = about.up(" − ").then(&name("M")).up(DOT).then(&d).up("²");
@@ -347,20 +403,23 @@ impl Teller<'_> {
         let w = self.n.angular_unit(Order::Acceleration);
         let torque = inertia * alpha;
         let factors = [
-            Factor { si: inertia, unit: &units.inertia, name: "kg·m²" },
-            Factor { si: alpha.abs(), unit: &w, name: "rad/s²" },
+            Factor::new(inertia, &units.inertia, "kg·m²").of(Key::OfLink("I", own.link)),
+            Factor::new(alpha.abs(), &w, "rad/s²").of(Key::Of(Quantity::Alpha(own.link))),
         ];
-        let result = Factor { si: torque.abs(), unit: &units.torque, name: "N·m" };
+        let result =
+            Factor::new(torque.abs(), &units.torque, "N·m").of(whole(Force::InertiaTorque(own.link)));
         let of = force(Force::InertiaTorque(own.link));
         let formula = name("I").up(DOT).then(&self.n.symbol(Quantity::Alpha(own.link), false));
         let line = self.line(of.clone(), formula, &factors, product, |n| n[0] * n[1], result);
         lines.push(line.word(self.n.sense(-torque)));
         if inertia_force > 0.0 {
             let factors = [
-                Factor { si: torque.abs(), unit: &units.torque, name: "N·m" },
-                Factor { si: inertia_force, unit: &units.force, name: "N" },
+                Factor::new(torque.abs(), &units.torque, "N·m").of(whole(Force::InertiaTorque(own.link))),
+                Factor::new(inertia_force, &units.force, "N")
+                    .of(whole(Force::Vector(Action::Inertia(own.link)))),
             ];
-            let result = Factor { si: torque.abs() / inertia_force, unit: &units.length, name: "m" };
+            let result = Factor::new(torque.abs() / inertia_force, &units.length, "m")
+                .of(whole(Force::Offset(own.link)));
             let formula = of.up(OVER).then(&force(Force::Vector(Action::Inertia(own.link))));
             let h = force(Force::Offset(own.link));
             lines.push(self.line(h, formula, &factors, quotient, |n| n[0] / n[1], result));
@@ -379,7 +438,7 @@ impl Teller<'_> {
             .find(|label| matches!(label, Label::Image { point, .. } if *point == own.centre))?;
         let mm = own.acceleration / polygon.si_per_mm;
         let name = self.n.symbol(quantity, false);
-        let told = (&mut Figures::default(), Key::Of(quantity));
+        let told = (&mut *self.figures.borrow_mut(), Key::Of(quantity));
         Some(super::steps::read(name, [Label::Pole, image], mm, own.acceleration, polygon, self.n, told))
     }
 
@@ -575,7 +634,7 @@ impl Teller<'_> {
             .map(|arm| {
                 let mm = human::millimetres(arm.length / self.construction.space.metres_per_mm);
                 let name = arm_name(self.sheet, &arm, self.n);
-                name.up(EQUALS).then(&mm).up("\u{a0}≙\u{a0}").then(&self.length(arm.length))
+                name.up(EQUALS).then(&mm).up("\u{a0}≙\u{a0}").then(&self.arm(&arm))
             })
             .collect();
         if !measured.is_empty() {
@@ -583,93 +642,137 @@ impl Teller<'_> {
             lines.push(Rich::fill(words.measured_arms, &[("list", list)]));
         }
         let sum: f64 = moments.terms.iter().map(|term| term.moment).sum();
-        let per = units.force.si * units.length.si;
-        let mut terms: Vec<&MomentTerm> = moments.terms.iter().collect();
-        // Those first that turn as the sum does.
-        terms.sort_by_key(|term| term.moment * sum < 0.0);
         let found = symbol(moments.found.of, self.n);
         let place = ("point", self.n.point(moments.about));
         let links = ("links", self.n.links(&moments.links));
         let tell = |equation: Rich| {
             Rich::fill(words.moments_about, &[links.clone(), place.clone(), ("equation", equation)])
         };
-        if terms.is_empty() || sum == 0.0 {
+        if moments.terms.is_empty() || sum == 0.0 {
             lines.push(tell(found.up("\u{a0}= 0")));
             return lines;
         }
-        let signs: Vec<f64> =
-            terms.iter().map(|term| if term.moment * sum < 0.0 { -1.0 } else { 1.0 }).collect();
-        let divisor = moments.found.arm.map(|arm| arm.length / units.length.si);
-        let mut values: Vec<f64> = Vec::new();
+        let divisor = moments.found.arm.map(|arm| {
+            let factor = Factor::new(arm.length, &units.length, "m").of(self.key_of_arm(&arm));
+            (arm_name(self.sheet, &arm, self.n), factor)
+        });
+        let unit = if divisor.is_some() { &units.force } else { &units.torque };
+        let name = if divisor.is_some() { "N" } else { "N·m" };
+        let size = sum.abs() / moments.found.arm.map_or(1.0, |arm| arm.length);
+        let result = Factor::new(size, unit, name).of(key_of(moments.found.of));
+        let line = self.weighed(found, &moments.terms, divisor, result);
+        let sense = self.n.sense(-sum);
+        lines.push(tell(if moments.found.arm.is_some() {
+            let about = Rich::fill(words.turning_about, &[("sense", Rich::upright(sense)), place.clone()]);
+            line.aside(words.comma, &about)
+        } else {
+            line.word(sense)
+        }));
+        lines
+    }
+
+    /// ΣF·arm, those terms first that turn as the sum does, or what it is by a divisor: names, numbers and result.
+    fn weighed(
+        &self,
+        of: Rich,
+        terms: &[MomentTerm],
+        divisor: Option<(Rich, Factor<'_>)>,
+        result: Factor<'_>,
+    ) -> Rich {
+        let units = &self.n.scene.units;
+        let sum: f64 = terms.iter().map(|term| term.moment).sum();
+        let against = |term: &MomentTerm| term.moment * sum < 0.0;
+        let mut terms: Vec<&MomentTerm> = terms.iter().collect();
+        terms.sort_by_key(|term| against(term));
+        let mut factors: Vec<Factor<'_>> = Vec::new();
         for term in &terms {
             match term.arm {
-                Some(arm) => values.extend([term.size / units.force.si, arm.length / units.length.si]),
-                None => values.push(term.size / per),
+                Some(arm) => {
+                    factors.push(Factor::new(term.size, &units.force, "N").of(key_of(term.of)));
+                    factors.push(Factor::new(arm.length, &units.length, "m").of(self.key_of_arm(&arm)));
+                }
+                None => factors.push(Factor::new(term.size, &units.torque, "N·m").of(key_of(term.of))),
             }
         }
-        values.extend(divisor);
-        let armed: Vec<bool> = terms.iter().map(|term| term.arm.is_some()).collect();
+        let (by, divisor) = divisor.unzip();
+        factors.extend(divisor);
+        // Each number with its sign, or as one of two factors.
+        let grouped = |inside: Rich| {
+            if terms.len() > 1 && by.is_some() { Rich::upright("(").then(&inside).up(")") } else { inside }
+        };
+        let joined = |mut each: Box<dyn FnMut(&MomentTerm) -> Rich + '_>, over: Option<Rich>| {
+            let mut all = Rich::default();
+            for (i, term) in terms.iter().enumerate() {
+                let sign = match (i, against(term)) {
+                    (0, false) => "",
+                    (0, true) => "−",
+                    (_, false) => " + ",
+                    (_, true) => " − ",
+                };
+                all = all.up(sign).then(&each(term));
+            }
+            match over {
+                Some(over) => grouped(all).up(OVER).then(&over),
+                None => all,
+            }
+        };
+        let named = |term: &MomentTerm| {
+            let force = symbol(term.of, self.n);
+            term.arm.map_or(force.clone(), |arm| force.up(DOT).then(&arm_name(self.sheet, &arm, self.n)))
+        };
+        let names = joined(Box::new(named), by.clone());
+        let set = |numbers: &[Rich]| {
+            let mut left = numbers.iter();
+            let mut next = || left.next().cloned().unwrap_or_default();
+            let over = by.is_some().then(|| numbers.last().cloned().unwrap_or_default());
+            let each = |term: &MomentTerm| {
+                let own = next();
+                if term.arm.is_some() { own.up(TIMES).then(&next()) } else { own }
+            };
+            joined(Box::new(each), over)
+        };
         let reckon = |numbers: &[f64]| {
             let mut left = numbers.iter();
+            let mut next = || left.next().copied().unwrap_or(1.0);
             let mut total = 0.0;
-            for (sign, armed) in signs.iter().zip(&armed) {
-                let mut own = left.next().copied().unwrap_or(0.0);
-                if *armed {
-                    own *= left.next().copied().unwrap_or(0.0);
-                }
-                total += sign * own;
+            for term in &terms {
+                let own = next() * if term.arm.is_some() { next() } else { 1.0 };
+                total += if against(term) { -own } else { own };
             }
-            left.next().map_or(total, |arm| total / arm)
+            total / next()
         };
-        let result = reckon(&values);
-        let written = human::closing_all(&values, result, reckon);
-        let mut names = Rich::default();
-        let mut numbers = Rich::default();
-        let mut left = written.iter();
-        for (i, (term, sign)) in terms.iter().zip(&signs).enumerate() {
-            let sign = match (i, *sign < 0.0) {
-                (0, false) => "",
-                (0, true) => "−",
-                (_, false) => " + ",
-                (_, true) => " − ",
-            };
-            names = names.up(sign).then(&symbol(term.of, self.n));
-            numbers = numbers.up(sign).then(left.next().unwrap_or(&Rich::default()));
-            if let Some(arm) = term.arm {
-                names = names.up(DOT).then(&arm_name(self.sheet, &arm, self.n));
-                numbers = numbers.up(TIMES).then(left.next().unwrap_or(&Rich::default()));
-            }
-        }
-        if let (Some(arm), Some(divisor)) = (moments.found.arm, left.next()) {
-            let grouped = |inside: Rich| {
-                if terms.len() > 1 { Rich::upright("(").then(&inside).up(")") } else { inside }
-            };
-            names = grouped(names).up(OVER).then(&arm_name(self.sheet, &arm, self.n));
-            numbers = grouped(numbers).up(OVER).then(divisor);
-        }
-        let equation = found.up(EQUALS).then(&names).up(EQUALS).then(&numbers).up(EQUALS);
-        let sense = self.n.sense(-sum);
-        let equation = if moments.found.arm.is_some() {
-            let size = human::with_unit(&human::number(result), &units.force.symbol);
-            let about = Rich::fill(words.turning_about, &[("sense", Rich::upright(sense)), place.clone()]);
-            equation.then(&size).aside(words.comma, &about)
+        // Of units that go together the numbers are those of one unit each, whatever their signs.
+        let per = units.force.si * units.length.si;
+        let together =
+            (units.torque.si / per - 1.0).abs() < 1e-9 || terms.iter().all(|term| term.arm.is_some());
+        let own;
+        let result = if together && by.is_none() && (units.torque.si / per - 1.0).abs() >= 1e-9 {
+            own = Unit { symbol: format!("{}*{}", units.force.symbol, units.length.symbol), si: per };
+            Factor { unit: &own, ..result }
         } else {
-            let own = Unit { symbol: format!("{}*{}", units.force.symbol, units.length.symbol), si: per };
-            let product = human::with_unit(&human::number(result), &own.symbol);
-            let same = (units.torque.si / per - 1.0).abs() < 1e-9;
-            if same {
-                let size = human::with_unit(&human::number(result), &units.torque.symbol);
-                equation.then(&size).word(sense)
-            } else {
-                equation
-                    .then(&product)
-                    .up(EQUALS)
-                    .then(&human::quantity(result * per, &units.torque))
-                    .word(sense)
-            }
+            result
         };
-        lines.push(tell(equation));
-        lines
+        let line = self.line_in(together, of, names, &factors, set, reckon, result);
+        if by.is_none() && together && result.unit.symbol != units.torque.symbol {
+            return line.up(EQUALS).then(&human::quantity(result.si, &units.torque));
+        }
+        line
+    }
+
+    fn key_of_arm(&self, arm: &Arm) -> Key {
+        match arm.between {
+            Some([p, q]) => Key::length([p, q]),
+            None => Key::Arm(numbered(self.sheet, arm).unwrap_or(0)),
+        }
+    }
+
+    /// An arm as it is printed everywhere.
+    fn arm(&self, arm: &Arm) -> Rich {
+        let unit = &self.n.scene.units.length;
+        human::with_unit(
+            &self.figures.borrow_mut().tell(self.key_of_arm(arm), arm.length, unit),
+            &unit.symbol,
+        )
     }
 
     /// Whether the distance of two points is a dimension that the scene states.
@@ -739,7 +842,9 @@ impl Teller<'_> {
         }
         let unit = &self.n.scene.units.force;
         let factor = per_mm / unit.si;
-        let [reading, amount] = human::reading(mm, factor, size / unit.si);
+        let (mut figures, key) = (self.figures.borrow_mut(), whole(Force::Vector(acting.action)));
+        let (reading, amount, written) = human::reading_at(mm, factor, size / unit.si, figures.more(key));
+        figures.note(key, &amount, (written, size / unit.si), unit);
         let reading = reading
             .up(TIMES)
             .then(&human::with_unit(&human::stated(factor), &unit.symbol))
@@ -811,70 +916,24 @@ impl Teller<'_> {
         if shaking.terms.len() < 2 || sum == 0.0 {
             return Vec::new();
         }
-        let per = units.force.si * units.length.si;
-        let mut terms: Vec<&MomentTerm> = shaking.terms.iter().collect();
-        terms.sort_by_key(|term| term.moment * sum < 0.0);
         let mut lines = Vec::new();
-        let measured: Vec<Rich> = terms
+        let measured: Vec<Rich> = shaking
+            .terms
             .iter()
             .filter_map(|term| term.arm)
-            .map(|arm| arm_name(self.sheet, &arm, self.n).up(EQUALS).then(&self.length(arm.length)))
+            .map(|arm| arm_name(self.sheet, &arm, self.n).up(EQUALS).then(&self.arm(&arm)))
             .collect();
         if !measured.is_empty() {
             let list = Rich::join(&measured, &Rich::upright(words.comma));
             lines.push(Rich::fill(words.measured_arms, &[("list", list)]));
         }
-        let mut values = Vec::new();
-        for term in &terms {
-            match term.arm {
-                Some(arm) => values.extend([term.size / units.force.si, arm.length / units.length.si]),
-                None => values.push(term.size / per),
-            }
-        }
-        values.push(shaking.found.size / units.force.si);
-        let reckon = |numbers: &[f64]| {
-            let mut left = numbers.iter();
-            let mut total = 0.0;
-            for term in &terms {
-                let mut own = left.next().copied().unwrap_or(0.0);
-                if term.arm.is_some() {
-                    own *= left.next().copied().unwrap_or(0.0);
-                }
-                total += if term.moment * sum < 0.0 { -own } else { own };
-            }
-            left.next().map_or(total, |size| total / size)
-        };
-        let result = reckon(&values);
-        let written = human::closing_all(&values, result, reckon);
-        let (mut names, mut numbers) = (Rich::default(), Rich::default());
-        let mut left = written.iter();
-        for (i, term) in terms.iter().enumerate() {
-            let sign = match (i, term.moment * sum < 0.0) {
-                (0, _) => "",
-                (_, false) => " + ",
-                (_, true) => " − ",
-            };
-            names = names.up(sign).then(&symbol(term.of, self.n));
-            numbers = numbers.up(sign).then(left.next().unwrap_or(&Rich::default()));
-            if let Some(arm) = term.arm {
-                names = names.up(DOT).then(&arm_name(self.sheet, &arm, self.n));
-                numbers = numbers.up(TIMES).then(left.next().unwrap_or(&Rich::default()));
-            }
-        }
-        let grouped =
-            |inside: Rich| if terms.len() > 1 { Rich::upright("(").then(&inside).up(")") } else { inside };
-        let divisor = left.next().cloned().unwrap_or_default();
-        let equation = arm_name(self.sheet, &arm, self.n)
-            .up(EQUALS)
-            .then(&grouped(names))
-            .up(OVER)
-            .then(&self.symbol(Action::Shaking))
-            .up(EQUALS)
-            .then(&grouped(numbers))
-            .up(OVER)
-            .then(&divisor)
-            .up(EQUALS)
-            .then(&human::with_unit(&human::number(result), &units.length.symbol));
+        let force = whole(Force::Vector(Action::Shaking));
+        let size = Factor::new(shaking.found.size, &units.force, "N").of(force);
+        let result =
+            Factor::new(sum.abs() / shaking.found.size, &units.length, "m").of(self.key_of_arm(&arm));
+        let name = arm_name(self.sheet, &arm, self.n);
+        let divisor = Some((self.symbol(Action::Shaking), size));
+        let equation = self.weighed(name, &shaking.terms, divisor, result);
         let parts = [("point", self.n.point(shaking.about)), ("equation", equation)];
         lines.push(Rich::fill(words.shaking_line, &parts));
         lines

@@ -16,6 +16,7 @@ use crate::graphical::construction::{
     Vector, VectorKind,
 };
 use crate::graphical::is_a_point;
+use crate::mechanism::force::Action;
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
@@ -174,7 +175,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
         }
     }
     if let Some(sheet) = &construction.forces {
-        for (panel, mut items) in super::statics::told(sheet, construction, notation) {
+        for (panel, mut items) in super::statics::told(sheet, construction, notation, figures) {
             for item in &mut items {
                 if let Item::Head(head) = item {
                     number += 1;
@@ -343,14 +344,23 @@ pub enum Key {
     Of(Quantity),
     /// The distance of two points on the skeleton, the first of lower number.
     Length([PointId; 2]),
+    /// The part of a force along the line of a link, or across it.
+    Part(Action, Across),
+    /// An arm of a force by its number on the sheet.
+    Arm(usize),
+    /// What a letter says of a link: its mass, weight, moment of inertia.
+    OfLink(&'static str, LinkId),
 }
+
+/// Whether a part of a force is that across the line of a link.
+pub type Across = bool;
 
 impl Key {
     fn of(quantity: Quantity, notation: &Notation<'_>) -> Self {
         Self::Of(absolute(quantity, notation))
     }
 
-    fn length([p, q]: [PointId; 2]) -> Self {
+    pub(super) fn length([p, q]: [PointId; 2]) -> Self {
         Self::Length([p.min(q), p.max(q)])
     }
 }
@@ -383,17 +393,17 @@ impl Figures {
         Self { finer, ..Self::default() }
     }
 
-    fn more(&self, key: Key) -> usize {
+    pub(super) fn more(&self, key: Key) -> usize {
         usize::from(self.finer.contains(&key))
     }
 
-    fn note(&mut self, key: Key, text: &Rich, (number, exact): (f64, f64), unit: &Unit) {
+    pub(super) fn note(&mut self, key: Key, text: &Rich, (number, exact): (f64, f64), unit: &Unit) {
         let print = Print { text: text.clone(), number, exact, unit: unit.clone() };
         self.printed.entry(key).or_insert(print);
     }
 
     /// A magnitude as it is printed in this unit; of what was not told yet as it is told from now on.
-    fn tell(&mut self, key: Key, si: f64, unit: &Unit) -> Rich {
+    pub(super) fn tell(&mut self, key: Key, si: f64, unit: &Unit) -> Rich {
         self.number(key, si, unit).0
     }
 
@@ -417,7 +427,7 @@ impl Figures {
                     && print.unit == *unit
                     && (print.exact - own).abs() <= 1e-9 * own
             }
-            Key::Length(_) => false,
+            Key::Length(_) | Key::Part(..) | Key::Arm(_) | Key::OfLink(..) => false,
         };
         let print = self.printed.get(&Key::of(quantity, notation));
         // Of several that are one number any tells it, the least first, so that a sheet is always the same.
@@ -438,16 +448,55 @@ impl Figures {
         (key, si, unit): (Key, f64, &Unit),
         reckon: impl Fn([f64; N]) -> f64,
     ) -> ([Rich; N], Rich) {
-        let told = factors.map(|(key, si, unit)| self.number(key, si, unit));
-        let reckoned = reckon(std::array::from_fn(|i| told[i].1));
-        let (exact, more) = (si.abs() / unit.si, self.more(key));
+        let factors = factors.map(|(key, si, unit)| (Some(key), si, unit));
+        let reckon = |numbers: &[f64]| reckon(std::array::from_fn(|i| numbers[i]));
+        let (numbers, text) = self.reckoned(&factors, (Some(key), si.abs(), unit), reckon, f64::INFINITY);
+        (std::array::from_fn(|i| numbers[i].clone()), text)
+    }
+
+    /// The same of as many factors as there are; what has no key stands in no other line. A result that the factors do not
+    /// give in the figures of a sheet, a small difference, is given by as many figures as it takes.
+    pub(super) fn line_of(
+        &mut self,
+        factors: &[(Option<Key>, f64, &Unit)],
+        result: (Option<Key>, f64, &Unit),
+        reckon: impl Fn(&[f64]) -> f64,
+    ) -> (Vec<Rich>, Rich) {
+        /// By so much of a result what is reckoned from printed numbers may differ from it: half of the third figure.
+        const FAR: f64 = 5e-3;
+        self.reckoned(factors, result, reckon, FAR)
+    }
+
+    fn reckoned(
+        &mut self,
+        factors: &[(Option<Key>, f64, &Unit)],
+        (key, si, unit): (Option<Key>, f64, &Unit),
+        reckon: impl Fn(&[f64]) -> f64,
+        far: f64,
+    ) -> (Vec<Rich>, Rich) {
+        let tell = |(key, si, unit): &(Option<Key>, f64, &Unit)| match key {
+            Some(key) => self.number(*key, *si, unit),
+            None => human::given(si.abs() / unit.si, 0),
+        };
+        let told: Vec<(Rich, f64)> = factors.iter().map(tell).collect();
+        let printed: Vec<f64> = told.iter().map(|(_, number)| *number).collect();
+        let mut numbers: Vec<Rich> = told.into_iter().map(|(text, _)| text).collect();
+        let reckoned = reckon(&printed);
+        let exact = si / unit.si;
+        let more = key.map_or(0, |key| self.more(key));
         let (mut text, mut number) = human::limited(exact, more);
         if !human::agrees(reckoned, number, exact, more) {
-            self.wanted.extend(factors.iter().map(|(key, ..)| *key));
-            (text, number) = human::limited(reckoned, more);
+            self.wanted.extend(factors.iter().filter_map(|(key, ..)| *key));
+            if (reckoned - exact).abs() <= far * exact.abs() {
+                (text, number) = human::limited(reckoned, more);
+            } else {
+                let values: Vec<f64> = factors.iter().map(|(_, si, unit)| si.abs() / unit.si).collect();
+                numbers = human::closing_all(&values, exact, &reckon);
+            }
         }
-        self.note(key, &text, (number, exact), unit);
-        let numbers = told.map(|(text, _)| text);
+        if let Some(key) = key {
+            self.note(key, &text, (number.abs(), exact.abs()), unit);
+        }
         (numbers, text)
     }
 }

@@ -376,8 +376,9 @@ fn a_suite_says_where_its_scenes_are_and_how_they_are_drawn() {
         (r#"{ "figures": [], "figures": [] }"#, "duplicate field"),
         (r#"{ "figures": [] }"#, "no scene in this suite"),
         (r#"{ "dpi": 1e9, "figures": [] }"#, "choose between 10 and 600"),
-        ("[]", "suite.json: "),
-        ("", "suite.json: "),
+        ("[]", "suite.json:1:2: invalid length 1, expected an object with `figures`"),
+        ("7", "suite.json:1:1: invalid type: integer `7`, expected an object with `figures`"),
+        ("", "suite.json:1:0: EOF"),
     ];
     for (text, part) in wrong {
         folder.write("suite/suite.json", text);

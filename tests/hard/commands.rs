@@ -107,7 +107,8 @@ fn words(dice: &mut Dice, here: &dyn Fn(&str) -> String) -> Vec<String> {
 /// The files of one run; what they hold, to be told if it fails.
 fn files(dice: &mut Dice, seeds: &[String], folder: &Folder) -> String {
     let from = dice.pick(seeds).clone();
-    let scene = mutation::scene(dice, &from);
+    // Every other one as it stands: what comes after the reading is tried too.
+    let scene = if dice.below(2) == 0 { from.clone() } else { mutation::scene(dice, &from) };
     let answers = mutation::answers(dice, &from);
     let drawing = mutation::drawing(dice, &from);
     folder.write("s.json", &scene);
