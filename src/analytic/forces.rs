@@ -364,6 +364,9 @@ impl State {
             friction.map_or(wrench, |more| add(wrench, more, 1.0))
         };
         let inertial = |heavy: &HeavyBody| {
+            if !s.inertial_too() {
+                return [zero; 3];
+            }
             let (force, couple) = s.inertial(heavy);
             let centre = s.real.site(&heavy.centre).map(|c| c.v);
             let arm = [centre[0] - about[0], centre[1] - about[1]];

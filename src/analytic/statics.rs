@@ -445,7 +445,7 @@ impl<'t> Acting<'t> {
         self.share != Share::Inertia
     }
 
-    fn inertial_too(&self) -> bool {
+    pub(super) fn inertial_too(&self) -> bool {
         self.share != Share::Static && self.moves
     }
 

@@ -15,7 +15,7 @@ use crate::mechanism::friction::{Rub, RubbedBy, RubbingPair};
 use crate::mechanism::quantity::{Answer, Asked, Method, Quantity};
 use crate::plan::Extent;
 use crate::report::{short, significant, two_digits};
-use crate::scene::Scene;
+use crate::scene::{Scene, Units};
 use crate::solve::{Hand, Settings};
 
 /// What to solve and how to print it.
@@ -57,7 +57,7 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
         serde_json::to_string_pretty(&object).map_err(|error| Failure(error.to_string()))? + "\n"
     } else {
-        table(&solved, &agreement, &by_hand) + explanation.as_deref().unwrap_or("")
+        table(&solved, &agreement, &by_hand, &scene.units) + explanation.as_deref().unwrap_or("")
     };
     print(&text)?;
     for note in crate::report::unheld_hints(scene, &solved.solution.construction) {
@@ -72,7 +72,12 @@ const WIDEST: usize = 100;
 /// Between two columns.
 const GAP: &str = "  ";
 
-fn table(solved: &crate::solve::Solved, agreement: &Agreement, by_hand: &[HandError]) -> String {
+fn table(
+    solved: &crate::solve::Solved,
+    agreement: &Agreement,
+    by_hand: &[HandError],
+    units: &Units,
+) -> String {
     let lines = |digits: usize| -> Vec<[String; 5]> {
         let head = ["quantity", "value", "direction", "other solver", "off/bound"].map(str::to_owned);
         let rows = agreement.compared.iter().map(|compared| cells(compared, digits));
@@ -121,6 +126,11 @@ fn table(solved: &crate::solve::Solved, agreement: &Agreement, by_hand: &[HandEr
         if let Some(why) = compared.indeterminate() {
             out.push_str(&wrapped(&format!("indeterminate: {why}")));
             continue;
+        }
+        if let Some(couple) = compared.graphical.couple {
+            let sense = if couple > 0.0 { "ccw" } else { "cw" };
+            let size = significant(couple.abs() / units.torque.si, 7);
+            out.push_str(&wrapped(&format!("a couple of {size} {} {sense}", units.torque.symbol)));
         }
         if let Some(fine) = &compared.graphical.fine {
             let bound = fine_bound(fine, asked);
@@ -186,7 +196,11 @@ fn value_and_direction(asked: &Asked, answer: &Answer, digits: usize) -> (String
             (format!("({x}, {y})"), String::new())
         }
         answer if answer.may_be_zero() => ("0".to_owned(), String::new()),
-        Answer::Vector { value, .. } => (number(libm::hypot(value[0], value[1])), degrees(*value)),
+        Answer::Vector { value, bound } => {
+            // What is zero within the bound turns no direction by 1e-15°.
+            let sure = value.map(|c| if c.abs() <= *bound { 0.0 } else { c });
+            (number(libm::hypot(value[0], value[1])), degrees(sure))
+        }
         Answer::Scalar { value, .. } if has_sense(&asked.quantity) => {
             (number(value.abs()), if *value > 0.0 { "ccw" } else { "cw" }.to_owned())
         }
@@ -259,7 +273,7 @@ fn object(
     by_hand: &[HandError],
 ) -> Value {
     let mut quantities: Vec<Value> =
-        agreement.compared.iter().map(|compared| quantity(compared, scene.units.length.si)).collect();
+        agreement.compared.iter().map(|compared| quantity(compared, &scene.units)).collect();
     for ((value, compared), error) in quantities.iter_mut().zip(&agreement.compared).zip(by_hand) {
         if let (Some(map), None) = (value.as_object_mut(), compared.indeterminate()) {
             map.insert("hand".to_owned(), hand_object(&compared.asked, error));
@@ -324,7 +338,8 @@ fn friction(rub: &Rub, scene: &Scene, passes: usize) -> Value {
     json!({ "at": at, "between": between, "sense": sense, key: value, "passes": passes })
 }
 
-fn quantity(compared: &Compared, length: f64) -> Value {
+fn quantity(compared: &Compared, units: &Units) -> Value {
+    let (length, torque) = (units.length.si, units.torque.si);
     let asked = &compared.asked;
     let mut map = Map::new();
     map.insert("name".to_owned(), json!(asked.name));
@@ -368,6 +383,12 @@ fn quantity(compared: &Compared, length: f64) -> Value {
     }
     if let Some(place) = compared.graphical.through {
         map.insert("through".to_owned(), json!(place.map(|c| c / length)));
+    }
+    if let Some(couple) = compared.graphical.couple {
+        // A pure couple has no force.
+        map.insert("value".to_owned(), json!([0.0, 0.0]));
+        map.insert("magnitude".to_owned(), json!(0.0));
+        map.insert("couple".to_owned(), json!(couple / torque));
     }
     Value::Object(map)
 }

@@ -62,6 +62,8 @@ pub struct Reading {
     pub drawn_mm: Option<f64>,
     /// A point of the line of a force, metres in the world.
     pub through: Option<[f64; 2]>,
+    /// The couple that is left where forces have no sum, N·m, ccw positive.
+    pub couple: Option<f64>,
 }
 
 /// The free bodies and force polygons, in newtons and metres from the skeleton's origin: they are drawn to a scale of their

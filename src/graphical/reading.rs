@@ -36,10 +36,15 @@ pub(super) struct ReadOff {
     drawn_mm: Option<f64>,
     /// A point of the line of a force.
     through: Option<[f64; 2]>,
+    /// What it turns about the place where it acts first, N·m.
+    couple: Option<f64>,
 }
 
 /// Marks and values of a read quantity, or why there are none.
 pub(super) type Marked = Result<Vec<(u32, f64)>, &'static str>;
+
+/// Longer than any sheet, mm.
+const SHEET: f64 = 1e5;
 
 /// Reads every asked quantity, with its bound from the tape.
 pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) {
@@ -55,7 +60,24 @@ pub(super) fn answers(d: &mut Draughtsman<'_>) -> (Vec<Reading>, Vec<Vec<u32>>) 
             let (own, rest) = judged.split_at(slots.len());
             judged = rest;
             let (answer, fine) = d.answer(&read, own);
-            Reading { answer, fine, drawn_mm: read.drawn_mm, through: read.through }
+            // What is no force has no line; what it turns by no more than its bound on an arm as long as the sheet is none.
+            let none = if let Answer::Vector { bound, .. } = answer {
+                answer.may_be_zero().then_some(bound)
+            } else {
+                None
+            };
+            let through = read.through.filter(|_| none.is_none());
+            let couple = read
+                .couple
+                .zip(none)
+                .filter(|(couple, bound)| couple.abs() > bound * SHEET * d.scales.length());
+            Reading {
+                answer,
+                fine,
+                drawn_mm: read.drawn_mm,
+                through,
+                couple: couple.map(|(couple, _)| couple),
+            }
         })
         .collect();
     (readings, slots)
@@ -108,11 +130,11 @@ impl Draughtsman<'_> {
         let of_polygon = asked.method != Method::Klein;
         let drawn_mm = of_polygon.then(|| self.drawn_length(&asked.quantity)).flatten();
         let (numbers, toward) = read.numbers();
-        let through = match asked.quantity {
-            Quantity::Force(Force::Vector(action), share) => self.line_through(action, share),
-            _ => None,
+        let (through, couple) = match asked.quantity {
+            Quantity::Force(Force::Vector(action), share) => self.line_and_couple(action, share),
+            _ => (None, None),
         };
-        ReadOff { numbers, toward, drawn_mm, through }
+        ReadOff { numbers, toward, drawn_mm, through, couple }
     }
 
     /// What stands on the paper for a quantity.

@@ -7,7 +7,7 @@ use super::forces::{ForcePanel, per_mm, pole};
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
-use super::steps::{Figures, Item, Key};
+use super::steps::{Figures, Item, Key, either};
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
     Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, Knowledge, Label, MassForces,
@@ -118,16 +118,17 @@ impl<'a> Factor<'a> {
     }
 }
 
-const fn whole(force: Force) -> Key {
+fn whole(force: Force) -> Key {
+    let force = if let Force::Vector(action) = force { Force::Vector(either(action)) } else { force };
     Key::Of(Quantity::Force(force, Share::Total))
 }
 
 /// What has a moment, as a number on the sheet.
-const fn key_of(of: Turning) -> Key {
+fn key_of(of: Turning) -> Key {
     match of {
         Turning::Force(action) => whole(Force::Vector(action)),
-        Turning::Along(action) => Key::Part(action, false),
-        Turning::Across(action) => Key::Part(action, true),
+        Turning::Along(action) => Key::Part(either(action), false),
+        Turning::Across(action) => Key::Part(either(action), true),
         Turning::Torque(torque) => whole(torque),
     }
 }
@@ -431,6 +432,9 @@ impl Teller<'_> {
     fn read_acceleration(&self, own: &MassForces) -> Option<Rich> {
         let polygon = self.construction.diagram(DiagramKind::Acceleration)?;
         let quantity = Quantity::Acceleration(own.centre);
+        if self.figures.borrow().has(Key::Of(quantity)) {
+            return None;
+        }
         let image = polygon
             .images
             .iter()
@@ -602,7 +606,11 @@ impl Teller<'_> {
             }
             let size = libm::hypot(acting.force[0], acting.force[1]);
             let told = match acting.known {
-                Knowledge::Full => Rich::tick().gap(0.15).then(&human::number(size / unit.si)),
+                Knowledge::Full => {
+                    let key = whole(Force::Vector(acting.action));
+                    let number = self.figures.borrow_mut().tell(key, size, unit);
+                    Rich::tick().gap(0.15).then(&number)
+                }
                 _ => unknown(),
             };
             let line = match acting.known {

@@ -16,7 +16,7 @@ use crate::graphical::construction::{
     Vector, VectorKind,
 };
 use crate::graphical::is_a_point;
-use crate::mechanism::force::Action;
+use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
@@ -417,6 +417,11 @@ impl Figures {
         (text, number)
     }
 
+    /// Whether a number is printed already.
+    pub(super) fn has(&self, key: Key) -> bool {
+        self.printed.contains_key(&key)
+    }
+
     /// A magnitude as it was told in the steps; that of a link which turns with another as that one's was told.
     pub fn told(&self, quantity: Quantity, si: f64, unit: &Unit, notation: &Notation<'_>) -> Option<Rich> {
         let own = si.abs() / unit.si;
@@ -508,6 +513,18 @@ fn absolute(quantity: Quantity, notation: &Notation<'_>) -> Quantity {
         Quantity::RelativeAcceleration(p, q) if notation.mechanism().is_fixed(q) => Quantity::Acceleration(p),
         Quantity::RelativeNormal(p, q) if notation.mechanism().is_fixed(q) => Quantity::Normal(p),
         Quantity::RelativeTangential(p, q) if notation.mechanism().is_fixed(q) => Quantity::Tangential(p),
+        Quantity::Force(Force::Vector(action), share) => {
+            Quantity::Force(Force::Vector(either(action)), share)
+        }
+        other => other,
+    }
+}
+
+/// Action and reaction are one number.
+pub(super) fn either(action: Action) -> Action {
+    match action {
+        Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
+        Action::OnPin(link, pin) => Action::OfPin(pin, link),
         other => other,
     }
 }

@@ -329,15 +329,23 @@ impl Draughtsman<'_> {
         Ok(items)
     }
 
-    /// A point of the line of an action, metres in the world: where it acts, shifted by its couple; none where it has
-    /// no size.
-    pub(in super::super) fn line_through(&mut self, action: Action, share: Share) -> Option<[f64; 2]> {
-        let items = self.items_of(action, share).ok()?;
-        let foot = self.foot_of_line(&items)?;
+    /// A point of the line of an action, metres in the world: where it acts, shifted by its couple; and what it turns about
+    /// the place where it acts first, N·m.
+    pub(in super::super) fn line_and_couple(
+        &mut self,
+        action: Action,
+        share: Share,
+    ) -> (Option<[f64; 2]>, Option<f64>) {
+        let Ok(items) = self.items_of(action, share) else { return (None, None) };
+        let Some(first) = items.first().map(|item| item.at) else { return (None, None) };
+        let couple = self.moments(&items, first).map(|moment| moment.value());
         let per_mm = self.length_scale().si_per_mm;
         let origin = self.origin_of_space().map(|given| given.value);
-        let [x, y] = foot.value().map(|mm| mm * per_mm);
-        Some([origin[0] + x, origin[1] + y])
+        let through = self.foot_of_line(&items).map(|foot| {
+            let [x, y] = foot.value().map(|mm| mm * per_mm);
+            [origin[0] + x, origin[1] + y]
+        });
+        (through, couple)
     }
 
     /// The point of the line of a resultant that is nearest to where its first force acts: laid off square to the
