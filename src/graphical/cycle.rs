@@ -870,9 +870,20 @@ impl Desk<'_> {
                 last = after;
                 touched = None;
             }
-            // Within the piece that follows.
+            // Within the piece that follows; curves that were one part again in it.
             let next = nodes[index + 1].sign(Limit::Before);
-            if next != 0.0 && next != last && after != 0.0 {
+            if let (Some(touched), true) = (touched, next != 0.0) {
+                if next != last {
+                    let beside = self.spread(level, nodes, touched, touched == index)?;
+                    crossings.push(Crossing {
+                        at: nodes[touched].at,
+                        node: touched,
+                        rises: next > 0.0,
+                        beside,
+                    });
+                }
+                last = next;
+            } else if next != 0.0 && next != last {
                 let ends = [nodes[index], nodes[index + 1]];
                 let (node, at, halves) = match pieces[index] {
                     Some(_) => self.meet(courses, level, ends)?,
@@ -887,6 +898,9 @@ impl Desk<'_> {
                 crossings.push(Crossing { at, node: index + 1, rises: next > 0.0, beside });
                 last = next;
                 index += 1;
+            }
+            if next != 0.0 {
+                touched = None;
             }
             index += 1;
         }
