@@ -259,21 +259,6 @@ impl Turned {
     }
 }
 
-/// Solves what a scene asks besides with the independent solver.
-///
-/// # Errors
-/// See [`AnalyticError`].
-pub fn solve_analytically_for(scene: &Scene, quantities: &[Quantity]) -> Result<State, AnalyticError> {
-    let mechanism = &scene.mechanism;
-    let Some(cycle) = &mechanism.forces.cycle else {
-        return analytic::solve_for(mechanism, quantities);
-    };
-    let turned = turned(mechanism, cycle);
-    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.0.mechanism_at(turned.place(angle)));
-    let standing: Option<analytic::Standing<'_>> = if turned.is_some() { Some(&at) } else { None };
-    analytic::solve_cycle(mechanism, quantities, standing)
-}
-
 /// A plan for as much of the skeleton as can be drawn: the groups that cannot, and what depends on them, are left out,
 /// where nothing asked needs them.
 fn without_the_impossible(
@@ -386,4 +371,19 @@ fn unstuck(scene: &Scene) -> Result<(), SolveError> {
 pub fn solve_analytically(scene: &Scene) -> Result<State, AnalyticError> {
     let asked: Vec<Quantity> = scene.mechanism.asked.iter().map(|asked| asked.quantity).collect();
     solve_analytically_for(scene, &asked)
+}
+
+/// Solves what a scene asks besides with the independent solver.
+///
+/// # Errors
+/// See [`AnalyticError`].
+pub fn solve_analytically_for(scene: &Scene, quantities: &[Quantity]) -> Result<State, AnalyticError> {
+    let mechanism = &scene.mechanism;
+    let Some(cycle) = &mechanism.forces.cycle else {
+        return analytic::solve_for(mechanism, quantities);
+    };
+    let turned = turned(mechanism, cycle);
+    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.0.mechanism_at(turned.place(angle)));
+    let standing: Option<analytic::Standing<'_>> = if turned.is_some() { Some(&at) } else { None };
+    analytic::solve_cycle(mechanism, quantities, standing)
 }

@@ -225,6 +225,11 @@ fn the_figures_of_every_scene_are_clear() {
         let mut scene = read(&text);
         scene.mechanism.asked.truncate(1);
         let solved = solve(&scene, Extent::AllCentres, scale::for_scene).unwrap();
+        if scene.mechanism.links.len() < 2 {
+            // A turning-moment diagram alone: the frame has no centre with another link.
+            assert!(solved.solution.construction.circle.is_none(), "{name}");
+            continue;
+        }
         for figure in ["centres", "circle"] {
             let drawn =
                 sheet::single(&scene, &solved.solution.construction, figure, Language::English).unwrap();

@@ -9,9 +9,11 @@ use crate::common;
 
 use std::path::{Path, PathBuf};
 
-use linkgram::mechanism::quantity::Answer;
+use linkgram::graphical::construction::Reading;
+use linkgram::mechanism::quantity::{Answer, Quantity};
 use linkgram::plan::Extent;
-use linkgram::{sheet, solve};
+use linkgram::scene::Scene;
+use linkgram::{graphical, sheet, solve};
 
 /// The code of a source file: without comments, and without its own tests.
 fn code_of(path: &Path) -> String {
@@ -94,6 +96,24 @@ fn solve_reaches_its_numbers_without_the_analytic_solver() {
     }
 }
 
+/// What is read off a turning-moment diagram, which is a drawing of its own beside that of the mechanism.
+fn read_the_diagram(scene: &Scene, answers: &mut [Reading]) {
+    let Some(cycle) = &scene.mechanism.forces.cycle else { return };
+    let of_cycle = |quantity: Quantity| match quantity {
+        Quantity::Cycle(of) => Some(of),
+        _ => None,
+    };
+    let asked: Vec<_> = scene.mechanism.asked.iter().filter_map(|asked| of_cycle(asked.quantity)).collect();
+    assert!(cycle.of().is_none(), "a mechanism's own torque is read off its other positions");
+    let g = scene.mechanism.forces.gravity.g;
+    let drawn = graphical::cycle::draw(solve::Arithmetic::Double, cycle, g, &asked, None).unwrap();
+    for (asked, reading) in scene.mechanism.asked.iter().zip(answers) {
+        if let Some(of) = of_cycle(asked.quantity) {
+            reading.answer = drawn.answer(of);
+        }
+    }
+}
+
 /// Every graphical number of every example, by the board alone, is the number that `solve` gives.
 #[test]
 fn the_board_alone_gives_every_number() {
@@ -104,7 +124,8 @@ fn the_board_alone_gives_every_number() {
             continue;
         }
         // Only scene, structure, plan and the board are called here, at scales of this test's own.
-        let drawn = common::try_draw(&scene, Extent::Asked).unwrap();
+        let mut drawn = common::try_draw(&scene, Extent::Asked).unwrap();
+        read_the_diagram(&scene, &mut drawn.solution.construction.answers);
         let solved = solve::solve(&scene, Extent::Asked, sheet::scale::for_scene).unwrap();
         let pairs = drawn.solution.construction.answers.iter().zip(&solved.solution.construction.answers);
         for (asked, (alone, whole)) in scene.mechanism.asked.iter().zip(pairs) {

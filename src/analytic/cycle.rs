@@ -21,6 +21,11 @@ const FEW_LOOKS: u32 = 90;
 /// Less than this part of the largest torque is zero.
 const ZERO: f64 = 1e-12;
 
+/// Nearer than this part of the period to its beginning no crossing is surely the first.
+const BEGINNING: f64 = 1e-9;
+/// What parts two crossings all but touches where it is no more than so many zeros.
+const TOUCH: f64 = 1e3;
+
 /// A diagram solved in closed form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Turning {
@@ -34,6 +39,8 @@ pub struct Turning {
     areas: Vec<Known>,
     by_areas: bool,
     extremes: Option<[usize; 2]>,
+    /// Why the crossings cannot be numbered.
+    unnumbered: Option<&'static str>,
     /// The greatest and the least difference of the torques: where and how much.
     steepest: Option<[(Known, Known); 2]>,
 }
@@ -319,6 +326,7 @@ pub(super) fn turning(
         areas: Vec::new(),
         by_areas: false,
         extremes: None,
+        unnumbered: None,
         steepest: None,
     };
     let sides = match &cycle.sides {
@@ -483,10 +491,16 @@ impl Turning {
             values.push((at, before));
             values.push((at, curves.net(at, true)?));
         }
+        if curves.smooth() {
+            values = Self::with_dips(curves, values, zero)?;
+        }
         let ended = values.iter().rev().map(|(_, net)| sense(*net)).find(|sense| *sense != 0);
         let mut last = ended.ok_or("the curves are one")?;
         let mut nonzero: Option<f64> = None;
         let mut resting: Option<f64> = None;
+        let near = BEGINNING * period;
+        // The greatest difference before each crossing, and after the last.
+        let (mut peaks, mut peak) = (Vec::new(), 0.0_f64);
         for (at, net) in values {
             let now = sense(net);
             if now == 0 {
@@ -499,22 +513,100 @@ impl Turning {
                     (None, Some(from)) if from < at => Self::root(curves, from, at)?,
                     (None, _) => at,
                 };
+                let bound = match resting {
+                    Some(_) => Self::spread(curves, place, zero, at)?,
+                    None => self.slack(curves, place, height)?,
+                };
+                let leaps = resting.is_none() && knots.contains(&place);
+                let vague = if place == 0.0 { bound > near } else { place <= near || place >= period - near };
+                if vague && !(leaps && place == 0.0) {
+                    self.unnumbered =
+                        Some("so near the beginning of the period no crossing is surely the first");
+                }
                 if place < period {
-                    let near = 1e-7 * period;
-                    let [low, high] = [place - near, place + near].map(|at| curves.net(at, true));
-                    let slope = ((high? - low?) / (2.0 * near)).abs();
-                    // At a knot the place is the knot's.
-                    let of_place = 32.0 * U * (period + place.abs());
-                    let height = height + curves.loose(place)?;
-                    let bound = of_place + if slope > 0.0 { 2.0 * height / slope } else { 0.0 };
                     self.crossings.push(Known { value: place, bound });
+                    peaks.push(peak);
+                    peak = 0.0;
                 }
                 last = now;
             }
+            peak = peak.max(net.abs());
             nonzero = Some(at);
             resting = None;
         }
+        if let Some(first) = peaks.first_mut() {
+            *first = first.max(peak);
+        }
+        if peaks.iter().any(|peak| *peak <= TOUCH * zero) {
+            self.unnumbered = Some("the curves all but touch");
+        }
         Ok(())
+    }
+
+    /// How far a crossing may be off by errors of the heights.
+    fn slack(&self, curves: &Curves<'_>, place: f64, height: f64) -> Told<f64> {
+        let period = self.period;
+        let near = 1e-7 * period;
+        let [low, high] = [place - near, place + near].map(|at| curves.net(at, true));
+        let slope = ((high? - low?) / (2.0 * near)).abs();
+        // At a knot the place is the knot's.
+        let of_place = 32.0 * U * (period + place.abs());
+        let height = height + curves.loose(place)?;
+        if slope > 0.0 { Ok(of_place + 2.0 * height / slope) } else { Ok(near) }
+    }
+
+    /// How far the curves may cross from an angle where they are not told apart: to where they are, on either side, if
+    /// they part at once. Where they are one for as long as one sees, that angle it is.
+    fn spread(curves: &Curves<'_>, place: f64, zero: f64, parted: f64) -> Told<f64> {
+        let period = curves.period;
+        let step = period / f64::from(curves.many());
+        let mut most = 32.0 * U * (period + place);
+        for side in [-1.0, 1.0] {
+            // They rest for more than one look.
+            if side > 0.0 && parted - place > 1.5 * step {
+                continue;
+            }
+            let from = if side < 0.0 && place == 0.0 { period } else { place };
+            let room = 4.0 * zero + curves.loose(place)?;
+            let mut by = step * libm::exp2(-40.0);
+            while by < step && curves.net(from + side * by, side > 0.0)?.abs() <= room {
+                by *= 2.0;
+            }
+            if by < step {
+                most = most.max(by);
+            }
+        }
+        Ok(most)
+    }
+
+    /// Besides what is seen the bottoms of dips between two looks in which one curve passes through the other.
+    fn with_dips(curves: &Curves<'_>, values: Vec<(f64, f64)>, zero: f64) -> Told<Vec<(f64, f64)>> {
+        let mut all = Vec::with_capacity(values.len());
+        for (index, &(from, first)) in values.iter().enumerate() {
+            all.push((from, first));
+            let Some(&(to, second)) = values.get(index + 1) else { break };
+            let (least, up) = (first.abs().min(second.abs()), first.signum());
+            if to <= from || up != second.signum() || least <= zero || least > 0.05 * curves.scale {
+                continue;
+            }
+            let net = |at: f64| curves.net(at, true).map(|net| up * net);
+            let step = 1e-3 * (to - from);
+            if net(from + step)? >= first.abs() || net(to - step)? >= second.abs() {
+                continue;
+            }
+            let (mut low, mut high) = (from, to);
+            let golden = 0.618_033_988_749_894_9;
+            for _ in 0..80 {
+                let (a, b) = (high - golden * (high - low), low + golden * (high - low));
+                if net(a)? <= net(b)? { high = b } else { low = a }
+            }
+            let bottom = f64::midpoint(low, high);
+            let depth = net(bottom)?;
+            if bottom > from && bottom < to && depth < -zero {
+                all.push((bottom, up * depth));
+            }
+        }
+        Ok(all)
     }
 
     /// The root between two angles: Newton's steps by a secant slope, kept within halves of the bracket.
@@ -700,6 +792,15 @@ impl Turning {
                 if self.by_areas =>
             {
                 Err(unplaced.to_owned())
+            }
+            CycleQuantity::Crossing(_)
+            | CycleQuantity::Area(_)
+            | CycleQuantity::Level(_)
+            | CycleQuantity::AtHighest
+            | CycleQuantity::AtLowest
+                if self.unnumbered.is_some() =>
+            {
+                Err(self.unnumbered.unwrap_or_default().to_owned())
             }
             CycleQuantity::Crossing(k) => at(k, &self.crossings),
             CycleQuantity::Area(k) => at(k, &self.areas),

@@ -218,16 +218,36 @@ impl<'a> OwnTorque<'a> {
         Ok(mechanism)
     }
 
-    /// Work of the loads without a potential for a radian of the input.
-    fn rate(&self, at: f64) -> Told<f64> {
+    /// Work of the loads without a potential for a radian of the input. A load that follows a motion has no direction
+    /// where that motion rests; its power is the same from either side.
+    fn rate(&self, at: f64) -> Told<Known> {
+        if let Some(rate) = self.rate_here(at)? {
+            return Ok(Known { value: rate, bound: 0.0 });
+        }
+        let mut sides = [Known { value: 0.0, bound: 0.0 }; 2];
+        for (side, step) in sides.iter_mut().zip([-BESIDE, BESIDE]) {
+            let mut near = [0.0; 3];
+            for (rate, steps) in near.iter_mut().zip([1.0, 2.0, 3.0]) {
+                *rate = self.rate_here(at + steps * step)?.ok_or_else(|| undetermined(at))?;
+            }
+            let slope = near[1] - near[0];
+            let bend = (near[2] - near[1]) - slope;
+            *side = Known { value: near[0] - slope, bound: 2.0 * bend.abs() };
+        }
+        let [before, after] = sides;
+        let bound = before.bound + after.bound + (before.value - after.value).abs();
+        Ok(Known { value: f64::midpoint(before.value, after.value), bound })
+    }
+
+    fn rate_here(&self, at: f64) -> Told<Option<f64>> {
         let mechanism = self.without_potential(at)?;
         let speed = match mechanism.inputs.first() {
             Some(Input::Angle { omega, .. }) => omega.value,
             _ => 1.0,
         };
         let quantity = Quantity::Force(Force::Torque(0), Share::Total);
-        let state = solve_for(&mechanism, &[quantity]).map_err(|_| undetermined(at))?;
-        state.power().map(|power| power.loads / speed).ok_or_else(|| undetermined(at))
+        let Ok(state) = solve_for(&mechanism, &[quantity]) else { return Ok(None) };
+        Ok(state.power().map(|power| power.loads / speed))
     }
 
     /// Where a loaded point turns back between two angles: a load against its motion leaps there.
@@ -314,12 +334,13 @@ impl<'a> OwnTorque<'a> {
         if half <= 0.0 {
             return Ok(Known { value: 0.0, bound: 0.0 });
         }
-        let (mut fine, mut coarse, mut size) = (0.0, 0.0, 0.0);
+        let (mut fine, mut coarse, mut size, mut loose) = (0.0, 0.0, 0.0, 0.0);
         for (index, node) in NODES.iter().enumerate() {
             let sides: &[f64] = if *node == 0.0 { &[0.0] } else { &[-1.0, 1.0] };
             for side in sides {
-                let value = self.rate(middle + side * node * half)?;
+                let Known { value, bound } = self.rate(middle + side * node * half)?;
                 fine += KRONROD[index] * value;
+                loose += KRONROD[index] * bound;
                 size += KRONROD[index] * value.abs();
                 if index % 2 == 1 {
                     coarse += GAUSS[index / 2] * value;
@@ -330,7 +351,7 @@ impl<'a> OwnTorque<'a> {
         let (apart, size) = ((fine - coarse).abs() * half, size * half);
         let missed =
             if size > 0.0 { size * libm::pow(200.0 * apart / size, 1.5).min(apart / size) } else { 0.0 };
-        Ok(Known { value: fine * half, bound: missed + 256.0 * U * size })
+        Ok(Known { value: fine * half, bound: missed + loose * half + 256.0 * U * size })
     }
 }
 

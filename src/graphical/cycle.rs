@@ -30,6 +30,10 @@ const CORNER: f64 = 1e-14;
 const HALVINGS: u32 = 40;
 /// Pieces of a curve before any is halved.
 const PIECES: u32 = 48;
+/// So near the beginning of the period, as a part of it, no crossing is surely the first or the last.
+const BEGINNING: f64 = 1e-9;
+/// Curves that part by no more than so many zeros between two crossings all but touch.
+const TOUCH: f64 = 1e3;
 /// Two curves must have one mean within this part.
 const ONE_MEAN: f64 = 1e-3;
 
@@ -128,15 +132,41 @@ struct Number {
 
 /// A torque on the board.
 enum Drawn {
-    Table { knots: Vec<[Amount; 2]>, period: Amount },
-    Harmonics { constant: Amount, waves: Vec<Wave> },
-    Of { sign: f64 },
+    /// Where the knots stand, and after which angle they come again, is besides what decides which are used.
+    Table {
+        knots: Vec<[Amount; 2]>,
+        period: Amount,
+        angles: Vec<f64>,
+        turn: f64,
+    },
+    Harmonics {
+        constant: Amount,
+        waves: Vec<Wave>,
+    },
+    Of {
+        sign: f64,
+    },
 }
 
 struct Wave {
     order: Amount,
     size: Amount,
     sine: bool,
+}
+
+/// The mean of one curve, at which the other is drawn that is missing.
+#[derive(Clone, Copy)]
+struct Level {
+    side: usize,
+    mean: Amount,
+    /// The same on scratch paper.
+    seen: f64,
+}
+
+impl Level {
+    fn seen(self) -> (usize, f64) {
+        (self.side, self.seen)
+    }
 }
 
 /// From which side one comes to an angle.
@@ -146,12 +176,37 @@ enum Limit {
     After,
 }
 
+/// An angle on the board, and as it is on scratch paper: what is drawn is decided there, alike in every arithmetic.
+#[derive(Clone, Copy)]
+struct Angle {
+    at: Amount,
+    place: f64,
+}
+
 /// An angle at which pieces meet, with the heights of both curves on either side of it.
 #[derive(Clone, Copy)]
 struct Node {
     at: Amount,
     before: [Amount; 2],
     after: [Amount; 2],
+    place: f64,
+    /// The same heights on scratch paper.
+    seen: [[f64; 2]; 2],
+    /// A difference of the curves that is not told from zero here.
+    zero: f64,
+}
+
+impl Node {
+    /// Which curve is the higher one before or after the angle; zero where neither is.
+    fn sign(&self, limit: Limit) -> f64 {
+        let net = self.net(limit);
+        if net.abs() <= self.zero { 0.0 } else { net.signum() }
+    }
+
+    fn net(&self, limit: Limit) -> f64 {
+        let [torque, load] = self.seen[usize::from(limit == Limit::After)];
+        torque - load
+    }
 }
 
 /// What lies between two nodes: the heights in its middle, where it is not straight.
@@ -168,6 +223,8 @@ struct Diagram {
     levels: Vec<Amount>,
     by_areas: bool,
     extremes: Option<[usize; 2]>,
+    /// Why the crossings cannot be counted.
+    uncounted: Option<&'static str>,
     /// The greatest and the least of the difference: where, how much, and how far the place may be off.
     steepest: Option<[(Amount, Amount, f64); 2]>,
 }
@@ -177,6 +234,8 @@ struct Crossing {
     at: Amount,
     node: usize,
     rises: bool,
+    /// By how much it may lie elsewhere, besides what the tape knows.
+    beside: f64,
 }
 
 impl Diagram {
@@ -245,6 +304,8 @@ impl Desk<'_> {
             Course::Curve(Curve::Table { knots, period }) => Drawn::Table {
                 knots: knots.iter().map(|knot| knot.map(|number| self.board.amount(number))).collect(),
                 period: self.board.amount(*period),
+                angles: knots.iter().map(|[at, _]| at.value).collect(),
+                turn: period.value,
             },
             Course::Curve(Curve::Harmonics { constant, sin, cos }) => {
                 let constant = self.board.amount(*constant);
@@ -260,30 +321,33 @@ impl Desk<'_> {
     }
 
     /// An angle with the copy's shift taken off.
-    fn shifted(&mut self, at: Amount, copy: u32) -> Amount {
+    fn shifted(&mut self, angle: Angle, copy: u32) -> Angle {
         if copy == 0 {
-            return at;
+            return angle;
         }
         let shift = self.board.amount(self.cycle.copies.shift);
         let by = self.exact(f64::from(copy));
         let by = self.board.product(by, shift);
-        self.board.difference(at, by)
+        let at = self.board.difference(angle.at, by);
+        Angle { at, place: angle.place - f64::from(copy) * self.cycle.copies.shift.value }
     }
 
     /// The height of a curve at an angle, all copies together.
-    fn height(&mut self, course: &Drawn, at: Amount, limit: Limit) -> Result<Amount, String> {
+    fn height(&mut self, course: &Drawn, at: Angle, limit: Limit) -> Result<Amount, String> {
         let mut sum: Option<Amount> = None;
         for copy in 0..self.cycle.copies.number {
             let angle = self.shifted(at, copy);
             let height = match course {
-                Drawn::Table { knots, period } => self.table(knots, *period, angle, limit),
-                Drawn::Harmonics { constant, waves } => self.harmonics(*constant, waves, angle),
+                Drawn::Table { knots, period, angles, turn } => {
+                    self.table((knots, *period), (angles, *turn), angle, limit)
+                }
+                Drawn::Harmonics { constant, waves } => self.harmonics(*constant, waves, angle.at),
                 Drawn::Of { sign } => {
-                    let found = self.of.and_then(|of| of(angle.value()));
+                    let found = self.of.and_then(|of| of(angle.place));
                     let (value, error) = found.ok_or_else(|| {
                         format!(
                             "the mechanism's torque is not determined at {:.6} deg of its input",
-                            angle.value().to_degrees()
+                            angle.place.to_degrees()
                         )
                     })?;
                     self.board.amount(Given::within(sign * value, error))
@@ -297,38 +361,37 @@ impl Desk<'_> {
         sum.ok_or_else(|| "there is no curve".to_owned())
     }
 
-    fn table(&mut self, knots: &[[Amount; 2]], period: Amount, at: Amount, limit: Limit) -> Amount {
-        let ([first, last], room) =
-            ([knots[0], knots[knots.len() - 1]], SAME * self.cycle.period.value.max(period.value()));
-        let turns = libm::floor((at.value() - first[0].value() + room) / period.value());
-        let at = if turns == 0.0 {
-            at
-        } else {
+    fn table(
+        &mut self,
+        (knots, period): (&[[Amount; 2]], Amount),
+        (angles, turn): (&[f64], f64),
+        Angle { mut at, mut place }: Angle,
+        limit: Limit,
+    ) -> Amount {
+        let (first, last) = (0, knots.len() - 1);
+        let room = SAME * self.cycle.period.value.max(turn);
+        let turns = libm::floor((place - angles[first] + room) / turn);
+        if turns != 0.0 {
             let by = self.exact(turns);
             let by = self.board.product(by, period);
-            self.board.difference(at, by)
-        };
-        let here = |knot: &&[Amount; 2]| (knot[0].value() - at.value()).abs() <= room;
-        let closes = last[0].value() - first[0].value() >= period.value() - room;
-        let at_first = (first[0].value() - at.value()).abs() <= room;
-        match limit {
-            Limit::Before if at_first && closes => return last[1],
-            Limit::Before => {
-                if let Some(knot) = knots.iter().find(here) {
-                    return knot[1];
-                }
-            }
-            Limit::After => {
-                if let Some(knot) = knots.iter().rev().find(here) {
-                    return knot[1];
-                }
-            }
+            at = self.board.difference(at, by);
+            place -= turns * turn;
         }
-        let next = knots.partition_point(|knot| knot[0].value() <= at.value());
-        let from = if next == 0 { last } else { knots[next - 1] };
+        let here = |angle: &f64| (angle - place).abs() <= room;
+        let closes = angles[last] - angles[first] >= turn - room;
+        let found = match limit {
+            Limit::Before if here(&angles[first]) && closes => Some(last),
+            Limit::Before => angles.iter().position(|angle| here(angle)),
+            Limit::After => angles.iter().rposition(|angle| here(angle)),
+        };
+        if let Some(found) = found {
+            return knots[found][1];
+        }
+        let next = angles.partition_point(|angle| *angle <= place);
+        let from = if next == 0 { knots[last] } else { knots[next - 1] };
         let to = match knots.get(next) {
             Some(to) => *to,
-            None => [self.board.sum(first[0], period), first[1]],
+            None => [self.board.sum(knots[first][0], period), knots[first][1]],
         };
         let width = self.board.difference(to[0], from[0]);
         let rise = self.board.difference(to[1], from[1]);
@@ -370,7 +433,7 @@ impl Desk<'_> {
     fn heights(
         &mut self,
         courses: &[Option<Drawn>; 2],
-        at: Amount,
+        at: Angle,
         limit: Limit,
     ) -> Result<[Amount; 2], String> {
         let mut heights = [self.exact(0.0); 2];
@@ -383,22 +446,24 @@ impl Desk<'_> {
     }
 
     /// The angles at which a table bends, and both ends of the period.
-    fn breaks(&mut self, courses: &[Option<Drawn>; 2]) -> Vec<Amount> {
+    fn breaks(&mut self, courses: &[Option<Drawn>; 2]) -> Vec<Angle> {
         let period = self.cycle.period.value;
         let room = SAME * period;
-        let mut breaks = vec![self.exact(0.0), self.board.amount(self.cycle.period)];
+        let (zero, whole) = (self.exact(0.0), self.board.amount(self.cycle.period));
+        let mut breaks = vec![Angle { at: zero, place: 0.0 }, Angle { at: whole, place: period }];
         for course in courses.iter().flatten() {
-            let Drawn::Table { knots, period: own } = course else { continue };
-            let again = libm::ceil(period / own.value()) as i32;
+            let Drawn::Table { knots, period: own, angles, turn } = course else { continue };
+            let again = libm::ceil(period / turn) as i32;
             for copy in 0..self.cycle.copies.number {
-                for knot in knots {
+                for (knot, known) in knots.iter().zip(angles) {
                     let shift = self.board.amount(self.cycle.copies.shift);
                     let by = self.exact(f64::from(copy));
                     let by = self.board.product(by, shift);
                     let angle = self.board.sum(knot[0], by);
-                    let down = libm::floor((angle.value() + room) / own.value());
-                    for turn in 0..again {
-                        let turns = f64::from(turn) - down;
+                    let seen = known + f64::from(copy) * self.cycle.copies.shift.value;
+                    let down = libm::floor((seen + room) / turn);
+                    for nth in 0..again {
+                        let turns = f64::from(nth) - down;
                         let at = if turns == 0.0 {
                             angle
                         } else {
@@ -406,15 +471,16 @@ impl Desk<'_> {
                             let by = self.board.product(by, *own);
                             self.board.sum(angle, by)
                         };
-                        let taken = |known: &Amount| (known.value() - at.value()).abs() <= room;
-                        if at.value() > 0.0 && at.value() < period && !breaks.iter().any(taken) {
-                            breaks.push(at);
+                        let place = seen + turns * turn;
+                        let taken = |known: &Angle| (known.place - place).abs() <= room;
+                        if place > 0.0 && place < period && !breaks.iter().any(taken) {
+                            breaks.push(Angle { at, place });
                         }
                     }
                 }
             }
         }
-        breaks.sort_by(|a, b| a.value().total_cmp(&b.value()));
+        breaks.sort_by(|a, b| a.place.total_cmp(&b.place));
         breaks
     }
 
@@ -425,10 +491,37 @@ impl Desk<'_> {
 
     /// The heights of both curves without a record.
     fn look(&self, at: f64) -> Result<[f64; 2], String> {
+        self.look_from(at, Limit::After)
+    }
+
+    fn look_from(&self, place: f64, limit: Limit) -> Result<[f64; 2], String> {
         let mut scratch = self.scratch();
         let courses = scratch.courses();
-        let at = scratch.exact(at);
-        Ok(scratch.heights(&courses, at, Limit::After)?.map(|height| height.value()))
+        let at = scratch.exact(place);
+        Ok(scratch.heights(&courses, Angle { at, place }, limit)?.map(|height| height.value()))
+    }
+
+    /// The difference of the curves on scratch paper; `mean` is the side that has none of its own.
+    fn look_net(&self, at: f64, mean: Option<(usize, f64)>) -> Result<f64, String> {
+        let mut heights = self.look(at)?;
+        if let Some((side, mean)) = mean {
+            heights[side] = mean;
+        }
+        Ok(heights[0] - heights[1])
+    }
+
+    /// An angle at which pieces meet.
+    fn node(&mut self, courses: &[Option<Drawn>; 2], angle: Angle, leaps: bool) -> Result<Node, String> {
+        let Angle { at, place } = angle;
+        let after = self.heights(courses, angle, Limit::After)?;
+        let seen_after = self.look_from(place, Limit::After)?;
+        let (before, seen_before) = if leaps {
+            (self.heights(courses, angle, Limit::Before)?, self.look_from(place, Limit::Before)?)
+        } else {
+            (after, seen_after)
+        };
+        let zero = ZERO * self.largest + self.noise_at(place);
+        Ok(Node { at, before, after, place, seen: [seen_before, seen_after], zero })
     }
 
     /// Divides a piece until parabolas through three heights miss little: the angles of its parts, without its ends.
@@ -469,7 +562,7 @@ impl Desk<'_> {
         let curved = courses.iter().flatten().any(|course| !matches!(course, Drawn::Table { .. }));
         // How large torques are.
         let looks = (0..=PIECES).map(|i| f64::from(i) / f64::from(PIECES) * period);
-        for at in breaks.iter().map(Amount::value).chain(looks) {
+        for at in breaks.iter().map(|angle| angle.place).chain(looks) {
             self.largest =
                 self.look(at)?.into_iter().fold(self.largest, |most, height| most.max(height.abs()));
         }
@@ -480,7 +573,7 @@ impl Desk<'_> {
         let mut pieces: Vec<Piece> = Vec::new();
         for (index, at) in breaks.iter().enumerate() {
             if let (true, Some(before)) = (curved, index.checked_sub(1).map(|i| breaks[i])) {
-                let (from, to) = (before.value(), at.value());
+                let (from, to) = (before.place, at.place);
                 let parts = libm::ceil((to - from) / period * f64::from(PIECES)).max(1.0);
                 let mut inside = Vec::new();
                 for part in 0..parts as u32 {
@@ -494,27 +587,166 @@ impl Desk<'_> {
                     let middle = self.look(f64::midpoint(a, b))?;
                     self.divide(ends, middle, HALVINGS, &mut inside)?;
                 }
-                for angle in inside {
-                    let leaf = self.exact(angle);
-                    let heights = self.heights(&courses, leaf, Limit::After)?;
-                    nodes.push(Node { at: leaf, before: heights, after: heights });
+                for place in inside {
+                    let at = self.exact(place);
+                    nodes.push(self.node(&courses, Angle { at, place }, false)?);
                 }
             }
-            let before = self.heights(&courses, *at, Limit::Before)?;
-            let after = self.heights(&courses, *at, Limit::After)?;
-            nodes.push(Node { at: *at, before, after });
+            nodes.push(self.node(&courses, *at, true)?);
         }
         for ends in nodes.windows(2) {
             pieces.push(if curved {
-                let middle = self.exact(f64::midpoint(ends[0].at.value(), ends[1].at.value()));
-                Some(self.heights(&courses, middle, Limit::After)?)
+                let place = f64::midpoint(ends[0].place, ends[1].place);
+                let at = self.exact(place);
+                Some(self.heights(&courses, Angle { at, place }, Limit::After)?)
             } else {
                 None
             });
         }
         let (mean, work, constant) = self.mean(&courses, &mut nodes, &mut pieces)?;
-        let crossings = self.crossings(&courses, constant, mean, &mut nodes, &mut pieces)?;
-        self.balance(Parts { nodes, pieces, mean, work, constant, crossings, courses: &courses })
+        let level = match constant {
+            Some(side) => Some(Level { side, mean, seen: self.seen_mean(1 - side, &nodes, curved)? }),
+            None => None,
+        };
+        if let Some(Level { side, seen, .. }) = level {
+            for node in &mut nodes {
+                node.seen[0][side] = seen;
+                node.seen[1][side] = seen;
+            }
+        }
+        if curved {
+            self.dips(&courses, level, &mut nodes, &mut pieces)?;
+        }
+        let crossings = self.crossings(&courses, level, &mut nodes, &mut pieces)?;
+        let uncounted = self.uncounted(&crossings, &nodes);
+        self.balance(Parts { nodes, pieces, mean, work, constant, crossings, uncounted, courses: &courses })
+    }
+
+    /// The mean of a curve on scratch paper.
+    fn seen_mean(&self, side: usize, nodes: &[Node], curved: bool) -> Result<f64, String> {
+        let mut sum = 0.0;
+        for ends in nodes.windows(2) {
+            let width = ends[1].place - ends[0].place;
+            let both = ends[0].seen[1][side] + ends[1].seen[0][side];
+            sum += if curved {
+                let middle = self.look(f64::midpoint(ends[0].place, ends[1].place))?[side];
+                (both + 4.0 * middle) / 6.0 * width
+            } else {
+                both / 2.0 * width
+            };
+        }
+        Ok(sum / self.cycle.period.value)
+    }
+
+    /// Where between two nodes one curve dips through the other and comes back: a node there, so that both crossings
+    /// are found.
+    fn dips(
+        &mut self,
+        courses: &[Option<Drawn>; 2],
+        level: Option<Level>,
+        nodes: &mut Vec<Node>,
+        pieces: &mut Vec<Piece>,
+    ) -> Result<(), String> {
+        let mut index = 0;
+        while index + 1 < nodes.len() {
+            let ends = [nodes[index], nodes[index + 1]];
+            index += 1;
+            let sign = ends[0].sign(Limit::After);
+            if sign == 0.0 || ends[1].sign(Limit::Before) != sign {
+                continue;
+            }
+            let net = |at: f64| self.look_net(at, level.map(Level::seen)).map(|net| sign * net);
+            let [from, to] = ends.map(|end| end.place);
+            let looked = [
+                sign * ends[0].net(Limit::After),
+                net(f64::midpoint(from, to))?,
+                sign * ends[1].net(Limit::Before),
+            ];
+            let (least, most) = (
+                looked.iter().copied().fold(f64::INFINITY, f64::min),
+                looked.iter().copied().fold(0.0, f64::max),
+            );
+            if least > 4.0 * (most - least) {
+                continue;
+            }
+            // It dips only where it falls into the piece from both ends.
+            let step = 1e-3 * (to - from);
+            if net(from + step)? >= looked[0] || net(to - step)? >= looked[2] {
+                continue;
+            }
+            let (mut low, mut high) = (from, to);
+            for _ in 0..80 {
+                let third = (high - low) / 3.0;
+                if net(low + third)? < net(high - third)? { high -= third } else { low += third }
+            }
+            let place = f64::midpoint(low, high);
+            if place > from && place < to && net(place)? < -ends[0].zero {
+                let (node, halves) = self.split(courses, level, ends, place)?;
+                nodes.insert(index, node);
+                pieces.splice(index - 1..index, halves);
+                index += 1;
+            }
+        }
+        Ok(())
+    }
+
+    /// A node within a curved piece, and the halves of the piece.
+    fn split(
+        &mut self,
+        courses: &[Option<Drawn>; 2],
+        level: Option<Level>,
+        ends: [Node; 2],
+        place: f64,
+    ) -> Result<(Node, [Piece; 2]), String> {
+        let at = self.exact(place);
+        let mut node = self.node(courses, Angle { at, place }, false)?;
+        let mut halves = [None; 2];
+        for (half, end) in halves.iter_mut().zip(ends) {
+            let place = f64::midpoint(place, end.place);
+            let at = self.exact(place);
+            *half = Some(self.heights(courses, Angle { at, place }, Limit::After)?);
+        }
+        if let Some(Level { side, mean, seen }) = level {
+            (node.before[side], node.after[side]) = (mean, mean);
+            (node.seen[0][side], node.seen[1][side]) = (seen, seen);
+            for half in halves.iter_mut().flatten() {
+                half[side] = mean;
+            }
+        }
+        Ok((node, halves))
+    }
+
+    /// Why crossings cannot be counted: near the beginning of the period it is not told which is the first, and curves
+    /// that all but touch cross twice or not at all.
+    fn uncounted(&self, crossings: &[Crossing], nodes: &[Node]) -> Option<&'static str> {
+        let period = self.cycle.period.value;
+        let near = BEGINNING * period;
+        let at_beginning = |crossing: &Crossing| {
+            let place = nodes[crossing.node].place;
+            if crossing.node == 0 { crossing.beside > near } else { place <= near || place >= period - near }
+        };
+        if crossings.iter().any(at_beginning) {
+            return Some(
+                "the curves cross so near the beginning of the period that no crossing is surely the first",
+            );
+        }
+        let touches = |index: usize| {
+            let from = crossings[index].node;
+            let to = crossings[(index + 1) % crossings.len()].node;
+            let [one, two] = if to > from {
+                [&nodes[from + 1..to], &nodes[..0]]
+            } else {
+                [&nodes[from + 1..], &nodes[..to]]
+            };
+            let parted = |node: &Node, limit: Limit| node.net(limit).abs() > TOUCH * node.zero;
+            let between = one.iter().chain(two);
+            !between.into_iter().any(|node| parted(node, Limit::Before) || parted(node, Limit::After))
+                && !parted(&nodes[from], Limit::After)
+                && !parted(&nodes[to], Limit::Before)
+        };
+        (0..crossings.len())
+            .any(touches)
+            .then_some("the curves all but touch, and whether they cross there is not told")
     }
 
     /// The area under one curve, piece by piece, or between both.
@@ -600,19 +832,17 @@ impl Desk<'_> {
     fn crossings(
         &mut self,
         courses: &[Option<Drawn>; 2],
-        constant: Option<usize>,
-        mean: Amount,
+        level: Option<Level>,
         nodes: &mut Vec<Node>,
         pieces: &mut Vec<Piece>,
     ) -> Result<Vec<Crossing>, String> {
-        let zero = ZERO * self.largest;
-        let sign = |[torque, load]: [Amount; 2]| {
-            let net = torque.value() - load.value();
-            if net.abs() <= zero { 0.0 } else { net.signum() }
-        };
-        // As the period before ends.
-        let reversed = nodes.iter().rev().flat_map(|node| [node.before, node.after]);
-        let ended = reversed.map(sign).find(|sign| *sign != 0.0);
+        // As the period before ends: what comes after its last angle comes after angle 0 as well.
+        let end = nodes.len() - 1;
+        let reversed =
+            nodes[1..end].iter().rev().flat_map(|node| [node.sign(Limit::After), node.sign(Limit::Before)]);
+        let last = [nodes[end].sign(Limit::Before)];
+        let ended =
+            last.into_iter().chain(reversed).chain([nodes[0].sign(Limit::After)]).find(|sign| *sign != 0.0);
         let mut last = ended.ok_or("the two torques are one throughout: nothing fluctuates")?;
         let mut crossings: Vec<Crossing> = Vec::new();
         let mut touched: Option<usize> = None;
@@ -620,100 +850,140 @@ impl Desk<'_> {
         while index + 1 < nodes.len() {
             // At the node itself: what comes before angle 0 is the end of the period.
             let node = nodes[index];
-            let before = if index == 0 { sign(nodes[nodes.len() - 1].before) } else { sign(node.before) };
+            let before = nodes[if index == 0 { nodes.len() - 1 } else { index }].sign(Limit::Before);
             if before == 0.0 && touched.is_none() {
                 touched = Some(index);
             }
-            let after = sign(node.after);
+            let after = node.sign(Limit::After);
             if after == 0.0 && touched.is_none() {
                 touched = Some(index);
             }
             if after != 0.0 {
                 if after != last {
+                    let beside = match touched {
+                        Some(touched) => self.spread(level, nodes, touched, touched == index)?,
+                        None => 0.0,
+                    };
                     let node = touched.unwrap_or(index);
-                    crossings.push(Crossing { at: nodes[node].at, node, rises: after > 0.0 });
+                    crossings.push(Crossing { at: nodes[node].at, node, rises: after > 0.0, beside });
                 }
                 last = after;
                 touched = None;
             }
-            // Within the piece that follows.
-            let next = sign(nodes[index + 1].before);
-            if next != 0.0 && next != last && after != 0.0 {
-                let (node, at, halves) = self.meet(
-                    courses,
-                    constant,
-                    mean,
-                    [nodes[index], nodes[index + 1]],
-                    pieces[index].is_some(),
-                )?;
+            // Within the piece that follows; curves that were one part again in it.
+            let next = nodes[index + 1].sign(Limit::Before);
+            if let (Some(touched), true) = (touched, next != 0.0) {
+                if next != last {
+                    let beside = self.spread(level, nodes, touched, touched == index)?;
+                    crossings.push(Crossing {
+                        at: nodes[touched].at,
+                        node: touched,
+                        rises: next > 0.0,
+                        beside,
+                    });
+                }
+                last = next;
+            } else if next != 0.0 && next != last {
+                let ends = [nodes[index], nodes[index + 1]];
+                let (node, at, halves) = match pieces[index] {
+                    Some(_) => self.meet(courses, level, ends)?,
+                    None => {
+                        let node = self.meet_of_lines(ends);
+                        (node, (node.at, 0.0), [None, None])
+                    }
+                };
                 nodes.insert(index + 1, node);
                 pieces.splice(index..=index, halves);
-                crossings.push(Crossing { at, node: index + 1, rises: next > 0.0 });
+                let (at, beside) = at;
+                crossings.push(Crossing { at, node: index + 1, rises: next > 0.0, beside });
                 last = next;
                 index += 1;
+            }
+            if next != 0.0 {
+                touched = None;
             }
             index += 1;
         }
         Ok(crossings)
     }
 
-    /// Where the curves cross within a piece: a node there, its angle, and the two halves of the piece.
+    /// How far from a node at which the curves are not told apart they may cross: so far it is to where they are, before
+    /// it and, where they part at the node itself, after it.
+    fn spread(&self, level: Option<Level>, nodes: &[Node], index: usize, both: bool) -> Result<f64, String> {
+        let period = self.cycle.period.value;
+        let node = nodes[index];
+        let (place, last) = if index == 0 { (period, nodes.len() - 1) } else { (node.place, index) };
+        let mut sides = vec![nodes[last - 1].place - place];
+        if both {
+            sides.push(nodes[index + 1].place - node.place);
+        }
+        // A leap through the node is a crossing at the node.
+        if nodes[last].sign(Limit::Before) != 0.0 {
+            sides.remove(0);
+        }
+        if node.sign(Limit::After) != 0.0 && both {
+            sides.pop();
+        }
+        let mut most = 0.0_f64;
+        for side in sides {
+            let from = if side < 0.0 { place } else { node.place };
+            let mut part = 1.0 / 1_099_511_627_776.0;
+            while part < 1.0 {
+                let net = self.look_net(from + part * side, level.map(Level::seen))?;
+                if net.abs() > 4.0 * node.zero {
+                    break;
+                }
+                part *= 2.0;
+            }
+            // Where they are one for as long as one sees, the place is that of the node.
+            if part < 1.0 {
+                most = most.max(part * side.abs());
+            }
+        }
+        Ok(most)
+    }
+
+    /// Where the curves cross within a curved piece: a node there, its angle and by how much that may be off besides, and
+    /// the two halves of the piece.
     fn meet(
         &mut self,
         courses: &[Option<Drawn>; 2],
-        constant: Option<usize>,
-        mean: Amount,
+        level: Option<Level>,
         ends: [Node; 2],
-        curved: bool,
-    ) -> Result<(Node, Amount, [Piece; 2]), String> {
-        if !curved {
-            let crossing = self.meet_of_lines(ends);
-            return Ok((crossing, crossing.at, [None, None]));
-        }
-        let with_mean = |heights: [f64; 2]| {
-            let mut heights = heights;
-            if let Some(side) = constant {
-                heights[side] = mean.value();
-            }
-            heights[0] - heights[1]
-        };
-        let [mut from, mut to] = ends.map(|node| node.at.value());
-        let [a, b] = [from, to];
-        let rises = ends[1].before[0].value() > ends[1].before[1].value();
+    ) -> Result<(Node, (Amount, f64), [Piece; 2]), String> {
+        let net = |desk: &Self, at: f64| desk.look_net(at, level.map(Level::seen));
+        let [a, b] = ends.map(|node| node.place);
+        let [mut from, mut to] = [a, b];
+        let rises = ends[1].net(Limit::Before) > 0.0;
         loop {
             let middle = f64::midpoint(from, to);
             if middle <= from || middle >= to {
                 break;
             }
-            if (with_mean(self.look(middle)?) > 0.0) == rises {
+            if (net(self, middle)? > 0.0) == rises {
                 to = middle;
             } else {
                 from = middle;
             }
         }
         let slope = {
-            let (low, high) = (with_mean(self.look(a)?), with_mean(self.look(b - (b - a) * 1e-12)?));
-            let near = (b - a) * 1e-3;
-            let (left, right) = ((from - near).max(a), (from + near).min(b - (b - a) * 1e-12));
-            let here = (with_mean(self.look(right)?) - with_mean(self.look(left)?)) / (right - left);
-            if here == 0.0 { (high - low) / (b - a) } else { here }
-        };
-        let set = |desk: &mut Self, angle: f64| -> Result<(Amount, [Amount; 2]), String> {
-            let leaf = desk.exact(angle);
-            let mut heights = desk.heights(courses, leaf, Limit::After)?;
-            if let Some(side) = constant {
-                heights[side] = mean;
+            let inside = b - (b - a) * 1e-12;
+            let near = (1e-3 * (b - a)).min((from - a) / 4.0).min((b - from) / 4.0).max(1e-7 * (b - a));
+            let (left, right) = ((from - near).max(a), (from + near).min(inside));
+            let here = (net(self, right)? - net(self, left)?) / (right - left);
+            if here == 0.0 || !here.is_finite() {
+                (net(self, inside)? - net(self, a)?) / (b - a)
+            } else {
+                here
             }
-            Ok((leaf, heights))
         };
-        let (leaf, heights) = set(self, from)?;
-        let net = self.net(heights);
+        let (node, halves) = self.split(courses, level, ends, from)?;
+        let off = self.net(node.after);
+        let beside = 64.0 * f64::EPSILON * self.largest / slope.abs();
         let slope = self.exact(slope);
-        let step = self.board.quotient(net, slope, REASON);
-        let at = self.board.difference(leaf, step);
-        let (_, first) = set(self, f64::midpoint(a, from))?;
-        let (_, second) = set(self, f64::midpoint(from, b))?;
-        Ok((Node { at: leaf, before: heights, after: heights }, at, [Some(first), Some(second)]))
+        let step = self.board.quotient(off, slope, REASON);
+        let at = self.board.difference(node.at, step);
+        Ok((node, (at, beside), halves))
     }
 
     /// The meet of two straight pieces on the paper.
@@ -736,12 +1006,15 @@ impl Desk<'_> {
         let meet = self.board.meet_lines(lines[0], lines[1], REASON);
         let [x, y] = self.board.between(origin, meet.at);
         let (at, height) = (self.board.read(x, angles), self.board.read(y, torques));
-        Node { at, before: [height; 2], after: [height; 2] }
+        let [from, to] = [ends[0].net(Limit::After), ends[1].net(Limit::Before)];
+        let place = ends[0].place + (ends[1].place - ends[0].place) * from / (from - to);
+        let seen = [[height.value(); 2]; 2];
+        Node { at, before: [height; 2], after: [height; 2], place, seen, zero: ends[0].zero }
     }
 
     /// Areas, levels and the steepest places.
     fn balance(&mut self, parts: Parts<'_>) -> Result<Diagram, String> {
-        let Parts { nodes, pieces, mean, work, constant, crossings, courses } = parts;
+        let Parts { nodes, pieces, mean, work, constant, crossings, uncounted, courses } = parts;
         let mut level = self.exact(0.0);
         let mut levels_at = vec![level];
         for (ends, middle) in nodes.windows(2).zip(&pieces) {
@@ -773,6 +1046,7 @@ impl Desk<'_> {
             levels,
             by_areas: false,
             extremes,
+            uncounted,
             steepest: Some(steepest),
         })
     }
@@ -839,7 +1113,7 @@ impl Desk<'_> {
                     let noise = 64.0 * f64::EPSILON * self.largest + self.noise_at(at);
                     let room = if bend < 0.0 { 2.0 * libm::sqrt(2.0 * noise / -bend) } else { to - from };
                     let leaf = self.exact(at);
-                    let mut heights = self.heights(courses, leaf, Limit::After)?;
+                    let mut heights = self.heights(courses, Angle { at: leaf, place: at }, Limit::After)?;
                     if let Some(side) = constant {
                         heights[side] = mean;
                     }
@@ -906,6 +1180,7 @@ impl Desk<'_> {
             levels,
             by_areas: true,
             extremes,
+            uncounted: None,
             steepest: None,
         })
     }
@@ -1047,18 +1322,29 @@ impl Desk<'_> {
             {
                 Err(unplaced())
             }
+            CycleQuantity::Crossing(_)
+            | CycleQuantity::Area(_)
+            | CycleQuantity::Level(_)
+            | CycleQuantity::AtHighest
+            | CycleQuantity::AtLowest
+                if drawn.uncounted.is_some() =>
+            {
+                Err(drawn.uncounted.unwrap_or_default().to_owned())
+            }
             CycleQuantity::Crossing(k) => {
                 let angles: Vec<Amount> = drawn.crossings.iter().map(|crossing| crossing.at).collect();
                 let at = numbered(k, &angles, "crossings")?;
-                Ok(Number { amount: at, beside: self.shifted_by_mean(drawn, k) })
+                let beside = drawn.crossings[k as usize - 1].beside;
+                Ok(Number { amount: at, beside: beside + self.shifted_by_mean(drawn, k) })
             }
             CycleQuantity::Area(k) => with_area(numbered(k, &drawn.areas, "areas")?, 2.0),
             CycleQuantity::Level(k) => with_area(numbered(k, &drawn.levels, "levels")?, 2.0),
             CycleQuantity::AtHighest | CycleQuantity::AtLowest => {
                 let [highest, lowest] = drawn.extremes.ok_or("the curves do not cross")?;
                 let index = if of == CycleQuantity::AtHighest { highest } else { lowest };
-                let beside = self.shifted_by_mean(drawn, index as u32 + 1);
-                Ok(Number { amount: drawn.crossings[index].at, beside })
+                let crossing = drawn.crossings[index];
+                let beside = crossing.beside + self.shifted_by_mean(drawn, index as u32 + 1);
+                Ok(Number { amount: crossing.at, beside })
             }
             CycleQuantity::Most | CycleQuantity::Least | CycleQuantity::AtMost | CycleQuantity::AtLeast => {
                 let [most, least] = drawn.steepest.ok_or_else(unplaced)?;
@@ -1113,5 +1399,6 @@ struct Parts<'a> {
     work: Amount,
     constant: Option<usize>,
     crossings: Vec<Crossing>,
+    uncounted: Option<&'static str>,
     courses: &'a [Option<Drawn>; 2],
 }
