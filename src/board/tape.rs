@@ -241,6 +241,12 @@ impl Tape {
         Self { dice: Some(Dice::new(hand, seed)), ..Self::scratch(Arithmetic::Double) }
     }
 
+    /// Whether a hand draws here whose slips are thrown by dice.
+    #[must_use]
+    pub fn trembles(&self) -> bool {
+        self.dice.is_some()
+    }
+
     /// Begins or ends what is done beside the drawing: its points are no strokes.
     pub fn aside(&mut self, aside: bool) {
         if self.aside != aside {

@@ -141,6 +141,9 @@ pub(super) struct Draughtsman<'m> {
     pub(super) tried_rates: Vec<(Order, TrialDriver, Amount)>,
     /// In what this drawing departs from the right one.
     pub(super) departures: &'m [Departure],
+    /// With friction, how often each balance is drawn again where that cannot be seen from the drawing: a hand that
+    /// trembles never draws the same twice.
+    pub(super) redrawn: Vec<(Share, usize)>,
     /// Where points stood when wheels began to roll.
     pub(super) starts: &'m Starts,
     /// How far wheels have rolled since, by link.
@@ -248,6 +251,7 @@ impl<'m> Draughtsman<'m> {
             ways: BTreeMap::new(),
             tried_rates: Vec::new(),
             departures: &[],
+            redrawn: Vec::new(),
             starts: &[],
             turned_by: vec![None; links],
             missing: None,

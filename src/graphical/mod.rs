@@ -400,8 +400,18 @@ fn draw_departing<'m>(
     scales: Scales,
     departures: &'m [Departure],
 ) -> Result<Draughtsman<'m>, DrawError> {
-    let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
-    draughtsman.departures = departures;
+    let begun = |board: Board| {
+        let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
+        draughtsman.departures = departures;
+        draughtsman
+    };
+    let mut draughtsman = begun(board);
+    if draughtsman.board.tape().trembles() && !mechanism.forces.friction.is_empty() {
+        // As often as the perfect hand draws the forces again.
+        let perfect = drawn_by(begun(Board::scratch()), plan);
+        let perfect = perfect.or_else(|_| drawn_by(begun(Board::default()), plan))?;
+        draughtsman.redrawn = forces::redrawn(&perfect);
+    }
     drawn_by(draughtsman, plan)
 }
 

@@ -144,6 +144,7 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         Arithmetic::DoubleDouble | Arithmetic::Wide => 64.0 * f64::EPSILON,
     };
     let mut before: Option<Look> = None;
+    let told = d.redrawn.iter().find(|(of, _)| *of == share).map(|(_, passes)| *passes);
     let mut more = if d.board.tape().will_be_run() { MORE_PASSES } else { 0 };
     for pass in 1..=MOST_PASSES {
         if balance.refused.is_some() {
@@ -152,7 +153,10 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         let look = d.look_at(&balance, &rubbed);
         let turns = before.as_ref().map(|before| look.turned_since(before));
         let is_settled = turns.as_ref().is_some_and(|turns| look.moved(turns) <= settled);
-        let last = is_settled && more == 0;
+        let last = match told {
+            Some(passes) => pass == passes,
+            None => is_settled && more == 0,
+        };
         more -= usize::from(is_settled && more > 0);
         let gone_by = std::mem::take(&mut leaning.seen);
         leaning = Leaning { passes: pass, ..fresh.clone() };
@@ -499,6 +503,11 @@ impl Draughtsman<'_> {
         let head = self.chained(&[force, drag]);
         Pull { tail: self.board.origin(), head }
     }
+}
+
+/// How often each balance was drawn again.
+pub(in super::super) fn redrawn(d: &Draughtsman<'_>) -> Vec<(Share, usize)> {
+    d.balances.iter().map(|(share, balance)| (*share, balance.leaning.passes())).collect()
 }
 
 /// Whether anything rubs.

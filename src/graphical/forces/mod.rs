@@ -12,6 +12,7 @@ mod read;
 mod record;
 mod spin;
 
+pub(super) use friction::redrawn;
 pub(super) use read::ForceRead;
 pub(super) use record::{quantities, record};
 pub(super) use spin::NO_SPEED;
