@@ -26,7 +26,8 @@ const MOST_PASSES: usize = 60;
 const FAINT: f64 = 1e-9;
 
 /// A drawing that is run for other places has so many passes more than its own place needs, and there counts as settled
-/// only where the last of them turns no force by more than `TURNED`, radians.
+/// only where the last of them turns no force by more than `TURNED`, radians. Where its own place comes to no end other
+/// places may: it then has all passes.
 const MORE_PASSES: usize = 2;
 const TURNED: f64 = 1e-6;
 
@@ -145,7 +146,8 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
     };
     let mut before: Option<Look> = None;
     let told = d.redrawn.iter().find(|(of, _)| *of == share).map(|(_, passes)| *passes);
-    let mut more = if d.board.tape().will_be_run() { MORE_PASSES } else { 0 };
+    let runs = d.board.tape().will_be_run();
+    let mut more = if runs { MORE_PASSES } else { 0 };
     for pass in 1..=MOST_PASSES {
         if balance.refused.is_some() {
             return balance;
@@ -155,7 +157,7 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         let is_settled = turns.as_ref().is_some_and(|turns| look.moved(turns) <= settled);
         let last = match told {
             Some(passes) => pass == passes,
-            None => is_settled && more == 0,
+            None => (is_settled && more == 0) || (runs && pass == MOST_PASSES),
         };
         more -= usize::from(is_settled && more > 0);
         let gone_by = std::mem::take(&mut leaning.seen);
@@ -361,7 +363,7 @@ impl Draughtsman<'_> {
                     let mut radius = *radius;
                     if let (true, Some(Seen::Toward(then))) = (guards, gone_by.get(&index)) {
                         radius = self.unturned(radius, *then, along);
-                        turn = TURNED;
+                        turn = 0.0;
                     }
                     leaning.seen.insert(index, Seen::Toward(along));
                     if turn != 0.0 {
@@ -428,7 +430,8 @@ impl Draughtsman<'_> {
         self.board.quotient(twice, both, reason)
     }
 
-    /// An amount where a direction has not turned by more than the last pass may turn it.
+    /// An amount where a direction has not turned by more than the last pass may turn it, with the room that this turn
+    /// takes.
     fn unturned(&mut self, amount: Amount, then: Direction, now: Direction) -> Amount {
         let unit = self.board.amount(Given::exact(1.0));
         let [x, y] = self.board.components(then, unit);
@@ -438,7 +441,12 @@ impl Draughtsman<'_> {
         let square = self.board.product(sine, sine);
         let most = self.board.amount(Given::exact(TURNED * TURNED));
         let room = self.board.difference(most, square);
-        self.only_where(amount, room)
+        let amount = self.only_where(amount, room);
+        // Half the square of the turn, which is another one at every place where the drawing is run.
+        let either = self.board.amount(Given::within(0.0, 0.5));
+        let part = self.board.product(either, square);
+        let missed = self.board.product(amount, part);
+        self.board.sum(amount, missed)
     }
 
     /// Notes where the force between a pin and a link acts; at a pin of two links that is one force.
