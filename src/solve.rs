@@ -170,11 +170,46 @@ pub fn solve_with(
         plan = plan_from(CentreSource::Velocities, &without);
         (scales, solution) = draw(&plan)?;
     }
-    unstuck(scene)?;
+    unstuck(scene, &structure, &plan, &solution.construction.answers)?;
     turn(scene, settings, &mut solution);
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     solution.construction.others = others;
     Ok(Solved { structure, plan, scales, solution, left_out })
+}
+
+/// Refuses where friction lets no balance exist, or more than one, as scratch paper tells it, or where it leaves every
+/// asked force open.
+fn unstuck(
+    scene: &Scene,
+    structure: &Structure,
+    plan: &Plan,
+    readings: &[Reading],
+) -> Result<(), SolveError> {
+    let pairs = scene.mechanism.asked.iter().zip(readings);
+    let mut forces = pairs.filter(|(asked, _)| matches!(asked.quantity, Quantity::Force(..))).peekable();
+    if scene.mechanism.forces.friction.is_empty() || forces.peek().is_none() {
+        return Ok(());
+    }
+    let mut at_rest = None;
+    let mut answered = false;
+    for (_, reading) in forces {
+        match &reading.answer {
+            Answer::Indeterminate(Indeterminate::Rubbing { how: Stuck::AtRest, why }) => {
+                at_rest.get_or_insert(why);
+            }
+            Answer::Indeterminate(_) => {}
+            _ => answered = true,
+        }
+    }
+    match at_rest {
+        // What does not move leaves only its own forces open.
+        Some(_) if answered => Ok(()),
+        Some(why) => Err(SolveError::Stuck { how: Stuck::AtRest, why: why.clone() }),
+        None => match graphical::holds((&scene.mechanism, structure, plan)) {
+            Some((how, why)) => Err(SolveError::Stuck { how, why }),
+            None => Ok(()),
+        },
+    }
 }
 
 /// Draws the turning-moment diagram, where the scene has one, and reads off what is asked of it.
@@ -257,21 +292,6 @@ impl Turned {
         // What is told no better than by its size is told by its neighbours.
         (value.is_finite() && error.is_finite() && error <= value.abs().max(1e-9)).then_some((value, error))
     }
-}
-
-/// Solves what a scene asks besides with the independent solver.
-///
-/// # Errors
-/// See [`AnalyticError`].
-pub fn solve_analytically_for(scene: &Scene, quantities: &[Quantity]) -> Result<State, AnalyticError> {
-    let mechanism = &scene.mechanism;
-    let Some(cycle) = &mechanism.forces.cycle else {
-        return analytic::solve_for(mechanism, quantities);
-    };
-    let turned = turned(mechanism, cycle);
-    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.0.mechanism_at(turned.place(angle)));
-    let standing: Option<analytic::Standing<'_>> = if turned.is_some() { Some(&at) } else { None };
-    analytic::solve_cycle(mechanism, quantities, standing)
 }
 
 /// A plan for as much of the skeleton as can be drawn: the groups that cannot, and what depends on them, are left out,
@@ -362,23 +382,6 @@ pub fn determined(asked: &[Asked], readings: &[Reading]) -> Result<(), SolveErro
     }
 }
 
-/// Refuses where friction lets no balance exist, or more than one: what passes on the board come to does not tell.
-fn unstuck(scene: &Scene) -> Result<(), SolveError> {
-    let of_forces = |asked: &Asked| matches!(asked.quantity, Quantity::Force(..));
-    if scene.mechanism.forces.friction.is_empty() || !scene.mechanism.asked.iter().any(of_forces) {
-        return Ok(());
-    }
-    let Ok(state) = solve_analytically(scene) else { return Ok(()) };
-    let Some(Indeterminate::Rubbing { how, why }) = state.stuck() else { return Ok(()) };
-    let mut forces = scene.mechanism.asked.iter().filter(|asked| of_forces(asked));
-    // What does not move leaves only its own forces open.
-    let answered = |asked: &Asked| !matches!(state.answer(&asked.quantity), Answer::Indeterminate(_));
-    if *how == Stuck::AtRest && forces.any(answered) {
-        return Ok(());
-    }
-    Err(SolveError::Stuck { how: *how, why: why.clone() })
-}
-
 /// Solves the same scene with the independent solver, as far as the asked quantities need.
 ///
 /// # Errors
@@ -386,4 +389,19 @@ fn unstuck(scene: &Scene) -> Result<(), SolveError> {
 pub fn solve_analytically(scene: &Scene) -> Result<State, AnalyticError> {
     let asked: Vec<Quantity> = scene.mechanism.asked.iter().map(|asked| asked.quantity).collect();
     solve_analytically_for(scene, &asked)
+}
+
+/// Solves what a scene asks besides with the independent solver.
+///
+/// # Errors
+/// See [`AnalyticError`].
+pub fn solve_analytically_for(scene: &Scene, quantities: &[Quantity]) -> Result<State, AnalyticError> {
+    let mechanism = &scene.mechanism;
+    let Some(cycle) = &mechanism.forces.cycle else {
+        return analytic::solve_for(mechanism, quantities);
+    };
+    let turned = turned(mechanism, cycle);
+    let at = |angle: f64| turned.as_ref().and_then(|turned| turned.0.mechanism_at(turned.place(angle)));
+    let standing: Option<analytic::Standing<'_>> = if turned.is_some() { Some(&at) } else { None };
+    analytic::solve_cycle(mechanism, quantities, standing)
 }

@@ -396,6 +396,11 @@ impl Tape {
         }
     }
 
+    /// Whether a result hangs on a division by what may be zero, where the draughtsman may ask.
+    pub(super) fn is_weak(&mut self, mark: u32) -> bool {
+        self.judges && self.weakness(mark).is_some()
+    }
+
     /// How large the error of a result is, where the draughtsman may ask.
     pub(super) fn error(&mut self, mark: u32) -> Option<f64> {
         self.judges.then(|| self.total_error(mark))

@@ -144,6 +144,8 @@ pub(super) struct Draughtsman<'m> {
     /// With friction, how often each balance is drawn again where that cannot be seen from the drawing: a hand that
     /// trembles never draws the same twice.
     pub(super) redrawn: Vec<(Share, usize)>,
+    /// On which side rough guides press, in a trial: by sliding pair, left of their direction or right.
+    pub(super) pressed: Vec<(usize, bool)>,
     /// Where points stood when wheels began to roll.
     pub(super) starts: &'m Starts,
     /// How far wheels have rolled since, by link.
@@ -252,6 +254,7 @@ impl<'m> Draughtsman<'m> {
             tried_rates: Vec::new(),
             departures: &[],
             redrawn: Vec::new(),
+            pressed: Vec::new(),
             starts: &[],
             turned_by: vec![None; links],
             missing: None,

@@ -36,6 +36,7 @@ mod verify;
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
 pub(crate) use figure::standing;
+pub(crate) use forces::holds;
 pub use missing::Missing;
 pub use page::is_a_point;
 pub use reading::Numbers;
