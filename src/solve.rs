@@ -170,11 +170,46 @@ pub fn solve_with(
         plan = plan_from(CentreSource::Velocities, &without);
         (scales, solution) = draw(&plan)?;
     }
-    unstuck(scene)?;
+    unstuck(scene, &structure, &plan, &solution.construction.answers)?;
     turn(scene, settings, &mut solution);
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     solution.construction.others = others;
     Ok(Solved { structure, plan, scales, solution, left_out })
+}
+
+/// Refuses where friction lets no balance exist, or more than one, as scratch paper tells it, or where it leaves every
+/// asked force open.
+fn unstuck(
+    scene: &Scene,
+    structure: &Structure,
+    plan: &Plan,
+    readings: &[Reading],
+) -> Result<(), SolveError> {
+    let pairs = scene.mechanism.asked.iter().zip(readings);
+    let mut forces = pairs.filter(|(asked, _)| matches!(asked.quantity, Quantity::Force(..))).peekable();
+    if scene.mechanism.forces.friction.is_empty() || forces.peek().is_none() {
+        return Ok(());
+    }
+    let mut at_rest = None;
+    let mut answered = false;
+    for (_, reading) in forces {
+        match &reading.answer {
+            Answer::Indeterminate(Indeterminate::Rubbing { how: Stuck::AtRest, why }) => {
+                at_rest.get_or_insert(why);
+            }
+            Answer::Indeterminate(_) => {}
+            _ => answered = true,
+        }
+    }
+    match at_rest {
+        // What does not move leaves only its own forces open.
+        Some(_) if answered => Ok(()),
+        Some(why) => Err(SolveError::Stuck { how: Stuck::AtRest, why: why.clone() }),
+        None => match graphical::holds((&scene.mechanism, structure, plan)) {
+            Some((how, why)) => Err(SolveError::Stuck { how, why }),
+            None => Ok(()),
+        },
+    }
 }
 
 /// Draws the turning-moment diagram, where the scene has one, and reads off what is asked of it.
@@ -345,23 +380,6 @@ pub fn determined(asked: &[Asked], readings: &[Reading]) -> Result<(), SolveErro
         (Some(_), Some((name, why))) => Err(SolveError::Indeterminate { name, why }),
         (None, Some((name, why))) => Err(SolveError::Unanswered { name, why }),
     }
-}
-
-/// Refuses where friction lets no balance exist, or more than one: what passes on the board come to does not tell.
-fn unstuck(scene: &Scene) -> Result<(), SolveError> {
-    let of_forces = |asked: &Asked| matches!(asked.quantity, Quantity::Force(..));
-    if scene.mechanism.forces.friction.is_empty() || !scene.mechanism.asked.iter().any(of_forces) {
-        return Ok(());
-    }
-    let Ok(state) = solve_analytically(scene) else { return Ok(()) };
-    let Some(Indeterminate::Rubbing { how, why }) = state.stuck() else { return Ok(()) };
-    let mut forces = scene.mechanism.asked.iter().filter(|asked| of_forces(asked));
-    // What does not move leaves only its own forces open.
-    let answered = |asked: &Asked| !matches!(state.answer(&asked.quantity), Answer::Indeterminate(_));
-    if *how == Stuck::AtRest && forces.any(answered) {
-        return Ok(());
-    }
-    Err(SolveError::Stuck { how: *how, why: why.clone() })
 }
 
 /// Solves the same scene with the independent solver, as far as the asked quantities need.

@@ -170,27 +170,6 @@ impl Rubbing {
             _ => None,
         }
     }
-
-    /// The angle of friction at a part of its full strength, radians; none of a drag.
-    pub(super) fn angle_at(
-        pair: RubbingPair,
-        mechanism: &crate::mechanism::Mechanism,
-        part: f64,
-    ) -> Option<f64> {
-        let friction = &mechanism.forces.friction;
-        match pair {
-            RubbingPair::Pin { pin, .. } => match friction.circle(pin)? {
-                FrictionCircle::Journal { roughness, .. } => {
-                    Some(libm::asin((part * libm::sin(roughness.angle())).min(1.0)))
-                }
-                FrictionCircle::Radius(_) => None,
-            },
-            RubbingPair::Slide(slide) => {
-                let angle = friction.resistance(slide)?.roughness()?.angle();
-                Some(libm::atan(part * libm::tan(angle)))
-            }
-        }
-    }
 }
 
 impl<'t> Acting<'t> {
@@ -361,32 +340,6 @@ impl<'t> Acting<'t> {
         };
         rubbing.filter_map(part).reduce(|a, b| a + b)
     }
-}
-
-/// A pair as one says it, with the angle at which all that rubs locks.
-pub(super) fn say_locked(model: &Model, pairs: &[RubbingPair], part: f64) -> String {
-    let m = &model.mechanism;
-    let names: Vec<String> = pairs
-        .iter()
-        .map(|pair| {
-            let name = m.say_rubbing(*pair);
-            match Rubbing::angle_at(*pair, m, part) {
-                Some(angle) => format!("{name} (friction angle {:.4} deg)", angle.to_degrees()),
-                None => name,
-            }
-        })
-        .collect();
-    format!(
-        "locked: with friction no balance exists; it locks at {:.4} of the stated friction in {}",
-        part,
-        names.join(", ")
-    )
-}
-
-/// Two balances.
-pub(super) fn say_several(model: &Model, pairs: &[RubbingPair]) -> String {
-    let names: Vec<String> = pairs.iter().map(|pair| model.mechanism.say_rubbing(*pair)).collect();
-    format!("ambiguous: two balances with friction fit; what rubs is {}", names.join(", "))
 }
 
 /// A pair that does not move.

@@ -156,10 +156,10 @@ impl State {
         }
         let stuck = match found {
             Found::One(_) | Found::Singular => None,
-            Found::Locked(pairs, part) => why(Stuck::Locked, friction::say_locked(&self.model, &pairs, part)),
+            Found::Locked(pairs, part) => why(Stuck::Locked, self.model.mechanism.say_locked(&pairs, part)),
             Found::Several => {
                 let pairs: Vec<_> = balancing.burden.rubbing.iter().map(|rubbing| rubbing.pair).collect();
-                why(Stuck::Ambiguous, friction::say_several(&self.model, &pairs))
+                why(Stuck::Ambiguous, self.model.mechanism.say_several(&pairs))
             }
         };
         Ok((balance, stuck))

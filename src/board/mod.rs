@@ -216,6 +216,11 @@ impl Board {
         &mut self.tape
     }
 
+    /// Whether an amount hangs on a division by what may be zero; where nobody may ask, never.
+    pub fn is_weak(&mut self, amount: Amount) -> bool {
+        self.tape.is_weak(amount.0.mark)
+    }
+
     /// What the next strokes are drawn for; returns what the last ones were drawn for.
     pub fn purpose(&mut self, purpose: &'static str) -> &'static str {
         std::mem::replace(&mut self.purpose, purpose)

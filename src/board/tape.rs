@@ -241,6 +241,12 @@ impl Tape {
         Self { dice: Some(Dice::new(hand, seed)), ..Self::scratch(Arithmetic::Double) }
     }
 
+    /// Whether a hand draws here whose slips are thrown by dice.
+    #[must_use]
+    pub fn trembles(&self) -> bool {
+        self.dice.is_some()
+    }
+
     /// Begins or ends what is done beside the drawing: its points are no strokes.
     pub fn aside(&mut self, aside: bool) {
         if self.aside != aside {
@@ -388,6 +394,11 @@ impl Tape {
         if self.keeps {
             self.events.push((self.next(), Event::Divisor { slot, value, reason }));
         }
+    }
+
+    /// Whether a result hangs on a division by what may be zero, where the draughtsman may ask.
+    pub(super) fn is_weak(&mut self, mark: u32) -> bool {
+        self.judges && self.weakness(mark).is_some()
     }
 
     /// How large the error of a result is, where the draughtsman may ask.

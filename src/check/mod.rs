@@ -13,7 +13,7 @@ pub use confirm::{Disagreement, NotConfirmed, Unconfirmed, confirm, confirm_by, 
 
 use crate::analytic::AnalyticError;
 use crate::graphical::construction::Reading;
-use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity, Stuck};
 use crate::scene::{Published, Refusal, Scene};
 use crate::solve::{Settings, SolveError, Solved};
 
@@ -51,12 +51,15 @@ impl Compared {
         }
     }
 
-    /// Within their bounds, or not determined.
+    /// Within their bounds, or not determined. A number where friction lets no balance exist, or more than one, is none.
     #[must_use]
     pub fn agrees(&self) -> bool {
-        match self.difference {
-            Some(difference) => difference.ratio <= 1.0,
-            None => self.indeterminate().is_some(),
+        match (self.difference, &self.analytic) {
+            (Some(difference), _) => difference.ratio <= 1.0,
+            (None, Answer::Indeterminate(Indeterminate::Rubbing { how, .. })) if *how != Stuck::AtRest => {
+                matches!(self.graphical.answer, Answer::Indeterminate(_))
+            }
+            (None, _) => self.indeterminate().is_some(),
         }
     }
 

@@ -141,6 +141,11 @@ pub(super) struct Draughtsman<'m> {
     pub(super) tried_rates: Vec<(Order, TrialDriver, Amount)>,
     /// In what this drawing departs from the right one.
     pub(super) departures: &'m [Departure],
+    /// With friction, how often each balance is drawn again where that cannot be seen from the drawing: a hand that
+    /// trembles never draws the same twice.
+    pub(super) redrawn: Vec<(Share, usize)>,
+    /// On which side rough guides press, in a trial: by sliding pair, left of their direction or right.
+    pub(super) pressed: Vec<(usize, bool)>,
     /// Where points stood when wheels began to roll.
     pub(super) starts: &'m Starts,
     /// How far wheels have rolled since, by link.
@@ -248,6 +253,8 @@ impl<'m> Draughtsman<'m> {
             ways: BTreeMap::new(),
             tried_rates: Vec::new(),
             departures: &[],
+            redrawn: Vec::new(),
+            pressed: Vec::new(),
             starts: &[],
             turned_by: vec![None; links],
             missing: None,

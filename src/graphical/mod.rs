@@ -36,6 +36,7 @@ mod verify;
 pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
 pub use departure::{Departure, Sketch, Twist, sketch};
 pub(crate) use figure::standing;
+pub(crate) use forces::holds;
 pub use missing::Missing;
 pub use page::is_a_point;
 pub use reading::Numbers;
@@ -400,8 +401,18 @@ fn draw_departing<'m>(
     scales: Scales,
     departures: &'m [Departure],
 ) -> Result<Draughtsman<'m>, DrawError> {
-    let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
-    draughtsman.departures = departures;
+    let begun = |board: Board| {
+        let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
+        draughtsman.departures = departures;
+        draughtsman
+    };
+    let mut draughtsman = begun(board);
+    if draughtsman.board.tape().trembles() && !mechanism.forces.friction.is_empty() {
+        // As often as the perfect hand draws the forces again.
+        let perfect = drawn_by(begun(Board::scratch()), plan);
+        let perfect = perfect.or_else(|_| drawn_by(begun(Board::default()), plan))?;
+        draughtsman.redrawn = forces::redrawn(&perfect);
+    }
     drawn_by(draughtsman, plan)
 }
 

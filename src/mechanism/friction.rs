@@ -160,6 +160,23 @@ impl Friction {
         self.pins.iter().find(|rubbing| rubbing.pin == pin).map(|rubbing| rubbing.circle)
     }
 
+    /// The angle of friction at a part of its full strength, radians; none of a drag.
+    #[must_use]
+    pub fn angle_at(&self, pair: RubbingPair, part: f64) -> Option<f64> {
+        match pair {
+            RubbingPair::Pin { pin, .. } => match self.circle(pin)? {
+                FrictionCircle::Journal { roughness, .. } => {
+                    Some(libm::asin((part * libm::sin(roughness.angle())).min(1.0)))
+                }
+                FrictionCircle::Radius(_) => None,
+            },
+            RubbingPair::Slide(slide) => {
+                let angle = self.resistance(slide)?.roughness()?.angle();
+                Some(libm::atan(part * libm::tan(angle)))
+            }
+        }
+    }
+
     /// What resists in a sliding pair.
     #[must_use]
     pub fn resistance(&self, slide: usize) -> Option<Resistance> {
@@ -239,6 +256,31 @@ impl Mechanism {
                 }
             }
         }
+    }
+
+    /// That friction locks in these pairs, at a part of what is stated.
+    #[must_use]
+    pub fn say_locked(&self, pairs: &[RubbingPair], part: f64) -> String {
+        let names: Vec<String> = pairs
+            .iter()
+            .map(|pair| match self.forces.friction.angle_at(*pair, part) {
+                Some(angle) => {
+                    format!("{} (friction angle {:.4} deg)", self.say_rubbing(*pair), angle.to_degrees())
+                }
+                None => self.say_rubbing(*pair),
+            })
+            .collect();
+        format!(
+            "locked: with friction no balance exists; it locks at {part:.4} of the stated friction in {}",
+            names.join(", ")
+        )
+    }
+
+    /// That two balances fit.
+    #[must_use]
+    pub fn say_several(&self, pairs: &[RubbingPair]) -> String {
+        let names: Vec<String> = pairs.iter().map(|pair| self.say_rubbing(*pair)).collect();
+        format!("ambiguous: two balances with friction fit; what rubs is {}", names.join(", "))
     }
 
     /// The name of the point by which one tells a pair that rubs.

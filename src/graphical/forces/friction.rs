@@ -7,12 +7,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::board::{Amount, Arithmetic, Direction, Point, Scale};
+use crate::board::{Amount, Arithmetic, Board, Direction, Point, Scale};
 use crate::given::Given;
 use crate::mechanism::force::{Party, Share};
-use crate::mechanism::friction::{FrictionCircle, Roughness, Rub, RubbedBy, RubbingPair};
-use crate::mechanism::quantity::Order;
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::friction::{FrictionCircle, Resistance, Roughness, Rub, RubbedBy, RubbingPair};
+use crate::mechanism::quantity::{Order, Stuck};
+use crate::mechanism::structure::Structure;
+use crate::mechanism::{LinkId, Mechanism, PointId};
 use crate::plan::Plan;
 
 use super::super::draughtsman::Draughtsman;
@@ -26,9 +27,19 @@ const MOST_PASSES: usize = 60;
 const FAINT: f64 = 1e-9;
 
 /// A drawing that is run for other places has so many passes more than its own place needs, and there counts as settled
-/// only where the last of them turns no force by more than `TURNED`, radians.
+/// only where the last of them turns no force by more than `TURNED`, radians. Where its own place comes to no end other
+/// places may: it then has all passes.
 const MORE_PASSES: usize = 2;
 const TURNED: f64 = 1e-6;
+
+/// So often the part of the stated friction is halved at which it locks.
+const HALVINGS: usize = 40;
+
+/// A balance that comes to no end even with this part of its friction fails for another reason.
+const HARDLY: f64 = 1e-6;
+
+/// Other sides are tried of so many guides at most.
+const MOST_GUIDES: usize = 6;
 
 /// What rubs in a drawing.
 #[derive(Debug, Clone)]
@@ -55,6 +66,10 @@ pub(super) struct Leaning {
     rubs: Vec<Rub>,
     /// What the pass went by, by the place of the pair.
     seen: BTreeMap<usize, Seen>,
+    /// How hard rough guides press, and on which side, as parts of the largest force; by sliding pair.
+    pressing: BTreeMap<usize, f64>,
+    /// The passes came to no end.
+    endless: bool,
 }
 
 /// What a pass goes by.
@@ -128,7 +143,7 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
             "this version does not draw friction at a pin of several links that is carried by a link which is found later",
         );
     }
-    let rubbed = d.rubbed(plan);
+    let (rubbed, senses) = d.rubbed(plan);
     let mut leaning = Leaning::default();
     for rub in &rubbed {
         if let Rubbed::Slide { slide, drag: Some(drag), .. } = rub {
@@ -136,6 +151,11 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         }
     }
     let fresh = leaning.clone();
+    if let Some((pair, _)) = senses.into_iter().find(|(_, sense)| d.board.is_weak(*sense)) {
+        // Nobody knows what its friction would do to the others.
+        leaning = d.nowhere(&rubbed, fresh, Missing::Sense(pair));
+        return super::whole(d, plan, share, &leaning);
+    }
     let mut balance = super::whole(d, plan, share, &leaning);
     let settled = match d.board.tape().arithmetic() {
         Arithmetic::Single => libm::sqrt(f64::from(f32::EPSILON)),
@@ -144,7 +164,9 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         Arithmetic::DoubleDouble | Arithmetic::Wide => 64.0 * f64::EPSILON,
     };
     let mut before: Option<Look> = None;
-    let mut more = if d.board.tape().will_be_run() { MORE_PASSES } else { 0 };
+    let runs = d.board.tape().will_be_run();
+    let told = d.redrawn.iter().find(|(of, _)| *of == share).map(|(_, passes)| *passes);
+    let mut more = if runs { MORE_PASSES } else { 0 };
     for pass in 1..=MOST_PASSES {
         if balance.refused.is_some() {
             return balance;
@@ -152,7 +174,10 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         let look = d.look_at(&balance, &rubbed);
         let turns = before.as_ref().map(|before| look.turned_since(before));
         let is_settled = turns.as_ref().is_some_and(|turns| look.moved(turns) <= settled);
-        let last = is_settled && more == 0;
+        let last = match told {
+            Some(passes) => pass == passes,
+            None => (is_settled && more == 0) || (runs && pass == MOST_PASSES),
+        };
         more -= usize::from(is_settled && more > 0);
         let gone_by = std::mem::take(&mut leaning.seen);
         leaning = Leaning { passes: pass, ..fresh.clone() };
@@ -163,22 +188,7 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         }
         before = Some(look);
     }
-    // Whatever hangs on friction has no place.
-    leaning = fresh;
-    let reason = d.reason_missing(Missing::Balance);
-    for rub in &rubbed {
-        match rub {
-            Rubbed::Pin { pin, link, .. } => {
-                let nowhere = d.board.nowhere(reason);
-                d.touch(&mut leaning, *pin, *link, nowhere);
-            }
-            Rubbed::Slide { slide, tangent: Some(_), .. } => {
-                let nowhere = d.board.no_direction(reason);
-                leaning.leans.insert(*slide, nowhere);
-            }
-            Rubbed::Slide { .. } => {}
-        }
-    }
+    leaning = d.nowhere(&rubbed, Leaning { endless: true, ..fresh }, Missing::Balance);
     super::whole(d, plan, share, &leaning)
 }
 
@@ -192,10 +202,29 @@ impl Draughtsman<'_> {
         })
     }
 
-    /// What rubs on the links of a plan, with the senses of the motion.
-    fn rubbed(&mut self, plan: &Plan) -> Vec<Rubbed> {
+    /// Whatever hangs on friction has no place.
+    fn nowhere(&mut self, rubbed: &[Rubbed], mut leaning: Leaning, why: Missing) -> Leaning {
+        let reason = self.reason_missing(why);
+        for rub in rubbed {
+            match rub {
+                Rubbed::Pin { pin, link, .. } => {
+                    let nowhere = self.board.nowhere(reason);
+                    self.touch(&mut leaning, *pin, *link, nowhere);
+                }
+                Rubbed::Slide { slide, tangent: Some(_), .. } => {
+                    let nowhere = self.board.no_direction(reason);
+                    leaning.leans.insert(*slide, nowhere);
+                }
+                Rubbed::Slide { .. } => {}
+            }
+        }
+        leaning
+    }
+
+    /// What rubs on the links of a plan, in the senses of the motion; and for each pair something that has its sense.
+    fn rubbed(&mut self, plan: &Plan) -> (Vec<Rubbed>, Vec<(RubbingPair, Amount)>) {
         let m = self.mechanism;
-        let mut all = Vec::new();
+        let (mut all, mut senses) = (Vec::new(), Vec::new());
         for pair in m.rubbing_pairs() {
             if !m.rubbing_links(pair).iter().any(|link| plan.forces.links.contains(link)) {
                 continue;
@@ -217,6 +246,7 @@ impl Draughtsman<'_> {
                         }
                     };
                     let radius = self.board.in_sense_of(radius, turning, reason);
+                    senses.push((pair, radius));
                     all.push(Rubbed::Pin { pin, carrier, link, radius });
                 }
                 RubbingPair::Slide(slide) => {
@@ -238,11 +268,14 @@ impl Draughtsman<'_> {
                                 self.board.quotient(across, along, reason)
                             }
                         };
-                        self.board.in_sense_of(tangent, sliding, reason)
+                        let tangent = self.board.in_sense_of(tangent, sliding, reason);
+                        senses.push((pair, tangent));
+                        tangent
                     });
                     let drag = resistance.drag().map(|drag| {
                         let drag = self.board.amount(drag);
                         let with = self.board.in_sense_of(drag, sliding, reason);
+                        senses.push((pair, with));
                         let against = self.board.opposite(with);
                         self.pull_along(along, against)
                     });
@@ -250,7 +283,7 @@ impl Draughtsman<'_> {
                 }
             }
         }
-        all
+        (all, senses)
     }
 
     /// The direction that makes the angle of friction with +x: the hypotenuse over 1 and f, or by protractor.
@@ -357,7 +390,7 @@ impl Draughtsman<'_> {
                     let mut radius = *radius;
                     if let (true, Some(Seen::Toward(then))) = (guards, gone_by.get(&index)) {
                         radius = self.unturned(radius, *then, along);
-                        turn = TURNED;
+                        turn = 0.0;
                     }
                     leaning.seen.insert(index, Seen::Toward(along));
                     if turn != 0.0 {
@@ -392,8 +425,16 @@ impl Draughtsman<'_> {
                         tangent = self.only_where(tangent, same);
                     }
                     leaning.seen.insert(index, Seen::Pressing(pressing));
-                    let reason = self.reason_missing(Missing::Side(pair));
-                    let sense = self.board.in_sense_of(tangent, pressing, reason);
+                    leaning.pressing.insert(*slide, x / look.largest);
+                    let side = self.pressed.iter().find(|(pair, _)| pair == slide).map(|(_, left)| *left);
+                    let sense = match side {
+                        Some(true) => tangent,
+                        Some(false) => self.board.opposite(tangent),
+                        None => {
+                            let reason = self.reason_missing(Missing::Side(pair));
+                            self.board.in_sense_of(tangent, pressing, reason)
+                        }
+                    };
                     // Against the sliding: the leg along the guide is laid off backwards.
                     let back = self.board.opposite(sense);
                     let scale = Scale { si_per_mm: 1.0 };
@@ -424,7 +465,8 @@ impl Draughtsman<'_> {
         self.board.quotient(twice, both, reason)
     }
 
-    /// An amount where a direction has not turned by more than the last pass may turn it.
+    /// An amount where a direction has not turned by more than the last pass may turn it, with the room that this turn
+    /// takes.
     fn unturned(&mut self, amount: Amount, then: Direction, now: Direction) -> Amount {
         let unit = self.board.amount(Given::exact(1.0));
         let [x, y] = self.board.components(then, unit);
@@ -434,7 +476,12 @@ impl Draughtsman<'_> {
         let square = self.board.product(sine, sine);
         let most = self.board.amount(Given::exact(TURNED * TURNED));
         let room = self.board.difference(most, square);
-        self.only_where(amount, room)
+        let amount = self.only_where(amount, room);
+        // Half the square of the turn, which is another one at every place where the drawing is run.
+        let either = self.board.amount(Given::within(0.0, 0.5));
+        let part = self.board.product(either, square);
+        let missed = self.board.product(amount, part);
+        self.board.sum(amount, missed)
     }
 
     /// Notes where the force between a pin and a link acts; at a pin of two links that is one force.
@@ -499,6 +546,105 @@ impl Draughtsman<'_> {
         let head = self.chained(&[force, drag]);
         Pull { tail: self.board.origin(), head }
     }
+}
+
+/// How often each balance was drawn again.
+pub(in super::super) fn redrawn(d: &Draughtsman<'_>) -> Vec<(Share, usize)> {
+    d.balances.iter().map(|(share, balance)| (*share, balance.leaning.passes())).collect()
+}
+
+/// What becomes of a balance with friction on scratch paper.
+struct Tried {
+    /// The passes come to an end.
+    ends: bool,
+    /// How hard rough guides press then, and on which side, as parts of the largest force.
+    pressing: BTreeMap<usize, f64>,
+}
+
+/// A mechanism, what its links make of it, and what is drawn of it.
+type Drawn<'a> = (&'a Mechanism, &'a Structure, &'a Plan);
+
+/// Draws the balance on scratch paper, with guides that press on these sides: left of their direction, or right.
+fn try_out((mechanism, structure, plan): Drawn<'_>, pressed: &[(usize, bool)]) -> Option<Tried> {
+    let scales = super::super::planned_scales(mechanism, structure, plan);
+    let on = |board: Board| {
+        let mut d = Draughtsman::new(board, mechanism, structure, scales);
+        d.pressed = pressed.to_vec();
+        super::super::drawn_by(d, plan).ok()
+    };
+    // Only a tape tells a tangency from a miss.
+    let d = on(Board::scratch()).or_else(|| on(Board::default()))?;
+    let (_, balance) = d.balances.first()?;
+    let leaning = &balance.leaning;
+    Some(Tried { ends: balance.refused.is_none() && !leaning.endless, pressing: leaning.pressing.clone() })
+}
+
+/// The mechanism with a part of its friction, and with none in one of its pairs.
+fn with_less(mechanism: &Mechanism, part: f64, without: Option<RubbingPair>) -> Mechanism {
+    let mut less = mechanism.clone();
+    let weaker =
+        |roughness: Roughness| Roughness::Coefficient(Given::exact(part * libm::tan(roughness.angle())));
+    let friction = &mut less.forces.friction;
+    for pin in &mut friction.pins {
+        pin.circle = FrictionCircle::Radius(Given::exact(part * pin.circle.radius()));
+    }
+    for slide in &mut friction.slides {
+        let drag = |drag: Given| Given::exact(part * drag.value);
+        slide.resistance = match slide.resistance {
+            Resistance::Friction(roughness) => Resistance::Friction(weaker(roughness)),
+            Resistance::Drag(force) => Resistance::Drag(drag(force)),
+            Resistance::Both(roughness, force) => Resistance::Both(weaker(roughness), drag(force)),
+        };
+    }
+    match without {
+        Some(RubbingPair::Pin { pin, .. }) => friction.pins.retain(|rubbing| rubbing.pin != pin),
+        Some(RubbingPair::Slide(slide)) => friction.slides.retain(|rubbing| rubbing.slide != slide),
+        None => {}
+    }
+    less
+}
+
+/// Whether friction lets no balance exist, or more than one, and which pairs rub so; as the passes tell it. Where it locks
+/// at a part of what is stated they come to no end beyond; a second balance is one that ends with other sides of guides,
+/// and presses them there.
+pub(crate) fn holds((mechanism, structure, plan): Drawn<'_>) -> Option<(Stuck, String)> {
+    let ends = |part: f64, without: Option<RubbingPair>| {
+        let less = with_less(mechanism, part, without);
+        try_out((&less, structure, plan), &[]).is_some_and(|tried| tried.ends)
+    };
+    let own = try_out((mechanism, structure, plan), &[])?;
+    let pairs = mechanism.rubbing_pairs();
+    if !own.ends {
+        if !ends(HARDLY, None) {
+            return None;
+        }
+        let [mut free, mut locked] = [HARDLY, 1.0];
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(free, locked);
+            if ends(middle, None) { free = middle } else { locked = middle }
+        }
+        // Those without one of which nothing locks; all where it takes several of them.
+        let guilty: Vec<RubbingPair> = pairs.iter().copied().filter(|pair| ends(1.0, Some(*pair))).collect();
+        let guilty = if guilty.is_empty() { pairs } else { guilty };
+        return Some((Stuck::Locked, mechanism.say_locked(&guilty, locked)));
+    }
+    let guides: Vec<usize> = own.pressing.keys().copied().take(MOST_GUIDES).collect();
+    let others = (0..1_u32 << guides.len()).map(|pattern| {
+        let sides = guides.iter().enumerate();
+        sides.map(|(place, slide)| (*slide, pattern >> place & 1 == 0)).collect::<Vec<(usize, bool)>>()
+    });
+    let another = |sides: &Vec<(usize, bool)>| {
+        if sides.iter().all(|(slide, left)| (own.pressing[slide] > 0.0) == *left) {
+            return false;
+        }
+        let Some(tried) = try_out((mechanism, structure, plan), sides) else { return false };
+        let presses = |(slide, left): &(usize, bool)| {
+            let pressing = tried.pressing.get(slide).copied().unwrap_or(0.0);
+            (if *left { pressing } else { -pressing }) > FAINT
+        };
+        tried.ends && sides.iter().all(presses)
+    };
+    others.into_iter().any(|sides| another(&sides)).then(|| (Stuck::Ambiguous, mechanism.say_several(&pairs)))
 }
 
 /// Whether anything rubs.

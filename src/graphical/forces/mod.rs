@@ -12,6 +12,8 @@ mod read;
 mod record;
 mod spin;
 
+pub(crate) use friction::holds;
+pub(super) use friction::redrawn;
 pub(super) use read::ForceRead;
 pub(super) use record::{quantities, record};
 pub(super) use spin::NO_SPEED;
