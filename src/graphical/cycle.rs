@@ -154,6 +154,9 @@ struct Wave {
     sine: bool,
 }
 
+/// A crossing within a piece: its node, its angle with how far that may be off besides, and the halves of the piece.
+type Met = (Node, (Amount, f64), [Piece; 2]);
+
 /// The mean of one curve, at which the other is drawn that is missing.
 #[derive(Clone, Copy)]
 struct Level {
@@ -381,8 +384,8 @@ impl Desk<'_> {
         let closes = angles[last] - angles[first] >= turn - room;
         let found = match limit {
             Limit::Before if here(&angles[first]) && closes => Some(last),
-            Limit::Before => angles.iter().position(|angle| here(angle)),
-            Limit::After => angles.iter().rposition(|angle| here(angle)),
+            Limit::Before => angles.iter().position(&here),
+            Limit::After => angles.iter().rposition(&here),
         };
         if let Some(found) = found {
             return knots[found][1];
@@ -950,7 +953,7 @@ impl Desk<'_> {
         courses: &[Option<Drawn>; 2],
         level: Option<Level>,
         ends: [Node; 2],
-    ) -> Result<(Node, (Amount, f64), [Piece; 2]), String> {
+    ) -> Result<Met, String> {
         let net = |desk: &Self, at: f64| desk.look_net(at, level.map(Level::seen));
         let [a, b] = ends.map(|node| node.place);
         let [mut from, mut to] = [a, b];
