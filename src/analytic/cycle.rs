@@ -585,13 +585,15 @@ impl Turning {
         for (index, &(from, first)) in values.iter().enumerate() {
             all.push((from, first));
             let Some(&(to, second)) = values.get(index + 1) else { break };
-            let (least, up) = (first.abs().min(second.abs()), first.signum());
-            if to <= from || up != second.signum() || least <= zero || least > 0.05 * curves.scale {
+            let sense = |net: f64| if net.abs() <= zero { 0.0 } else { net.signum() };
+            // From where they are one they may part and cross once more at once.
+            let up = (sense(first) + sense(second)).clamp(-1.0, 1.0);
+            if to <= from || up == 0.0 || first.abs().min(second.abs()) > 0.05 * curves.scale {
                 continue;
             }
             let net = |at: f64| curves.net(at, true).map(|net| up * net);
             let step = 1e-3 * (to - from);
-            if net(from + step)? >= first.abs() || net(to - step)? >= second.abs() {
+            if net(from + step)? >= up * first || net(to - step)? >= up * second {
                 continue;
             }
             let (mut low, mut high) = (from, to);

@@ -654,8 +654,10 @@ impl Desk<'_> {
         while index + 1 < nodes.len() {
             let ends = [nodes[index], nodes[index + 1]];
             index += 1;
-            let sign = ends[0].sign(Limit::After);
-            if sign == 0.0 || ends[1].sign(Limit::Before) != sign {
+            // They may part from where they are one, and cross once more at once.
+            let signs = [ends[0].sign(Limit::After), ends[1].sign(Limit::Before)];
+            let sign = (signs[0] + signs[1]).clamp(-1.0, 1.0);
+            if sign == 0.0 {
                 continue;
             }
             let net = |at: f64| self.look_net(at, level.map(Level::seen)).map(|net| sign * net);
