@@ -754,6 +754,9 @@ impl Turning {
         let extreme =
             |which: usize| -> Told<usize> { Ok(self.extremes.ok_or("the curves do not cross")?[which]) };
         let unplaced = "areas alone do not say at which angle";
+        if let Some(why) = self.unnumbered.filter(|_| of.counts_crossings()) {
+            return Err(why.to_owned());
+        }
         match of {
             CycleQuantity::Mean => Ok(self.mean),
             CycleQuantity::Work => Ok(self.mean.times(self.period)),
@@ -794,15 +797,6 @@ impl Turning {
                 if self.by_areas =>
             {
                 Err(unplaced.to_owned())
-            }
-            CycleQuantity::Crossing(_)
-            | CycleQuantity::Area(_)
-            | CycleQuantity::Level(_)
-            | CycleQuantity::AtHighest
-            | CycleQuantity::AtLowest
-                if self.unnumbered.is_some() =>
-            {
-                Err(self.unnumbered.unwrap_or_default().to_owned())
             }
             CycleQuantity::Crossing(k) => at(k, &self.crossings),
             CycleQuantity::Area(k) => at(k, &self.areas),

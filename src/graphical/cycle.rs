@@ -1271,6 +1271,9 @@ impl Desk<'_> {
                 .ok_or_else(|| format!("there are {} {what}", of.len()))
         };
         let unplaced = || "areas alone do not say at which angle".to_owned();
+        if let Some(why) = drawn.uncounted.filter(|_| of.counts_crossings()) {
+            return Err(why.to_owned());
+        }
         match of {
             CycleQuantity::Mean => with_area(drawn.mean, 1.0 / self.cycle.period.value),
             CycleQuantity::Work => with_area(drawn.work, 1.0),
@@ -1326,15 +1329,6 @@ impl Desk<'_> {
                 if drawn.by_areas =>
             {
                 Err(unplaced())
-            }
-            CycleQuantity::Crossing(_)
-            | CycleQuantity::Area(_)
-            | CycleQuantity::Level(_)
-            | CycleQuantity::AtHighest
-            | CycleQuantity::AtLowest
-                if drawn.uncounted.is_some() =>
-            {
-                Err(drawn.uncounted.unwrap_or_default().to_owned())
             }
             CycleQuantity::Crossing(k) => {
                 let angles: Vec<Amount> = drawn.crossings.iter().map(|crossing| crossing.at).collect();

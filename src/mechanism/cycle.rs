@@ -131,6 +131,12 @@ pub enum CycleQuantity {
 }
 
 impl CycleQuantity {
+    /// Whether it hangs on the order of the crossings from the beginning of the period.
+    #[must_use]
+    pub fn counts_crossings(self) -> bool {
+        matches!(self, Self::Crossing(_) | Self::Area(_) | Self::Level(_) | Self::AtHighest | Self::AtLowest)
+    }
+
     /// As a scene names it.
     #[must_use]
     pub fn name(self) -> String {

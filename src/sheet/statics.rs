@@ -167,10 +167,10 @@ impl Teller<'_> {
     ) -> Rich {
         let units: Vec<f64> = factors.iter().map(|factor| factor.unit.si).collect();
         let together = (reckon(&units) / result.unit.si - 1.0).abs() < 1e-9;
-        self.line_in(together, of, formula, factors, set, reckon, result)
+        self.line_in(together, of, formula, factors, set, reckon, (result, result.unit))
     }
 
-    /// The same where it is known whether the units of the scene go together.
+    /// The same where it is known whether the units of the scene go together, and in which unit the result is told last.
     #[expect(clippy::too_many_arguments, reason = "a line has a name, a formula, numbers and a result")]
     fn line_in(
         &self,
@@ -180,7 +180,7 @@ impl Teller<'_> {
         factors: &[Factor<'_>],
         set: impl Fn(&[Rich]) -> Rich,
         reckon: impl Fn(&[f64]) -> f64,
-        result: Factor<'_>,
+        (result, told): (Factor<'_>, &Unit),
     ) -> Rich {
         let line = of.up(EQUALS).then(&formula).up(EQUALS);
         let bases: Vec<Unit> = factors.iter().map(Factor::base).collect();
@@ -190,7 +190,7 @@ impl Teller<'_> {
             .collect();
         let base = result.base();
         let unit = if together { result.unit } else { &base };
-        let (mut written, text) =
+        let (mut written, text, number) =
             self.figures.borrow_mut().line_of(&values, (result.key, result.si, unit), &reckon);
         if !together {
             for (text, factor) in written.iter_mut().zip(factors) {
@@ -198,10 +198,10 @@ impl Teller<'_> {
             }
         }
         let line = line.then(&set(&written)).up(EQUALS).then(&human::with_unit(&text, &unit.symbol));
-        if together || base == *result.unit {
+        if *unit == *told {
             return line;
         }
-        line.up(EQUALS).then(&human::quantity(result.si, result.unit))
+        line.up(EQUALS).then(&human::quantity(number * unit.si, told))
     }
 
     fn acceleration(&self) -> Unit {
@@ -316,7 +316,7 @@ impl Teller<'_> {
         let values: Vec<(Option<Key>, f64, &Unit)> =
             factors.iter().map(|factor| (factor.key, factor.si, factor.unit)).collect();
         let result = (result.key, result.si, result.unit);
-        let (written, text) = self.figures.borrow_mut().line_of(&values, result, &reckon);
+        let (written, text, _) = self.figures.borrow_mut().line_of(&values, result, &reckon);
         let of = Rich::italic("A").up(EQUALS).then(&formula).up(EQUALS);
         of.then(&set(&written)).up(EQUALS).then(&human::with_unit(&text, &result.2.symbol))
     }
@@ -753,18 +753,11 @@ impl Teller<'_> {
         let per = units.force.si * units.length.si;
         let together =
             (units.torque.si / per - 1.0).abs() < 1e-9 || terms.iter().all(|term| term.arm.is_some());
-        let own;
-        let result = if together && by.is_none() && (units.torque.si / per - 1.0).abs() >= 1e-9 {
-            own = Unit { symbol: format!("{}*{}", units.force.symbol, units.length.symbol), si: per };
-            Factor { unit: &own, ..result }
-        } else {
-            result
-        };
-        let line = self.line_in(together, of, names, &factors, set, reckon, result);
-        if by.is_none() && together && result.unit.symbol != units.torque.symbol {
-            return line.up(EQUALS).then(&human::quantity(result.si, &units.torque));
-        }
-        line
+        let (own, told) = (format!("{}*{}", units.force.symbol, units.length.symbol), result.unit);
+        let own = Unit { symbol: own, si: per };
+        let products = by.is_none() && (units.torque.si / per - 1.0).abs() >= 1e-9;
+        let unit = if together && products { &own } else { told };
+        self.line_in(together, of, names, &factors, set, reckon, (Factor { unit, ..result }, told))
     }
 
     fn key_of_arm(&self, arm: &Arm) -> Key {

@@ -455,18 +455,19 @@ impl Figures {
     ) -> ([Rich; N], Rich) {
         let factors = factors.map(|(key, si, unit)| (Some(key), si, unit));
         let reckon = |numbers: &[f64]| reckon(std::array::from_fn(|i| numbers[i]));
-        let (numbers, text) = self.reckoned(&factors, (Some(key), si.abs(), unit), reckon, f64::INFINITY);
+        let (numbers, text, _) = self.reckoned(&factors, (Some(key), si.abs(), unit), reckon, f64::INFINITY);
         (std::array::from_fn(|i| numbers[i].clone()), text)
     }
 
     /// The same of as many factors as there are; what has no key stands in no other line. A result that the factors do not
-    /// give in the figures of a sheet, a small difference, is given by as many figures as it takes.
+    /// give in the figures of a sheet, a small difference, is given by as many figures as it takes. Last the number that
+    /// stands there for the result.
     pub(super) fn line_of(
         &mut self,
         factors: &[(Option<Key>, f64, &Unit)],
         result: (Option<Key>, f64, &Unit),
         reckon: impl Fn(&[f64]) -> f64,
-    ) -> (Vec<Rich>, Rich) {
+    ) -> (Vec<Rich>, Rich, f64) {
         /// By so much of a result what is reckoned from printed numbers may differ from it: half of the third figure.
         const FAR: f64 = 5e-3;
         self.reckoned(factors, result, reckon, FAR)
@@ -478,7 +479,7 @@ impl Figures {
         (key, si, unit): (Option<Key>, f64, &Unit),
         reckon: impl Fn(&[f64]) -> f64,
         far: f64,
-    ) -> (Vec<Rich>, Rich) {
+    ) -> (Vec<Rich>, Rich, f64) {
         let tell = |(key, si, unit): &(Option<Key>, f64, &Unit)| match key {
             Some(key) => self.number(*key, *si, unit),
             None => human::given(si.abs() / unit.si, 0),
@@ -502,7 +503,7 @@ impl Figures {
         if let Some(key) = key {
             self.note(key, &text, (number.abs(), exact.abs()), unit);
         }
-        (numbers, text)
+        (numbers, text, number)
     }
 }
 

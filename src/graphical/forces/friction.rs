@@ -639,8 +639,8 @@ pub(crate) fn holds((mechanism, structure, plan): Drawn<'_>) -> Option<(Stuck, S
         }
         let Some(tried) = try_out((mechanism, structure, plan), sides) else { return false };
         let presses = |(slide, left): &(usize, bool)| {
-            let pressing = tried.pressing.get(slide).copied().unwrap_or(0.0);
-            (if *left { pressing } else { -pressing }) > FAINT
+            let pressing = tried.pressing.get(slide);
+            pressing.is_some_and(|pressing| (if *left { *pressing } else { -pressing }) > FAINT)
         };
         tried.ends && sides.iter().all(presses)
     };
