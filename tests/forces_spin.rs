@@ -92,6 +92,16 @@ fn what_falls_outward_has_no_speed() {
     assert!(check::check(&read(&expected), 0.05).ok);
 }
 
+/// Nor are there forces of it, asked alone or beside the speed.
+#[test]
+fn what_has_no_speed_has_no_forces() {
+    for find in [r#""Fc(2)""#, r#""F(1,2)""#, r#""spin", "Fc(2)", "F(1,2)""#] {
+        let text = pendulum([3.0, 4.0], r#""?""#, find).replacen('{', r#"{ "expect": "no-equilibrium", "#, 1);
+        let checked = check::check(&read(&text), 0.05);
+        assert!(checked.ok, "{find}: {:?}", checked.outcome);
+    }
+}
+
 /// Porter, arms of equal length from pivots on the axis: ω² = (m + M/2 (1 + q)) g / (m h), q = 1.
 fn porter(more_of_sleeve: &str, find: &str) -> Scene {
     read(&format!(

@@ -653,3 +653,33 @@ fn a_group_that_closes_at_half_a_turn_is_found() {
         "find": ["x(A)", "x(B)"] }"#;
     gives(cross, &[("x(A)", vec![0.020, 0.050]), ("x(B)", vec![0.070, -0.020])]);
 }
+
+/// What only dimensions make known is found after the stated places, none of which is checked by it. A stands above O2 and B
+/// at 120 mm on the x-axis, 130 mm from A (5 : 12 : 13); B slides at 100 mm/s, so A moves 240 mm/s along x.
+#[test]
+fn a_stated_place_is_not_checked_by_what_is_found_later() {
+    let scene = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] }, "placed": { "E": [200, 0] },
+        "where": { "A": { "from": "O2", "distance": 50, "direction": 90 },
+                   "B": [{ "from": "A", "distance": 130 }, { "on": { "through": [0, 0] } }] },
+        "near": { "B": [120, 0] },
+        "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["A", "B"], "length": 130 },
+                   "4": { "joins": ["B", "E"], "length": 80 } },
+        "slides": [{ "link": 4, "on": { "link": 1, "through": [0, 0], "angle": 0 } }],
+        "input": { "slide": 4, "velocity": 100 }, "find": ["v(B)", "v(A)", "omega(2)"] }"#;
+    // A moves along x; the part of both velocities along AB is one.
+    gives(scene, &[("v(B)", vec![0.1, 0.0]), ("v(A)", vec![0.1, 0.0]), ("omega(2)", vec![-2.0])]);
+}
+
+/// Loci alone, with no point that is given: a trammel with its bar of 100 mm, A at 60 mm on the y-axis, B at 80 mm on the
+/// x-axis. The bar turns at 4 rad/s about where the normals meet, (80, 60).
+#[test]
+fn loci_need_no_given_point() {
+    let scene = r#"{ "units": { "length": "mm" },
+        "where": { "A": [{ "on": { "through": [0, 0], "angle": 90 } }, { "on": { "through": [10, 60], "angle": 0 } }],
+                   "B": [{ "from": "A", "distance": 100 }, { "on": { "link": 1, "through": [0, 0] } }] },
+        "near": { "B": [80, 0] }, "links": { "3": { "joins": ["A", "B"] } },
+        "slides": [{ "pin": "A", "block": 2, "on": { "link": 1, "through": [0, 0], "angle": 90 } },
+                   { "pin": "B", "block": 4, "on": { "link": 1, "through": [0, 0], "angle": 0 } }],
+        "input": { "link": 3, "omega": 4 }, "find": ["v(A)", "v(B)"] }"#;
+    gives(scene, &[("v(A)", vec![0.0, -0.32]), ("v(B)", vec![0.24, 0.0])]);
+}

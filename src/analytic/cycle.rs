@@ -329,15 +329,17 @@ pub(super) fn turning(
         unnumbered: None,
         steepest: None,
     };
+    // What drives is positive, whichever way the input turns.
+    let sense = if cycle.omega.value < 0.0 { -1.0 } else { 1.0 };
     let sides = match &cycle.sides {
         Sides::Areas { areas, torque, angle, total } => {
             turning.of_areas(areas, torque.value * angle.value, total.value)?;
             return Ok(turning);
         }
-        Sides::Torque(torque) => [Some(Torque::new(torque, -1.0, standing)?), None],
-        Sides::Load(load) => [None, Some(Torque::new(load, 1.0, standing)?)],
+        Sides::Torque(torque) => [Some(Torque::new(torque, -sense, standing)?), None],
+        Sides::Load(load) => [None, Some(Torque::new(load, sense, standing)?)],
         Sides::Both { torque, load } => {
-            [Some(Torque::new(torque, -1.0, standing)?), Some(Torque::new(load, 1.0, standing)?)]
+            [Some(Torque::new(torque, -sense, standing)?), Some(Torque::new(load, sense, standing)?)]
         }
     };
     let number = cycle.copies.number;
@@ -762,7 +764,7 @@ impl Turning {
             CycleQuantity::Work => Ok(self.mean.times(self.period)),
             CycleQuantity::Power => {
                 self.square()?;
-                Ok(self.mean.times(self.omega))
+                Ok(self.mean.times(self.omega.abs()))
             }
             CycleQuantity::Highest => Ok(self.levels[extreme(0)?]),
             CycleQuantity::Lowest => Ok(self.levels[extreme(1)?]),

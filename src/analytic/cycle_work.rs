@@ -99,8 +99,13 @@ impl<'a> OwnTorque<'a> {
         scalar(&solve_for(&mechanism, &[quantity]).ok()?, quantity)
     }
 
-    /// ∫ from 0.
+    /// ∫ from 0. Friction has no potential, and what it takes hangs on all that presses: with it the torque itself is
+    /// integrated.
     pub(super) fn work(&self, at: f64) -> Told<Known> {
+        if self.rubs(0.0)? {
+            let given = self.integral(at)?;
+            return Ok(Known { value: -self.sign * given.value, ..given });
+        }
         let (from, to) = (self.energy(0.0)?, self.energy(at)?);
         let mut work = Known { value: to.value - from.value, bound: to.bound + from.bound };
         if !self.without_potential(0.0)?.forces.loads.is_empty() {
@@ -218,9 +223,17 @@ impl<'a> OwnTorque<'a> {
         Ok(mechanism)
     }
 
-    /// Work of the loads without a potential for a radian of the input. A load that follows a motion has no direction
+    fn rubs(&self, at: f64) -> Told<bool> {
+        Ok(!self.standing(at)?.rubbing_pairs().is_empty())
+    }
+
+    /// Work of the loads without a potential for a radian of the input; with friction what the input gives, reversed. A load that follows a motion has no direction
     /// where that motion rests; its power is the same from either side.
     fn rate(&self, at: f64) -> Told<Known> {
+        if self.rubs(at)? {
+            let torque = self.torque(at)?;
+            return Ok(Known { value: -self.sign * torque.value, ..torque });
+        }
         if let Some(rate) = self.rate_here(at)? {
             return Ok(Known { value: rate, bound: 0.0 });
         }

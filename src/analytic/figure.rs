@@ -186,6 +186,9 @@ fn meets(first: &Curve, second: &Curve) -> Option<Vec<Xy>> {
     Some(roots.into_iter().map(place).collect())
 }
 
+/// Where the axes of the world cross.
+const WORLD: [f64; 2] = [0.0; 2];
+
 /// The mechanism with its stated places solved for.
 pub(super) fn standing(mechanism: &Mechanism) -> Result<Cow<'_, Mechanism>, AnalyticError> {
     if mechanism.statements.is_empty() {
@@ -196,10 +199,11 @@ pub(super) fn standing(mechanism: &Mechanism) -> Result<Cow<'_, Mechanism>, Anal
         spots: mechanism.points.iter().map(|p| p.place.exact().map(Spot::of)).collect(),
         size: 0.0,
     };
-    let Some(reference) = figure.spots.iter().flatten().next().map(|spot| spot.at) else {
-        return Err(AnalyticError::Malformed {
-            what: "nothing stands from which a place is stated".to_owned(),
-        });
+    // Where nothing is given yet sizes count from the world's axes, by which loci may be told.
+    let first = figure.spots.iter().flatten().next().map(|spot| spot.at);
+    let reference = match first {
+        Some(at) => at,
+        None => WORLD,
     };
     figure.size = size(mechanism, reference, &|_| true, &|_| true);
     for statement in &mechanism.statements {

@@ -97,6 +97,12 @@ impl State {
         let tape = Tape::new(order.max(1));
         let scope = Scope { tape: &tape, motion: self.motion_here(order) };
         let acting = Acting::new(scope, (&self.model, burden), (&balance.x, &balance.strength), share, moves);
+        let spin = burden.sought.iter().position(|sought| *sought == Sought::Spin);
+        if spin.is_some_and(|place| acting.effort(place).value < 0.0) {
+            // What turns at no speed has no forces.
+            let why = "at no speed is there equilibrium".to_owned();
+            return Err(Indeterminate::NoEquilibrium { why });
+        }
         let out = formula(&acting);
         if tape.broken() {
             let why = burden.unaimed.clone();
@@ -211,11 +217,6 @@ impl State {
                 let place =
                     self.burden.as_ref().and_then(|b| b.sought.iter().position(|s| *s == Sought::Spin));
                 let Some(place) = place else { return undefined("it is not sought here") };
-                let [square] = self.act(share, |s| [s.effort(place)])?;
-                if square.value < 0.0 {
-                    let why = "at no speed is there equilibrium".to_owned();
-                    return Err(Indeterminate::NoEquilibrium { why });
-                }
                 let [m] = self.act(share, |s| [s.effort(place).sqrt()])?;
                 Ok(scalar(m, 1.0 / self.model.time))
             }

@@ -301,9 +301,14 @@ impl Desk<'_> {
         self.board.quotient(amount, by, REASON)
     }
 
+    fn turning_sense(&self) -> f64 {
+        if self.cycle.omega.value < 0.0 { -1.0 } else { 1.0 }
+    }
+
     fn course(&mut self, course: &Course, sign: f64) -> Drawn {
         match course {
-            Course::Of(_) => Drawn::Of { sign },
+            // What drives is positive, whichever way the input turns.
+            Course::Of(_) => Drawn::Of { sign: sign * self.turning_sense() },
             Course::Curve(Curve::Table { knots, period }) => Drawn::Table {
                 knots: knots.iter().map(|knot| knot.map(|number| self.board.amount(number))).collect(),
                 period: self.board.amount(*period),
@@ -1280,6 +1285,7 @@ impl Desk<'_> {
             CycleQuantity::Power => {
                 self.speed_squared()?;
                 let omega = self.board.amount(self.cycle.omega);
+                let omega = self.board.magnitude(omega);
                 let power = self.board.product(drawn.mean, omega);
                 with_area(power, omega.value() / self.cycle.period.value)
             }

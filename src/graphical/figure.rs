@@ -145,6 +145,7 @@ impl Draughtsman<'_> {
             },
             Standing::AtMeet(loci) => self.meet_loci(of, &loci, Some(stated.value()), false)?,
         };
+        self.nothing_missing()?;
         let [p, q] = [settled, stated].map(|at| at.value());
         let apart = libm::hypot(p[0] - q[0], p[1] - q[1]) * self.scales.length();
         if apart > allowed(self.mechanism, super::provisional_scales(self.mechanism)) {

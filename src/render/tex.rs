@@ -616,6 +616,7 @@ fn sign(c: char) -> Option<&'static str> {
         '⊥' => "\\perp",
         '∥' => "\\parallel",
         '≡' => "\\equiv",
+        '≙' => "\\mathrel{\\widehat{=}}",
         '∠' => "\\angle",
         '≈' => "\\approx",
         '≠' => "\\neq",

@@ -341,6 +341,15 @@ fn known(draft: &Draft<'_>) -> Vec<bool> {
     known
 }
 
+/// Whether a point is drawn before the one that is looked at: what dimensions make known is found later.
+fn stands_by_now(point: PointId, draft: &Draft<'_>) -> bool {
+    let place = &draft.mechanism.point(point).place;
+    match place {
+        Place::Stated(index) => *index < draft.mechanism.statements.len(),
+        Place::Fixed(_) | Place::Placed(_) | Place::Near(_) | Place::Unknown => place.exact().is_some(),
+    }
+}
+
 /// Whether a link has dimensions of its own and more than one point.
 fn own_figure(link: LinkId, draft: &Draft<'_>) -> bool {
     link != LinkId::FRAME && !matches!(draft.link(link).form, Form::Placed | Form::Single)
@@ -377,7 +386,8 @@ fn link_bond(point: PointId, link: LinkId, known: &[bool], draft: &Draft<'_>) ->
             offset: Given::exact(0.0),
         };
         let locus = if second { Locus::Ray { from: other, direction: angle } } else { Locus::On(line) };
-        return known[other.0].then_some(Bond::Locus(locus));
+        let bond = if stands_by_now(other, draft) { Bond::Locus(locus) } else { Bond::Derived };
+        return known[other.0].then_some(bond);
     }
     if !own_figure(link, draft) {
         return None;
@@ -387,8 +397,9 @@ fn link_bond(point: PointId, link: LinkId, known: &[bool], draft: &Draft<'_>) ->
     }
     let &other = of.points.iter().find(|p| **p != point && known[p.0])?;
     Some(match of.form {
-        // A circle can be drawn before the skeleton only about what is given or stated, not about what an input leads to.
-        Form::Length(radius) if of.extra.is_empty() && draft.is_exact(other) => {
+        // A circle can be drawn before the skeleton only about what is given, or stated before, not about what an input or
+        // dimensions lead to.
+        Form::Length(radius) if of.extra.is_empty() && stands_by_now(other, draft) => {
             Bond::Locus(Locus::Circle { centre: other, radius })
         }
         _ => Bond::Derived,
@@ -408,9 +419,9 @@ fn pair_bonds(point: PointId, known: &[bool], draft: &Draft<'_>) -> Vec<Bond> {
             .iter()
             .any(|input| matches!(input, Input::Slide { slide, at: Some(_), .. } if *slide == index));
         let locus = Locus::On(slide.guide.path);
-        // As a circle, it can be drawn before the skeleton only by what is given, or stated and stands by now.
-        let stands = |p: &PointId| known[p.0] && draft.is_exact(*p);
-        let drawn = in_world(&slide.guide, draft) && locus.hangs_on().iter().all(stands);
+        // As a circle, it can be drawn before the skeleton only by what is given, or stated before.
+        let drawn =
+            in_world(&slide.guide, draft) && locus.hangs_on().iter().all(|p| stands_by_now(*p, draft));
         let posed =
             slide.guide.link == LinkId::FRAME || is_posed(slide.guide.link, None, known, draft) || drawn;
         match (posed, at) {

@@ -298,6 +298,10 @@ fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, leaning: &Leaning) 
             let reason = d.reason(links.as_slice());
             let part = d.board.quotient(without_effort, change, reason);
             let size = d.board.opposite(part);
+            let size = if only == Sought::Spin { d.square_of_a_speed(size, reason) } else { Some(size) };
+            let Some(size) = size else {
+                return Balance { refused: Some(NO_SPEED), ..Balance::default() };
+            };
             let mut balance = one(d, plan, (share, leaning), vec![(only, size)]);
             balance.efforts = vec![(only, size)];
             balance.trial = Some(Trial {

@@ -27,9 +27,15 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     }
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
     let trial = balance.trial;
-    // With friction, and in a governor, moments are taken about other points than the pins.
-    let plain = balance.leaning.rubs().is_empty() && d.mechanism.forces.spin.is_none();
-    let taken = if plain { balance.taken.clone() } else { Vec::new() };
+    // With friction, and in a governor, moments are taken about other points than the pins; only of what drives, where
+    // nothing rubs at its pins, as ever.
+    let plain = rubs.is_empty() && d.mechanism.forces.spin.is_none();
+    let rubs_at = |link: &LinkId| rubs.iter().any(|rub| d.mechanism.rubbing_links(rub.pair).contains(link));
+    let told = |taken: &&Taken| {
+        let effort = matches!(taken.found, TakenFor::Effort(_)) && d.mechanism.forces.spin.is_none();
+        plain || effort && !taken.links.iter().any(rubs_at)
+    };
+    let taken: Vec<Taken> = balance.taken.iter().filter(told).cloned().collect();
     let rubs = rubs.into_iter().filter_map(|rub| d.touching(rub)).collect();
     let mut bodies = Vec::new();
     let mut found = Found { known: Vec::new(), by_moments: Vec::new() };

@@ -1,6 +1,6 @@
 //! Governors: M ω² r of every mass, square to the axis and away from it, and the drag of the sleeve.
 
-use crate::board::{Amount, Line};
+use crate::board::{Amount, Line, Reason};
 use crate::given::Given;
 use crate::mechanism::LinkId;
 use crate::mechanism::force::{Mass, Share};
@@ -26,6 +26,17 @@ impl Draughtsman<'_> {
             }
             SpinSpeed::Sought => assumed,
         }
+    }
+
+    /// ω² as the square of a speed, none below zero: nothing that hangs on it is a force then. Led to where it is below zero
+    /// it divides by a root that is none.
+    pub(super) fn square_of_a_speed(&mut self, square: Amount, reason: Reason) -> Option<Amount> {
+        if square.value() <= 0.0 {
+            return (square.value() == 0.0).then_some(square);
+        }
+        let root = self.board.root(square);
+        let speed = self.board.quotient(square, root, reason);
+        Some(self.board.product(speed, root))
     }
 
     /// M ω² r of a mass, away from the axis; none of a flywheel.
