@@ -37,6 +37,8 @@ const NEAR: f64 = 1e-12;
 const VANISHED: f64 = 1e-16;
 /// A start that ends with a larger residual leads nowhere.
 const NEARLY: f64 = 1e-5;
+/// By so many rooms of a placed point equations may miss that hang on several of them.
+const ROOMS: f64 = 4.0;
 /// No more starts are made after so many that led to more than one solution, and to each so many times: a
 /// solution to which one start of four leads is missed once in a hundred groups, and the first start is made
 /// from the hints.
@@ -383,6 +385,15 @@ impl<'a> Assembler<'a> {
     }
 
     /// The worst of the equations that should hold by themselves, if it does not.
+    /// By how much an equation that repeats others may miss, in mechanism sizes: rounding, and what placed points leave open.
+    fn repeated(&self) -> f64 {
+        let rooms = self.model.mechanism.points.iter().filter_map(|point| match point.place {
+            Place::Placed(at) => Some(at[0].error.max(at[1].error)),
+            Place::Fixed(_) | Place::Stated(_) | Place::Near(_) | Place::Unknown => None,
+        });
+        REPEATED + ROOMS * rooms.fold(0.0, f64::max) / self.model.length
+    }
+
     fn repeated_miss(&self, ordering: &Ordering, pose: &[f64]) -> Option<f64> {
         let spare = ordering.spare.iter().map(|row| &self.model.position[*row]);
         let worst = self
@@ -392,7 +403,7 @@ impl<'a> Assembler<'a> {
             .chain(spare)
             .map(|row| self.linear(row, pose).map_or(f64::INFINITY, |l| l.value.abs()))
             .fold(0.0, f64::max);
-        (worst > REPEATED).then_some(worst)
+        (worst > self.repeated()).then_some(worst)
     }
 
     fn take(&self, group: usize, solution: &Solution, pose: &mut [f64]) {
@@ -701,7 +712,7 @@ impl<'a> Assembler<'a> {
             .filter(|row| !rows.contains(row))
             .map(|row| self.linear(&self.model.position[row], pose).map_or(f64::INFINITY, |l| l.value.abs()))
             .fold(0.0, f64::max);
-        if worst > REPEATED { Err(worst) } else { Ok(()) }
+        if worst > self.repeated() { Err(worst) } else { Ok(()) }
     }
 
     /// Residuals and Jacobian of all equations of a group without their errors; `None` where an equation has no value
@@ -778,7 +789,7 @@ impl<'a> Assembler<'a> {
             }
         }
         let rest = at.residuals.amax();
-        (rest > NEARLY.max(self.coarsest)).then_some(rest)
+        (rest > NEARLY.max(self.coarsest).max(self.repeated())).then_some(rest)
     }
 
     /// Moves the unknowns of a group; `before` keeps where they were.

@@ -47,7 +47,8 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
             farthest = farthest.max(libm::hypot(x, y));
         }
     }
-    let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest;
+    let room = figure::room(d.mechanism) / d.scales.length();
+    let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest + room;
     let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_>| {
         let fine = miss.abs() <= allowed || !miss.is_finite();
         let by = miss.abs() * d.scales.length();
