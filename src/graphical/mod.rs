@@ -293,6 +293,9 @@ pub fn recorded<R: Real>(
     }))
 }
 
+/// A place that is rounded in both coordinates lies so much farther off than what it contradicts is missed by, at most.
+const ROUNDED: f64 = 4.0;
+
 /// Draws a solution on the board and brings it to the page: `choose` finds the page's scales for the size of the
 /// diagrams. The board's own scales are powers of two, so that no digit depends on either. Gives the page's scales too.
 /// The plan comes with the extent for which it was made.
@@ -307,9 +310,18 @@ pub fn solution(
     choose: impl Fn(Extents) -> Scales,
 ) -> Result<(Scales, Solution), DrawError> {
     let board = board_scales(mechanism, structure, plan);
-    let drawn = draw(Board::new(Tape::of(arithmetic)), mechanism, structure, plan, board);
-    let drawn = drawn.and_then(|mut drawn| verify::verify(&mut drawn).map(|()| drawn));
-    let mut drawn = drawn.map_err(|error| with_range(error, mechanism, structure, plan))?;
+    let on_a_board = |mechanism| {
+        let mut drawn = draw(Board::new(Tape::of(arithmetic)), mechanism, structure, plan, board)?;
+        verify::verify(&mut drawn).map(|missed| (missed, drawn))
+    };
+    let ranged = |error| with_range(error, mechanism, structure, plan);
+    let (missed, mut drawn) = on_a_board(mechanism).map_err(ranged)?;
+    let loose;
+    if missed > 0.0 {
+        // Places that are rounded beside dimensions or guides: as far as they contradict these they may be elsewhere.
+        loose = mechanism.loosened(ROUNDED * missed);
+        drawn = on_a_board(&loose).map_err(ranged)?.1;
+    }
     let extents = measure(drawn.record(), mechanism, board);
     let mut page = choose(extents.clone());
     drawn.per_page = page.length() / board.length();

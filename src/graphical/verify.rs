@@ -4,6 +4,8 @@
 //! A construction uses each dimension once. Where places are given besides, the rest is overdetermined, and what
 //! contradicts them shows only when the skeleton stands.
 
+use std::cell::Cell;
+
 use crate::board::Line;
 use crate::mechanism::{LinkId, PointId, Rider, Roll};
 
@@ -15,14 +17,17 @@ use super::{DrawError, Unplaced};
 /// What may be missed by, in sizes of the skeleton: given places may miss dimensions and guides by 1e-6 of the size,
 /// and what is constructed from two of them by a little more.
 const ROUNDING: f64 = 1e-5;
+/// What is missed by less is noise, in sizes of the skeleton.
+const NOISE: f64 = 1e-11;
 /// Units of rounding in a coordinate of a guide that is given by a point of it far away.
 const ROUNDINGS: f64 = 16.0;
 
-/// Refuses a skeleton that misses a given place, a dimension, a guide or a rolling contact.
+/// Refuses a skeleton that misses a given place, a dimension, a guide or a rolling contact. Gives the largest miss that is
+/// taken as rounding, metres.
 ///
 /// # Errors
 /// [`DrawError::NoClosure`] with the point that is missed and by how much.
-pub(super) fn verify(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
+pub(super) fn verify(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
     // What is measured here is no part of the drawing.
     d.board.tape().aside(true);
     let verified = verified(d);
@@ -30,7 +35,7 @@ pub(super) fn verify(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
     verified
 }
 
-fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
+fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
     let places: Vec<[f64; 2]> = d.places.iter().flatten().map(|at| at.value()).collect();
     let extent = |axis: usize| {
         let all = || places.iter().map(|at| at[axis]);
@@ -49,8 +54,10 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
     }
     let room = figure::room(d.mechanism) / d.scales.length();
     let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest + room;
+    let worst = Cell::new(0.0_f64);
     let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_>| {
         let fine = miss.abs() <= allowed || !miss.is_finite();
+        worst.set(worst.get().max(if miss.is_finite() { miss.abs() } else { 0.0 }));
         let by = miss.abs() * d.scales.length();
         match d.mechanism.statement_of(pin) {
             _ if fine => Ok(()),
@@ -116,7 +123,10 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
             }
         }
     }
-    Ok(())
+    // What the arithmetic leaves is in the bounds already.
+    let noise = NOISE * size + ROUNDINGS * f64::EPSILON * farthest;
+    let worst = worst.get();
+    Ok(if worst > noise { worst * d.scales.length() } else { 0.0 })
 }
 
 /// A place that is stated of a point must agree with where the rest of the scene puts it.

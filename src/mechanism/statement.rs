@@ -200,6 +200,18 @@ impl Mechanism {
         }
     }
 
+    /// The mechanism with more room, metres, for every placed point.
+    #[must_use]
+    pub fn loosened(&self, room: f64) -> Self {
+        let mut loose = self.clone();
+        for point in &mut loose.points {
+            if let Place::Placed(at) = &mut point.place {
+                *at = at.map(|coordinate| coordinate.with_room(room));
+            }
+        }
+        loose
+    }
+
     /// The mechanism with every stated place as a solver found it: `at` tells the place of the point of a statement.
     #[must_use]
     pub fn with_places(&self, at: impl Fn(&Statement) -> Option<super::GivenPoint>) -> Self {
