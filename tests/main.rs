@@ -29,6 +29,7 @@ mod friction;
 #[path = "goldens/main.rs"]
 mod goldens;
 mod grade;
+mod grade_room;
 mod groups;
 #[path = "hard/main.rs"]
 mod hard;

@@ -138,6 +138,7 @@ impl Exam {
     /// The variant that the answers name, or after which their file is named.
     fn variant_of(&self, answers: &Path) -> Result<Scene, Failure> {
         let (file, text) = files::read_file(answers)?;
+        let text = grade::with_plain_digits(&text);
         let json =
             || Some(serde_json::from_str::<serde_json::Value>(&text).ok()?["variant"].as_str()?.to_owned());
         let row = || {
@@ -147,6 +148,7 @@ impl Exam {
         };
         let named = || {
             let stem = answers.file_stem()?.to_str()?;
+            let stem = grade::with_plain_digits(stem);
             let digits: String = stem.chars().take_while(char::is_ascii_digit).collect();
             (digits.len() == 3).then_some(digits)
         };

@@ -1,6 +1,9 @@
 //! What a student handed in: values, lengths measured on the drawing, and points read off the paper, as JSON, as
 //! CSV, or as the drawing itself.
 
+use std::borrow::Cow;
+
+use super::digits::{refuse_decimal_comma, with_plain_digits, with_plain_numbers};
 use super::scan::Scan;
 use crate::limits;
 use crate::mechanism::Sense;
@@ -49,6 +52,8 @@ pub struct Answers {
     pub drawing: Option<String>,
     /// Where the file names it; 0 where it does not.
     pub drawing_at: usize,
+    /// What the scene asks: what it asks twice may be answered twice.
+    asked: Vec<Quantity>,
     /// Where each scale stands in the file.
     pub(super) scales_at: [usize; Dimension::ALL.len()],
     file: String,
@@ -162,7 +167,7 @@ impl Answers {
     /// Takes one more value.
     pub(super) fn take(&mut self, item: Item) -> Res<()> {
         self.count(item.at)?;
-        refuse_twice(&self.items, &item)?;
+        refuse_twice(&self.items, &item, &self.asked)?;
         self.items.push(item);
         Ok(())
     }
@@ -202,6 +207,7 @@ impl Answers {
             tolerances: Vec::new(),
             drawing: None,
             drawing_at: 0,
+            asked: Vec::new(),
             scales_at: [0; Dimension::ALL.len()],
             file: file.to_owned(),
             text: text.to_owned(),
@@ -228,18 +234,50 @@ pub fn read_answers(text: &str, scene: &Scene) -> Result<Answers, Diagnostic> {
 /// # Errors
 /// See [`read_answers`].
 pub fn read_named(text: &str, file: &str, scene: &Scene) -> Result<Answers, Diagnostic> {
-    let empty = Answers::none(file, text);
     let begin = text.trim_start_matches('\u{feff}').trim_start();
+    let plain = if begin.starts_with('{') { with_plain_numbers(text) } else { Cow::Borrowed(text) };
+    let text = &*plain;
+    let asked = scene.mechanism.asked.iter().map(|asked| asked.quantity).collect();
+    let empty = Answers { asked, ..Answers::none(file, text) };
     if begin.starts_with('<') {
         return super::drawing::read(text, scene, empty).map_err(|fault| fault.locate(file, text, None));
     }
     if !begin.starts_with('{') {
         return super::csv::read(text, scene, empty).map_err(|fault| fault.locate(file, text, None));
     }
-    let json::Document { root, fault } = json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
-    let answers = fault.map_or_else(|| answers(&root, scene, empty), Err);
+    let json::Document { mut root, fault } =
+        json::parse(text).map_err(|fault| fault.locate(file, text, None))?;
+    let digits = fault.map_or_else(|| read_digits(&mut root, None), Err);
+    let answers = digits.and_then(|()| answers(&root, scene, empty));
     answers.map_err(|fault| fault.locate(file, text, Some(&root)))
 }
+
+/// Turns the digits of Persian and Arabic into those of ASCII, and names a decimal comma for what it is; names of people
+/// and files stay as they are.
+fn read_digits(value: &mut Value<'_>, key: Option<&str>) -> Res<()> {
+    match &mut value.kind {
+        Kind::Text(text) if !key.is_some_and(|key| NAMES.contains(&key)) => {
+            if let Cow::Owned(plain) = with_plain_digits(text) {
+                *text = plain;
+            }
+            refuse_decimal_comma(text, value.at)?;
+        }
+        Kind::List(list) => list.iter_mut().try_for_each(|one| read_digits(one, None))?,
+        Kind::Object(entries) => {
+            for entry in entries {
+                if let Cow::Owned(plain) = with_plain_digits(&entry.key) {
+                    entry.key = plain;
+                }
+                read_digits(&mut entry.value, Some(&entry.key))?;
+            }
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+/// Texts that are no answers.
+const NAMES: [&str; 3] = ["$schema", "student", "drawing"];
 
 fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers> {
     let fields = Fields::of(root, ANSWERS, "answers: {\"values\": {\"v(B)\": \"170 cm/s\"}, …}")?;
@@ -307,9 +345,13 @@ fn entries<'v, 'a>(fields: &Fields<'v, 'a>, key: &str, what: &str) -> Res<&'v [E
     fields.get(key).map_or(Ok(&[]), |value| value.object(what))
 }
 
-/// A quantity written in two spellings is written twice.
-fn refuse_twice(before: &[Item], item: &Item) -> Res<()> {
-    if before.iter().any(|other| other.asked.quantity == item.asked.quantity) {
+/// A quantity written in two spellings is written twice: once more than it is asked.
+fn refuse_twice(before: &[Item], item: &Item, asked: &[Quantity]) -> Res<()> {
+    let quantity = item.asked.quantity;
+    let written = before
+        .iter()
+        .filter(|other| other.asked.quantity == quantity && !matches!(other.given, Given::Drawn(_)));
+    if written.count() >= asked.iter().filter(|asked| **asked == quantity).count().max(1) {
         let fault = Fault::new(item.at, format!("`{}` is answered twice", item.asked.name));
         return Err(fault.mend("keep one of the two"));
     }

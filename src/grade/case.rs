@@ -628,6 +628,36 @@ impl<'s> Case<'s> {
         (0..self.observations.len()).map(allowed).collect()
     }
 
+    /// By how much an answer may be off what follows from an earlier fault: the same part of it as of what is right.
+    pub(super) fn most(&self, index: usize, seen: &[f64]) -> f64 {
+        let observation = &self.observations[index];
+        if observation.stated.is_some_and(|stated| stated > 0.0) || is_place(observation) {
+            return f64::INFINITY;
+        }
+        let exact = size(seen);
+        let rounding = observation.rounding.min(ROUNDED * exact) + ROUNDING * exact;
+        let least = self.finest(observation, 1.0, self.largest_rates()).unwrap_or(0.0);
+        (self.max_tolerance * exact + rounding).max(least)
+    }
+
+    /// However small a value is, nobody reads it finer than this; `None` where that is not told.
+    fn finest(&self, observation: &Observation, factor: f64, largest: [f64; 2]) -> Option<f64> {
+        match observation.quantity {
+            Some(Quantity::Omega(_) | Quantity::RelativeOmega(..)) => {
+                Some(self.max_tolerance * SMALL * largest[0])
+            }
+            Some(Quantity::Alpha(_) | Quantity::RelativeAlpha(..)) => {
+                Some(self.max_tolerance * SMALL * largest[1])
+            }
+            Some(quantity) if !is_vector(&quantity) => None,
+            _ => {
+                let order = observation.quantity.map_or(Order::Position, |q| q.order());
+                let order = if let Target::Image(order, _) = observation.target { order } else { order };
+                Some(FINEST * self.hand.length * self.si_per_mm(order) * factor)
+            }
+        }
+    }
+
     fn allowed(
         &self,
         observation: &Observation,
@@ -657,17 +687,8 @@ impl<'s> Case<'s> {
         let linear = observation.quantity.is_none_or(|q| is_vector(&q));
         let reading = if linear { self.hand.length * self.si_per_mm(order) * drawn.factor } else { 0.0 };
         let honest = (SAFETY * drawn.worst + reading + rounding).max(f64::MIN_POSITIVE);
-        // However short a vector is, nobody reads it finer than this.
-        let least = match observation.quantity {
-            _ if linear => FINEST * reading,
-            Some(Quantity::Omega(_) | Quantity::RelativeOmega(..)) => self.max_tolerance * SMALL * largest[0],
-            Some(Quantity::Alpha(_) | Quantity::RelativeAlpha(..)) => self.max_tolerance * SMALL * largest[1],
-            _ => honest,
-        };
-        let position = matches!(observation.quantity, Some(Quantity::Angle(_) | Quantity::Transmission(..)));
-        let place = matches!(observation.target, Target::Place(_))
-            || matches!(observation.quantity, Some(Quantity::Position(_) | Quantity::Centre(..)));
-        let by = match position || place {
+        let least = self.finest(observation, drawn.factor, largest).unwrap_or(honest);
+        let by = match is_place(observation) {
             // A place is counted from an origin that nobody reads it from.
             true => honest,
             false => honest.min((self.max_tolerance * exact + rounding).max(least)),
@@ -749,6 +770,20 @@ impl<'s> Case<'s> {
             }
         }
     }
+}
+
+/// Whether an answer is a place or an angle of the skeleton.
+fn is_place(observation: &Observation) -> bool {
+    matches!(observation.target, Target::Place(_))
+        || matches!(
+            observation.quantity,
+            Some(
+                Quantity::Angle(_)
+                    | Quantity::Transmission(..)
+                    | Quantity::Position(_)
+                    | Quantity::Centre(..)
+            )
+        )
 }
 
 /// Refuses a stated scale at which the right solution would be on no paper, or nothing that is seen.

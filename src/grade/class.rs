@@ -35,11 +35,15 @@ pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
     for report in class.iter().filter_map(|one| one.outcome.as_ref().ok()) {
         let mut own: BTreeMap<(&'static str, String), String> = BTreeMap::new();
         for graded in report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong) {
-            let (kind, at, text) = match graded.mistakes.first() {
-                Some(mistake) => (mistake.kind.name(), mistake.at.clone(), mistake.text()),
-                None => ("unknown", graded.name.clone(), format!("{}: no known mistake fits", graded.name)),
-            };
-            own.insert((kind, at), text);
+            match graded.mistakes.first() {
+                Some(mistake) => own.extend(
+                    mistake.parts().map(|part| ((part.kind.name(), part.at.clone()), part.own_text())),
+                ),
+                None => {
+                    let text = format!("{}: no known mistake fits", graded.name);
+                    own.insert(("unknown", graded.name.clone()), text);
+                }
+            }
         }
         for (key, text) in own {
             found.entry(key).or_insert((text, 0)).1 += 1;

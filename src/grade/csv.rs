@@ -1,6 +1,7 @@
 //! Answers as CSV: one row per quantity, or one row per point.
 
 use super::answers::{Answers, FigurePoints, directed, drawn, on_paper, order_of, scalar, turned, vector};
+use super::digits::{refuse_decimal_comma, with_plain_digits};
 use crate::limits;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::scene::Scene;
@@ -52,6 +53,9 @@ pub(super) fn read(text: &str, scene: &Scene, mut answers: Answers) -> Res<Answe
             let index = columns.iter().position(|c| c == name)?;
             row.get(index).filter(|(text, _)| !text.is_empty())
         };
+        for (text, at) in ["value", "x", "y", "direction"].into_iter().filter_map(field) {
+            refuse_decimal_comma(text, *at)?;
+        }
         let need =
             |name: &str| field(name).ok_or_else(|| Fault::new(first, format!("this row has no `{name}`")));
         // A box that was left empty: not answered.
@@ -213,6 +217,9 @@ fn fields(line: &str, start: usize, parted: bool) -> Res<Row> {
         let text = raw.trim();
         let bare = text.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
         let text = bare.map_or_else(|| text.to_owned(), |b| b.replace("\"\"", "\""));
+        // The name of a person stays as it is.
+        let named = row.first().is_some_and(|(key, _): &(String, usize)| key.eq_ignore_ascii_case("student"));
+        let text = if named { text } else { with_plain_digits(&text).into_owned() };
         let text = if parted { with_point(&text) } else { text };
         row.push((text, start + from + blanks));
     };

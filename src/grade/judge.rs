@@ -43,6 +43,15 @@ pub struct Mistake {
     pub residual: f64,
     /// How many answers it explains that are not right.
     pub explains: usize,
+    /// The mistake that was made beside it, where only both together explain the answers.
+    pub also: Option<Box<Mistake>>,
+}
+
+impl Mistake {
+    /// The mistake, and the one that was made beside it.
+    pub fn parts(&self) -> impl Iterator<Item = &Self> {
+        [self].into_iter().chain(self.also.as_deref())
+    }
 }
 
 /// One fault: where it starts, and what it may be.
@@ -77,6 +86,8 @@ const UNKNOWN: f64 = 12.0;
 const WEIGHED: usize = 24;
 /// Draughtsmen for the tolerances of one hypothesis.
 const FEW: u64 = 24;
+/// Whatever explains an answer brings it nearer by as many tolerances.
+const MOVES: f64 = 0.1;
 /// How many mistakes are named at one fault.
 const NAMED: usize = 5;
 /// Single mistakes that are tried together with every other one.
@@ -100,6 +111,8 @@ struct Tried {
     cost: f64,
     /// Of every answer, in tolerances.
     misses: Vec<f64>,
+    /// Of the answer that is to be explained, in tolerances of the right drawing.
+    moved: f64,
 }
 
 pub(super) fn judge(case: &Case<'_>) -> Judgement {
@@ -129,14 +142,15 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
         let (mistakes, change) = judge.explain();
         verdicts[first] = Some(Verdict::Wrong);
         faults.push(Fault { first, mistakes });
-        drawn = drawn.and(&change);
+        drawn = change;
         // What follows rightly from the fault.
         let Some(sketch) = case.drawn(&drawn, None) else { continue };
         let seen = case.seen(&sketch, &drawn);
         let tolerances = case.tolerances_of(&drawn, &seen, FEW);
         for (index, verdict) in verdicts.iter_mut().enumerate() {
             let allowed = tolerances[index].max(case.tolerances[index]);
-            if verdict.is_none() && case.miss(index, &seen[index]) <= EXPLAINED * allowed {
+            let most = seen[index].as_deref().map_or(0.0, |numbers| case.most(index, numbers));
+            if verdict.is_none() && case.miss(index, &seen[index]) <= (EXPLAINED * allowed).min(most) {
                 *verdict = Some(Verdict::Consistent);
             }
         }
@@ -155,21 +169,28 @@ struct Judge<'j, 's> {
 }
 
 impl Judge<'_, '_> {
-    /// The mistakes that explain the answer, ranked, and what the student is taken to have drawn.
+    /// The mistakes that explain the answer, ranked, and all that the student is taken to have drawn so far.
     fn explain(&self) -> (Vec<Mistake>, Change) {
-        let Some(base) = self.case.drawn(self.drawn, None) else { return (Vec::new(), Change::default()) };
+        let Some(base) = self.case.drawn(self.drawn, None) else { return (Vec::new(), self.drawn.clone()) };
         let hypotheses = mistakes::all(self.case, &base);
         let unknown = self.unknown(&base);
         let price = unknown.as_ref().map_or(UNKNOWN + MOST, |tried| tried.cost);
-        let mut tried = self.weighed(self.tried(&base, &hypotheses, self.drawn));
+        let unmoved = self.case.seen(&base, self.drawn);
+        let unmoved = self.case.miss(self.first, &unmoved[self.first]) / self.case.tolerances[self.first];
+        let mut tried = self.tried(&base, &hypotheses, self.drawn);
+        // What leaves the answer where it was does not explain it.
+        tried.retain(|t| unmoved - t.moved >= MOVES);
+        let mut tried = self.weighed(tried);
         tried.retain(|t| t.cost < price);
         // Two mistakes fit any one number: there must be more to be explained.
         let open = self.verdicts.iter().filter(|verdict| verdict.is_none()).count();
+        let mut two = false;
         if tried.is_empty() && open > 1 {
-            tried = self.pairs(&base, &hypotheses, price);
+            tried = self.pairs(&base, &hypotheses, price, unmoved);
+            two = tried.len() > 1;
         }
         let Some(best) = tried.first() else {
-            return (Vec::new(), unknown.map(|tried| tried.change).unwrap_or_default());
+            return (Vec::new(), unknown.map_or_else(|| self.drawn.clone(), |tried| tried.change));
         };
         let change = best.change.clone();
         let mut mistakes: Vec<Mistake> = Vec::new();
@@ -179,6 +200,9 @@ impl Judge<'_, '_> {
             if !known && mistakes.len() < NAMED {
                 mistakes.push(mistake);
             }
+        }
+        if let (true, [one, other, ..]) = (two, &mut mistakes[..]) {
+            one.also = Some(Box::new(other.clone()));
         }
         (mistakes, change)
     }
@@ -209,6 +233,7 @@ impl Judge<'_, '_> {
             how: how.clone(),
             residual,
             explains: explained.len(),
+            also: None,
         }
     }
 
@@ -268,6 +293,7 @@ impl Judge<'_, '_> {
         // Of two that explain as much, the one that is made at the answer that shows it.
         let here = hypothesis.at == self.case.observations[self.first].name;
         let mut cost = hypothesis.price - if here { AT_HAND } else { 0.0 };
+        let moved = self.case.miss(self.first, &seen[self.first]) / self.case.tolerances[self.first];
         let mut misses = Vec::with_capacity(seen.len());
         for (index, numbers) in seen.iter().enumerate() {
             let settled = matches!(self.verdicts[index], Some(Verdict::NotChecked));
@@ -284,11 +310,11 @@ impl Judge<'_, '_> {
                 cost += parts * libm::log(wider / WIDE).clamp(0.0, 1.5);
             }
         }
-        Tried { hypothesis, change, cost, misses }
+        Tried { hypothesis, change, cost, misses, moved }
     }
 
     /// Two mistakes at once.
-    fn pairs(&self, base: &Sketch, hypotheses: &[Hypothesis], price: f64) -> Vec<Tried> {
+    fn pairs(&self, base: &Sketch, hypotheses: &[Hypothesis], price: f64, unmoved: f64) -> Vec<Tried> {
         // The first of the two is one that explains something by itself, or changes what the answer depends on.
         let mut singles: Vec<Tried> = hypotheses
             .iter()
@@ -317,15 +343,31 @@ impl Judge<'_, '_> {
                     continue;
                 }
                 pair.cost += SECOND + single.hypothesis.price;
-                if pair.cost < price && !idle(&pair) {
-                    all.push((single.hypothesis.clone(), pair));
+                if pair.cost < price && !idle(&pair) && unmoved - pair.moved >= MOVES {
+                    all.push((single.clone(), pair));
                 }
             }
         }
         all.sort_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
         // Both are named, the one that comes first in the solution before the other.
-        let Some((first, pair)) = all.into_iter().next() else { return Vec::new() };
-        let other = Tried { hypothesis: first, ..pair.clone() };
+        let Some((single, pair)) = all.into_iter().next() else { return Vec::new() };
+        // Of two of which one leaves this answer where it was, only the other explains it; the one is found at the
+        // answer that it harms.
+        if (single.moved - pair.moved).abs() < MOVES {
+            return vec![single];
+        }
+        if let Some(alone) = alone.into_iter().find(|one| {
+            one.hypothesis.change == pair.hypothesis.change && (one.moved - pair.moved).abs() < MOVES
+        }) {
+            return vec![alone];
+        }
+        let mut pair = pair;
+        let mut other = Tried { hypothesis: single.hypothesis, ..pair.clone() };
+        if let (Some(one), Some(two)) = (other.hypothesis.step, pair.hypothesis.step)
+            && one > two
+        {
+            std::mem::swap(&mut other.hypothesis, &mut pair.hypothesis);
+        }
         if pair.hypothesis.kind == other.hypothesis.kind && pair.hypothesis.at == other.hypothesis.at {
             return Vec::new();
         }

@@ -11,6 +11,8 @@ pub enum Kind {
     NormalAwayFromCentre,
     /// A normal part was calculated or drawn with another link's ω, velocity, length or direction.
     NormalOfWrongLink,
+    /// A normal part was left out.
+    NormalMissing,
     /// Coriolis was left out.
     CoriolisMissing,
     /// Coriolis without its factor 2.
@@ -61,11 +63,12 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 28] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
         Self::NormalOfWrongLink,
+        Self::NormalMissing,
         Self::CoriolisMissing,
         Self::CoriolisWithoutTwo,
         Self::CoriolisWrongOmega,
@@ -99,6 +102,7 @@ impl Kind {
             Self::PerpendicularForParallel => "perpendicular-for-parallel",
             Self::NormalAwayFromCentre => "normal-away-from-centre",
             Self::NormalOfWrongLink => "normal-of-wrong-link",
+            Self::NormalMissing => "normal-missing",
             Self::CoriolisMissing => "coriolis-missing",
             Self::CoriolisWithoutTwo => "coriolis-without-two",
             Self::CoriolisWrongOmega => "coriolis-wrong-omega",

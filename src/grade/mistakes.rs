@@ -264,6 +264,14 @@ impl<'c> List<'c, '_> {
                     self.add_so(kind(), at, None, price + 1.0, read.and(&rates));
                 }
             }
+            // All that was handed in, read by one wrong scale: nothing is calculated from it on the way.
+            let all = [Misreading::Twisted { of: Which::AllVectors, twist: Twist::scaled(factor) }];
+            let rates = self
+                .rates_from(Which::AllVectors)
+                .into_iter()
+                .map(|(_, rate)| Misreading::Twisted { of: Which::One(rate), twist: Twist::scaled(factor) });
+            let every = Change { readings: all.into_iter().chain(rates).collect(), ..Change::default() };
+            self.add_so(kind(), "every reading", None, price + 0.75, every);
             let departures = self.misused(factor, |[a, b], _| {
                 measured.iter().any(|known| *known == [a, b] || *known == [b, a])
             });
@@ -404,6 +412,7 @@ impl<'c> List<'c, '_> {
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
                 }
                 Act::Calculate(Calculation::Normal { quantity, ends, speed, length, value, .. }) => {
+                    self.twisted(Kind::NormalMissing, &quantity, step, PLAIN, Twist::scaled(0.0));
                     self.twisted(Kind::NormalAwayFromCentre, &quantity, step, PLAIN, Twist::scaled(-1.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
                     if value > 0.0 {
@@ -427,6 +436,7 @@ impl<'c> List<'c, '_> {
                     }
                 }
                 Act::Calculate(Calculation::SlipNormal { quantity, .. }) => {
+                    self.twisted(Kind::NormalMissing, &quantity, step, PLAIN, Twist::scaled(0.0));
                     self.twisted(Kind::NormalAwayFromCentre, &quantity, step, PLAIN, Twist::scaled(-1.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
                 }

@@ -27,6 +27,7 @@ mod case;
 mod change;
 mod class;
 mod csv;
+mod digits;
 mod drawing;
 mod judge;
 mod kind;
@@ -46,6 +47,7 @@ pub use answers::{
     Answers, FigurePoints, Form, Given, Item, StatedScales, Tolerance, read_answers, read_named,
 };
 pub use class::{ClassFault, HandIn, class_csv, class_faults, faults_csv};
+pub(crate) use digits::with_plain_digits;
 pub use judge::{Mistake, Verdict};
 pub use kind::Kind;
 pub use report::{Allowed, FirstFault, Graded, Report, StepMarks};

@@ -49,14 +49,16 @@ impl Report {
             };
             let _ = writeln!(
                 page,
-                "<tr class=\"{}\"><td>{}</td><td><bdi>{}</bdi></td><td><bdi>{}</bdi></td><td>{}</td><td class=\"n\">{} of {}</td></tr>",
+                "<tr class=\"{}\"><td>{}</td><td><bdi>{}</bdi></td><td><bdi>{}</bdi></td><td>{}</td><td class=\"n\">{}</td></tr>",
                 graded.verdict.name(),
                 escaped(&graded.name),
                 escaped(&graded.handed_in()),
                 escaped(&right),
                 graded.verdict.told(),
-                marks(graded.reached()),
-                marks(graded.weight),
+                match graded.asked {
+                    true => format!("{} of {}", marks(graded.reached()), marks(graded.weight)),
+                    false => "no marks".to_owned(),
+                },
             );
         }
         if !self.missing.is_empty() {

@@ -5,7 +5,9 @@ use serde_json::{Value, json};
 use super::answers::{Answers, Form, Given};
 use super::case::{Allowance, Basis, Case, Observation, Target, size};
 use super::judge::{Judgement, Mistake, Verdict};
-use crate::mechanism::quantity::{Order, Unit};
+use super::mistakes::vector_of;
+use crate::graphical::construction::Label;
+use crate::mechanism::quantity::{Order, Quantity, Unit};
 
 /// A graded solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,8 +45,10 @@ pub struct Graded {
     pub tolerance: f64,
     /// Why.
     pub allowed: Allowed,
-    /// What it is worth.
+    /// What it is worth; nothing where it is not asked, or another answer stands for what is.
     pub weight: f64,
+    /// Whether it stands for something that is asked.
+    pub asked: bool,
     /// By how much it is off.
     pub off: f64,
     /// Of all these numbers.
@@ -129,14 +133,15 @@ impl Verdict {
 }
 
 pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) -> Report {
+    let worth = worth(case, &judgement.verdicts);
     let quantities: Vec<Graded> = case
         .observations
         .iter()
         .enumerate()
-        .map(|(index, observation)| {
+        .map(|(index, _)| {
             let fault = judgement.faults.iter().find(|fault| fault.first == index);
             let mistakes = fault.map(|fault| fault.mistakes.clone()).unwrap_or_default();
-            graded(case, index, observation, judgement.verdicts[index], mistakes)
+            graded(case, index, worth[index], judgement.verdicts[index], mistakes)
         })
         .collect();
     let missing = missing(case);
@@ -156,11 +161,81 @@ fn stated(case: &Case<'_>, name: &str) -> f64 {
     stated.map_or(1.0, |(_, weight)| *weight)
 }
 
-/// What an answer is worth: by the name under which the scene asks it, however the student spells it; a point of the
-/// drawing for the vector to it, unless that is answered as well.
+/// What each answer is worth; `None` of one that stands for nothing that is asked. What is asked is worth its marks
+/// once, however often and in whatever form it is handed in: a value stands for it before a length, that before the
+/// drawing.
+fn worth(case: &Case<'_>, verdicts: &[Verdict]) -> Vec<Option<f64>> {
+    if !case.scene.source.asks() {
+        return case.observations.iter().map(|observation| Some(weight(case, observation))).collect();
+    }
+    let mut worth: Vec<Option<f64>> = vec![None; case.observations.len()];
+    let mut give = |index: usize, marks: f64| worth[index] = Some(worth[index].unwrap_or(0.0) + marks);
+    let all = &case.scene.mechanism.asked;
+    for (place, asked) in all.iter().enumerate() {
+        // Of what is asked twice the answers stand in the order in which it is asked.
+        let before = all[..place].iter().filter(|other| other.quantity == asked.quantity).count();
+        let bearers = bearers(case, verdicts, asked.quantity);
+        if let Some(&index) = bearers.get(before).or(bearers.last()) {
+            give(index, stated(case, &asked.name));
+        }
+    }
+    // Whoever sets marks for what he does not ask, wants them given.
+    for (name, marks) in &case.scene.sheet.marks {
+        let own = case.observations.iter().position(|observation| observation.name == *name);
+        if let (Some(index), false) = (own, all.iter().any(|asked| asked.name == *name)) {
+            give(index, *marks);
+        }
+    }
+    worth
+}
+
+/// The answers that stand for a quantity, in the order of the file.
+fn bearers(case: &Case<'_>, verdicts: &[Verdict], quantity: Quantity) -> Vec<usize> {
+    let written = |on_paper: bool| -> Vec<usize> {
+        let own = |observation: &Observation| {
+            matches!(observation.target, Target::Asked(_))
+                && observation.quantity == Some(quantity)
+                && observation.on_paper == on_paper
+        };
+        (0..case.observations.len()).filter(|&index| own(&case.observations[index])).collect()
+    };
+    let [values, lengths] = [false, true].map(written);
+    match (values.is_empty(), lengths.is_empty()) {
+        (false, _) => values,
+        (true, false) => lengths,
+        (true, true) => shown(case, verdicts, quantity).into_iter().collect(),
+    }
+}
+
+/// The point of the drawing that shows a quantity: the head of its vector where the tail is drawn as well. Of two
+/// points the wrong one stands for it.
+fn shown(case: &Case<'_>, verdicts: &[Verdict], quantity: Quantity) -> Option<usize> {
+    let at = |target: Target| case.observations.iter().position(|observation| observation.target == target);
+    let (order, point) = match quantity {
+        Quantity::Position(point) => return at(Target::Place(point)),
+        Quantity::Velocity(point) | Quantity::Acceleration(point) => (quantity.order(), Some(point)),
+        _ => (quantity.order(), None),
+    };
+    if let Some(vector) = vector_of(&case.right.construction, &quantity) {
+        let head = at(Target::Image(order, vector.head));
+        let tail = at(Target::Image(order, vector.tail));
+        match (head, tail) {
+            (Some(head), None) if vector.tail == Label::Pole => return Some(head),
+            (Some(head), Some(tail)) => {
+                return Some(if verdicts[tail] == Verdict::Wrong { tail } else { head });
+            }
+            _ => {}
+        }
+    }
+    case.observations.iter().position(|observation| match observation.target {
+        Target::Image(of, Label::Image { point: image, .. }) => of == order && Some(image) == point,
+        _ => false,
+    })
+}
+
+/// What an answer is worth where the scene asks for everything: a point of the drawing for the vector to it, unless that
+/// is answered as well.
 fn weight(case: &Case<'_>, observation: &Observation) -> f64 {
-    use crate::graphical::construction::Label;
-    use crate::mechanism::quantity::Quantity;
     let quantity = match (observation.target, observation.quantity) {
         (Target::Image(Order::Velocity, Label::Image { point, .. }), _) => Some(Quantity::Velocity(point)),
         (Target::Image(Order::Acceleration, Label::Image { point, .. }), _) => {
@@ -178,27 +253,22 @@ fn weight(case: &Case<'_>, observation: &Observation) -> f64 {
 
 /// What is asked, and neither answered nor drawn as a point.
 fn missing(case: &Case<'_>) -> Vec<(String, f64)> {
-    use crate::graphical::construction::Label;
-    use crate::mechanism::quantity::Quantity;
-    let answered = |wanted: &Quantity| {
-        case.observations.iter().any(|observation| match (observation.target, *wanted) {
-            (Target::Image(Order::Velocity, Label::Image { point, .. }), Quantity::Velocity(of))
-            | (Target::Image(Order::Acceleration, Label::Image { point, .. }), Quantity::Acceleration(of))
-            | (Target::Place(point), Quantity::Position(of)) => point == of,
-            _ => observation.quantity == Some(*wanted),
-        })
+    let answered = |wanted: Quantity| {
+        let own = case.observations.iter().any(|observation| observation.quantity == Some(wanted));
+        own || shown(case, &vec![Verdict::NotChecked; case.observations.len()], wanted).is_some()
     };
-    let asked = case.scene.mechanism.asked.iter().filter(|asked| !answered(&asked.quantity));
+    let asked = case.scene.mechanism.asked.iter().filter(|asked| !answered(asked.quantity));
     asked.map(|asked| (asked.name.clone(), stated(case, &asked.name))).collect()
 }
 
 fn graded(
     case: &Case<'_>,
     index: usize,
-    observation: &Observation,
+    worth: Option<f64>,
     verdict: Verdict,
     mistakes: Vec<Mistake>,
 ) -> Graded {
+    let observation = &case.observations[index];
     let si = observation.unit.si;
     let truth = case.truth[index].clone().unwrap_or_default();
     let (given, magnitude_only) = match observation.given {
@@ -234,7 +304,8 @@ fn graded(
         right: in_unit(right),
         tolerance: by / si,
         allowed,
-        weight: weight(case, observation),
+        weight: worth.unwrap_or(0.0),
+        asked: worth.is_some(),
         off: case.miss(index, &case.truth[index]) / si,
         unit: observation.unit.clone(),
         step: observation.rank.1.checked_add(1),
@@ -345,6 +416,7 @@ fn quantity_json(graded: &Graded) -> Value {
         "tolerance": graded.tolerance,
         "tolerance_because": graded.because(),
         "marks": { "reached": graded.reached(), "of": graded.weight },
+        "asked": graded.asked,
         "verdict": graded.verdict.name(),
     });
     if graded.verdict == Verdict::Wrong {
@@ -354,9 +426,16 @@ fn quantity_json(graded: &Graded) -> Value {
 }
 
 fn mistake_json(mistake: &Mistake) -> Value {
-    json!({
+    let mut value = json!({
         "kind": mistake.kind.name(), "at": mistake.at, "step": mistake.step,
         "residual": mistake.residual, "explains": mistake.explains, "text": mistake.text(),
         "look": mistake.look(),
-    })
+    });
+    if let Some(also) = &mistake.also {
+        value["also"] = json!({
+            "kind": also.kind.name(), "at": also.at, "step": also.step, "text": also.own_text(),
+            "look": also.look(),
+        });
+    }
+    value
 }

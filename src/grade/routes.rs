@@ -58,7 +58,8 @@ pub(super) fn follows(
     let fits = |numbers: Vec<f64>| {
         let right = case.truth[index].as_deref().map_or(0.0, size);
         let larger = if right > 0.0 { (size(&numbers) / right).max(1.0) } else { 1.0 };
-        case.miss(index, &Some(numbers)) <= allowed * larger
+        let most = case.most(index, &numbers);
+        case.miss(index, &Some(numbers)) <= (allowed * larger).min(most)
     };
     let vectors =
         desk.vectors(target).into_iter().filter(|own| own.wrong).any(|own| fits(own.value.to_vec()));

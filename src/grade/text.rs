@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::answers::Form;
-use super::judge::Verdict;
+use super::judge::{Mistake, Verdict};
 use super::report::{Allowed, Graded, Report};
 
 impl Verdict {
@@ -139,9 +139,16 @@ pub(super) fn sentences(graded: &Graded) -> Vec<String> {
         let step = graded.step.map_or(String::new(), |step| format!(" from step {step} of the solution on"));
         return vec![format!("No known mistake leads to this value; compare your drawing{step}.")];
     };
-    let step = mistake.step.or(graded.step);
-    let step = step.map_or(String::new(), |step| format!(" (step {step} of the solution)"));
-    vec![format!("Probably {}{step}. {}", mistake.text(), mistake.look())]
+    let told = |mistake: &Mistake| {
+        let step = mistake.step.or(graded.step);
+        let step = step.map_or(String::new(), |step| format!(" (step {step} of the solution)"));
+        format!("{}{step}", mistake.own_text())
+    };
+    let parts: Vec<String> = mistake.parts().map(told).collect();
+    let mut looks: Vec<&str> = mistake.parts().map(Mistake::look).collect();
+    looks.dedup();
+    let sum = if parts.len() > 1 { "two mistakes at once: " } else { "" };
+    vec![format!("Probably {sum}{}. {}", parts.join("; and "), looks.join(" "))]
 }
 
 fn row(graded: &Graded) -> [String; 3] {
@@ -153,7 +160,8 @@ fn row(graded: &Graded) -> [String; 3] {
         }
         Verdict::NotChecked => Verdict::NotChecked.told().to_owned(),
     };
-    [graded.name.clone(), graded.handed_in(), verdict]
+    let unasked = if graded.asked { "" } else { ", no marks" };
+    [graded.name.clone(), graded.handed_in(), verdict + unasked]
 }
 
 /// Marks as people write them.

@@ -4,9 +4,16 @@ use super::judge::Mistake;
 use super::kind::Kind;
 
 impl Mistake {
-    /// The mistake in words.
+    /// The mistake in words, with the one that was made beside it.
     #[must_use]
     pub fn text(&self) -> String {
+        let both: Vec<String> = self.parts().map(Self::own_text).collect();
+        both.join("; and ")
+    }
+
+    /// The mistake alone in words.
+    #[must_use]
+    pub fn own_text(&self) -> String {
         let at = &self.at;
         let text = match self.kind {
             Kind::SenseReversed => format!("{at}: the opposite sense"),
@@ -15,7 +22,7 @@ impl Mistake {
             }
             Kind::NormalAwayFromCentre => format!("{at} points away from its centre"),
             Kind::NormalOfWrongLink => format!("{at} with ω, velocity, length or direction of another link"),
-            Kind::CoriolisMissing => format!("{at} was left out"),
+            Kind::NormalMissing | Kind::CoriolisMissing => format!("{at} was left out"),
             Kind::CoriolisWithoutTwo => format!("{at} without the factor 2"),
             Kind::CoriolisWrongOmega => format!("{at} with the ω of another link"),
             Kind::CoriolisWrongTurn => format!("{at} turned the wrong way"),
@@ -52,6 +59,9 @@ impl Mistake {
             }
             Kind::NormalAwayFromCentre => "The normal part of B against A points from B toward A.",
             Kind::NormalOfWrongLink => "V, ω, length and direction of a normal part are those of one link.",
+            Kind::NormalMissing => {
+                "Whatever turns has a normal part ω²·l toward the centre, with or without an angular acceleration."
+            }
             Kind::CoriolisMissing => {
                 "A point that slides along a link that turns has the part 2·V·ω; only if V or ω is zero there is none."
             }

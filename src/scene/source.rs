@@ -131,6 +131,12 @@ impl Source {
         &self.text
     }
 
+    /// Whether the file says what is asked: without a `find`, everything is.
+    #[must_use]
+    pub fn asks(&self) -> bool {
+        !self.anchors.asked.is_empty()
+    }
+
     /// What is wrong with a character, where the scene has it first; none where no text of the scene does.
     #[must_use]
     pub fn complain_of_character(&self, character: char, what: impl Into<String>) -> Option<Diagnostic> {

@@ -140,3 +140,50 @@ fn no_script_knows_a_mechanism() {
         }
     }
 }
+
+/// What is typed into the form of a question: digits of Persian and Arabic and a decimal comma are read; what cannot be
+/// read is marked, and nothing is saved without it.
+#[test]
+fn the_form_of_a_question_reads_or_marks() {
+    let typed = serde_json::json!([
+        [
+            ["v(B)", "magnitude", "in/s", "۵۷٫۴"],
+            ["v(B)", "direction", "deg", "−١٨٠"],
+            ["omega(3)", "value", "rad/s", "3,39"],
+            ["x(B)", "x", "in", "1"],
+            ["x(B)", "y", "in", "۱٬۰۰۰"]
+        ],
+        [
+            ["v(B)", "magnitude", "in/s", ""],
+            ["v(B)", "direction", "deg", "10"],
+            ["omega(3)", "value", "rad/s", "abc"],
+            ["x(B)", "x", "in", "1"],
+            ["x(B)", "y", "in", ""]
+        ],
+        [
+            ["v(B)", "magnitude", "in/s", "-3"],
+            ["a(B)", "magnitude", "in/s^2", "3 m"],
+            ["omega(3)", "value", "rad/s", ""]
+        ],
+    ]);
+    let root = common::root();
+    let ran = std::process::Command::new("node")
+        .args([root.join("tests/live/question.js"), root.join("src/live/page/question.js")])
+        .arg(typed.to_string())
+        .output();
+    let Ok(ran) = ran else {
+        eprintln!("skipped: there is no node to run the form in");
+        return;
+    };
+    let told: serde_json::Value = serde_json::from_slice(&ran.stdout)
+        .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&ran.stderr)));
+    assert_eq!(
+        told[0]["saved"],
+        serde_json::json!({ "v(B)": { "magnitude": 57.4, "unit": "in/s", "direction": -180 },
+            "omega(3)": { "value": 3.39, "unit": "rad/s" }, "x(B)": { "unit": "in", "components": [1, 1000] } })
+    );
+    assert_eq!(told[0]["marked"], serde_json::json!([false, false, false, false, false]));
+    assert_eq!(told[1]["marked"], serde_json::json!([true, false, true, false, true]));
+    assert_eq!(told[2]["marked"], serde_json::json!([true, true, false]));
+    assert!(told[1]["saved"] == "" && told[2]["saved"] == "");
+}

@@ -4,32 +4,70 @@ const form = /** @type {HTMLFormElement} */ (document.getElementById('answers'))
 const out = /** @type {HTMLTextAreaElement} */ (document.getElementById('out'));
 const said = /** @type {HTMLElement} */ (document.getElementById('told'));
 
-/** The answers as `linkgram grade` reads them. */
+/** A number as people write it, with Persian and Arabic digits and signs as well; NaN where it is none. */
+function read(/** @type {string} */ text) {
+  const plain = text
+    .replace(/[\u200e\u200f\u061c\s\u066c]/g, '')
+    .replace(/[\u0660-\u0669\u06f0-\u06f9]/g, (digit) => String(digit.charCodeAt(0) & 15))
+    .replace(/^\u2212/, '-')
+    .replace(/([eE])\u2212/, '$1-')
+    .replace(/[,\u066b\u060c]/, '.');
+  return /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(plain) ? Number(plain) : NaN;
+}
+
+/** The answers as `linkgram grade` reads them; a field that cannot be read, or that says too little, is marked. */
 function answers() {
   /** @type {Record<string, any>} */
   const values = {};
+  /** @type {HTMLInputElement | null} */
+  let wrong = null;
+  const mark = (/** @type {HTMLInputElement} */ field, /** @type {boolean} */ bad) => {
+    if (bad) field.setAttribute('aria-invalid', 'true');
+    else field.removeAttribute('aria-invalid');
+    field.style.outline = bad ? '2px solid #b00020' : '';
+    if (bad) wrong = wrong || field;
+  };
   for (const field of form.querySelectorAll('input')) {
-    const text = field.value.trim().replace(',', '.').replace('\u2212', '-');
-    const value = Number(text);
-    if (text === '' || !Number.isFinite(value)) continue;
+    const empty = field.value.trim() === '';
+    const value = read(field.value);
+    // A magnitude carries no sign.
+    mark(field, !empty && !(Number.isFinite(value) && (value >= 0 || field.dataset.part !== 'magnitude')));
+    if (empty || !Number.isFinite(value)) continue;
     const { name = '', part = '', unit = '' } = field.dataset;
     const own = Object.prototype.hasOwnProperty.call(values, name) ? values[name] : (values[name] = {});
     own[part] = value;
     if (part !== 'direction' && unit) own.unit = unit;
   }
-  // A place is two numbers or none.
+  // A direction alone is no vector, and half a place no place: the field that is empty is marked.
+  for (const field of form.querySelectorAll('input')) {
+    const { name = '', part = '' } = field.dataset;
+    const own = Object.prototype.hasOwnProperty.call(values, name) ? values[name] : {};
+    const lacks = (/** @type {string} */ one, /** @type {string} */ other) =>
+      part === one && own[one] === undefined && own[other] !== undefined;
+    if (lacks('magnitude', 'direction') || lacks('x', 'y') || lacks('y', 'x')) mark(field, true);
+  }
+  if (wrong) {
+    /** @type {HTMLInputElement} */ (wrong).focus();
+    return null;
+  }
+  // A place is two numbers.
   for (const [name, own] of Object.entries(values)) {
     const { x, y, ...rest } = own;
     if (x === undefined && y === undefined) continue;
-    if (x === undefined || y === undefined) delete values[name];
-    else values[name] = { ...rest, components: [x, y] };
+    values[name] = { ...rest, components: [x, y] };
   }
   return `${JSON.stringify({ values }, null, 2)}\n`;
 }
 
 form.addEventListener('submit', (event) => {
   event.preventDefault();
+  said.textContent = '';
+  out.hidden = true;
   const text = answers();
+  if (text === null) {
+    said.textContent = '✗';
+    return;
+  }
   try {
     if (window.origin === 'null' && location.protocol !== 'file:') throw new Error('sandboxed');
     const link = document.createElement('a');
