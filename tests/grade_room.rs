@@ -141,6 +141,29 @@ fn what_is_asked_twice_is_answered_twice() {
     assert!(thrice.contains("`v(B)` is answered twice") || thrice.contains("more often"), "{thrice}");
 }
 
+#[test]
+fn an_exam_gives_sense_and_direction_their_part() {
+    let by_parts = |scene: &Scene, values: Value| {
+        let answers = read_answers(&json!({ "values": values }).to_string(), scene).unwrap();
+        let settings = GradeSettings { by_parts: true, ..GradeSettings::default() };
+        grade(scene, &answers, &settings).unwrap()
+    };
+    let scene = offset_slider(FIND);
+    assert_eq!(by_parts(&scene, right()).sum(), (5.0, 5.0));
+    // A fixed guide leaves the sense alone to choose: a quarter of a vector's marks.
+    let report =
+        by_parts(&scene, json!({ "v(B)": 57.37, "omega(3)": 3.387, "a(B)": 560.5, "alpha(3)": 112.7 }));
+    assert_eq!(report.sum(), (1.5 + 1.0 + 0.75 + 1.0, 5.0), "{}", report.to_text());
+    assert!(report.to_text().contains("direction is not told"), "{}", report.to_text());
+    // Without a sense a rotation is counter-clockwise; this one is not.
+    let report = by_parts(&slider_in_line(), json!({ "omega(3)": 5.469 }));
+    assert_eq!(report.sum(), (0.75, 4.0), "{}", report.to_text());
+    let report = by_parts(&four_bar(), json!({ "v(B)": 5.986 }));
+    assert_eq!(report.sum(), (0.5, 7.0), "{}", report.to_text());
+    // A single scene is graded as ever.
+    assert_eq!(graded(&four_bar(), &json!({ "values": { "v(B)": 5.986 } })).sum(), (1.0, 7.0));
+}
+
 // --- what follows ------------------------------------------------------------------------------------------------------
 
 #[test]

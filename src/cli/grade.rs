@@ -62,6 +62,8 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(Failure(format!("{}: {why}", files::shown(&exam.folder))));
     }
     let mut settings = GradeSettings { max_tolerance: job.max_tolerance, ..GradeSettings::default() };
+    // The key of an exam gives sense and direction their part of the marks.
+    settings.by_parts = job.scene.is_dir();
     if let Some(hand) = job.hand {
         settings.hand = hand;
     }

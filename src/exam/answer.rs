@@ -100,18 +100,40 @@ pub(super) struct Worth {
 impl Worth {
     pub(super) fn of(scene: &Scene, asked: &Asked, max_tolerance: f64) -> Self {
         let marks = scene.sheet.marks.iter().find(|(name, _)| *name == asked.name).map(|(_, marks)| *marks);
-        let along_guide = match asked.quantity {
-            Quantity::Velocity(point) | Quantity::Acceleration(point) => {
-                scene.mechanism.slides.iter().any(|slide| {
-                    let rides = matches!(slide.rider, Rider::Pin { point: rider, .. } if rider == point);
-                    let straight = matches!(slide.guide.path, Path::Straight { .. });
-                    rides && straight && slide.guide.link == LinkId::FRAME
-                })
-            }
-            _ => false,
-        };
-        Self { marks, along_guide, max_tolerance }
+        Self { marks, along_guide: along_guide(scene, asked.quantity), max_tolerance }
     }
+}
+
+/// Which part of its marks an answer has whose magnitude is right and of which nothing is said about sense or direction.
+/// A rotation without a sense is counter-clockwise, as the questions say.
+pub(crate) fn share_without_direction(scene: &Scene, quantity: Quantity, right: &[f64]) -> f64 {
+    match (quantity, right) {
+        (Quantity::Position(_) | Quantity::Centre(..), _) => 1.0,
+        (_, [x, y]) if *x != 0.0 || *y != 0.0 => 1.0 - direction_part(scene, quantity),
+        (
+            Quantity::Omega(_)
+            | Quantity::RelativeOmega(..)
+            | Quantity::Alpha(_)
+            | Quantity::RelativeAlpha(..),
+            [value],
+        ) if *value < 0.0 => WITHOUT_SENSE / 100.0,
+        _ => 1.0,
+    }
+}
+
+/// Which part of a vector's marks its direction has.
+fn direction_part(scene: &Scene, quantity: Quantity) -> f64 {
+    if along_guide(scene, quantity) { SENSE } else { 0.5 }
+}
+
+/// Whether the direction of a vector is given but for its sense: by a fixed straight guide.
+fn along_guide(scene: &Scene, quantity: Quantity) -> bool {
+    let (Quantity::Velocity(point) | Quantity::Acceleration(point)) = quantity else { return false };
+    scene.mechanism.slides.iter().any(|slide| {
+        let rides = matches!(slide.rider, Rider::Pin { point: rider, .. } if rider == point);
+        let straight = matches!(slide.guide.path, Path::Straight { .. });
+        rides && straight && slide.guide.link == LinkId::FRAME
+    })
 }
 
 /// The numbers of an answer; none where it has no number or cannot be drawn by hand.

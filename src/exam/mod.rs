@@ -20,6 +20,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 pub use answer::KeyAnswer;
+pub(crate) use answer::share_without_direction;
 pub use bank::Bank;
 pub use key::{answers_csv, csv, json};
 pub use moodle::{cloze, numerical};

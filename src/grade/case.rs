@@ -81,6 +81,8 @@ pub(super) struct Case<'s> {
     stiffness: Vec<f64>,
     /// No tolerance is a larger part of its value.
     max_tolerance: f64,
+    /// Whether sense and direction have marks of their own.
+    pub(super) by_parts: bool,
 }
 
 /// By how much an answer may be off, and why. SI.
@@ -164,6 +166,7 @@ impl<'s> Case<'s> {
             allowances: Vec::new(),
             stiffness: Vec::new(),
             max_tolerance: settings.max_tolerance,
+            by_parts: settings.by_parts,
         };
         case.observe_items(answers);
         for figure in &answers.figures {

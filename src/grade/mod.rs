@@ -70,6 +70,8 @@ pub struct GradeSettings {
     pub draughtsmen: u64,
     /// No tolerance is a larger part of the right value; a tolerance that the answers state is not capped.
     pub max_tolerance: f64,
+    /// Whether marks are given by the parts of an exam's key: sense and direction have theirs.
+    pub by_parts: bool,
 }
 
 /// Where nothing is said, no answer may be off by more than a tenth.
@@ -81,6 +83,7 @@ impl Default for GradeSettings {
             hand: Hand { length: 0.2, angle: 0.3_f64.to_radians() },
             draughtsmen: 96,
             max_tolerance: MAX_TOLERANCE,
+            by_parts: false,
         }
     }
 }

@@ -49,6 +49,8 @@ pub struct Graded {
     pub weight: f64,
     /// Whether it stands for something that is asked.
     pub asked: bool,
+    /// Which part of its marks it has at most: less than all where a sense or direction is asked and not said.
+    pub share: f64,
     /// By how much it is off.
     pub off: f64,
     /// Of all these numbers.
@@ -293,6 +295,12 @@ fn graded(
             of: (linear && !right.is_empty()).then(|| on_paper(size(&right))),
         },
     };
+    let share = match (observation.quantity, &case.truth[index]) {
+        (Some(quantity), Some(truth)) if magnitude_only && case.by_parts => {
+            crate::exam::share_without_direction(case.scene, quantity, truth)
+        }
+        _ => 1.0,
+    };
     let in_unit = |numbers: Vec<f64>| numbers.into_iter().map(|n| n / si).collect();
     Graded {
         name: observation.name.clone(),
@@ -306,6 +314,7 @@ fn graded(
         allowed,
         weight: worth.unwrap_or(0.0),
         asked: worth.is_some(),
+        share,
         off: case.miss(index, &case.truth[index]) / si,
         unit: observation.unit.clone(),
         step: observation.rank.1.checked_add(1),
@@ -345,10 +354,14 @@ fn marks(quantities: &[Graded], case: &Case<'_>, missing: &[(String, f64)]) -> V
 }
 
 impl Graded {
-    /// Its marks: all of them where it is right or follows rightly.
+    /// Its marks: all of them where it is right or follows rightly, but for what it does not say.
     #[must_use]
     pub fn reached(&self) -> f64 {
-        if matches!(self.verdict, Verdict::Right | Verdict::Consistent) { self.weight } else { 0.0 }
+        if matches!(self.verdict, Verdict::Right | Verdict::Consistent) {
+            self.weight * self.share
+        } else {
+            0.0
+        }
     }
 }
 

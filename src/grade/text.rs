@@ -160,7 +160,11 @@ fn row(graded: &Graded) -> [String; 3] {
         }
         Verdict::NotChecked => Verdict::NotChecked.told().to_owned(),
     };
-    let unasked = if graded.asked { "" } else { ", no marks" };
+    let unasked = match (graded.asked, graded.share < 1.0) {
+        (false, _) => ", no marks",
+        (true, true) if graded.reached() > 0.0 => ", but its sense or direction is not told",
+        _ => "",
+    };
     [graded.name.clone(), graded.handed_in(), verdict + unasked]
 }
 
