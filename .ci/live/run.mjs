@@ -21,6 +21,10 @@ const sceneOf = (name) => {
   writeFileSync(file, run('new', name));
   return file;
 };
+// The input's place once what was done has been drawn.
+const placeOf = (page) => page.evaluate(() => new Promise((done) => {
+  requestAnimationFrame(() => requestAnimationFrame(() => done(Number(document.getElementById('exact').value))));
+}));
 const rest = (ms) => new Promise((done) => { setTimeout(done, ms); });
 
 const browser = await puppeteer.launch({
@@ -178,7 +182,7 @@ test('a wrong move is noticed', async () => {
 
 test('mouse, keys, field and play', async () => {
   const page = await open(fourPage);
-  const at = () => page.evaluate(() => Number(document.getElementById('exact').value));
+  const at = () => placeOf(page);
   const start = await at();
   await page.keyboard.press('ArrowRight');
   await rest(60);
@@ -235,7 +239,7 @@ test('a limit stops the hand', async () => {
   const limits = live.course.events.filter((event) => event.kind === 'limit').map((event) => event.at / live.variable.si);
   assert.ok(limits.length > 0);
   const page = await open(html);
-  const at = () => page.evaluate(() => Number(document.getElementById('exact').value));
+  const at = () => placeOf(page);
   await page.keyboard.down('Shift');
   for (let i = 0; i < 40; i++) await page.keyboard.press('ArrowRight');
   await page.keyboard.up('Shift');
@@ -256,7 +260,7 @@ test('a limit stops the hand', async () => {
 test('a finger leads a joint, and a phone is wide enough', async () => {
   if (firefox) return 'touch in Chromium only';
   const page = await open(fourPage, { width: 390, height: 800 });
-  const at = () => page.evaluate(() => Number(document.getElementById('exact').value));
+  const at = () => placeOf(page);
   const before = await at();
   const [x, y] = await page.evaluate(() => { const box = document.querySelector('.grip').getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; });
   await page.touchscreen.touchStart(x, y);
