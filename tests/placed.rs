@@ -655,7 +655,7 @@ fn a_group_that_closes_at_half_a_turn_is_found() {
 }
 
 /// What only dimensions make known is found after the stated places, none of which is checked by it. A stands above O2 and B
-/// at 120 mm on the x-axis, 130 mm from A (5 : 12 : 13); B slides at 100 mm/s, so A moves 240 mm/s along x.
+/// at 120 mm on the x-axis, 130 mm from A (5 : 12 : 13); B slides at 100 mm/s, and A along x as fast.
 #[test]
 fn a_stated_place_is_not_checked_by_what_is_found_later() {
     let scene = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] }, "placed": { "E": [200, 0] },
@@ -682,4 +682,36 @@ fn loci_need_no_given_point() {
                    { "pin": "B", "block": 4, "on": { "link": 1, "through": [0, 0], "angle": 0 } }],
         "input": { "link": 3, "omega": 4 }, "find": ["v(A)", "v(B)"] }"#;
     gives(scene, &[("v(A)", vec![0.0, -0.32]), ("v(B)", vec![0.24, 0.0])]);
+}
+
+/// A piston placed at (140, −15), a rod of 130 and a distance of 140.00001 along the guide: one fact but for rounding.
+/// v(B) − v(A) is square to the rod (120, −50): 1200 + 5200 ω₂ = 0.
+#[test]
+fn a_distance_along_the_guide_that_repeats_a_place() {
+    let piston = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] }, "placed": { "A": [20, 35], "B": [140, -15] },
+        "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["A", "B"], "length": 130 } },
+        "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": [0, -15] } } ],
+        "input": { "slide": "B", "at": 140.00001, "velocity": 10 }, "find": ["omega(2)", "x(B)"] }"#;
+    gives(piston, &[("omega(2)", vec![-1200.0 / 5200.0]), ("x(B)", vec![0.140, -0.015])]);
+}
+
+/// A bar from A through a pin at (120, 30) to E, which is read 0.03 beside its line with a room of 0.05: ω₃ is −1 rad/s
+/// (A moves at 150 mm/s square to the bar, 100 mm before the pin). Read three rooms beside it, E contradicts the pin.
+#[test]
+fn a_place_contradicts_within_its_room_only() {
+    let bar = |y: &str| {
+        format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O4": [120, 30] }},
+            "placed": {{ "A": [20, 30], "E": {{ "at": [130, {y}], "within": "0.05 mm" }} }},
+            "links": {{ "2": {{ "joins": ["O2", "A"] }}, "3": {{ "joins": ["A", "E"] }} }},
+            "slides": [{{ "pin": "O4", "block": 4, "on": {{ "link": 3, "through": "A", "toward": "E" }} }}],
+            "input": {{ "link": 2, "omega": 5 }}, "find": ["omega(3)"] }}"#
+        )
+    };
+    let scene = common::read(&bar("30.03"));
+    let (_, found) = answers(&scene).remove(0);
+    // A at (20, 30) moves with (−150, 100) mm/s; the part square to the bar turns it about the pin: −100/100.
+    found.iter().for_each(|solver| assert!((solver[0] + 1.0).abs() < 2e-3, "{solver:?}"));
+    let scene = common::read(&bar("30.15"));
+    assert!(solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).is_err());
 }

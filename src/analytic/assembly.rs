@@ -384,7 +384,6 @@ impl<'a> Assembler<'a> {
         Miss { joints, others }
     }
 
-    /// The worst of the equations that should hold by themselves, if it does not.
     /// By how much an equation that repeats others may miss, in mechanism sizes: rounding, and what placed points leave open.
     fn repeated(&self) -> f64 {
         let rooms = self.model.mechanism.points.iter().filter_map(|point| match point.place {
@@ -394,6 +393,7 @@ impl<'a> Assembler<'a> {
         REPEATED + ROOMS * rooms.fold(0.0, f64::max) / self.model.length
     }
 
+    /// The worst of the equations that should hold by themselves, if it does not.
     fn repeated_miss(&self, ordering: &Ordering, pose: &[f64]) -> Option<f64> {
         let spare = ordering.spare.iter().map(|row| &self.model.position[*row]);
         let worst = self

@@ -227,8 +227,8 @@ impl<'a> OwnTorque<'a> {
         Ok(!self.standing(at)?.rubbing_pairs().is_empty())
     }
 
-    /// Work of the loads without a potential for a radian of the input; with friction what the input gives, reversed. A load that follows a motion has no direction
-    /// where that motion rests; its power is the same from either side.
+    /// Work of the loads without a potential for a radian of the input; with friction what the input gives, reversed. A
+    /// load that follows a motion has no direction where that motion rests; its power is the same from either side.
     fn rate(&self, at: f64) -> Told<Known> {
         if self.rubs(at)? {
             let torque = self.torque(at)?;

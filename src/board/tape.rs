@@ -247,6 +247,12 @@ impl Tape {
         self.dice.is_some()
     }
 
+    /// Whether operations are recorded, so that numbers have bounds.
+    #[must_use]
+    pub fn keeps(&self) -> bool {
+        self.keeps
+    }
+
     /// Begins or ends what is done beside the drawing: its points are no strokes.
     pub fn aside(&mut self, aside: bool) {
         if self.aside != aside {

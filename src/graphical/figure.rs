@@ -103,17 +103,12 @@ fn draw_all(d: &mut Draughtsman<'_>) -> Result<Vec<Point>, DrawError> {
 
 /// By how much stated places may miss what they must lie on, metres: rounding, and what placed points leave open.
 pub(super) fn allowed(mechanism: &Mechanism, scales: Scales) -> f64 {
-    // At the scale of a first drawing the longest known length is 100 mm.
-    ROUNDING * 100.0 * scales.length() + room(mechanism)
-}
-
-/// What placed points leave open, metres: what hangs on several of them misses by as much.
-pub(super) fn room(mechanism: &Mechanism) -> f64 {
     let rooms = mechanism.points.iter().filter_map(|point| match point.place {
         Place::Placed(at) => Some(at[0].error.max(at[1].error)),
         Place::Fixed(_) | Place::Stated(_) | Place::Near(_) | Place::Unknown => None,
     });
-    4.0 * rooms.fold(0.0, f64::max)
+    // At the scale of a first drawing the longest known length is 100 mm.
+    ROUNDING * 100.0 * scales.length() + 4.0 * rooms.fold(0.0, f64::max)
 }
 
 impl Draughtsman<'_> {

@@ -7,7 +7,7 @@
 use std::cell::Cell;
 
 use crate::board::Line;
-use crate::mechanism::{LinkId, PointId, Rider, Roll};
+use crate::mechanism::{LinkId, Place, PointId, Rider, Roll};
 
 use super::draughtsman::Draughtsman;
 use super::figure;
@@ -52,11 +52,16 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
             farthest = farthest.max(libm::hypot(x, y));
         }
     }
-    let room = figure::room(d.mechanism) / d.scales.length();
-    let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest + room;
+    let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest;
+    let roomy = d.mechanism.points.iter().any(|point| match point.place {
+        Place::Placed(at) => at.iter().any(|c| c.error > f64::EPSILON * c.value.abs()),
+        Place::Fixed(_) | Place::Stated(_) | Place::Near(_) | Place::Unknown => false,
+    });
     let worst = Cell::new(0.0_f64);
-    let missed = |pin: PointId, miss: f64, d: &Draughtsman<'_>| {
-        let fine = miss.abs() <= allowed || !miss.is_finite();
+    // By as much as what was measured may be off for the room of placed points, a miss is theirs.
+    let missed = |pin: PointId, miss: f64, measured: &[u32], d: &mut Draughtsman<'_>| {
+        let open = if roomy && miss.abs() > allowed { d.left_open(measured) } else { 0.0 };
+        let fine = miss.abs() <= allowed + open || !miss.is_finite();
         worst.set(worst.get().max(if miss.is_finite() { miss.abs() } else { 0.0 }));
         let by = miss.abs() * d.scales.length();
         match d.mechanism.statement_of(pin) {
@@ -67,7 +72,8 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
     };
     for point in (0..d.places.len()).map(PointId) {
         if let (Some(at), Some(given)) = (d.places[point.0], d.world_place(point)) {
-            missed(point, d.board.distance(given, at).value(), d)?;
+            let off = d.board.distance(given, at);
+            missed(point, off.value(), &[off.mark()], d)?;
         }
     }
     stated_hints(d)?;
@@ -77,10 +83,10 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
         for (index, &from) in points.iter().take(2).enumerate() {
             for &to in &points[index + 1..] {
                 let (own_from, own_to) = (d.own(link, from), d.own(link, to));
-                let own = d.board.distance(own_from, own_to).value();
+                let own = d.board.distance(own_from, own_to);
                 let (at_from, at_to) = (d.at(from), d.at(to));
-                let drawn = d.board.distance(at_from, at_to).value();
-                missed(to, drawn - own, d)?;
+                let drawn = d.board.distance(at_from, at_to);
+                missed(to, drawn.value() - own.value(), &[drawn.mark(), own.mark()], d)?;
             }
         }
     }
@@ -95,11 +101,17 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
             continue;
         }
         let at = d.at(point);
-        let miss = match d.track(index, None) {
-            Track::Straight(line) => d.board.square_off(line, at)[1].value(),
-            Track::Arc(arc) => d.board.distance(arc.centre, at).value() - arc.radius.value(),
+        let (miss, measured) = match d.track(index, None) {
+            Track::Straight(line) => {
+                let across = d.board.square_off(line, at)[1];
+                (across.value(), vec![across.mark()])
+            }
+            Track::Arc(arc) => {
+                let away = d.board.distance(arc.centre, at);
+                (away.value() - arc.radius.value(), vec![away.mark(), arc.radius.mark()])
+            }
         };
-        missed(point, miss, d)?;
+        missed(point, miss, &measured, d)?;
     }
     for roll in &d.mechanism.rolls {
         match *roll {
@@ -110,7 +122,8 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
                 let [a, b] = centres.map(|c| d.at(c));
                 let [r, s] = radii.map(|radius| radius.value / d.scales.length());
                 let apart = if internal { (r - s).abs() } else { r + s };
-                missed(centres[1], d.board.distance(a, b).value() - apart, d)?;
+                let away = d.board.distance(a, b);
+                missed(centres[1], away.value() - apart, &[away.mark()], d)?;
             }
             Roll::Line { guide, centre, radius, .. } => {
                 if d.places[centre.0].is_none() || !stands(d, guide.link) {
@@ -118,8 +131,9 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
                 }
                 let Line { through, along } = d.line_of(&guide);
                 let at = d.at(centre);
-                let across = d.board.square_off(Line { through, along }, at)[1].value();
-                missed(centre, across.abs() - radius.value / d.scales.length(), d)?;
+                let across = d.board.square_off(Line { through, along }, at)[1];
+                let miss = across.value().abs() - radius.value / d.scales.length();
+                missed(centre, miss, &[across.mark()], d)?;
             }
         }
     }
@@ -127,6 +141,17 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
     let noise = NOISE * size + ROUNDINGS * f64::EPSILON * farthest;
     let worst = worst.get();
     Ok(if worst > noise { worst * d.scales.length() } else { 0.0 })
+}
+
+impl Draughtsman<'_> {
+    /// By how much what was measured may be off for what is given, paper millimetres; nothing where no tape tells.
+    fn left_open(&mut self, measured: &[u32]) -> f64 {
+        let tape = self.board.tape();
+        if !tape.keeps() || measured.iter().any(|mark| tape.weakness(*mark).is_some()) {
+            return 0.0;
+        }
+        measured.iter().map(|mark| tape.bound(*mark)).sum()
+    }
 }
 
 /// A place that is stated of a point must agree with where the rest of the scene puts it.

@@ -178,8 +178,8 @@ pub(super) fn directed_by_places(draft: &mut Draft<'_>) {
     }
 }
 
-/// Where a rider and the start of its straight guide on a moving link are placed, they say where a driven slide stands:
-/// `at` must say the same, and what differs by rounding is one fact, that of the places.
+/// Where a rider and the start of its straight guide are placed, they say where a driven slide stands: `at` must say the
+/// same, and what differs by rounding is one fact, that of the places.
 ///
 /// # Errors
 /// A [`Fault`] that names both where they differ by more.
@@ -188,25 +188,34 @@ pub(super) fn along_by_places(draft: &mut Draft<'_>) -> Res<()> {
     for index in 0..draft.mechanism.inputs.len() {
         let Input::Slide { slide, at: Some(at), .. } = draft.mechanism.inputs[index] else { continue };
         let pair = draft.mechanism.slides[slide];
-        // On a guide of the frame `at` brings the rider to its place: see `Cause::Along`.
-        if pair.guide.link == LinkId::FRAME {
+        let Path::Straight { through, offset, .. } = pair.guide.path else { continue };
+        let Some(rider) = draft.riding_point(&pair.rider) else { continue };
+        // On a guide of the frame `at` brings the rider to its place (see `Cause::Along`), unless dimensions hold it there.
+        let framed = pair.guide.link == LinkId::FRAME;
+        let links = &draft.mechanism.point(rider).links;
+        let held = |link: &LinkId| {
+            *link != LinkId::FRAME && !matches!(draft.link(*link).form, Form::Placed | Form::Single)
+        };
+        if framed && !links.iter().any(held) {
             continue;
         }
-        let Path::Straight { through: GuidePoint::Point(start), offset, .. } = pair.guide.path else {
-            continue;
-        };
-        let Some(rider) = draft.riding_point(&pair.rider) else { continue };
         let exact = |point: PointId| draft.mechanism.point(point).place.exact().map(spot_of);
+        let (start, named) = match through {
+            GuidePoint::Point(point) => (exact(point), Some(point)),
+            GuidePoint::Own(at) if framed => (Some(spot_of(at)), None),
+            GuidePoint::Own(_) => (None, None),
+        };
         // A place with room follows from `at`, which is known better.
-        let roomy = [rider, start].iter().any(|&point| draft.room(point) > 0.0);
-        let (Some(to), Some(from), false) = (exact(rider), exact(start), roomy) else { continue };
+        let roomy = named.iter().chain([&rider]).any(|&point| draft.room(point) > 0.0);
+        let (Some(to), Some(from), false) = (exact(rider), start, roomy) else { continue };
         let way = length(minus(to.xy, from.xy));
         let by_places = (way * way - offset.value * offset.value).max(0.0).sqrt();
         let miss = (by_places - at.value.abs()).abs();
         let known = at.error + to.error + from.error + offset.error;
         if miss > ROUNDING * size + known {
             let say = |metres| draft.scales.say_length(metres);
-            let (name, first) = (draft.say_point(rider), draft.say_point(start));
+            let name = draft.say_point(rider);
+            let first = named.map_or("its start", |point| draft.say_point(point));
             let what = format!(
                 "{name} is placed {} along its guide from {first}, but `at` of the driven slides[{slide}] says {}",
                 say(by_places),
