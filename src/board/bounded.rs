@@ -12,7 +12,7 @@
 
 use super::bounds::{ROUNDED, WEAK_DIVISOR};
 use super::op::{Beyond, OF_PARTIALS, Op};
-use super::program::{Node, Transcript, signed};
+use super::program::{FoundByTrial, Node, Transcript, signed};
 
 /// Positions that are bounded together: fewer than are computed, for four numbers stand for each.
 pub const FEW: usize = 8;
@@ -49,6 +49,9 @@ pub struct BoundedProgram {
     asked: Vec<Target>,
     /// Rows of the numbers that are divided by.
     divisors: Vec<u32>,
+    /// What is found by trial: its place among the trials of the drawing; the rows of where it stands and of how its miss
+    /// changes there.
+    trials: Vec<(usize, [u32; 2])>,
 }
 
 /// Room for a few positions with their bounds.
@@ -98,12 +101,15 @@ impl BoundedProgram {
             made_by: vec![None],
             asked: Vec::new(),
             divisors: Vec::new(),
+            trials: Vec::new(),
         };
         let mut rows = vec![0_u32; nodes.len()];
         for (slot, node) in nodes.iter().enumerate() {
             match *node {
                 _ if !needed[slot] => {}
                 Node::Input => {}
+                // Found elsewhere, for every place anew.
+                Node::Tried => rows[slot] = program.row(None),
                 Node::Constant(value, error) => {
                     rows[slot] = program.row(None);
                     program.constants.push((rows[slot], value, error));
@@ -122,6 +128,11 @@ impl BoundedProgram {
             let of = (0_u32..).zip(&divisors).filter(|(_, d)| reached[**d as usize]).map(|(index, _)| index);
             program.asked.push(Target { row: rows[slot as usize], divisors: of.collect() });
         }
+        let tried = transcript.trials.iter().enumerate();
+        program.trials = tried
+            .filter(|(_, trial)| needed.get(trial.corrected as usize).copied().unwrap_or(false))
+            .map(|(index, trial)| (index, [trial.found, trial.slope].map(|slot| rows[slot as usize])))
+            .collect();
         program.divisors = divisors.into_iter().map(|slot| rows[slot as usize]).collect();
         program
     }
@@ -144,7 +155,7 @@ impl BoundedProgram {
         }
         let mut from = of.map(|slot| rows.get(slot as usize).copied().unwrap_or(0));
         if op == Op::HalfChord {
-            from[1] = of[1];
+            from[1] = transcript.chord_of(of[1]);
         }
         let index = u32::try_from(self.steps.len()).unwrap_or(u32::MAX);
         let to = self.row(Some(index));
@@ -201,12 +212,29 @@ impl BoundedProgram {
     }
 
     /// Computes a few positions and the bounds of their numbers. `errors` is how far each input may be off; `signs`
-    /// has one number, 1 or −1, for each chord.
-    pub fn run(&self, inputs: &[f64; FEW], errors: &[f64; FEW], signs: &[f64], block: &mut BoundedBlock) {
+    /// has one number, 1 or −1, for each chord; `found` says what every trial of the drawing found at each position
+    /// ([`super::Workspace::found`]).
+    pub fn run(
+        &self,
+        inputs: &[f64; FEW],
+        errors: &[f64; FEW],
+        (signs, found): (&[f64], &[Vec<FoundByTrial>; FEW]),
+        block: &mut BoundedBlock,
+    ) {
         block.values[0] = *inputs;
         block.running[0] = *errors;
         block.roundings[0] = *errors;
         block.drawn_in.fill(false);
+        for &(index, [at, slope]) in &self.trials {
+            for (i, found) in found.iter().enumerate() {
+                let found = found.get(index).copied().unwrap_or_default();
+                // Any place will do from which a step of false position leads on; the slope of the miss is measured.
+                block.values[at as usize][i] = found.at;
+                block.values[slope as usize][i] = found.slope;
+                block.running[slope as usize][i] = found.slope_error;
+                block.roundings[slope as usize][i] = found.slope_error;
+            }
+        }
         for step in &self.steps {
             if forward(step, signs, block) && self.draw_in(step, block) {
                 forward(step, signs, block);
@@ -348,7 +376,8 @@ impl BoundedProgram {
         if let Some(g) = back.take(0) {
             spend(0, &g);
         }
-        for &(row, _, _) in &self.constants {
+        let from_outside = self.trials.iter().flat_map(|(_, rows)| *rows);
+        for row in self.constants.iter().map(|constant| constant.0).chain(from_outside) {
             if let Some(g) = back.take(row) {
                 spend(row, &g);
             }

@@ -19,6 +19,7 @@ mod op;
 mod program;
 mod scalar;
 mod tape;
+mod trial;
 
 use std::fmt::Debug;
 
@@ -29,10 +30,12 @@ pub use homogeneous::{HomogeneousLine, HomogeneousPoint, Location};
 pub use number::TOO_LARGE;
 pub use op::Op;
 pub use program::{
-    Block, Dual, LANES, Lane, Law, ListedStep, Listing, Program, Transcript, Variable, Wanted, Workspace,
+    Block, Dual, FoundByTrial, LANES, Lane, Law, ListedStep, ListedTrial, Listing, Program, Standing,
+    Transcript, Variable, Wanted, Workspace,
 };
 pub use scalar::{Arithmetic, Real};
 pub use tape::{Nudge, Operation, PointRecord, Reason, Tape};
+pub use trial::found_by_trial;
 
 /// A recorded scalar.
 #[derive(Debug, Clone, Copy)]
@@ -382,11 +385,32 @@ impl Board {
         Mm(angle.0)
     }
 
-    /// One step of false position: the angle less miss / slope. The slope must exceed its error.
-    pub fn corrected(&mut self, angle: Angle, miss: Mm, slope: crate::given::Given, reason: Reason) -> Angle {
-        let slope = self.given(slope);
+    /// Where something stands that was found by trial: an angle, or a way along a guide. Follow it with
+    /// [`Board::corrected`].
+    pub fn found(&mut self, at: f64) -> Angle {
+        Angle(self.tried(crate::given::Given::exact(at)))
+    }
+
+    /// One step of false position: what was found less miss / slope. The slope must exceed its error. `unit` is how far
+    /// what is tried may go at once: one radian, or a length of the paper.
+    pub fn corrected(
+        &mut self,
+        found: Angle,
+        miss: Mm,
+        (slope, unit): (crate::given::Given, f64),
+        reason: Reason,
+    ) -> Angle {
+        let slope = self.tried(slope);
         let step = self.div(miss.0, slope, reason);
-        Angle(self.sub(angle.0, step))
+        let corrected = self.sub(found.0, step);
+        self.tape.tried(tape::Trial {
+            found: found.mark(),
+            miss: miss.mark(),
+            slope: slope.mark,
+            corrected: corrected.mark,
+            unit,
+        });
+        Angle(corrected)
     }
 
     /// A part of a quantity.

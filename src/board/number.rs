@@ -25,6 +25,11 @@ impl Board {
         self.leaf(given, Role::Rate(index))
     }
 
+    /// A number that was found by trial.
+    pub(super) fn tried(&mut self, given: Given) -> Num {
+        self.leaf(given, Role::Tried)
+    }
+
     fn leaf(&mut self, given: Given, role: Role) -> Num {
         let (value, mark, finite) = self.tape.leaf(given, role);
         self.in_range(mark, finite);

@@ -21,6 +21,7 @@ use std::f64::consts::PI;
 use super::bounded::BoundedProgram;
 use super::op::{MOST_OPERANDS, Op};
 use super::tape::{self, Event, Leaf, Reason, Role, Tape};
+use super::trial::find;
 use crate::given::Given;
 
 /// Positions that are computed together.
@@ -44,7 +45,19 @@ pub(super) enum Node {
     /// A number that depends on nothing that is varied, and its error; 0 where nobody keeps errors.
     Constant(f64, f64),
     Input,
+    /// What is found by trial, for every place anew.
+    Tried,
     Made(Op, Operands),
+}
+
+/// An open constraint that is met by trial; slots.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Trial {
+    pub(super) found: u32,
+    pub(super) miss: u32,
+    pub(super) slope: u32,
+    pub(super) corrected: u32,
+    pub(super) unit: f64,
 }
 
 /// A number that a program is to give.
@@ -95,6 +108,9 @@ pub struct Transcript {
     pub(super) divisors: Vec<(u32, Reason)>,
     /// The angles that go on.
     turns: Vec<u32>,
+    pub(super) trials: Vec<Trial>,
+    /// Of each chord the one on whose sign it hangs: itself, but in a search by trial.
+    again: Vec<usize>,
     /// The slot of each mark of the tape.
     slots: Vec<u32>,
 }
@@ -160,6 +176,12 @@ impl Transcript {
             Some(slot) => u32::try_from(slot).unwrap_or(u32::MAX),
             None => self.node(Node::Input, value),
         }
+    }
+
+    /// Where what is varied stands in the drawing.
+    fn place(&self) -> f64 {
+        let at = self.nodes.iter().position(|n| matches!(n, Node::Input));
+        at.and_then(|slot| self.values.get(slot).copied()).unwrap_or(0.0)
     }
 
     fn node(&mut self, node: Node, value: f64) -> u32 {
@@ -304,11 +326,19 @@ impl Transcript {
         for &slot in &self.chords {
             squares[slot as usize] = true;
         }
+        let trials: Vec<(usize, Trial)> = self
+            .trials
+            .iter()
+            .copied()
+            .enumerate()
+            .filter(|(_, trial)| is_behind(&behind_any, trial.corrected))
+            .collect();
         let kept: Vec<u32> = asked
             .iter()
             .map(|wanted| wanted.slot)
             .chain(guards.iter().map(|d| d.0))
             .chain(chords.iter().chain(&turns).map(|(_, slot)| *slot))
+            .chain(trials.iter().flat_map(|(_, trial)| [trial.miss, trial.corrected]))
             .collect();
         let last_use = self.last_uses(&kept);
         let drawn = self.lots();
@@ -322,8 +352,18 @@ impl Transcript {
             turn_slots: self.turns.len(),
             chords: Vec::new(),
             turns: Vec::new(),
+            trials: Vec::new(),
+            tried_at: self
+                .trials
+                .iter()
+                .map(|trial| {
+                    [self.place(), self.value(trial.found), 1.0_f64.copysign(self.value(trial.slope))]
+                })
+                .collect(),
             divisors: Vec::new(),
         };
+        // The first step behind what each trial finds.
+        let mut begins = vec![0; self.trials.len()];
         // Rows whose number nobody needs any more: few rows stay in the nearest cache.
         let mut free: Vec<u32> = Vec::new();
         for (slot, node) in self.nodes.iter().enumerate() {
@@ -331,15 +371,26 @@ impl Transcript {
                 continue;
             }
             let Node::Made(op, of) = *node else {
-                if let Node::Constant(value, _) = *node {
-                    slots[slot] = program.row();
-                    program.constants.push((slots[slot], value));
+                match *node {
+                    Node::Constant(value, _) => {
+                        slots[slot] = program.row();
+                        program.constants.push((slots[slot], value));
+                    }
+                    Node::Tried => {
+                        slots[slot] = program.row();
+                        for (begin, trial) in begins.iter_mut().zip(&self.trials) {
+                            if trial.found as usize == slot {
+                                *begin = program.steps.len();
+                            }
+                        }
+                    }
+                    Node::Input | Node::Made(..) => {}
                 }
                 continue;
             };
             let mut from = of.map(|slot| slots.get(slot as usize).copied().unwrap_or(0));
             match op {
-                Op::HalfChord => from[1] = of[1],
+                Op::HalfChord => from[1] = self.chord_of(of[1]),
                 Op::Turned => from[2] = of[2],
                 _ => {}
             }
@@ -362,6 +413,20 @@ impl Transcript {
             });
             let guard = guarded[slot];
             program.steps.push(Step { op, to, second, guard, lots: lots(drawn[slot]), from });
+            for (index, trial) in trials.iter().filter(|(_, trial)| trial.miss as usize == slot) {
+                program.trials.push(Tried {
+                    index: *index,
+                    steps: [begins[*index], program.steps.len()],
+                    miss: to,
+                    unit: trial.unit,
+                    reason: self.divisors.iter().find(|d| d.0 == trial.slope).map(|d| d.1),
+                    ..Tried::default()
+                });
+            }
+            if !trials.is_empty() {
+                // What a search needs it needs again with every step.
+                continue;
+            }
             let mut done: Vec<u32> = of[..op.operands()].to_vec();
             done.sort_unstable();
             done.dedup();
@@ -374,8 +439,14 @@ impl Transcript {
         }
         let slot_of = |slot: u32| slots.get(slot as usize).copied().unwrap_or(0);
         program.asked = asked.iter().map(|wanted| slot_of(wanted.slot)).collect();
+        for tried in &mut program.trials {
+            let trial = self.trials[tried.index];
+            [tried.found, tried.slope, tried.corrected] =
+                [trial.found, trial.slope, trial.corrected].map(slot_of);
+        }
         program.chords = chords
             .into_iter()
+            .filter(|&(index, _)| self.chord_of_index(index) == index)
             .map(|(index, slot)| Chord {
                 index,
                 row: slot_of(slot),
@@ -386,6 +457,8 @@ impl Transcript {
         let mut divisors: Vec<(u32, Reason)> = guards
             .into_iter()
             .filter(|d| is_behind(&behind_motion, d.0) && !squares[d.0 as usize])
+            // Where the slope of a miss vanishes nothing is found beyond: that is a limit.
+            .filter(|d| self.trials.iter().all(|trial| trial.slope != d.0))
             .map(|(slot, why)| (slot_of(slot), why))
             .collect();
         divisors.sort_unstable();
@@ -402,6 +475,7 @@ impl Transcript {
             drawn.push(match *node {
                 Node::Input => LOT_OF_INPUT,
                 Node::Constant(value, _) => lot_of_constant(value),
+                Node::Tried => LOT_OF_TRIAL,
                 Node::Made(op, of) => {
                     let of = &of[..op.operands()];
                     let lot_of = |operand: &u32| drawn.get(*operand as usize).copied().unwrap_or(0);
@@ -496,12 +570,20 @@ impl Transcript {
     }
 
     fn read(mut self, tape: &Tape) -> Self {
-        for node in &tape.nodes {
+        // A trial that was given up is no more than numbers.
+        let found: Vec<u32> = tape.trials.iter().flat_map(|trial| [trial.found, trial.slope]).collect();
+        // How many half chords had been drawn before each mark.
+        let mut calls_before = Vec::with_capacity(tape.nodes.len());
+        for (mark, node) in (0_u32..).zip(&tape.nodes) {
+            calls_before.push(self.chord_calls.len());
             let slot = match *node {
                 tape::Node::Leaf(leaf) => {
                     let leaf = tape.leaves[leaf as usize];
                     match leaf.role {
-                        Role::Given | Role::Slip => self.uncertain(leaf.given.value, leaf.error),
+                        Role::Tried if found.contains(&mark) => self.node(Node::Tried, leaf.given.value),
+                        Role::Given | Role::Slip | Role::Tried => {
+                            self.uncertain(leaf.given.value, leaf.error)
+                        }
                         Role::Input(index) => self.input(index, &leaf),
                         Role::Rate(index) => self.input_rate(index, &leaf),
                     }
@@ -517,12 +599,63 @@ impl Transcript {
             };
             self.slots.push(slot);
         }
-        for &(_, event) in &tape.events {
-            if let Event::Divisor { slot, reason, .. } = event {
+        for &(at, event) in &tape.events {
+            // What is drawn to find the trial is drawn again with what was found.
+            let in_search = |trial: &tape::Trial| (trial.found..=trial.slope).contains(&at);
+            if let Event::Divisor { slot, reason, .. } = event
+                && !tape.trials.iter().any(in_search)
+            {
                 self.divisors.push((self.slots[slot as usize], reason));
             }
         }
+        let slot = |mark: u32| self.slots[mark as usize];
+        self.trials = tape
+            .trials
+            .iter()
+            .map(|trial| Trial {
+                found: slot(trial.found),
+                miss: slot(trial.miss),
+                slope: slot(trial.slope),
+                corrected: slot(trial.corrected),
+                unit: trial.unit,
+            })
+            .collect();
+        self.again = (0..self.chords.len()).collect();
+        for trial in &tape.trials {
+            let [from, to] = [trial.found, trial.slope].map(|mark| calls_before[mark as usize]);
+            for call in from..to {
+                let [first, second] =
+                    [call, call + to - from].map(|call| self.chord_calls.get(call).copied());
+                if let [Some(Some(first)), Some(Some(second))] = [first, second] {
+                    self.draw_again(first as usize, second as usize);
+                }
+            }
+        }
+        for call in self.chord_calls.iter_mut().flatten() {
+            *call = u32::try_from(self.again[*call as usize]).unwrap_or(u32::MAX);
+        }
         self
+    }
+
+    /// Notes that a half chord of a search is the same as one of the drawing that follows, so that both stand on one
+    /// side.
+    fn draw_again(&mut self, of_search: usize, of_drawing: usize) {
+        /// Squares of the same chord differ by no more than this part.
+        const SAME: f64 = 1e-4;
+        let [a, b] = [of_search, of_drawing].map(|chord| self.value(self.chords[chord]));
+        if (a - b).abs() <= SAME * a.abs().max(b.abs()) {
+            self.again[of_search] = of_drawing;
+        }
+    }
+
+    /// The chord on whose sign a half chord hangs.
+    fn chord_of_index(&self, chord: usize) -> usize {
+        self.again.get(chord).copied().unwrap_or(chord)
+    }
+
+    /// The same, by slots.
+    pub(super) fn chord_of(&self, chord: u32) -> u32 {
+        u32::try_from(self.chord_of_index(chord as usize)).unwrap_or(u32::MAX)
     }
 
     /// The slot of what has this mark on the tape.
@@ -633,6 +766,61 @@ struct Chord {
     reason: Option<Reason>,
 }
 
+/// An open constraint that is met by trial; rows.
+#[derive(Debug, Clone, Copy, Default)]
+struct Tried {
+    /// Its place among the trials of the drawing.
+    index: usize,
+    /// The steps from what is tried to the miss.
+    steps: [usize; 2],
+    found: u32,
+    miss: u32,
+    slope: u32,
+    corrected: u32,
+    unit: f64,
+    /// The reason that was noted with the slope of its miss.
+    reason: Option<Reason>,
+}
+
+/// For each trial so many numbers stand among the signs: a place of what is varied, where what is tried stands there, how
+/// it moves on, and in which sense its miss changes with it.
+const OF_TRIAL: usize = 4;
+
+/// Where a trial stands at one place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Standing {
+    /// The place of its four numbers among the signs: a place of what is varied, where what is tried stands there, how
+    /// it moves on, and in which sense its miss changes with it.
+    pub index: usize,
+    /// Where what is tried stands; not a number where no place near the expected one meets the constraint.
+    pub at: Dual,
+    /// In which sense its miss changes with it, 1 or −1.
+    pub sense: f64,
+    /// How far from where its numbers let one expect it, in units of how far it may go at once; infinite in another
+    /// assembly.
+    pub strayed: f64,
+    /// The reason that was noted with the slope of its miss: where that vanishes nothing is found beyond.
+    pub reason: Option<Reason>,
+}
+
+/// What a trial found at one place, for a [`super::BoundedProgram`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FoundByTrial {
+    /// Where what is tried stands; not a number where nothing was found.
+    pub at: f64,
+    /// How the miss changes there.
+    pub slope: f64,
+    /// How far the slope may be off.
+    pub slope_error: f64,
+}
+
+impl Default for FoundByTrial {
+    /// Nothing.
+    fn default() -> Self {
+        Self { at: f64::NAN, slope: f64::NAN, slope_error: f64::INFINITY }
+    }
+}
+
 /// A transcribed drawing.
 #[derive(Debug, Clone)]
 pub struct Program {
@@ -648,6 +836,11 @@ pub struct Program {
     chords: Vec<Chord>,
     /// By their place among the half turns.
     turns: Vec<(usize, u32)>,
+    /// In the order of drawing.
+    trials: Vec<Tried>,
+    /// For each trial of the drawing: where what is varied stood, what was found there, and in which sense its miss
+    /// changed.
+    tried_at: Vec<[f64; 3]>,
     /// Behind numbers of motion, half chords not among them.
     divisors: Vec<(u32, Reason)>,
 }
@@ -723,6 +916,9 @@ fn lots(lot: u64) -> u8 {
 /// The lot of the input.
 const LOT_OF_INPUT: u64 = 0xE220_A839_7B1D_CDAF;
 
+/// The lot of what is found by trial.
+const LOT_OF_TRIAL: u64 = 0x9FB2_1C65_1E98_DF25;
+
 /// The lot of a constant.
 fn lot_of_constant(value: f64) -> u64 {
     lot(value.to_bits())
@@ -745,6 +941,8 @@ impl Block {
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     rows: Vec<Row>,
+    /// By the trials of the drawing.
+    found: Vec<FoundByTrial>,
     looks: u64,
 }
 
@@ -753,6 +951,12 @@ impl Workspace {
     #[must_use]
     pub fn looks(&self) -> u64 {
         self.looks
+    }
+
+    /// What every trial of the drawing found at the place that was looked at last, for a [`super::BoundedProgram`].
+    #[must_use]
+    pub fn found(&self) -> &[FoundByTrial] {
+        &self.found
     }
 }
 
@@ -785,7 +989,48 @@ impl Program {
     pub fn signs(&self) -> Vec<f64> {
         let mut signs = vec![1.0; self.chord_slots];
         signs.resize(self.chord_slots + self.turn_slots, 0.0);
+        signs.extend(self.tried_at.iter().flat_map(|&[place, found, sense]| [place, found, 0.0, sense]));
         signs
+    }
+
+    /// The signs of chords and the half turns, without what is tried.
+    #[must_use]
+    pub fn sides<'s>(&self, signs: &'s [f64]) -> &'s [f64] {
+        signs.get(..self.chord_slots + self.turn_slots).unwrap_or(signs)
+    }
+
+    /// The signs of the same mechanism where what is varied counts from another zero, as after a whole turn.
+    #[must_use]
+    pub fn shifted(&self, signs: &[f64], by: f64) -> Vec<f64> {
+        let mut shifted = signs.to_vec();
+        for place in shifted.iter_mut().skip(self.chord_slots + self.turn_slots).step_by(OF_TRIAL) {
+            *place += by;
+        }
+        shifted
+    }
+
+    /// Whether anything is found by trial.
+    #[must_use]
+    pub fn tries(&self) -> bool {
+        !self.trials.is_empty()
+    }
+
+    /// Where the numbers of a trial stand among the signs.
+    fn numbers_of(&self, trial: &Tried) -> usize {
+        self.chord_slots + self.turn_slots + OF_TRIAL * trial.index
+    }
+
+    /// In which sense a trial's miss changes in this assembly.
+    fn sense(&self, trial: &Tried, signs: &[f64]) -> f64 {
+        signs.get(self.numbers_of(trial) + 3).copied().unwrap_or(f64::NAN)
+    }
+
+    /// Where a trial is expected to stand.
+    fn expected(&self, trial: &Tried, signs: &[f64], input: f64) -> f64 {
+        match signs.get(self.numbers_of(trial)..) {
+            Some(&[place, found, rate, ..]) => found + rate * (input - place),
+            _ => f64::NAN,
+        }
     }
 
     /// Near how many half turns the angle of this index is.
@@ -809,7 +1054,27 @@ impl Program {
     pub fn run(&self, inputs: &Lane, signs: &[f64], block: &mut Block) {
         let rows = block.rows.as_mut_slice();
         rows[0] = *inputs;
-        for step in &self.steps {
+        let mut done = 0;
+        for trial in &self.trials {
+            let [from, to] = trial.steps;
+            self.run_steps(&self.steps[done..from], signs, rows);
+            let expected = inputs.map(|input| self.expected(trial, signs, input));
+            let found = find(&expected, &[self.sense(trial, signs); LANES], trial.unit, |at| {
+                rows[trial.found as usize] = *at;
+                self.run_steps(&self.steps[from..to], signs, rows);
+                rows[trial.miss as usize]
+            });
+            rows[trial.found as usize] = found.at;
+            rows[trial.slope as usize] = found.slope;
+            done = from;
+        }
+        self.run_steps(&self.steps[done..], signs, rows);
+    }
+
+    /// Computes some of the steps for a block of positions.
+    #[inline]
+    fn run_steps(&self, steps: &[Step], signs: &[f64], rows: &mut [Lane]) {
+        for step in steps {
             let [a, b, c, d] = step.from;
             let x = rows[a as usize];
             let mut out = [0.0; LANES];
@@ -856,10 +1121,30 @@ impl Program {
         }
     }
 
+    /// Computes some of the steps for one position, by values alone: the doubles that [`Program::run`] comes to.
+    fn run_values(&self, steps: &[Step], signs: &[f64], rows: &mut [Row]) {
+        for step in steps {
+            let mut values = [0.0; MOST_OPERANDS];
+            for (value, &row) in values.iter_mut().zip(&step.from[..step.op.operands()]) {
+                *value = rows[row as usize].value;
+            }
+            let sign = signs.get(step.from[1] as usize).copied().unwrap_or(1.0);
+            rows[step.to as usize].value = match step.op {
+                Op::Turned => angle_near(self.half_turns(step.from[2], signs), values[0], values[1]),
+                op => signed(op, values, sign),
+            };
+            if step.second != 0 {
+                let other = if step.op == Op::Cosine { Op::Sine } else { Op::Cosine };
+                rows[step.second as usize].value = other.value(values);
+            }
+        }
+    }
+
     /// Computes one position, with the derivative of every number by the input and its error. The input counts as
     /// uncertain by a unit in its last place, as a number of the scene and its unit do.
     pub fn look(&self, input: f64, signs: &[f64], place: &mut Workspace) {
         place.looks += 1;
+        place.found.clear();
         let rows = &mut place.rows;
         rows.clear();
         rows.resize(self.rows as usize, Row::default());
@@ -871,7 +1156,33 @@ impl Program {
             constant.value = value;
             constant.round(4.0 * U * value.abs(), lots(lot_of_constant(value)));
         }
-        for step in &self.steps {
+        let mut done = 0;
+        for trial in &self.trials {
+            let [from, to] = trial.steps;
+            self.look_at_steps(&self.steps[done..from], signs, rows);
+            let (expected, sense) = (self.expected(trial, signs, input), self.sense(trial, signs));
+            let found = find(&[expected], &[sense], trial.unit, |&[at]| {
+                rows[trial.found as usize].value = at;
+                self.run_values(&self.steps[from..to], signs, rows);
+                [rows[trial.miss as usize].value]
+            });
+            rows[trial.found as usize] = Row { value: found.at[0], ..Row::default() };
+            let mut slope = Row { value: found.slope[0], ..Row::default() };
+            slope.round(found.slope_error[0], lots(LOT_OF_TRIAL));
+            slope.lost = !slope.is_clear();
+            rows[trial.slope as usize] = slope;
+            place.found.resize(self.tried_at.len(), FoundByTrial::default());
+            place.found[trial.index] =
+                FoundByTrial { at: found.at[0], slope: found.slope[0], slope_error: found.slope_error[0] };
+            done = from;
+        }
+        self.look_at_steps(&self.steps[done..], signs, rows);
+    }
+
+    /// Computes some of the steps for one position, with derivatives and errors.
+    #[inline]
+    fn look_at_steps(&self, steps: &[Step], signs: &[f64], rows: &mut [Row]) {
+        for step in steps {
             // What is no row (the index of a chord, or of a turn) is not looked at.
             let of = step.from.map(|row| rows.get(row as usize).unwrap_or(&rows[0]));
             let of = &of[..step.op.operands()];
@@ -907,6 +1218,24 @@ impl Program {
                 rows[step.second as usize] = second;
             }
         }
+    }
+
+    /// Where every trial stands at a place of what is varied that was looked at.
+    pub fn standing<'a>(
+        &'a self,
+        place: &'a Workspace,
+        signs: &'a [f64],
+    ) -> impl Iterator<Item = Standing> + 'a {
+        self.trials.iter().map(move |trial| {
+            let at = place.rows[trial.corrected as usize].moving();
+            let expected = self.expected(trial, signs, place.rows[0].value);
+            let index = self.numbers_of(trial);
+            let slope = place.rows[trial.slope as usize].value;
+            // Beyond a fold the miss changes the other way: that is another assembly.
+            let same = self.sense(trial, signs) * slope > 0.0;
+            let strayed = if same { (at.value - expected).abs() / trial.unit } else { f64::INFINITY };
+            Standing { index, at, sense: 1.0_f64.copysign(slope), strayed, reason: trial.reason }
+        })
     }
 
     /// The asked numbers of a place, in order.
@@ -972,6 +1301,25 @@ pub struct ListedStep {
     pub guard: bool,
 }
 
+/// An open constraint of a [`Listing`] that is met by trial.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ListedTrial {
+    /// Its place among the trials of the drawing: its numbers stand there among the signs, past the half turns.
+    pub index: usize,
+    /// The steps from what is tried to the miss.
+    pub steps: [usize; 2],
+    /// The row of where what is tried stands.
+    pub found: u32,
+    /// The row of the miss.
+    pub miss: u32,
+    /// The row of how the miss changes.
+    pub slope: u32,
+    /// How far what is tried may go at once.
+    pub unit: f64,
+    /// The signs that were drawn for the error of the slope.
+    pub lots: u8,
+}
+
 /// A program as it is written down for another evaluator: every row is written once. Row 0 is the input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Listing {
@@ -983,10 +1331,14 @@ pub struct Listing {
     pub constants: Vec<(u32, f64, u8)>,
     /// The operations, in order.
     pub steps: Vec<ListedStep>,
+    /// What is found by trial, in the order of the operations.
+    pub trials: Vec<ListedTrial>,
     /// The rows of the asked numbers.
     pub asked: Vec<u32>,
     /// How many signs of half chords stand before the half turns.
     pub chord_slots: usize,
+    /// How many half turns stand before what is tried.
+    pub turn_slots: usize,
     /// Every watched half chord: its place among the signs, the row of its square, why it may vanish.
     pub chords: Vec<(usize, u32, Option<Reason>)>,
     /// Every watched angle that goes on: its place among the half turns, and its row.
@@ -1011,6 +1363,10 @@ impl Program {
             .iter()
             .map(|&(row, value)| (fresh(&mut now, row), value, lots(lot_of_constant(value))))
             .collect();
+        for trial in &self.trials {
+            fresh(&mut now, trial.found);
+            fresh(&mut now, trial.slope);
+        }
         let steps = self
             .steps
             .iter()
@@ -1035,8 +1391,22 @@ impl Program {
             lots_of_input: lots(LOT_OF_INPUT),
             constants,
             steps,
+            trials: self
+                .trials
+                .iter()
+                .map(|trial| ListedTrial {
+                    index: trial.index,
+                    steps: trial.steps,
+                    found: row(trial.found),
+                    miss: row(trial.miss),
+                    slope: row(trial.slope),
+                    unit: trial.unit,
+                    lots: lots(LOT_OF_TRIAL),
+                })
+                .collect(),
             asked: self.asked.iter().map(|&asked| row(asked)).collect(),
             chord_slots: self.chord_slots,
+            turn_slots: self.turn_slots,
             chords: self.chords.iter().map(|c| (c.index, row(c.row), c.reason)).collect(),
             turns: self.turns.iter().map(|&(index, turn)| (index, row(turn))).collect(),
             divisors: self.divisors.iter().map(|&(divisor, why)| (row(divisor), why)).collect(),

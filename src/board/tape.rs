@@ -88,6 +88,8 @@ pub(super) enum Role {
     Input(usize),
     /// How fast the input of this index moves.
     Rate(usize),
+    /// Found by trial: whoever runs the drawing for another place has to find it anew.
+    Tried,
     /// The slip of a human hand.
     Slip,
 }
@@ -99,6 +101,22 @@ pub(super) enum Node {
     Leaf(u32),
     /// An operation on earlier results; operands that it does not take are 0.
     Made(Op, [u32; MOST_OPERANDS]),
+}
+
+/// An open constraint that was met by trial: what is tried stands where nothing is missed, and one step of false position
+/// with the slope of the miss follows from there as ordinary operations. All are marks.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Trial {
+    /// Where what is tried was found to stand.
+    pub(super) found: u32,
+    /// By how much the constraint is missed there.
+    pub(super) miss: u32,
+    /// How the miss changes with what is tried.
+    pub(super) slope: u32,
+    /// Where it stands after the step of false position.
+    pub(super) corrected: u32,
+    /// How far what is tried may go at once: one radian, or a length of the paper.
+    pub(super) unit: f64,
 }
 
 /// What happens between two operations.
@@ -155,6 +173,7 @@ pub struct Tape {
     pub(super) values: Vec<f64>,
     fine: Fine,
     pub(super) leaves: Vec<Leaf>,
+    pub(super) trials: Vec<Trial>,
     /// What happens, each before the operation of this index.
     pub(super) events: Vec<(u32, Event)>,
     /// Factors that stand on the tape already.
@@ -194,6 +213,7 @@ impl Tape {
             values: Vec::new(),
             fine,
             leaves: Vec::new(),
+            trials: Vec::new(),
             events: Vec::new(),
             factors: Vec::new(),
             strokes: Vec::new(),
@@ -410,6 +430,13 @@ impl Tape {
     /// How large the error of a result is, where the draughtsman may ask.
     pub(super) fn error(&mut self, mark: u32) -> Option<f64> {
         self.judges.then(|| self.total_error(mark))
+    }
+
+    /// Notes that an open constraint was met by trial.
+    pub(super) fn tried(&mut self, trial: Trial) {
+        if self.keeps {
+            self.trials.push(trial);
+        }
     }
 
     /// The slip of the hand in one act, in millimetres or radians, and its mark; `None` where the hand is perfect.

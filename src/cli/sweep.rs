@@ -259,7 +259,7 @@ fn refusal(scene: &Scene, error: SweepError) -> Failure {
             .source
             .complain(
                 Subject::Inputs,
-                "a group of higher class is solved by trial, which a sweep cannot do yet".to_owned(),
+                "no construction is known for a group of links, neither by dyads nor by trial".to_owned(),
                 Some("drive another link, so that the mechanism falls apart into dyads".to_owned()),
             )
             .into(),

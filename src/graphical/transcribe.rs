@@ -9,7 +9,7 @@ use crate::plan::{Plan, chord};
 use super::draughtsman::Draughtsman;
 use super::reading::read_all;
 use super::rolled::Starts;
-use super::{DrawError, Scales, drawn_by};
+use super::{DrawError, Scales, board_scales, drawn_by};
 
 /// A transcribed drawing and what its numbers mean.
 #[derive(Debug, Clone)]
@@ -66,11 +66,10 @@ impl Transcribed {
 
 /// Draws the mechanism once, at the place of its inputs, and writes the drawing down as a program of what is
 /// varied; `lean` of the asked quantities are wanted for every position; `starts` says where points of wheels stand
-/// in it, empty where no wheel has points. Paper and reality have the same scale: nobody looks at this drawing.
+/// in it, empty where no wheel has points. Paper and reality have the same scale where nobody looks at this drawing.
 ///
 /// # Errors
-/// See [`DrawError`]; [`DrawError::NoConstruction`] for groups of higher class, whose trials are not steps of
-/// fixed number.
+/// See [`DrawError`].
 pub fn transcribe(
     mechanism: &Mechanism,
     structure: &Structure,
@@ -161,16 +160,14 @@ fn write_down(
     plan: &Plan,
     starts: &Starts,
 ) -> Result<Written, DrawError> {
-    let higher = plan
-        .steps(Order::Position)
-        .iter()
-        .map(|step| &structure.groups[step.group])
-        .find(|group| matches!(group.kind, GroupKind::Higher { .. } | GroupKind::Other));
-    if let Some(group) = higher {
+    let groups = || plan.steps(Order::Position).iter().map(|step| &structure.groups[step.group]);
+    if let Some(group) = groups().find(|group| group.kind == GroupKind::Other) {
         let links: Vec<LinkId> = group.links.clone();
         return Err(DrawError::NoConstruction { links });
     }
-    let scales = Scales::new(|_| 1.0);
+    // Trials are looked at: how near a place is to another, and whether a miss is small, is measured on paper.
+    let tries = groups().any(|group| matches!(group.kind, GroupKind::Higher { .. }));
+    let scales = if tries { board_scales(mechanism, structure, plan) } else { Scales::new(|_| 1.0) };
     let board = Board::new(Tape::to_be_run());
     let mut draughtsman = Draughtsman::new(board, mechanism, structure, scales);
     draughtsman.starts = starts;

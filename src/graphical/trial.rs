@@ -15,7 +15,7 @@
 //!
 //! *Acceleration*: in the same way, with the trial driver's angular acceleration.
 
-use crate::board::{Amount, Angle, Board, Line, Mm, Point, Side};
+use crate::board::{Amount, Angle, Board, Line, Mm, Point, Side, found_by_trial};
 use crate::given::Given;
 use crate::mechanism::quantity::Order;
 use crate::mechanism::structure::{
@@ -38,6 +38,11 @@ const TRIALS: u32 = 720;
 const HALVINGS: usize = 60;
 /// A residual is a root, not a jump, below this part of the paper's size (100 mm).
 const ROOT: f64 = 1e-4;
+/// A tenth of the paper's size, millimetres.
+const TENTH_OF_PAPER: f64 = 10.0;
+/// A miss at the edge of what closes is a root below this, millimetres: there it goes with the root of what is left, and
+/// an angle to its last digit tells it to half of them.
+const AT_EDGE: f64 = 1e-5;
 /// Two roots whose places differ by less are one, millimetres.
 const SAME_PLACE: f64 = 1e-4;
 /// Paper length of a trial vector, millimetres.
@@ -228,15 +233,15 @@ impl<'m> Draughtsman<'m> {
     }
 
     fn by_trial(&mut self, trial: &Trial, steps: &[GroupStep], rod: &GroupStep) -> Result<(), DrawError> {
-        let root = self.find_root(trial)?;
-        let slope = self.slope(trial, steps, &root);
+        let mut root = self.find_root(trial)?;
+        let slope = self.settle_root(trial, steps, &mut root);
         let links = self.links_of_trial(trial);
         let Some(&(driver, closing)) = trial.drivers.first() else {
             return Err(DrawError::NoConstruction { links });
         };
         self.act(Act::TryPosition { driver, closing });
         // First with the angle found on the scratch board, then with what the tape makes of it.
-        let found = self.board.angle(Given::exact(root.angle));
+        let found = self.board.found(root.angle);
         self.silent = true;
         self.sides = Some(root.sides.clone());
         let tried = self.positions(trial, steps, rod, &[found]);
@@ -245,7 +250,7 @@ impl<'m> Draughtsman<'m> {
         self.nothing_missing()?;
         let reason = self.reason(&links);
         let Some(miss) = miss?? else { return Err(DrawError::NoConstruction { links }) };
-        let angle = self.board.corrected(found, miss, slope, reason);
+        let angle = self.board.corrected(found, miss, (slope, self.unit_of_trial(driver)), reason);
         self.sides = Some(root.sides);
         let drawn = self.positions(trial, steps, rod, &[angle]);
         self.sides = None;
@@ -507,7 +512,7 @@ impl<'m> Draughtsman<'m> {
                 };
                 let given = match (angle, p, q) {
                     (Some(angle), ..) => {
-                        let angle = self.board.angle(angle);
+                        let angle = self.board.input_angle(input, angle);
                         self.board.protractor(angle)
                     }
                     (None, Some(from), Some(to)) => {
@@ -525,7 +530,7 @@ impl<'m> Draughtsman<'m> {
                 let [along, _] = self.board.square_off(line, at);
                 let given = match (self.mechanism.inputs[input], self.given_place(pin)) {
                     (Input::Slide { at: Some(given), .. }, _) => {
-                        let given = self.board.amount(given);
+                        let given = self.board.input_amount(input, given);
                         let scale = self.length_scale();
                         self.board.to_paper(given, scale)
                     }
@@ -615,14 +620,17 @@ impl<'m> Draughtsman<'m> {
             for k in 1..=TRIALS + 1 {
                 let (here, last) = (angle_of(k), angle_of(k - 1));
                 let now = evaluate(here);
-                match (before, now) {
+                let at_edge = match (before, now) {
                     (None, Some(_)) => {
                         seen.clear();
-                        seen.extend(edge(&mut evaluate, last, here));
+                        edge(&mut evaluate, last, here)
                     }
-                    (Some(_), None) => seen.extend(edge(&mut evaluate, here, last)),
-                    _ => {}
-                }
+                    (Some(_), None) => edge(&mut evaluate, here, last),
+                    _ => None,
+                };
+                // A root at the very edge, where a group inside is at its own dead centre, is none that is passed.
+                found.extend(at_edge.filter(|(_, miss)| miss.abs() < AT_EDGE).map(|(angle, _)| angle));
+                seen.extend(at_edge);
                 seen.extend(now.map(|f| (here, f)));
                 least = seen.iter().fold(least, |least, (_, f)| least.min(f.abs()));
                 if let &[.., first, middle, end] = seen.as_slice()
@@ -654,15 +662,24 @@ impl<'m> Draughtsman<'m> {
         self.choose_root(trial, roots, least)
     }
 
-    /// Half of the range in which a driver is tried: half a turn, or as far along a guide as the mechanism is large.
-    fn reach_of_trial(&self, driver: TrialDriver) -> f64 {
-        let turns = match driver {
+    /// Whether a driver is tried by an angle; else by a way along its guide.
+    fn turns(&self, driver: TrialDriver) -> bool {
+        match driver {
             TrialDriver::Turn(_) => true,
             TrialDriver::Slide(slide) => {
                 matches!(self.mechanism.slides[slide].guide.path, Path::Arc { .. })
             }
-        };
-        if turns {
+        }
+    }
+
+    /// How far a driver may go at once: a radian, or a tenth of the paper's size.
+    fn unit_of_trial(&self, driver: TrialDriver) -> f64 {
+        if self.turns(driver) { 1.0 } else { TENTH_OF_PAPER }
+    }
+
+    /// Half of the range in which a driver is tried: half a turn, or as far along a guide as the mechanism is large.
+    fn reach_of_trial(&self, driver: TrialDriver) -> f64 {
+        if self.turns(driver) {
             return std::f64::consts::PI;
         }
         let lengths: f64 = self
@@ -731,28 +748,21 @@ impl<'m> Draughtsman<'m> {
         Ok(roots.swap_remove(best))
     }
 
-    /// How the miss changes with the trial angle, by differences on the scratch board; its error from two
-    /// steps of different size.
-    fn slope(&self, trial: &Trial, steps: &[GroupStep], root: &Root) -> Given {
-        const STEP: f64 = 1e-6;
+    /// Brings a root to where whoever runs the drawing elsewhere finds it, and gives how the miss changes there.
+    fn settle_root(&mut self, trial: &Trial, steps: &[GroupStep], root: &mut Root) -> Given {
+        let Some(&(driver, closing)) = trial.drivers.first() else { return Given::exact(0.0) };
         let mut sketch = self.sketch();
-        let closing = trial.drivers.first().map(|&(_, closing)| closing);
         let on_rod = GroupStep { group: 0, points: Vec::new() };
-        let mut miss_at = |angle: f64| -> Option<f64> {
+        let miss_at = |angle: f64| -> Option<f64> {
             let along = sketch.board.angle(Given::exact(angle));
             sketch.sides = Some(root.sides.clone());
             sketch.positions(trial, steps, &on_rod, &[along]).ok()?;
-            Some(sketch.miss(closing?).ok()??.value())
+            Some(sketch.miss(closing).ok()??.value())
         };
-        let mut difference = |h: f64| -> f64 {
-            match (miss_at(root.angle + h), miss_at(root.angle - h)) {
-                (Some(a), Some(b)) => (a - b) / (2.0 * h),
-                // At the edge of assembly there is no slope to rely on.
-                _ => 0.0,
-            }
-        };
-        let (fine, coarse) = (difference(STEP), difference(2.0 * STEP));
-        Given::within(fine, (fine - coarse).abs())
+        let (at, slope) = found_by_trial(root.angle, self.unit_of_trial(driver), miss_at);
+        root.angle = at.unwrap_or(root.angle);
+        // At the edge of assembly there is no slope to rely on.
+        slope.unwrap_or(Given::exact(0.0))
     }
 
     // --- velocity ------------------------------------------------------------------------------

@@ -129,16 +129,23 @@ impl<'s> Live<'s> {
             .iter()
             .zip(rows)
             .map(|(column, row)| {
-                json!({
+                let mut output = json!({
                     "row": row,
                     "name": column.asked.name,
                     "axis": column.axis,
                     "unit": column.asked.unit.symbol,
                     "si": column.asked.unit.si,
-                    "unsigned": column.is_unsigned(),
-                    "of_position": column.is_of_position(),
                     "asked": !column.watched,
-                })
+                });
+                // What holds of few is said of these alone: a page has no room to spare.
+                for (name, holds) in
+                    [("unsigned", column.is_unsigned()), ("of_position", column.is_of_position())]
+                {
+                    if holds {
+                        output[name] = holds.into();
+                    }
+                }
+                output
             })
             .collect()
     }

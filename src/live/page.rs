@@ -28,6 +28,8 @@ const SCRIPTS: [&str; 10] = [
     include_str!("page/drag.js"),
     include_str!("page/app.js"),
 ];
+/// What a drawing needs besides in which something is found by trial.
+const TRIAL: &str = include_str!("page/trial.js");
 const STYLE: &str = include_str!("page/page.css");
 const QUESTION: &str = include_str!("page/question.js");
 
@@ -90,7 +92,8 @@ pub fn page(
         data["rows"] = json!(rows(live, &scene.mechanism.asked));
         data["quantities"] = quantities(scene, live);
     }
-    let script = joined(&SCRIPTS);
+    let tries = moving.as_ref().is_ok_and(|(live, _)| live.sweep().tries());
+    let script = if tries { joined(&with_trials()) } else { joined(&SCRIPTS) };
     Ok((document(scene, options, &panels, &script, Some(&data), still.as_deref()), still))
 }
 
@@ -167,6 +170,12 @@ fn told(quantity: Quantity, numbers: usize) -> &'static str {
         ("vector", _) if numbers == 1 => "number",
         (kind, _) => kind,
     }
+}
+
+/// The scripts of a page in which something is found by trial.
+fn with_trials() -> Vec<&'static str> {
+    let [evaluator @ .., app] = SCRIPTS;
+    evaluator.into_iter().chain([TRIAL, app]).collect()
 }
 
 /// The scripts as one, in a scope of its own, without their comments.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::board::{Listing, Op};
+use crate::board::{ListedTrial, Listing, Op};
 
 /// The number of an operation in the code of a page.
 const fn kind(op: Op) -> u32 {
@@ -35,16 +35,25 @@ const fn operands(op: Op) -> usize {
 /// A step that is divided by is told by this, beside the signs of its roundings.
 const GUARD: u32 = 256;
 
-/// The program: eight integers for a step.
+/// What is found by trial, among the operations of the code.
+const FIND: u32 = 13;
+
+/// Integers for a step.
+const WIDTH: usize = 8;
+
+/// The program: eight integers for a step. Before the steps that lead to a miss stands a step that finds where it vanishes.
 pub(super) fn json(listing: &Listing) -> Value {
-    let mut code = Vec::with_capacity(8 * listing.steps.len());
-    for step in &listing.steps {
+    let mut code = Vec::with_capacity(WIDTH * listing.steps.len());
+    for (index, step) in listing.steps.iter().enumerate() {
+        for trial in listing.trials.iter().filter(|trial| trial.steps[0] == index) {
+            find(trial, &mut code);
+        }
         let guard = if step.guard { GUARD } else { 0 };
         code.extend([kind(step.op), step.to, step.second]);
         code.extend(step.from);
         code.push(u32::from(step.lots) + guard);
     }
-    json!({
+    let mut program = json!({
         "rows": listing.rows,
         "lots": listing.lots_of_input,
         "constants": listing.constants,
@@ -53,7 +62,26 @@ pub(super) fn json(listing: &Listing) -> Value {
         "chords": listing.chords,
         "turns": listing.turns,
         "divisors": guards(listing),
-    })
+    });
+    if !listing.trials.is_empty() {
+        program["turned"] = listing.turn_slots.into();
+    }
+    program
+}
+
+/// A step that finds where a miss vanishes: rows of what is tried and of the miss's slope, row of the miss, where the steps
+/// that lead to it end, its place among the trials, and how far it may go at once.
+fn find(trial: &ListedTrial, code: &mut Vec<u32>) {
+    let whole = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+    let end = code.len() + WIDTH * (1 + trial.steps[1] - trial.steps[0]);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "one radian, or ten millimetres"
+    )]
+    let unit = trial.unit as u32;
+    code.extend([FIND, trial.found, trial.slope, trial.miss, whole(end), whole(trial.index), unit]);
+    code.push(u32::from(trial.lots));
 }
 
 /// The rows that are divided by, or whose root is taken, with the reason: each once.

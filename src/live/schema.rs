@@ -4,6 +4,9 @@ use serde_json::{Value, json};
 
 use super::{FORMAT, VERSION};
 
+/// What stands only where there is something to say.
+const OPTIONAL: [&str; 7] = ["column", "value", "name", "links", "turned", "unsigned", "of_position"];
+
 /// The JSON Schema (draft 2020-12) of a drawing that a page runs.
 #[must_use]
 pub fn schema() -> Value {
@@ -17,8 +20,7 @@ pub fn schema() -> Value {
     };
     let object = |description: &str, properties: Value| {
         let required: Vec<&String> = properties.as_object().into_iter().flat_map(|all| all.keys()).collect();
-        let required =
-            required.into_iter().filter(|key| !["column", "value", "name", "links"].contains(&key.as_str()));
+        let required = required.into_iter().filter(|key| !OPTIONAL.contains(&key.as_str()));
         json!({
             "type": "object", "description": description, "required": required.collect::<Vec<_>>(),
             "additionalProperties": false, "properties": properties,
@@ -50,10 +52,14 @@ pub fn schema() -> Value {
                                 signs of its rounding + 256 where it is divided by. Kinds: 0 a+b, 1 a-b, 2 -a, 3 ab, \
                                 4 a/b, 5 root of a, 6 root of a times sign b, 7 ab+cd, 8 ab-cd, 9 cosine (second: sine), \
                                 10 sine (second: cosine), 11 angle of (b, a), 12 the same near so many half turns as \
-                                the sign c past the chords' says.",
+                                the sign c past the chords' says, 13 where row a vanishes, found by trial with the \
+                                steps up to place b of the code (second: how row a changes there), expected as the \
+                                four signs c past the half turns say (a place, what stands there, how it moves on, \
+                                sense of the change), in steps of d.",
                 "type": "array", "items": integer,
             },
             "signs": { "type": "integer", "description": "How many signs of half chords stand before the half turns." },
+            "turned": { "type": "integer", "description": "How many half turns stand before what is found by trial." },
             "chords": list(&tuple(&[integer.clone(), integer.clone(), or_null(&integer)])),
             "turns": list(&tuple(&[integer.clone(), integer.clone()])),
             "divisors": list(&tuple(&[integer.clone(), integer.clone()])),
@@ -86,8 +92,8 @@ pub fn schema() -> Value {
             "axis": { "enum": [0, 1, null] },
             "unit": { "type": "string" },
             "si": number,
-            "unsigned": { "type": "boolean", "description": "It counts without its sign." },
-            "of_position": { "type": "boolean", "description": "It is known wherever the mechanism stands." },
+            "unsigned": { "type": "boolean", "description": "True where it counts without its sign." },
+            "of_position": { "type": "boolean", "description": "True where it is known wherever the mechanism stands." },
             "asked": { "type": "boolean" },
         }),
     );

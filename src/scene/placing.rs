@@ -721,7 +721,10 @@ impl<'b, 's> Board<'b, 's> {
         let of_placed_link = links.iter().any(|l| *l != LinkId::FRAME && *self.form(*l) == Form::Placed);
         let of_input = self.draft.mechanism.inputs.iter().any(|input| match input {
             Input::Angle { link, angle: None, .. } | Input::Speed { link, angle: None, .. } => {
-                links.contains(link)
+                // A driven link of one joint stands by what rides on it.
+                let slides = &self.draft.mechanism.slides;
+                let rides = || self.rides[point.0].iter().any(|slide| slides[*slide].guide.link == *link);
+                links.contains(link) || *self.form(*link) == Form::Single && rides()
             }
             Input::Slide { slide, at: None, .. } => self.rides[point.0].contains(slide),
             _ => false,

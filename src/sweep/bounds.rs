@@ -1,7 +1,7 @@
 //! Positions of a sweep with a bound for every number.
 
 use super::{Sweep, SweepError};
-use crate::board::FEW;
+use crate::board::{FEW, FoundByTrial, Workspace};
 use crate::graphical::{TranscribedWithBounds, transcribe_with_bounds};
 use crate::mechanism::structure::Structure;
 use crate::plan::{Extent, Plan};
@@ -62,9 +62,11 @@ impl SweepWithBounds<'_> {
     ) {
         let TranscribedWithBounds { program, chords } = &self.transcribed;
         let mut block = program.block();
+        let mut place = Workspace::default();
         let width = self.sweep.columns.iter().filter(|c| !c.watched).count();
         let (mut row, mut bounds) = (vec![0.0; width], vec![0.0; width]);
         for (stretch, inside) in self.sweep.parts(places) {
+            let own = &stretch.signs;
             let signs: Vec<f64> = chords
                 .iter()
                 .map(|chord| chord.and_then(|c| stretch.signs.get(c).copied()).unwrap_or(1.0))
@@ -73,7 +75,14 @@ impl SweepWithBounds<'_> {
                 let mut at = [chunk.last().copied().unwrap_or(0.0); FEW];
                 at[..chunk.len()].copy_from_slice(chunk);
                 let errors = at.map(&error);
-                program.run(&at, &errors, &signs, &mut block);
+                let mut found: [Vec<FoundByTrial>; FEW] = Default::default();
+                if self.sweep.tries() {
+                    for (found, &at) in found.iter_mut().zip(&at) {
+                        self.sweep.transcribed().lean.look(at, own, &mut place);
+                        *found = place.found().to_vec();
+                    }
+                }
+                program.run(&at, &errors, (&signs, &found), &mut block);
                 for (index, &at) in chunk.iter().enumerate() {
                     let found = block.asked(program).zip(&self.sweep.columns);
                     for ((to, bound), ((value, within), column)) in row.iter_mut().zip(&mut bounds).zip(found)

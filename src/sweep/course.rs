@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{InputKind, Measure, Sweep};
-use crate::board::{Dual, Reason, Workspace};
+use crate::board::{Dual, Reason, Standing, Workspace};
 
 /// A range of the input in which the mechanism moves freely in one assembly.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,6 +126,22 @@ const STILL: f64 = 1e-6;
 /// An angle that is so far from the half turns it is measured from is measured from the next ones.
 const FAR: f64 = 0.75 * PI;
 
+/// What is tried and strays farther from where it is expected is expected anew, in parts of how far it may go at once.
+const ASTRAY: f64 = 0.05;
+
+/// What strays so far has become another root.
+const FAR_ASTRAY: f64 = 0.5;
+
+/// This part of the way to the next look.
+const A_LITTLE: f64 = 1e-6;
+
+/// What is tried is expected anew so often between two looks at most.
+const MOST_TRIALS: u32 = 64;
+
+/// A dead position that is so near to a limit of what is tried, in parts of the input's size, is that limit: two roots
+/// become one there, and each is known to half its digits only.
+const AT_LIMIT: f64 = 1e-10;
+
 struct Walker<'s> {
     sweep: &'s Sweep,
     place: Workspace,
@@ -146,6 +162,8 @@ struct View {
     centres: Vec<[Dual; 3]>,
     /// Angles that go on, from the half turns that they are near, with their place among the signs.
     turns: Vec<(usize, f64)>,
+    /// What is found by trial.
+    standing: Vec<Standing>,
 }
 
 impl View {
@@ -154,9 +172,28 @@ impl View {
         self.chords.iter().all(|(_, c)| is_clear(*c))
     }
 
-    /// Every half chord can be drawn, or just.
+    /// Every half chord can be drawn, or just, and what is tried has met its constraints.
     fn closes(&self) -> bool {
         self.chords.iter().all(|(_, c)| c.value > -ERRORS * c.error)
+            && self.standing.iter().all(|trial| trial.at.value.is_finite())
+    }
+
+    /// What is tried stands near where it is expected: within so many of the lengths that it may go at once.
+    fn is_expected(&self, within: f64) -> bool {
+        // Written so that a not-a-number is not.
+        self.standing.iter().all(|trial| trial.strayed <= within)
+    }
+
+    /// The signs with what is tried expected to move on as it does here.
+    fn expecting(&self, signs: &[f64]) -> Vec<f64> {
+        let mut signs = signs.to_vec();
+        for trial in &self.standing {
+            let rate = if trial.at.slope.is_finite() { trial.at.slope } else { 0.0 };
+            if let Some(numbers) = signs.get_mut(trial.index..trial.index + 4) {
+                numbers.copy_from_slice(&[self.at, trial.at.value, rate, trial.sense]);
+            }
+        }
+        signs
     }
 
     /// How far a limit at this place may be off, as far as rounding tells: the place where the arcs just touch, and as
@@ -218,6 +255,7 @@ impl Walker<'_> {
         let homogeneous: Vec<Dual> = asked.collect();
         View {
             turns: program.turns(&self.place, signs).collect(),
+            standing: program.standing(&self.place, signs).collect(),
             at,
             chords: program.chords(&self.place).collect(),
             divisors: program.divisors(&self.place).collect(),
@@ -248,6 +286,9 @@ impl Walker<'_> {
         let mut begin = start;
         let mut apart = false;
         let mut inside = before.closes();
+        if inside {
+            signs = before.expecting(&signs);
+        }
         self.begin(&before);
         let mut close = |a: f64, b: f64, signs: &[f64], apart: bool| {
             let (from, to) = (a.min(b), a.max(b));
@@ -267,6 +308,34 @@ impl Walker<'_> {
                 }
                 before = now;
                 continue;
+            }
+            // What is tried is expected from where it was last seen; where it moves too fast to be found from there, on
+            // the way.
+            let mut from_here = false;
+            for _ in 0..MOST_TRIALS {
+                if now.is_expected(if from_here { FAR_ASTRAY } else { ASTRAY }) {
+                    break;
+                }
+                if from_here {
+                    let seen = |x: f64| self.view(x, &signs).is_expected(FAR_ASTRAY);
+                    let (seen, _) = halve(size, before.at, next, seen);
+                    let on_the_way = self.view(seen, &signs);
+                    self.events_between(&before, &on_the_way, &signs, events);
+                    before = on_the_way;
+                    // Where even a little farther nothing is found from there, it is a limit.
+                    let onward = before.expecting(&signs);
+                    let little = seen + A_LITTLE * (next - seen);
+                    if !self.view(little, &onward).is_expected(FAR_ASTRAY) {
+                        close(begin, seen, &signs, apart);
+                        events.push(self.limit(seen, &signs));
+                        return;
+                    }
+                }
+                close(begin, before.at, &signs, apart);
+                begin = before.at;
+                signs = before.expecting(&signs);
+                from_here = true;
+                now = self.view(next, &signs);
             }
             // A half chord that shrinks and grows again may touch zero on the way.
             let direction = (next - before.at).signum();
@@ -290,7 +359,7 @@ impl Walker<'_> {
                     let (end, _) = halve(size, before.at, low, |x| self.view(x, &signs).closes());
                     close(begin, end, &signs, apart);
                     events.push(self.limit(end, &signs));
-                    if self.sweep.input == InputKind::Time {
+                    if self.sweep.input == InputKind::Time || self.sweep.tries() {
                         return;
                     }
                     let (_, edge) = halve(size, low, next, |x| !self.view(x, &signs).closes());
@@ -330,17 +399,15 @@ impl Walker<'_> {
                 if touched {
                     self.begin(&now);
                 } else {
-                    self.dead_positions(&now, &signs, events);
-                    self.centres_at_infinity(&now, &signs, events);
-                    self.extremes(&before, &now, &signs, events);
+                    self.events_between(&before, &now, &signs, events);
                 }
             } else {
                 let (end, _) = halve(size, before.at, next, |x| self.view(x, &signs).closes());
                 close(begin, end, &signs, apart);
                 events.push(self.limit(end, &signs));
                 inside = false;
-                if self.sweep.input == InputKind::Time {
-                    // What drives it has come to a stop.
+                if self.sweep.input == InputKind::Time || self.sweep.tries() {
+                    // What drives it has come to a stop; or nobody knows where to look for what is tried beyond.
                     return;
                 }
             }
@@ -351,8 +418,19 @@ impl Walker<'_> {
         }
     }
 
+    /// What happens between two looks in one assembly.
+    fn events_between(&mut self, before: &View, now: &View, signs: &[f64], events: &mut Vec<Event>) {
+        self.dead_positions(now, signs, events);
+        self.centres_at_infinity(now, signs, events);
+        self.extremes(before, now, signs, events);
+    }
+
     fn limit(&mut self, at: f64, signs: &[f64]) -> Event {
         let view = self.view(at, signs);
+        // Where no two arcs touch it is a trial that finds nothing beyond.
+        if let (true, Some(trial)) = (view.is_clear(), view.standing.first()) {
+            return Event { at, kind: EventKind::Limit, reason: trial.reason };
+        }
         let nearest = (0..view.chords.len()).min_by(|&a, &b| {
             let part = |(_, c): (usize, Dual)| c.value.abs() / c.slope.abs().max(f64::MIN_POSITIVE);
             part(view.chords[a]).total_cmp(&part(view.chords[b]))
@@ -471,9 +549,9 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
             stretches.retain(|s| !s.apart || above(s.to));
             stretches.extend(down.into_iter().filter(|s| !s.apart));
             events.retain(|e| above(e.at));
-            events.extend(on_the_way.into_iter().filter(|e| e.at >= reached));
+            events.extend(on_the_way.into_iter().filter(|e| e.at >= reached - seam(sweep)));
         }
-        (stretches, events) = wrapped(stretches, events, sweep.range, seam(sweep));
+        (stretches, events) = wrapped(sweep, stretches, events);
     } else {
         let (up, down);
         (up, events) = go(to);
@@ -497,6 +575,19 @@ pub(super) fn walk(sweep: &Sweep, start: f64, looks: u32) -> (Vec<Stretch>, Vec<
         }
         one
     });
+    if sweep.tries() {
+        // Where a trial finds nothing beyond, what is divided by on the way to the speeds vanishes as well.
+        let limits: Vec<f64> = events.iter().filter(|e| e.kind == EventKind::Limit).map(|e| e.at).collect();
+        let at_limit = |at: f64| limits.iter().any(|limit| (limit - at).abs() <= AT_LIMIT * sweep.size());
+        events.retain(|e| e.kind != EventKind::DeadPosition || !at_limit(e.at));
+    }
+    // Where one goes on from the other their ends are one.
+    for next in 1..stretches.len() {
+        let end = stretches[next - 1].to;
+        if (end - stretches[next].from).abs() <= seam(sweep) {
+            stretches[next].from = end;
+        }
+    }
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
     (stretches, events, looked)
 }
@@ -518,12 +609,15 @@ fn events_at_the_seam(
     };
     let here = |x: f64| stretches.iter().find(|s| (s.from..=s.to).contains(&home(x)) && !s.apart);
     let [Some(before), Some(after)] = [here(start - half), here(start + half)] else { return 0 };
-    if before.signs != after.signs {
+    let program = &sweep.transcribed().program;
+    if program.sides(&before.signs) != program.sides(&after.signs) {
         return 0;
     }
+    let from_home = start - half - home(start - half);
+    let signs = program.shifted(&before.signs, from_home);
     let mut walker = Walker::new(sweep);
     let mut found = Vec::new();
-    walker.go(&[start - half, start + half], before.signs.clone(), &mut Vec::new(), &mut found);
+    walker.go(&[start - half, start + half], signs, &mut Vec::new(), &mut found);
     for event in found {
         if matches!(event.kind, EventKind::Limit | EventKind::ChangePoint) {
             // These were met on the way.
@@ -570,13 +664,10 @@ fn seam(sweep: &Sweep) -> f64 {
 }
 
 /// Brings what was met on the way round into one turn.
-fn wrapped(
-    stretches: Vec<Stretch>,
-    events: Vec<Event>,
-    [from, to]: [f64; 2],
-    seam: f64,
-) -> (Vec<Stretch>, Vec<Event>) {
+fn wrapped(sweep: &Sweep, stretches: Vec<Stretch>, events: Vec<Event>) -> (Vec<Stretch>, Vec<Event>) {
+    let ([from, to], seam) = (sweep.range, seam(sweep));
     let turn = to - from;
+    let shifted = |stretch: &Stretch, by: f64| sweep.transcribed().program.shifted(&stretch.signs, by);
     let home = |x: f64| {
         let inside = x - turn * ((x - from) / turn).floor();
         if inside - from < seam || to - inside < seam { from } else { inside }
@@ -585,11 +676,18 @@ fn wrapped(
     for stretch in stretches {
         let begin = home(stretch.from);
         let end = begin + (stretch.to - stretch.from);
+        let signs = shifted(&stretch, begin - stretch.from);
         if end > to + seam {
-            cut.push(Stretch { from: begin, to, ..stretch.clone() });
-            cut.push(Stretch { from, to: end - turn, ..stretch });
+            let beyond = Stretch {
+                from,
+                to: end - turn,
+                signs: shifted(&stretch, begin - stretch.from - turn),
+                ..stretch
+            };
+            cut.push(Stretch { from: begin, to, signs, ..stretch });
+            cut.push(beyond);
         } else {
-            cut.push(Stretch { from: begin, to: if to - end < seam { to } else { end }, ..stretch });
+            cut.push(Stretch { from: begin, to: if to - end < seam { to } else { end }, signs, ..stretch });
         }
     }
     let mut events: Vec<Event> = events.into_iter().map(|e| Event { at: home(e.at), ..e }).collect();

@@ -496,6 +496,12 @@ impl Sweep {
         self.rolls_on
     }
 
+    /// Whether groups of higher class are found by trial.
+    #[must_use]
+    pub fn tries(&self) -> bool {
+        self.transcribed.program.tries()
+    }
+
     fn look(&self, at: f64, signs: &[f64], place: &mut Workspace) -> Vec<Option<Dual>> {
         let program = &self.transcribed.program;
         program.look(at, signs, place);

@@ -5,7 +5,7 @@ const fs = require('node:fs');
 const path = require('node:path');
 
 const [, , pages, file] = process.argv;
-const source = ['libm', 'program', 'course'].map((name) => fs.readFileSync(path.join(pages, `${name}.js`), 'utf8'));
+const source = ['libm', 'program', 'trial', 'course'].map((name) => fs.readFileSync(path.join(pages, `${name}.js`), 'utf8'));
 // One thing turned round, to see that it is noticed: node exact.js PAGE CASES FROM TO.
 if (process.argv.length > 5) {
   const [from, to] = process.argv.slice(4);

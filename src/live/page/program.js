@@ -6,8 +6,8 @@ const CLEAR = 8;
 /** So many samples of the roundings are carried along. */
 const SAMPLES = 8;
 const SUM = 0, DIFFERENCE = 1, OPPOSITE = 2, PRODUCT = 3, QUOTIENT = 4, ROOT = 5, HALF_CHORD = 6, DOT = 7, CROSS = 8,
-  COSINE = 9, SINE = 10, ANGLE = 11, TURNED = 12;
-const OPERANDS = [2, 2, 1, 2, 2, 1, 1, 4, 4, 1, 1, 2, 2];
+  COSINE = 9, SINE = 10, ANGLE = 11, TURNED = 12, FIND = 13;
+const OPERANDS = [2, 2, 1, 2, 2, 1, 1, 4, 4, 1, 1, 2, 2, 0];
 const WIDTH = 8;
 
 /** @param {number} a */
@@ -34,6 +34,7 @@ class Program {
     this.constants = written.constants;
     this.lots = written.lots;
     this.signCount = written.signs;
+    this.turnCount = written.turned;
     this.divisors = written.divisors;
     this.value = new Float64Array(this.rows);
     this.slope = new Float64Array(this.rows);
@@ -96,6 +97,11 @@ class Program {
     }
     for (let step = 0; step < code.length; step += WIDTH) {
       const kind = code[step], to = code[step + 1], second = code[step + 2], last = code[step + 7];
+      if (kind === FIND) {
+        this.round(second, this.find(step, signs, value), last);
+        if (!this.isClear(second)) this.lost[second] = 1;
+        continue;
+      }
       const count = OPERANDS[kind];
       for (let i = 0; i < 4; i++) of[i] = i < count ? value[code[step + 3 + i]] : 0;
       if (kind === HALF_CHORD && !this.isClear(code[step + 3])) of[0] = 0;
@@ -163,13 +169,14 @@ class Program {
   }
 
   /** Computes these steps alone, without errors, into `quick`. */
-  run(/** @type {Int32Array} */ steps, /** @type {number} */ input, /** @type {number[]} */ signs) {
-    const { code, quick: row } = this;
+  run(/** @type {Int32Array} */ steps, /** @type {number} */ input, /** @type {number[]} */ signs, row = this.quick) {
+    const { code } = this;
     row[0] = input;
     for (const step of steps) {
       const a = row[code[step + 3]], b = row[code[step + 4]], c = row[code[step + 5]], d = row[code[step + 6]];
       const kind = code[step], to = code[step + 1];
       switch (kind) {
+        case FIND: this.find(step, signs, row); break;
         case SUM: row[to] = a + b; break;
         case DIFFERENCE: row[to] = a - b; break;
         case OPPOSITE: row[to] = -a; break;
