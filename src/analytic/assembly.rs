@@ -130,12 +130,15 @@ struct Assembler<'a> {
     slot: Vec<usize>,
     /// What an equation may miss by.
     coarsest: f64,
+    /// By so much more than usual equations that repeat what is given may miss.
+    patience: f64,
 }
 
 /// Finds the assembly nearest to the hints.
 ///
-/// No equation of it misses by more than `coarsest`, or than rounding where that is more.
-pub(super) fn assemble(model: &Model, coarsest: f64) -> Result<Assembly, AnalyticError> {
+/// No equation of it misses by more than `coarsest`, or than rounding where that is more; what repeats given places may miss
+/// by what these leave open, and by `patience` times that where a long lever magnifies it.
+pub(super) fn assemble(model: &Model, coarsest: f64, patience: f64) -> Result<Assembly, AnalyticError> {
     let pattern = model.pattern(&model.position, 0)?;
     let ordering = model.order_of_position(&pattern);
     let free: Vec<usize> =
@@ -143,7 +146,8 @@ pub(super) fn assemble(model: &Model, coarsest: f64) -> Result<Assembly, Analyti
     if !free.is_empty() {
         return Err(AnalyticError::Underdetermined { links: numbers(model, &free) });
     }
-    let assembler = Assembler::new(model, &ordering, &pattern, coarsest);
+    let mut assembler = Assembler::new(model, &ordering, &pattern, coarsest);
+    assembler.patience = patience;
     let pose = assembler.search(&ordering)?;
     let chosen: Vec<Vec<usize>> = (0..ordering.groups.len()).map(|at| assembler.choose(at, &pose)).collect();
     let mut ordering = ordering;
@@ -172,7 +176,7 @@ fn clearly_less(one: f64, other: f64) -> bool {
 }
 
 /// The tolerance of an equation: its rounding and what its parameters leave open.
-fn tolerance(model: &Model, linear: &Linear) -> f64 {
+pub(super) fn tolerance(model: &Model, linear: &Linear) -> f64 {
     let open: f64 = linear
         .terms
         .iter()
@@ -241,7 +245,7 @@ impl<'a> Assembler<'a> {
                 settled[group].push(hint);
             }
         }
-        Self { model, groups, beyond, ready, settled, points_of, swivels_of, slot, coarsest }
+        Self { model, groups, beyond, ready, settled, points_of, swivels_of, slot, coarsest, patience: 1.0 }
     }
 
     fn value(&self, num: Num) -> f64 {
@@ -390,7 +394,7 @@ impl<'a> Assembler<'a> {
             Place::Placed(at) => Some(at[0].error.max(at[1].error)),
             Place::Fixed(_) | Place::Stated(_) | Place::Near(_) | Place::Unknown => None,
         });
-        REPEATED + ROOMS * rooms.fold(0.0, f64::max) / self.model.length
+        self.patience * (REPEATED + ROOMS * rooms.fold(0.0, f64::max) / self.model.length)
     }
 
     /// The worst of the equations that should hold by themselves, if it does not.

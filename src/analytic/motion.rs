@@ -6,7 +6,7 @@
 use nalgebra::DMatrix;
 
 use super::AnalyticError;
-use super::assembly::Assembly;
+use super::assembly::{Assembly, tolerance};
 use super::constraints::{Motion, Param, Row};
 use super::linear::{Multipliers, System, entry_error};
 use super::model::Model;
@@ -26,6 +26,8 @@ const CONTRADICTION: f64 = 1e-6;
 const ROUGH: f64 = 1e-8;
 /// Radius of a pose of which nothing is known; its products stay finite.
 const UNBOUNDED: f64 = 1e150;
+/// The first-order bound of what an equation may miss by is doubled for what it leaves out.
+const OPEN: f64 = 2.0;
 /// A second singular value below this leaves the width of a singular position unknown.
 const DOUBLY_SINGULAR: f64 = 1e-5;
 
@@ -128,6 +130,36 @@ pub(super) fn locate(model: &Model, assembly: Assembly) -> Result<Located, Analy
 }
 
 impl Located {
+    /// By how much the worst of the equations misses that were not needed to find the position, beyond what the given numbers
+    /// leave open of it.
+    pub(super) fn contradiction(&self, model: &Model) -> f64 {
+        let mut used = vec![false; model.position.len()];
+        for row in self.system.blocks.iter().flat_map(|block| &block.group.rows) {
+            used[*row] = true;
+        }
+        let spare = model.position.iter().zip(used).filter(|(_, used)| !used).map(|(row, _)| row);
+        let motion = Motion { pose: &self.pose, rate: &[], accel: &[], params: &model.params };
+        let beyond = |row: &Row| -> Option<f64> {
+            let linear = row.linear(motion, 0)?;
+            if linear.value.abs() <= tolerance(model, &linear) {
+                return Some(0.0);
+            }
+            let mut gradient = vec![0.0; self.pose.len()];
+            let mut by_param = vec![0.0; model.params.len()];
+            for (leaf, c) in &linear.terms {
+                match leaf {
+                    Leaf::Pose(at) => gradient[*at] += c,
+                    Leaf::Param(at) => by_param[*at] += c,
+                    Leaf::Rate(_) | Leaf::Accel(_) | Leaf::Force(_) => {}
+                }
+            }
+            let multipliers = self.system.adjoint(gradient);
+            let open = linear.rounding + error_of(&multipliers, &self.rows, &mut by_param);
+            Some((linear.value.abs() - OPEN * (open + param_error(&by_param, &model.params))).max(0.0))
+        };
+        spare.chain(&model.repeated).filter_map(beyond).fold(0.0, f64::max)
+    }
+
     /// Radii of one group's unknowns, and whether the group is regular.
     fn judge(&mut self, model: &Model, index: usize) {
         let columns = self.system.blocks[index].group.columns.clone();

@@ -6,19 +6,26 @@ use super::constraints::{Motion, Scope};
 use super::cycle::Turning;
 use super::figure;
 use super::friction::{self, Found};
-use super::model::Model;
+use super::model::{Model, REPEATED};
 use super::motion::{Located, Solved, error_of, locate, param_error, singular_values, solve_motion};
 use super::statics::{Balance, Balancing, Burden, balance};
 use super::tape::{Leaf, Tape, Var};
 use crate::mechanism::force::Share;
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity, Stuck};
-use crate::mechanism::{Mechanism, PointId};
+use crate::mechanism::{Mechanism, Place, PointId};
 
 /// Up to this many unknowns the singular values are those of the whole Jacobian.
 const WHOLE: usize = 240;
 
 /// The first-order bound is doubled, for the terms of higher order.
 const SAFETY: f64 = 2.0;
+
+/// So many times as much as usual what repeats given places may miss where a long lever magnifies it: what misses least is
+/// tried first.
+const PATIENCE: [f64; 3] = [4.0, 16.0, 64.0];
+
+/// A place that is rounded in both coordinates lies so much farther off than what it contradicts is missed by, at most.
+const ROUNDED: f64 = 4.0;
 
 /// A point's place with its bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,18 +73,42 @@ impl State {
         only: Option<&[Quantity]>,
     ) -> Result<Self, AnalyticError> {
         let standing = figure::standing(mechanism)?;
-        let mut model = Self::compiled(&standing, order, only)?;
         let mut shares: Vec<Share> = match only {
             Some(quantities) => quantities.iter().filter_map(share_of).collect(),
             None => Vec::new(),
         };
-        let burden = if shares.is_empty() { None } else { Some(Burden::new(&mut model)?) };
-        // Everything may act on everything: with forces nothing is left out.
-        if let (Some(quantities), None) = (only, &burden) {
-            model.narrow(quantities, order >= Order::Velocity)?;
+        let build = |mechanism: &Mechanism| -> Result<(Model, Option<Burden>), AnalyticError> {
+            let mut model = Self::compiled(mechanism, order, only)?;
+            let burden = if shares.is_empty() { None } else { Some(Burden::new(&mut model)?) };
+            // Everything may act on everything: with forces nothing is left out.
+            if let (Some(quantities), None) = (only, &burden) {
+                model.narrow(quantities, order >= Order::Velocity)?;
+            }
+            Ok((model, burden))
+        };
+        let (mut model, mut burden) = build(&standing)?;
+        let placed = standing.points.iter().any(|point| matches!(point.place, Place::Placed(_)));
+        let assembly = match assemble(&model, tolerance, 1.0) {
+            Err(error @ AnalyticError::CannotAssemble { .. }) if placed => {
+                // Rounded places may contradict by more where a long lever magnifies it, and by no more than that.
+                let patient =
+                    PATIENCE.into_iter().find_map(|patience| assemble(&model, tolerance, patience).ok());
+                let Some(assembly) = patient else { return Err(error) };
+                let (rounded, _) = build(&standing.loosened(REPEATED * model.length))?;
+                if locate(&rounded, assembly.clone())?.contradiction(&rounded) > 0.0 {
+                    return Err(error);
+                }
+                assembly
+            }
+            found => found?,
+        };
+        let mut located = locate(&model, assembly.clone())?;
+        let missed = if tolerance > 0.0 { 0.0 } else { located.contradiction(&model) };
+        if missed > 0.0 {
+            // Places that are rounded beside dimensions or guides: as far as they contradict these they may be elsewhere.
+            (model, burden) = build(&standing.loosened(ROUNDED * missed * model.length))?;
+            located = locate(&model, assembly)?;
         }
-        let assembly = assemble(&model, tolerance)?;
-        let located = locate(&model, assembly)?;
         let mut state = Self {
             model,
             located,

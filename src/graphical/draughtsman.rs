@@ -97,8 +97,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) places: Vec<Option<Point>>,
     /// Given places of fixed and placed points, pricked once, by point.
     pub(super) pricked: Vec<Option<Point>>,
-    /// Where points are stated that the rest of the scene places: hints, metres in the world, by point.
-    pub(super) stated_hints: Vec<Option<[f64; 2]>>,
+    /// Where points are stated that the rest of the scene places: hints, by point.
+    pub(super) stated_hints: Vec<Option<Point>>,
     /// The group that is being tried.
     pub(super) tried: Tried,
     /// Own figures of the links that have dimensions of their own, by link: every point of the link.

@@ -10,14 +10,14 @@ use crate::board::{Board, Circle, Direction, Line, Pair, Point, Side, Tape};
 use crate::given::Given;
 use crate::mechanism::statement::{Locus, Standing, Statement};
 use crate::mechanism::structure::Structure;
-use crate::mechanism::{Guide, LinkId, Mechanism, Place, PointId};
+use crate::mechanism::{Guide, LinkId, Mechanism, PointId};
 
 use super::construction::{Act, ConstructionLine};
 use super::draughtsman::Draughtsman;
 use super::missing::Missing;
 use super::pose::Track;
 use super::position::chooses;
-use super::{DrawError, Scales, Unplaced};
+use super::{DrawError, Unplaced};
 
 /// A stated place may differ from a given dimension or guide by this part of the mechanism's size.
 const ROUNDING: f64 = 1e-6;
@@ -72,7 +72,6 @@ pub(super) fn draw(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
         return Ok(());
     }
     d.board.purpose("stated place");
-    let origin = d.origin_of_space().map(|g| g.value);
     let places = draw_all(d)?;
     for (statement, at) in d.mechanism.statements.iter().zip(places) {
         if statement.stands() {
@@ -81,9 +80,7 @@ pub(super) fn draw(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
         // From here on the point is where the rest of the scene says.
         d.pricked[statement.point.0] = None;
         if statement.standing == Standing::Hint {
-            let [x, y] = at.value();
-            d.stated_hints[statement.point.0] =
-                Some([origin[0] + x * d.scales.length(), origin[1] + y * d.scales.length()]);
+            d.stated_hints[statement.point.0] = Some(at);
         }
     }
     Ok(())
@@ -101,14 +98,10 @@ fn draw_all(d: &mut Draughtsman<'_>) -> Result<Vec<Point>, DrawError> {
     Ok(places)
 }
 
-/// By how much stated places may miss what they must lie on, metres: rounding, and what placed points leave open.
-pub(super) fn allowed(mechanism: &Mechanism, scales: Scales) -> f64 {
-    let rooms = mechanism.points.iter().filter_map(|point| match point.place {
-        Place::Placed(at) => Some(at[0].error.max(at[1].error)),
-        Place::Fixed(_) | Place::Stated(_) | Place::Near(_) | Place::Unknown => None,
-    });
-    // At the scale of a first drawing the longest known length is 100 mm.
-    ROUNDING * 100.0 * scales.length() + 4.0 * rooms.fold(0.0, f64::max)
+/// What stated places may miss by what they must lie on, as rounding, paper millimetres: at the scale of a first drawing the
+/// longest known length is 100 mm.
+pub(super) fn allowed(d: &Draughtsman<'_>) -> f64 {
+    ROUNDING * 100.0 * super::provisional_scales(d.mechanism).length() / d.scales.length()
 }
 
 impl Draughtsman<'_> {
@@ -146,12 +139,26 @@ impl Draughtsman<'_> {
             Standing::AtMeet(loci) => self.meet_loci(of, &loci, Some(stated.value()), false)?,
         };
         self.nothing_missing()?;
-        let [p, q] = [settled, stated].map(|at| at.value());
-        let apart = libm::hypot(p[0] - q[0], p[1] - q[1]) * self.scales.length();
-        if apart > allowed(self.mechanism, super::provisional_scales(self.mechanism)) {
-            return Err(DrawError::Unplaced { point: of, why: Unplaced::Beside { by: apart } });
+        // What is measured here is no part of the drawing.
+        self.board.tape().aside(true);
+        let agrees = self.is_at(of, settled, stated);
+        self.board.tape().aside(false);
+        agrees.map(|()| settled)
+    }
+
+    /// Refuses a point that is stated beside where the rest of the scene puts it, by more than rounding and what the rooms of
+    /// placed points leave open.
+    ///
+    /// # Errors
+    /// [`DrawError::Unplaced`].
+    pub(super) fn is_at(&mut self, of: PointId, stands: Point, stated: Point) -> Result<(), DrawError> {
+        let apart = self.board.distance(stands, stated);
+        let miss = apart.value();
+        if miss > allowed(self) && miss > allowed(self) + self.left_open(&[apart.mark()]) {
+            let by = miss * self.scales.length();
+            return Err(DrawError::Unplaced { point: of, why: Unplaced::Beside { by } });
         }
-        Ok(settled)
+        Ok(())
     }
 
     /// World coordinates as millimetres of the skeleton, for hints.

@@ -190,10 +190,10 @@ impl Draughtsman<'_> {
     pub(super) fn hint_of(&self, point: PointId) -> Option<[f64; 2]> {
         let origin = self.origin_of_space().map(|g| g.value);
         let stands = || {
-            let at = self.pricked[point.0]?.value();
+            let at = self.stated_hints[point.0].or(self.pricked[point.0])?.value();
             Some([0, 1].map(|k| origin[k] + at[k] * self.scales.length()))
         };
-        self.mechanism.point(point).place.hint().or(self.stated_hints[point.0]).or_else(stands)
+        self.mechanism.point(point).place.hint().or_else(stands)
     }
 
     /// That rough place as millimetres of the skeleton.

@@ -528,7 +528,8 @@ impl<'m> Draughtsman<'m> {
                 let at = self.at(pin);
                 let line = self.straight_track(slide, None);
                 let [along, _] = self.board.square_off(line, at);
-                let given = match (self.mechanism.inputs[input], self.given_place(pin)) {
+                // In what is tried places are hints, but this one is the input.
+                let given = match (self.mechanism.inputs[input], self.world_place(pin)) {
                     (Input::Slide { at: Some(given), .. }, _) => {
                         let given = self.board.input_amount(input, given);
                         let scale = self.length_scale();
@@ -575,7 +576,9 @@ impl<'m> Draughtsman<'m> {
         for (to, from) in sketch.pricked.iter_mut().zip(&self.pricked) {
             *to = from.map(|p| sketch.board.copied(p.value()));
         }
-        sketch.stated_hints.clone_from(&self.stated_hints);
+        for (to, from) in sketch.stated_hints.iter_mut().zip(&self.stated_hints) {
+            *to = from.map(|p| sketch.board.copied(p.value()));
+        }
         for (to, from) in sketch.poses.iter_mut().zip(&self.poses) {
             *to = from.map(|pose| Pose {
                 own_anchor: sketch.board.copied(pose.own_anchor.value()),

@@ -7,23 +7,22 @@
 use std::cell::Cell;
 
 use crate::board::Line;
-use crate::mechanism::{LinkId, Place, PointId, Rider, Roll};
+use crate::mechanism::{Input, LinkId, Place, PointId, Rider, Roll};
 
 use super::draughtsman::Draughtsman;
-use super::figure;
 use super::pose::Track;
 use super::{DrawError, Unplaced};
 
 /// What may be missed by, in sizes of the skeleton: given places may miss dimensions and guides by 1e-6 of the size,
 /// and what is constructed from two of them by a little more.
 const ROUNDING: f64 = 1e-5;
-/// What is missed by less is noise, in sizes of the skeleton.
+/// What is missed by less is noise, in sizes of the skeleton, where no place is given that could be missed.
 const NOISE: f64 = 1e-11;
 /// Units of rounding in a coordinate of a guide that is given by a point of it far away.
 const ROUNDINGS: f64 = 16.0;
 
 /// Refuses a skeleton that misses a given place, a dimension, a guide or a rolling contact. Gives the largest miss that is
-/// taken as rounding, metres.
+/// taken as rounding, metres: what the rooms of placed points explain is none.
 ///
 /// # Errors
 /// [`DrawError::NoClosure`] with the point that is missed and by how much.
@@ -53,16 +52,17 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
         }
     }
     let allowed = ROUNDING * size + ROUNDINGS * f64::EPSILON * farthest;
-    let roomy = d.mechanism.points.iter().any(|point| match point.place {
-        Place::Placed(at) => at.iter().any(|c| c.error > f64::EPSILON * c.value.abs()),
-        Place::Fixed(_) | Place::Stated(_) | Place::Near(_) | Place::Unknown => false,
-    });
+    let given = d.mechanism.points.iter().any(|point| matches!(point.place, Place::Placed(_)));
+    // What the arithmetic leaves is in the bounds already.
+    let noise = if given { ROUNDINGS * f64::EPSILON } else { NOISE } * size;
+    let noise = noise + ROUNDINGS * f64::EPSILON * farthest;
     let worst = Cell::new(0.0_f64);
-    // By as much as what was measured may be off for the room of placed points, a miss is theirs.
+    // By as much as what was measured may be off for what is given, a miss is no contradiction.
     let missed = |pin: PointId, miss: f64, measured: &[u32], d: &mut Draughtsman<'_>| {
-        let open = if roomy && miss.abs() > allowed { d.left_open(measured) } else { 0.0 };
-        let fine = miss.abs() <= allowed + open || !miss.is_finite();
-        worst.set(worst.get().max(if miss.is_finite() { miss.abs() } else { 0.0 }));
+        let open = if given && miss.abs() > noise { d.left_open(measured) } else { 0.0 };
+        let beyond = if miss.is_finite() { (miss.abs() - open).max(0.0) } else { 0.0 };
+        let fine = beyond <= allowed;
+        worst.set(worst.get().max(beyond));
         let by = miss.abs() * d.scales.length();
         match d.mechanism.statement_of(pin) {
             _ if fine => Ok(()),
@@ -92,26 +92,38 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
     }
     for index in 0..d.mechanism.slides.len() {
         let slide = d.mechanism.slides[index];
-        let rider = match slide.rider {
-            Rider::Pin { point, .. } => Some(point),
-            Rider::Link { link, .. } => d.mechanism.link(link).points.first().copied(),
-        };
-        let Some(point) = rider.filter(|p| d.places[p.0].is_some()) else { continue };
         if !stands(d, slide.guide.link) {
             continue;
         }
-        let at = d.at(point);
-        let (miss, measured) = match d.track(index, None) {
-            Track::Straight(line) => {
-                let across = d.board.square_off(line, at)[1];
-                (across.value(), vec![across.mark()])
-            }
-            Track::Arc(arc) => {
-                let away = d.board.distance(arc.centre, at);
-                (away.value() - arc.radius.value(), vec![away.mark(), arc.radius.mark()])
-            }
+        // Every point of a link that slides without turning moves on a parallel to the guide.
+        let riders = match slide.rider {
+            Rider::Pin { point, .. } => vec![point],
+            Rider::Link { link, .. } => d.mechanism.link(link).points.clone(),
         };
-        missed(point, miss, &measured, d)?;
+        let way = d.mechanism.inputs.iter().find_map(|input| match *input {
+            Input::Slide { slide, at: Some(at), .. } if slide == index => Some(at.value / d.scales.length()),
+            Input::Slide { .. } | Input::Angle { .. } | Input::Speed { .. } => None,
+        });
+        for (order, point) in riders.into_iter().enumerate() {
+            if d.places[point.0].is_none() {
+                continue;
+            }
+            let at = d.at(point);
+            match d.track(index, Some(point)) {
+                Track::Straight(line) => {
+                    let [along, across] = d.board.square_off(line, at);
+                    missed(point, across.value(), &[across.mark()], d)?;
+                    if let (Some(way), 0) = (way, order) {
+                        missed(point, along.value() - way, &[along.mark()], d)?;
+                    }
+                }
+                Track::Arc(arc) => {
+                    let away = d.board.distance(arc.centre, at);
+                    let miss = away.value() - arc.radius.value();
+                    missed(point, miss, &[away.mark(), arc.radius.mark()], d)?;
+                }
+            }
+        }
     }
     for roll in &d.mechanism.rolls {
         match *roll {
@@ -137,15 +149,13 @@ fn verified(d: &mut Draughtsman<'_>) -> Result<f64, DrawError> {
             }
         }
     }
-    // What the arithmetic leaves is in the bounds already.
-    let noise = NOISE * size + ROUNDINGS * f64::EPSILON * farthest;
     let worst = worst.get();
     Ok(if worst > noise { worst * d.scales.length() } else { 0.0 })
 }
 
 impl Draughtsman<'_> {
     /// By how much what was measured may be off for what is given, paper millimetres; nothing where no tape tells.
-    fn left_open(&mut self, measured: &[u32]) -> f64 {
+    pub(super) fn left_open(&mut self, measured: &[u32]) -> f64 {
         let tape = self.board.tape();
         if !tape.keeps() || measured.iter().any(|mark| tape.weakness(*mark).is_some()) {
             return 0.0;
@@ -155,16 +165,10 @@ impl Draughtsman<'_> {
 }
 
 /// A place that is stated of a point must agree with where the rest of the scene puts it.
-fn stated_hints(d: &Draughtsman<'_>) -> Result<(), DrawError> {
-    let origin = d.origin_of_space().map(|g| g.value);
-    let allowed = figure::allowed(d.mechanism, d.scales);
-    for (index, hint) in d.stated_hints.iter().enumerate() {
-        let (Some(hint), Some(at)) = (hint, d.places[index]) else { continue };
-        let at = at.value();
-        let [x, y] = [0, 1].map(|k| origin[k] + at[k] * d.scales.length() - hint[k]);
-        let by = libm::hypot(x, y);
-        if by > allowed {
-            return Err(DrawError::Unplaced { point: PointId(index), why: Unplaced::Beside { by } });
+fn stated_hints(d: &mut Draughtsman<'_>) -> Result<(), DrawError> {
+    for index in 0..d.places.len() {
+        if let (Some(stated), Some(at)) = (d.stated_hints[index], d.places[index]) {
+            d.is_at(PointId(index), at, stated)?;
         }
     }
     Ok(())

@@ -9,7 +9,7 @@ use super::source::Anchors;
 use super::units::Scales;
 use crate::mechanism::force::Forces;
 use crate::mechanism::{
-    Form, Given, Guide, Input, Link, LinkId, Mechanism, Path, Place, Point, PointId, Rider,
+    Form, Given, GivenPoint, Guide, Input, Link, LinkId, Mechanism, Path, Place, Point, PointId, Rider,
 };
 
 /// The mechanism under construction.
@@ -20,6 +20,8 @@ pub(super) struct Draft<'s> {
     pub(super) input_units: Vec<InputUnits>,
     /// The stated room of each placed point, metres; 0 where none is stated.
     pub(super) rooms: Vec<f64>,
+    /// Where placed points stand that follow from dimensions and guides: what a figure states from them counts from there.
+    pub(super) settled: Vec<(PointId, GivenPoint)>,
     /// The points that stand for own coordinates in masses, loads and springs, by where these stand in the file.
     pub(super) spots: HashMap<usize, PointId>,
     points: HashMap<String, PointId>,
@@ -48,6 +50,7 @@ impl<'s> Draft<'s> {
             anchors: Anchors::new(root),
             input_units: Vec::new(),
             rooms: Vec::new(),
+            settled: Vec::new(),
             spots: HashMap::new(),
             points: HashMap::new(),
             links: HashMap::from([(1, LinkId::FRAME)]),

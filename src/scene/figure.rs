@@ -39,6 +39,13 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
         let point = draft.point_named(key, *at)?;
         open.push(Stated { at: value.at, point, loci: loci(value, point, draft)?, driven: false });
     }
+    // What is stated from a placed point that follows from dimensions is stated from where these put it.
+    for from in open.iter().flat_map(hangs_on).collect::<Vec<_>>() {
+        let settled = draft.settled.iter().find(|(point, _)| *point == from);
+        if let (Some(&(_, at)), false) = (settled, open.iter().any(|stated| stated.point == from)) {
+            draft.mechanism.points[from.0].place = Place::Placed(at);
+        }
+    }
     for statement in in_order(open, draft)? {
         let Stated { point, loci, driven, .. } = statement;
         if driven {
@@ -235,14 +242,7 @@ fn unordered(open: &[Stated], wanted: &[PointId], draft: &Draft<'_>) -> Fault {
         let (at, of) = by.map_or((0, wanted), |stated| (stated.at, stated.point));
         let (missing, of) = (draft.say_point(wanted), draft.say_point(of));
         let what = format!("{of} is stated from {missing}, which does not stand: it has no place of its own");
-        // A placed point that dimensions or guides bind follows from them.
-        let mend = if draft.mechanism.point(wanted).place.hint().is_some() {
-            format!(
-                "{missing} follows from given dimensions: state it by two loci in `where`, or leave them out"
-            )
-        } else {
-            format!("fix {missing}, or give its place in `placed` or by two loci in `where`")
-        };
+        let mend = format!("fix {missing}, or give its place in `placed` or by two loci in `where`");
         return Fault::new(at, what).mend(mend);
     }
     // Every point depends on another one: follow them until one comes again.

@@ -9,7 +9,7 @@ use super::diagnostic::{Fault, Res};
 use super::draft::Draft;
 use super::links::{index_of, own_coordinates};
 use crate::mechanism::{
-    Direction, Form, Given, Guide, GuidePoint, Input, LinkId, Path, Place, PointId, Rider, Roll,
+    Direction, Form, Given, GivenPoint, Guide, GuidePoint, Input, LinkId, Path, Place, PointId, Rider, Roll,
 };
 
 /// A figure's digits may miss by this part of the mechanism's size.
@@ -155,9 +155,10 @@ pub(super) fn settle(draft: &mut Draft<'_>) -> Res<()> {
     for &point in &placed {
         board.check(point)?;
     }
-    let places = board.settle(&placed);
-    for (point, place) in places {
+    for (point, at, stands) in board.settle(&placed) {
+        let place = if stands { Place::Placed(at) } else { Place::Near(at.map(|c| c.value)) };
         draft.mechanism.points[point.0].place = place;
+        draft.settled.extend((!stands).then_some((point, at)));
     }
     Ok(())
 }
@@ -598,7 +599,7 @@ impl<'b, 's> Board<'b, 's> {
                 && let Locus::Line { through, along: line } = claim.locus
             {
                 let opposite = dot(minus(spot.xy, through), line) * sign <= 0.0;
-                if opposite || claim.locus.miss(spot.xy).0.abs() > tolerance + claim.error {
+                if opposite || claim.locus.miss(spot.xy).0.abs() > tolerance + claim.error + spot.error {
                     return Err(self.contradiction(point, spot.xy, &claim, tolerance));
                 }
             }
@@ -733,8 +734,9 @@ impl<'b, 's> Board<'b, 's> {
     }
 
     /// Settles the placed points one after the other: those that carry moving guides before those that
-    /// ride on them, and those of the inputs before the rest, so that the drive stays exact.
-    fn settle(mut self, placed: &[PointId]) -> Vec<(PointId, Place)> {
+    /// ride on them, and those of the inputs before the rest, so that the drive stays exact. Each with its place, and whether
+    /// it is given by that, or follows from the rest of the scene.
+    fn settle(mut self, placed: &[PointId]) -> Vec<(PointId, GivenPoint, bool)> {
         let slides = &self.draft.mechanism.slides;
         let mut order: Vec<PointId> = placed.to_vec();
         order.sort_by_key(|&p| {
@@ -765,12 +767,8 @@ impl<'b, 's> Board<'b, 's> {
             }
             let (settled, free) = self.meet(spot, &bonds);
             self.spots[point.0] = Some(settled);
-            let place = if free || needed {
-                Place::Placed(settled.xy.map(|value| Given::within(value, settled.error)))
-            } else {
-                Place::Near(settled.xy)
-            };
-            places.push((point, place));
+            let at = settled.xy.map(|value| Given::within(value, settled.error));
+            places.push((point, at, free || needed));
         }
         places
     }
