@@ -204,10 +204,17 @@ impl Draughtsman<'_> {
         let scale = self.polygon_scale(Order::Acceleration);
         let given = self.driven_rate(Order::Acceleration, input);
         let mm = self.board.to_paper(given, scale);
-        let (kind, quantity) = if fixed {
+        // What drives a trial may slide on an arc, where this is one of two parts.
+        let straight = matches!(self.mechanism.slides[slide].guide.path, Path::Straight { .. });
+        let part = if straight {
+            Quantity::SlipAcceleration(first, guide)
+        } else {
+            Quantity::SlipTangential(first, guide)
+        };
+        let (kind, quantity) = if fixed && straight {
             (VectorKind::Absolute, Quantity::Acceleration(first))
         } else {
-            (VectorKind::Sliding, Quantity::SlipAcceleration(first, guide))
+            (VectorKind::Sliding, part)
         };
         let image = self.lay_off_vector(quantity, from.1, along, mm);
         self.motion_mut(Order::Acceleration).slidings[slide] = Some(given);
@@ -216,8 +223,8 @@ impl Draughtsman<'_> {
         let head = (self.label(first), image);
         let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(claim)), from, head);
         self.act(Act::LayOffVector { vector, value: given.value().abs(), mm: mm.value().abs() });
-        self.note_part(Quantity::SlipAcceleration(first, guide), from.1, image);
-        if !fixed {
+        self.note_sliding_parts((first, slide), (from.1, image), false);
+        if !(fixed && straight) {
             self.absolute_vector(Order::Acceleration, Quantity::Acceleration(first), head.0, image);
         }
         if let Rider::Link { link, .. } = rider {
@@ -528,9 +535,7 @@ impl Draughtsman<'_> {
         (label, image): (Label, Point),
         along: Mm,
     ) {
-        let guide = self.mechanism.slides[slide].guide;
-        let pin = target.pin();
-        let rider = self.riding_point(slide, pin);
+        let rider = self.riding_point(slide, target.pin());
         let scale = self.polygon_scale(Order::Acceleration);
         let read = self.board.read(along, scale);
         let value = if back { self.board.opposite(read) } else { read };
@@ -538,25 +543,32 @@ impl Draughtsman<'_> {
         let ends = [route.foot, (label, image)];
         let (quantity, reversed) = self.sliding_unknown(Order::Acceleration, target, (slide, back));
         let [tail, head] = if reversed { [ends[1], ends[0]] } else { ends };
-        let straight = matches!(guide.path, Path::Straight { .. });
-        let part = if straight {
-            Quantity::SlipAcceleration(rider, guide.link)
-        } else {
-            Quantity::SlipTangential(rider, guide.link)
-        };
         let kind = if route.foot.0 == Label::Pole { VectorKind::Absolute } else { VectorKind::Sliding };
         let vector = self.note_vector(Order::Acceleration, (kind, quantity, Some(route.claim)), tail, head);
         self.act_read(Order::Acceleration, vector);
-        let [from, to] = if back { [ends[1].1, ends[0].1] } else { [ends[0].1, ends[1].1] };
-        self.note_part(part, from, to);
-        if straight {
+        self.note_sliding_parts((rider, slide), (ends[0].1, image), back);
+    }
+
+    /// Notes the apparent acceleration of a rider, laid off from a foot to an image, or the other way where it was laid off
+    /// backwards; on an arc that is its tangential part, and the whole runs over the normal part as well.
+    fn note_sliding_parts(
+        &mut self,
+        (rider, slide): (PointId, usize),
+        (foot, image): (Point, Point),
+        back: bool,
+    ) {
+        let guide = self.mechanism.slides[slide].guide;
+        let (from, to) = if back { (image, foot) } else { (foot, image) };
+        let whole = Quantity::SlipAcceleration(rider, guide.link);
+        if let Path::Straight { .. } = guide.path {
+            self.note_part(whole, from, to);
             return;
         }
-        // On an arc the whole apparent acceleration runs over both parts.
+        self.note_part(Quantity::SlipTangential(rider, guide.link), from, to);
         let normal = Quantity::SlipNormal(rider, guide.link);
-        if let Some(part) = self.parts.iter().find(|p| p.quantity == normal) {
+        if let Some(part) = self.parts.iter().rev().find(|p| p.quantity == normal) {
             let ends = if back { (image, part.head) } else { (part.tail, image) };
-            self.note_part(Quantity::SlipAcceleration(rider, guide.link), ends.0, ends.1);
+            self.note_part(whole, ends.0, ends.1);
         }
     }
 
