@@ -3,7 +3,7 @@
 
 use crate::board::Circle;
 use crate::mechanism::quantity::Order;
-use crate::mechanism::{Form, LinkId, PointId, Rider, Roll};
+use crate::mechanism::{Form, LinkId, PointId, Roll};
 use crate::plan::GroupStep;
 
 use super::DrawError;
@@ -162,12 +162,12 @@ impl Draughtsman<'_> {
         tracks
     }
 
-    /// The guides on which a point rides, of links that stand.
+    /// The guides on which a point rides, itself or as the first joint of a link, of links that stand.
     fn guides_of(&mut self, point: PointId) -> Vec<Track> {
         let mut tracks = Vec::new();
         for slide in 0..self.mechanism.slides.len() {
             let pair = self.mechanism.slides[slide];
-            let rides = matches!(pair.rider, Rider::Pin { point: pin, .. } if pin == point);
+            let rides = self.joint_of_rider(slide) == Some(point);
             let guide = pair.guide.link;
             if rides && (self.stands_in_world(guide) || self.pose_of(guide).is_some()) {
                 tracks.push(self.track(slide, Some(point)));

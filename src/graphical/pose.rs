@@ -347,8 +347,18 @@ impl Draughtsman<'_> {
         let Slide { rider: Rider::Link { link: rider, turned: Some(turned) }, guide } =
             self.mechanism.slides[slide]
         else {
-            // What rides as placed does not say how the other link stands.
-            return (own_x, self.no_direction(Missing::Pose(link)));
+            // What rides as placed does not say how the other link stands; its own points do, or the rider towards which it
+            // swivels.
+            let joint = self.mechanism.link(link).points.first().copied();
+            let alone = matches!(self.mechanism.link(link).form, Form::Single);
+            let pose = match (self.pose_of(link), joint.filter(|p| alone && self.places[p.0].is_some())) {
+                (None, Some(joint)) if self.one_joint_link(link, joint).is_ok() => self.poses[link.0],
+                (pose, _) => pose,
+            };
+            return match pose {
+                Some(pose) => (pose.own_along, pose.along),
+                None => (own_x, self.no_direction(Missing::Pose(link))),
+            };
         };
         let by = self.board.angle(turned);
         if rider == link {

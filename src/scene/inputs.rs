@@ -8,7 +8,7 @@ use super::keys;
 use super::links::own_coordinates;
 use super::units::Measure;
 use crate::mechanism::quantity::Unit;
-use crate::mechanism::{Form, Given, Input, LinkId, PointId, Rider};
+use crate::mechanism::{Form, Given, Input, LinkId, Place, PointId, Rider};
 
 /// Reads `input` or `inputs`.
 pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
@@ -177,6 +177,15 @@ fn slide_input(fields: &Fields<'_, '_>, value: &Value<'_>, draft: &Draft<'_>) ->
         return Err(Fault::new(fields.at, format!("`at` is missing: {name} is not placed")).mend(format!(
             "give its distance along the guide from `through`, or the place of {name} in `placed` or `where`"
         )));
+    }
+    let of_frame = rider.is_some_and(|p| matches!(draft.mechanism.point(p).place, Place::Fixed(_)));
+    let moving = (0..draft.mechanism.points.len()).map(PointId);
+    let mut moving = moving.filter(|p| !matches!(draft.mechanism.point(*p).place, Place::Fixed(_)));
+    if let (None, true, false) = (at, of_frame, moving.any(|p| draft.is_exact(p))) {
+        let (rider, guide) = (rider.map_or("", |p| draft.say_point(p)), draft.say(pair.guide.link));
+        let what = format!("`at` is missing: {rider} is fixed, and nothing says where {guide} stands");
+        return Err(Fault::new(fields.at, what)
+            .mend("give its distance along the guide from `through`, or places of moving points in `placed` or `where`"));
     }
     Ok(Input::Slide {
         slide,
