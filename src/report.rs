@@ -2,7 +2,7 @@
 
 use crate::graphical::construction::Construction;
 use crate::graphical::{DrawError, Missing, Unplaced};
-use crate::mechanism::quantity::{Answer, Stuck, Unit};
+use crate::mechanism::quantity::{Answer, Indeterminate, Stuck, Unit};
 use crate::mechanism::statement::{Locus, Standing};
 use crate::mechanism::structure::{Joint, StructureError, TrialDriver};
 use crate::mechanism::{Input, Mechanism, Path, Place, PointId};
@@ -36,6 +36,11 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
             Subject::Scene,
             error.to_string(),
             "less friction leaves one balance; `expect` tells that it is meant so".to_owned(),
+        ),
+        SolveError::Indeterminate { why: Indeterminate::Room { points }, .. } => (
+            Subject::Inputs,
+            error.to_string(),
+            format!("state where {} stands with less room (`within`)", points.join(" and ")),
         ),
         SolveError::Indeterminate { .. } => (
             Subject::Inputs,

@@ -170,11 +170,41 @@ pub fn solve_with(
         plan = plan_from(CentreSource::Velocities, &without);
         (scales, solution) = draw(&plan)?;
     }
+    let exactly = |exact: &Mechanism| {
+        graphical::solution(settings.arithmetic, exact, &structure, (&plan, extent), |_| scales)
+    };
+    open_by_room(&scene.mechanism, &mut solution, exactly);
     unstuck(scene, &structure, &plan, &solution.construction.answers)?;
     turn(scene, settings, &mut solution);
     determined(&scene.mechanism.asked, &solution.construction.answers)?;
     solution.construction.others = others;
     Ok(Solved { structure, plan, scales, solution, left_out })
+}
+
+/// Says of what is no dead centre where places stand as they are stated, and may be one within their rooms, that the rooms
+/// leave it open.
+fn open_by_room(
+    mechanism: &Mechanism,
+    solution: &mut Solution,
+    exactly: impl Fn(&Mechanism) -> Result<(Scales, Solution), DrawError>,
+) {
+    let dead =
+        |reading: &Reading| matches!(reading.answer, Answer::Indeterminate(Indeterminate::DeadCentre { .. }));
+    let roomy = mechanism.roomy();
+    if roomy.is_empty() || !solution.construction.answers.iter().any(dead) {
+        return;
+    }
+    // Places that contradict each other within their rooms cannot be drawn without: there the rooms leave everything open.
+    let exact = exactly(&mechanism.without_rooms()).ok().map(|(_, exact)| exact.construction.answers);
+    let points: Vec<String> = roomy.into_iter().map(|point| mechanism.point(point).name.clone()).collect();
+    for (index, reading) in solution.construction.answers.iter_mut().enumerate() {
+        let open = |exact: &Vec<Reading>| {
+            exact.get(index).is_some_and(|exact| matches!(exact.answer, Answer::Indeterminate(_)))
+        };
+        if dead(reading) && !exact.as_ref().is_some_and(open) {
+            reading.answer = Answer::Indeterminate(Indeterminate::Room { points: points.clone() });
+        }
+    }
 }
 
 /// Refuses where friction lets no balance exist, or more than one, as scratch paper tells it, or where it leaves every

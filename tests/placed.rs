@@ -715,3 +715,250 @@ fn a_place_contradicts_within_its_room_only() {
     let scene = common::read(&bar("30.15"));
     assert!(solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).is_err());
 }
+
+/// Both solvers confirm each other, and no bound passes this part of its number.
+fn confirmed(text: &str, part: f64) {
+    let scene = common::read(text);
+    let solved = solve(&scene, Extent::Asked, sheet::scale::for_scene);
+    let solved = solved.unwrap_or_else(|error| panic!("{}\n{text}", report::diagnose(&scene, &error)));
+    let agreement = linkgram::check::agreement(&scene, &solved, &solve_analytically(&scene));
+    assert!(agreement.ok(), "{} of the bounds, {:?}\n{text}", agreement.worst_ratio(), agreement.refused);
+    for (asked, reading) in scene.mechanism.asked.iter().zip(&solved.solution.construction.answers) {
+        let (size, bound) = match reading.answer {
+            Answer::Scalar { value, bound } => (value.abs(), bound),
+            Answer::Vector { value, bound } => (value[0].hypot(value[1]), bound),
+            ref other => panic!("{} is {other:?}", asked.name),
+        };
+        assert!(bound <= part * size, "{}: {bound:e} of {size:e}\n{text}", asked.name);
+    }
+}
+
+/// Davis's steering gear, an Oldham coupling, a slotted lever on a coupler: places of eight digits beside dimensions and
+/// guides of eight digits. What a riding link's direction contradicts counts as well, and both solvers carry it into their
+/// bounds; where a long lever magnifies it that is no refusal.
+#[test]
+fn places_of_eight_digits_beside_dimensions() {
+    let davis = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [-66.528023, 0], "O3": [66.528023, 0] },
+        "placed": { "A": [-73.874269, 59.267609], "E2": [-76.385176, 79.524956], "B": [58.312342, 59.267609],
+                    "E3": [53.776911, 91.986037] },
+        "links": { "4": { "joins": ["A", "B"], "shape": { "A": [33.790411, -9.6880185], "B": [-82.926838, 52.363444] } },
+                   "2": { "joins": ["O2", "E2"] }, "3": { "joins": ["O3", "E3"], "length": 92.865612 } },
+        "slides": [
+          { "link": 4, "turned": -152.00314, "on": { "link": 1, "through": [0, 64.320078], "offset": -5.0524694 } },
+          { "pin": "A", "block": 5, "on": { "link": 2, "through": "O2", "toward": "E2" } },
+          { "pin": "B", "block": 6, "on": { "link": 3, "through": "O3", "toward": "E3" } }],
+        "input": { "slide": 4, "velocity": 96.86, "acceleration": 285.4 },
+        "find": ["v(B)", "v(E3)", "omega(6)", "alpha(6)", "I(1,6)", "I(3,4)"] }"#;
+    let oldham = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [23.803194, 9.3944032] },
+        "placed": { "A": [17.566289, 46.630768], "E": [55.064198, 43.229661], "C": [7.4869058, 19.874441],
+                    "B": [-9.8855598, 31.032866] },
+        "links": { "2": { "joins": ["O2", "A"] },
+          "3": { "joins": ["C", "E"], "shape": { "C": [14.987512, -45.983689], "E": [-37.571475, -52.811417] } },
+          "4": { "joins": ["O4", "B"], "shape": { "O4": [-9.1601292, -15.569302], "B": [28.095043, -0.89935418] } } },
+        "slides": [
+          { "link": 3, "turned": 129.38625, "on": { "link": 2, "through": "O2", "toward": "A" } },
+          { "link": 3, "turned": 51.457193, "on": { "link": 4, "through": "O4", "angle": 21.493003 } }],
+        "input": { "link": 4, "omega": 11.045 },
+        "find": ["v(C@2)", "a(C@2)", "v(C@4)", "a(C@4)", "v(E)", "omega(2)"] }"#;
+    let slotted = r#"{ "units": { "length": "mm" },
+        "fixed": { "O2": [0, 0], "O4": [111.93229, -2.5342002], "O5": [143.81866, 149.68258] },
+        "placed": { "H": [-2.0907876, 86.437135], "A": [-14.44112, 38.515769], "C": [49.770554, 108.91679],
+                    "B": [90.916686, 87.382861], "J": [-52.146113, 163.82169] },
+        "links": { "2": { "joins": ["O2", "A"] },
+          "3": { "joins": ["A", "B", "C"], "sides": [116.13897, 46.440437, 95.28611] }, "4": { "joins": ["O4", "B"] },
+          "5": { "joins": ["O5", "H"], "length": 159.02689 }, "7": { "joins": ["H", "J"] } },
+        "slides": [{ "pin": "C", "block": 6, "on": { "link": 5, "through": "O5", "toward": "H" } },
+          { "pin": "J", "block": 8, "on": { "link": 1, "through": [-47.047099, 193.38518], "angle": 80.214091 } }],
+        "input": { "link": 4, "omega": -7.409 }, "find": ["slip(J/1)", "aslip(J/1)", "omega(5)", "alpha(6)", "I(3,5)"] }"#;
+    let cylinder = r#"{ "units": { "length": "mm" },
+        "fixed": { "O2": [0, 0], "O4": [88.429637, 19.101058], "O5": [170.22762, 136.7732] },
+        "placed": { "A": [18.275403, 56.765336], "E": [111.80552, 136.45423], "C": [73.035126, 136.24256],
+                    "B": [129.74547, 103.24245] },
+        "links": { "2": { "joins": ["O2", "A"] },
+          "3": { "joins": ["A", "B", "C"], "shape": { "A": [37.0834, -36.782313], "B": [113.35653, 56.85586],
+                                                      "C": [47.783206, 59.138334] } },
+          "4": { "joins": ["O4", "B"] }, "5": { "joins": ["C", "E"], "length": 38.770971 }, "6": { "joins": ["O5"] } },
+        "slides": [{ "link": 5, "turned": -180, "on": { "link": 6, "through": "O5" } }],
+        "input": { "link": 2, "omega": -4.722 }, "find": ["v(E)", "omega(5)", "alpha(5)", "slip(C/6)", "I(1,6)"] }"#;
+    for scene in [davis, oldham, slotted, cylinder] {
+        confirmed(scene, 1e-3);
+    }
+}
+
+/// A point that is read with room, at the end of a link of given length that lies almost along x: what the room leaves open of
+/// x is some 25 times that of y. Refused by the other solver before.
+#[test]
+fn a_room_that_a_long_lever_magnifies() {
+    let scene = r#"{ "units": { "length": "mm" },
+        "fixed": { "O2": [0, 0], "O4": [101.17813916423212, 15.322743105126044], "O6": [206.66655404920107, 27.57120091756286] },
+        "placed": { "A": [-3.937164008329294, 48.85865290189789], "B": [100.28629278979811, 93.60028815609672],
+                    "H": [178.12982893964215, 157.00442713234332], "E": { "at": [194.6, 115.5], "within": "0.071 mm" } },
+        "links": { "2": { "joins": ["O2", "A"] }, "4": { "joins": ["O4", "B"] }, "5": { "joins": ["C", "E"], "length": 156.00521884225682 },
+          "3": { "joins": ["A", "B", "C"], "sides": [113.42108654113174, 63.56169792713804, 73.97776492653335] },
+          "6": { "joins": ["O6", "E", "H"] } },
+        "near": { "C": [38.7, 109.3] }, "input": { "link": 6, "omega": 3.674 }, "find": ["omega(2)", "omega(3)"] }"#;
+    confirmed(scene, 1.0);
+}
+
+/// A place with room beside the angle of its driven link: crank of 50 mm at 60°, A read 0.04 mm beside that line within 0.05.
+#[test]
+fn an_angle_beside_a_place_with_room() {
+    let place = polar(polar([0.0, 0.0], 50.0, 60.0), 0.04, 150.0);
+    let scene = format!(
+        r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+            "placed": {{ "A": {{ "at": {place:?}, "within": "0.05 mm" }} }}, "links": {{ "2": {{ "joins": ["O2", "A"] }} }},
+            "input": {{ "link": 2, "angle": 60, "omega": 4 }}, "find": ["v(A)", "x(A)"] }}"#
+    );
+    for (name, found) in answers(&common::read(&scene)) {
+        let truth = if name == "v(A)" { polar([0.0; 2], 0.2, 150.0) } else { polar([0.0; 2], 0.05, 60.0) };
+        for solver in found {
+            assert!((solver[0] - truth[0]).hypot(solver[1] - truth[1]) < 1e-9, "{name}: {solver:?}");
+        }
+    }
+}
+
+/// A rack that a pinion drives, and that drives a crank by a rod. The places of the crank's pin and the rod's length say where
+/// the rack stands, rolling does not: A (0, 30), AB = 50, so that B stands at (40, 0); the pinion of 20 mm below turns at
+/// −2 rad/s and moves the rack by 40 mm/s, and the crank's pin along x as fast: ω₂ = −4/3.
+#[test]
+fn a_rack_whose_place_the_crank_tells() {
+    for input in [r#""A": [0, 30]"#, r#""A": [0, 30], "B": [40.000001, 0]"#, r#""A": [0, 30], "E": [90, 0]"#]
+    {
+        let scene = format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O5": [60, -20] }},
+            "placed": {{ {input}, "Q": [60, -5] }}, "near": {{ {} }},
+            "links": {{ "2": {{ "joins": ["O2", "A"] }}, "3": {{ "joins": ["A", "B"], "length": 50 }},
+                        "4": {{ "joins": ["B", "E"], "length": 50 }}, "5": {{ "joins": ["O5", "Q"] }} }},
+            "slides": [{{ "link": 4, "on": {{ "link": 1, "through": [0, 0] }} }}],
+            "rolls": [{{ "links": [4, 5], "centre": "O5", "radius": 20, "line": {{ "link": 4, "through": "B", "toward": "E" }} }}],
+            "input": {{ "link": 5, "omega": -2 }}, "find": ["v(B)", "omega(2)"] }}"#,
+            if input.contains("\"B\"") { r#""E": [90, 0]"# } else { r#""B": [40, 0]"# }
+        );
+        gives(&scene, &[("v(B)", vec![0.04, 0.0]), ("omega(2)", vec![-0.04 / 0.03])]);
+    }
+}
+
+/// What drives a trial may slide on an arc: its apparent acceleration has both parts. On an arc of the frame it is the pin's
+/// own acceleration, and the normal part is v²/R.
+#[test]
+fn an_apparent_acceleration_on_an_arc_that_drives_a_trial() {
+    let scene = common::read(
+        r#"{ "units": { "length": "cm", "angle": "rad" },
+        "placed": { "B": [6.604322890830084, -0.055470666755207176], "E": [4.555529076395099, 2.9114206197487227] },
+        "links": { "2": { "joins": ["A", "B", "C"], "line": [-1.2351032756562963, 0.7648967243437043, 1.7648967243437041] },
+                   "5": { "joins": ["D", "E", "C"], "sides": [3.1622776601683795, 4.242640687119285, 2] } },
+        "slides": [
+          { "pin": "A", "block": 4, "on": { "link": 1, "through": [6.91635946421332, 2.7934487836031208], "angle": 1.9777578587903448 } },
+          { "pin": "B", "on": { "link": 1, "through": [8.43705335829473, -1.4433924298658274],
+                                "angle": -1.1638347947994485, "offset": -1.1336788729129905 } },
+          { "pin": "D", "block": 3, "on": { "link": 1, "centre": [8.451663748769246, 4.590746262595876], "radius": 4 } }],
+        "input": { "link": 5, "angle": 2.441405467791151, "omega": -1.78 },
+        "find": ["aslip(D/1)", "a(D)", "aslipn(D/1)", "aslipt(D/1)", "v(D)"] }"#,
+    );
+    let found = answers(&scene);
+    for solver in 0..2 {
+        let of = |name: &str| found.iter().find(|(n, _)| n == name).unwrap().1[solver].clone();
+        let (whole, own) = (of("aslip(D/1)"), of("a(D)"));
+        let (normal, along, speed) = (of("aslipn(D/1)"), of("aslipt(D/1)"), of("v(D)"));
+        for axis in 0..2 {
+            assert!((whole[axis] - own[axis]).abs() < 1e-12, "{found:?}");
+            assert!((normal[axis] + along[axis] - own[axis]).abs() < 1e-12, "{found:?}");
+        }
+        let v = speed[0].hypot(speed[1]);
+        assert!((normal[0].hypot(normal[1]) - v * v / 0.04).abs() < 1e-12, "{found:?}");
+    }
+}
+
+/// A is stated from B, which is placed, and which dimensions and the angle of a driven link bind as well: B stands where these
+/// put it. O4B = 30 at 90°, A to the left of it, 34 from O2: 16² + 30² = 34².
+#[test]
+fn a_place_stated_from_a_placed_point_that_dimensions_bind() {
+    let scene = r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [80, 0] }, "placed": { "B": [80, 30] },
+        "where": { "A": [{ "from": "B", "direction": 180 }, { "from": "O2", "distance": 34 }] }, "near": { "A": [16, 30] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 34 }, "3": { "joins": ["A", "B"], "length": 64 },
+                   "4": { "joins": ["O4", "B"], "length": 30 } },
+        "input": { "link": 4, "angle": 90, "omega": 5 }, "find": ["v(B)", "x(A)"] }"#;
+    gives(scene, &[("v(B)", vec![-0.15, 0.0]), ("x(A)", vec![0.016, 0.03])]);
+}
+
+/// A four-bar whose coupler has a slot, driven along it by a pin whose place (55, 55) is given: the coupler stands where its slot
+/// passes there. The truth: the crank's angle at which (D − A)·(B − A) = 50 · 110, found here by halving.
+#[test]
+fn a_driven_pin_whose_place_is_given_on_a_guide_that_moves() {
+    let places = |angle: f64| {
+        let a = polar([0.0, 0.0], 40.0, angle);
+        // B from A and O4 = (110, 0), above.
+        let (dx, dy) = (110.0 - a[0], -a[1]);
+        let far = dx.hypot(dy);
+        let along = (far * far + 110.0 * 110.0 - 90.0 * 90.0) / (2.0 * far);
+        let up = (110.0 * 110.0 - along * along).sqrt();
+        let (cos, sin) = (dx / far, dy / far);
+        (a, [a[0] + along * cos - up * sin, a[1] + along * sin + up * cos])
+    };
+    let beside = |angle: f64| {
+        let (a, b) = places(angle);
+        (55.0 - a[0]) * (b[0] - a[0]) + (55.0 - a[1]) * (b[1] - a[1]) - 50.0 * 110.0
+    };
+    let (mut low, mut high) = (70.0, 90.0);
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if beside(middle) * beside(low) > 0.0 { low = middle } else { high = middle }
+    }
+    let (a, b) = places(low);
+    let metres = |p: [f64; 2]| vec![p[0] / 1000.0, p[1] / 1000.0];
+    gives(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [110, 0], "O6": [40, -30] }, "placed": { "D": [55, 55] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 40 }, "3": { "joins": ["A", "B"], "length": 110 },
+                   "4": { "joins": ["O4", "B"], "length": 90 }, "5": { "joins": ["O6", "D"] } },
+        "slides": [{ "pin": "D", "block": 6, "on": { "link": 3, "through": [50, -5], "angle": 90 } }],
+        "near": { "A": [-10, 38], "B": [90, 85] }, "input": { "slide": "D", "velocity": 50 }, "find": ["x(A)", "x(B)"] }"#,
+        &[("x(A)", metres(a)), ("x(B)", metres(b))],
+    );
+}
+
+/// A driven slide whose pin is fixed says nothing of where its guide stands: that is what is told, at once.
+#[test]
+fn a_driven_slide_of_a_fixed_pin_needs_its_distance() {
+    let scene = linkgram::scene::read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [120, 30] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 40 }, "3": { "joins": ["A", "E"], "length": 130 } },
+        "slides": [{ "pin": "O4", "block": 4, "on": { "link": 3, "through": "A", "toward": "E" } }],
+        "near": { "A": [20, 35] }, "input": { "slide": "O4", "velocity": 50 }, "find": ["v(A)"] }"#,
+        "scene.json",
+    );
+    let error = scene.err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(error.contains("`at` is missing: O4 is fixed, and nothing says where link 3 stands"), "{error}");
+}
+
+/// A placed bar rides as placed on the guide of a swivel at D, which a placed lever carries: the swivel turns towards the bar's
+/// first joint. Both links turn as they are driven; v(D) of the lever CD by the bar through B, which moves with O2B.
+#[test]
+fn a_swivel_whose_rider_rides_as_placed() {
+    // O2B = 50 at 90°, ω₂ = 4: v(B) = (−200, 0). The bar BE lies along x through D = (60, 50) and turns at 3 rad/s, so that the
+    // point of it under D moves with (−200, 180); D moves along y about C = (100, 50): (0, 180) by a slip of 200.
+    gives(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "C": [100, 50] },
+        "placed": { "B": [0, 50], "E": [90, 50], "D": [60, 50] },
+        "links": { "2": { "joins": ["O2", "B"] }, "3": { "joins": ["C", "D"], "length": 40 }, "4": { "joins": ["B", "E"] },
+                   "5": { "joins": ["D"] } },
+        "slides": [{ "link": 4, "on": { "link": 5, "through": "D" } }],
+        "inputs": [{ "link": 2, "omega": 4 }, { "link": 4, "omega": 3 }], "find": ["v(D)", "omega(3)"] }"#,
+        &[("v(D)", vec![0.0, 0.18]), ("omega(3)", vec![-4.5])],
+    );
+}
+
+/// A four-bar all but at its dead centre, with the rocker's pin read within a room in which it lies: that is the room's fault,
+/// and the refusal says so.
+#[test]
+fn a_room_that_leaves_it_open_is_told() {
+    // O2A = 40 along x, AB = 60 turned up by a ten-thousandth, so that O2, A and B are in line within the room of B.
+    let scene = common::read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [100, 80] },
+        "placed": { "A": [40, 0], "B": { "at": [100, 0.01], "within": "0.05 mm" } },
+        "links": { "2": { "joins": ["O2", "A"] }, "3": { "joins": ["A", "B"] }, "4": { "joins": ["O4", "B"] } },
+        "input": { "link": 4, "omega": 2 }, "find": ["omega(2)", "v(B)"] }"#,
+    );
+    let solved = solve(&scene, Extent::Asked, sheet::scale::for_scene).unwrap();
+    let told = format!("{:?}", solved.solution.construction.answers[0].answer);
+    assert!(told.contains("Room") && told.contains("\"B\""), "{told}");
+}

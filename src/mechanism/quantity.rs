@@ -397,6 +397,11 @@ pub enum Indeterminate {
     },
     /// The mechanism's Jacobian is singular here (analytic solver).
     Singular,
+    /// Within the rooms in which places are known there may be a dead centre, and where they are stated is none.
+    Room {
+        /// Names of the points that were stated with a room.
+        points: Vec<String>,
+    },
     /// Friction leaves no value here, or more than one.
     Rubbing {
         /// In which way.
@@ -432,6 +437,9 @@ impl fmt::Display for Indeterminate {
                 }
             }
             Self::Singular => write!(f, "dead centre: the motion is not determined by the input here"),
+            Self::Room { points } => {
+                write!(f, "the room that is stated for {} leaves it open", points.join(" and "))
+            }
             Self::Rubbing { why, .. } | Self::Undefined { why } | Self::NoEquilibrium { why } => {
                 write!(f, "{why}")
             }

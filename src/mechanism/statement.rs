@@ -7,6 +7,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{Given, Mechanism, Path, Place, PointId};
 
+/// An error of so large a part of the coordinates is a room.
+const DIGITS: f64 = 1e-12;
+
 /// Where a point may lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Locus {
@@ -210,6 +213,33 @@ impl Mechanism {
             }
         }
         loose
+    }
+
+    /// The placed points that are known within a room only: by more than what doubles leave open.
+    #[must_use]
+    pub fn roomy(&self) -> Vec<PointId> {
+        let placed = |point: &super::Point| match point.place {
+            Place::Placed(at) => Some(at),
+            Place::Fixed(_) | Place::Stated(_) | Place::Near(_) | Place::Unknown => None,
+        };
+        let all = self.points.iter().filter_map(|point| point.place.exact()).flatten();
+        let digits = DIGITS * all.map(|coordinate| coordinate.value.abs()).fold(0.0, f64::max);
+        let points = self.points.iter().enumerate();
+        let roomy =
+            points.filter(|(_, point)| placed(point).is_some_and(|at| at.iter().any(|c| c.error > digits)));
+        roomy.map(|(index, _)| PointId(index)).collect()
+    }
+
+    /// The mechanism as if every placed point stood just where it is stated.
+    #[must_use]
+    pub fn without_rooms(&self) -> Self {
+        let mut exact = self.clone();
+        for point in self.roomy() {
+            if let Place::Placed(at) = &mut exact.points[point.0].place {
+                *at = at.map(|coordinate| Given::read(coordinate.value));
+            }
+        }
+        exact
     }
 
     /// The mechanism with every stated place as a solver found it: `at` tells the place of the point of a statement.

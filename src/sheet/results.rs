@@ -135,7 +135,7 @@ fn reason(why: &Indeterminate, notation: &Notation<'_>) -> String {
             format!("{} ({})", notation.words.dead_centre, numbers.join(notation.words.comma))
         }
         Indeterminate::DeadCentre { .. } => notation.words.dead_centre.to_owned(),
-        Indeterminate::Singular => notation.words.not_determined.to_owned(),
+        Indeterminate::Singular | Indeterminate::Room { .. } => notation.words.not_determined.to_owned(),
         Indeterminate::NoEquilibrium { .. } => notation.words.no_equilibrium.to_owned(),
         Indeterminate::Rubbing { .. } | Indeterminate::Undefined { .. } => {
             notation.words.undefined.to_owned()
