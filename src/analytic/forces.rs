@@ -15,6 +15,9 @@ const ZERO: f64 = 4.0;
 /// What does not exceed its bound so often points nowhere.
 const CLEAR: f64 = 4.0;
 
+/// A contact that would pull with less than this part of the largest force of a pair rests.
+const FAINT: f64 = 1e-9;
+
 type Read = Result<Answer, Indeterminate>;
 
 fn undefined<T>(why: impl Into<String>) -> Result<T, Indeterminate> {
@@ -68,6 +71,29 @@ impl State {
         Some(Power { effort, loads, weights, springs, inertia, friction, residual, bound: p[6].bound * unit })
     }
 
+    /// The shares in which a rolling pair would have to pull to keep its contact. The parts of loads and of inertia alone
+    /// are parts, and may.
+    pub(super) fn pulling(&self) -> Vec<(Share, Indeterminate)> {
+        let Some(burden) = &self.burden else { return Vec::new() };
+        let mut pulling = Vec::new();
+        for (share, balance) in &self.balances {
+            if matches!(share, Share::Static | Share::Inertia) {
+                continue;
+            }
+            let largest = balance.x[..burden.pairs.len()].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            let pulls = |&(place, sign): &(usize, f64)| {
+                let push = self.act(*share, |s| [s.unknown(place)]);
+                push.is_ok_and(|[m]| m.value * sign < -m.bound.max(FAINT * largest))
+            };
+            let contacts = burden.contacts.iter().filter(|(place, sign, _)| pulls(&(*place, *sign)));
+            if let Some((_, _, roll)) = contacts.into_iter().next() {
+                let why = self.model.mechanism.say_pulls(*roll);
+                pulling.push((*share, Indeterminate::NoEquilibrium { why }));
+            }
+        }
+        pulling
+    }
+
     fn force_unit(&self) -> f64 {
         self.model.length / (self.model.time * self.model.time)
     }
@@ -108,8 +134,14 @@ impl State {
             let why = burden.unaimed.clone();
             return why.map_or_else(|| undefined("it divides by a length of zero"), Err);
         }
+        let pulls = self.pulls.iter().find(|(of, _)| *of == share).map(|(_, why)| why);
         let mut measured = [Measured::default(); N];
         for (slot, var) in measured.iter_mut().zip(out) {
+            if let Some(why) = pulls
+                && tape.sweep(var).terms.iter().any(|(leaf, _)| matches!(leaf, Leaf::Force(_)))
+            {
+                return Err(why.clone());
+            }
             if let Some(why) = &burden.unaimed
                 && self.strays(&tape.sweep(var), burden, balance, share)
             {

@@ -74,6 +74,8 @@ pub(super) struct Strength {
     pub(super) part: f64,
     /// Senses that the normal forces of the first sliding pairs are taken to have, whatever they have.
     pub(super) pushed: Vec<f64>,
+    /// In which sense teeth drive that push their wheels apart, +1 or −1; none where they do not push.
+    pub(super) meshes: Vec<f64>,
 }
 
 impl Rubbing {
@@ -364,6 +366,8 @@ struct Search<'a> {
     balancing: &'a Balancing<'a>,
     ordering: Ordering,
     undetermined: Vec<bool>,
+    /// In which sense teeth drive.
+    meshes: Vec<f64>,
 }
 
 impl Search<'_> {
@@ -400,7 +404,7 @@ impl Search<'_> {
 
     /// Lets friction grow to its full strength. Where it locks: at which part of it.
     fn grow(&self, senses: &[f64]) -> Result<Result<Vec<f64>, f64>, AnalyticError> {
-        let at = |part: f64| Strength { senses: senses.to_vec(), part, pushed: Vec::new() };
+        let at = |part: f64| Strength { senses: senses.to_vec(), part, pushed: Vec::new(), meshes: self.meshes.clone() };
         let nothing = vec![0.0; self.undetermined.len()];
         let Some((mut x, sense)) = self.newton(&nothing, &at(0.0))? else { return Ok(Err(0.0)) };
         let (mut part, mut step) = (0.0, FIRST_STEP);
@@ -426,7 +430,12 @@ impl Search<'_> {
         for pattern in 0..1_u32 << normals.len() {
             let pushed: Vec<f64> =
                 (0..normals.len()).map(|i| if pattern >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
-            let strength = Strength { senses: senses.to_vec(), part: 1.0, pushed: pushed.clone() };
+            let strength = Strength {
+                senses: senses.to_vec(),
+                part: 1.0,
+                pushed: pushed.clone(),
+                meshes: self.meshes.clone(),
+            };
             let Some((found, _)) = self.newton(than, &strength)? else { continue };
             let fits = normals.iter().zip(&pushed).all(|(at, sense)| found[*at] * sense >= 0.0);
             let apart: Vec<f64> = found.iter().zip(than).map(|(a, b)| a - b).collect();
@@ -477,8 +486,10 @@ pub(super) fn balance(
 ) -> Result<(Found, Balance), AnalyticError> {
     let burden: &Burden = balancing.burden;
     let n = burden.unknowns();
-    let strength = Strength { senses, part: 1.0, pushed: Vec::new() };
-    let (_, mut known) = balancing.linear(&vec![0.0; n], &Strength::default())?;
+    let meshes = super::statics::balance(balancing)?.strength.meshes;
+    let strength = Strength { senses, part: 1.0, pushed: Vec::new(), meshes: meshes.clone() };
+    let without = Strength { meshes: meshes.clone(), ..Strength::default() };
+    let (_, mut known) = balancing.linear(&vec![0.0; n], &without)?;
     // Every balance of a body that rubs hangs on the forces of the pair, whatever their size is now.
     for rubbing in &burden.rubbing {
         let hangs_on = rubbing.hangs_on(&burden.pairs);
@@ -497,7 +508,7 @@ pub(super) fn balance(
     for column in &ordering.free {
         undetermined[*column] = true;
     }
-    let search = Search { balancing, ordering, undetermined };
+    let search = Search { balancing, ordering, undetermined, meshes };
     let found = search.found(&strength.senses)?;
     let x = match &found {
         Found::One(x) => x.clone(),

@@ -831,6 +831,11 @@ impl Model {
         Ok(rows)
     }
 
+    /// The distance of the bodies of a rolling pair, as an equation.
+    pub(super) fn distance_row(&self, roll: usize) -> Result<Row, AnalyticError> {
+        self.touch_row(roll, false)
+    }
+
     fn touch_row(&self, roll: usize, placed: bool) -> Result<Row, AnalyticError> {
         let find = |link, point| {
             if placed { self.placed_site(link, point) } else { self.point_site(link, point) }

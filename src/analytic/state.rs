@@ -52,6 +52,8 @@ pub struct State {
     pub(super) cycle: Option<Result<Turning, String>>,
     /// The balance of each share that was asked.
     pub(super) balances: Vec<(Share, Balance)>,
+    /// The shares in which a rolling contact would have to pull, and why nothing that hangs on it is a force then.
+    pub(super) pulls: Vec<(Share, Indeterminate)>,
     /// Why friction, or a load that points nowhere, leaves no force of a pair.
     pub(super) stuck: Option<Indeterminate>,
 }
@@ -118,6 +120,7 @@ impl State {
             burden,
             cycle: None,
             balances: Vec::new(),
+            pulls: Vec::new(),
             stuck: None,
         };
         if order >= Order::Velocity {
@@ -161,6 +164,7 @@ impl State {
                 }
             }
             (state.balances, state.stuck) = (balances, stuck);
+            state.pulls = state.pulling();
         }
         Ok(state)
     }

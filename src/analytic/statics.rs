@@ -21,7 +21,7 @@ use crate::mechanism::force::{
 };
 use crate::mechanism::quantity::Indeterminate;
 use crate::mechanism::spin::SpinSpeed;
-use crate::mechanism::{Input, LinkId, Mechanism, PointId};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Roll};
 
 /// Rounds of iterative refinement.
 const REFINEMENTS: usize = 3;
@@ -39,12 +39,27 @@ pub(super) struct Burden {
     spin: Option<BodySpin>,
     /// The equations of the pairs, without those of inputs.
     pub(super) pairs: Vec<(Row, Tie)>,
+    /// Of which pair equations teeth lean, by their place among the pairs.
+    meshes: Vec<(usize, Mesh)>,
+    /// The multipliers of rolling pairs that keep their own contact, which have to push: their place among the pairs, the
+    /// sign with which they push, and the pair.
+    pub(super) contacts: Vec<(usize, f64, usize)>,
     /// What is sought, in the order of the unknowns after the pairs.
     pub(super) sought: Vec<Sought>,
     /// The pairs that rub.
     pub(super) rubbing: Vec<Rubbing>,
     /// Why something that acts has no direction here: what hangs on it is not told.
     pub(super) unaimed: Option<Indeterminate>,
+}
+
+/// Teeth whose distance others hold: they push the wheels apart, tan φ times as hard as they drive.
+#[derive(Debug, Clone)]
+struct Mesh {
+    /// The distance of the wheels, which grows where they go apart with the sign.
+    distance: Row,
+    sign: f64,
+    /// φ.
+    pressure: Num,
 }
 
 /// A mass.
@@ -228,6 +243,25 @@ impl<'t> Acting<'t> {
         Virtual { tape: self.tape(), motion: self.real.motion, column }
     }
 
+    /// The generalised force of a pair equation of the burden, for a unit multiplier, on a coordinate; with what teeth
+    /// push apart.
+    fn slope_of(&self, index: usize, column: usize) -> Var<'t> {
+        let slope = self.slope(&self.burden.pairs[index].0, column);
+        let Some((place, mesh)) =
+            self.burden.meshes.iter().enumerate().find_map(|(place, (of, mesh))| (*of == index).then_some((place, mesh)))
+        else {
+            return slope;
+        };
+        match self.strength.meshes.get(place) {
+            Some(sense) if mesh.distance.hangs_on(column / 3) => {
+                let [cos, sin] = self.real.num(mesh.pressure).v.cos_sin();
+                let apart = self.virtually(column).row(&mesh.distance).d;
+                slope + sin / cos * self.tape().constant(sense * mesh.sign) * apart
+            }
+            _ => slope,
+        }
+    }
+
     /// The generalised force of a pair equation, for a unit multiplier, on a coordinate.
     pub(super) fn slope(&self, row: &Row, column: usize) -> Var<'t> {
         if row.hangs_on(column / 3) { self.virtually(column).row(row).d } else { self.tape().constant(0.0) }
@@ -248,7 +282,7 @@ impl<'t> Acting<'t> {
             }
             let size = self.unknown(index);
             for (axis, part) in sum.iter_mut().enumerate() {
-                *part = *part + self.slope(row, 3 * body + axis) * size;
+                *part = *part + self.slope_of(index, 3 * body + axis) * size;
             }
         }
         let [x, y, turning] = sum;
@@ -457,7 +491,7 @@ impl<'t> Acting<'t> {
         let mut slopes = Vec::new();
         for (index, (row, _)) in self.burden.pairs.iter().enumerate() {
             if row.hangs_on(body) {
-                slopes.push((index, virtually.row(row).d));
+                slopes.push((index, self.slope_of(index, column)));
             }
         }
         let work = |force: [Var<'t>; 2], site: &Site| {
@@ -723,9 +757,35 @@ impl Burden {
             });
         }
         burden.pairs = model.pair_rows()?;
+        burden.mesh(model)?;
         burden.rubbing = Rubbing::all(model, &burden.pairs)?;
         burden.sought = sought;
         Ok(burden)
+    }
+
+    /// Tells apart the rolling pairs that keep their own contact and those whose distance others hold.
+    fn mesh(&mut self, model: &mut Model) -> Result<(), AnalyticError> {
+        let mechanism = std::sync::Arc::clone(&model.mechanism);
+        for (place, (row, tie)) in self.pairs.iter().enumerate() {
+            let Tie::Roll(roll) = *tie else { continue };
+            let inside = matches!(mechanism.rolls[roll], Roll::Circles { internal: true, .. });
+            // Wheels that go apart come nearer to each other's centre where one is in the other.
+            let sign = if inside { -1.0 } else { 1.0 };
+            let keeps = |row: &Row| matches!(row, Row::Touch { .. } | Row::TouchLine { .. });
+            let own_contact = self.pairs.iter().any(|(row, other)| other == tie && keeps(row));
+            if keeps(row) {
+                self.contacts.push((place, sign, roll));
+            } else if let (false, Some(pressure)) = (own_contact, mechanism.forces.pressure(roll)) {
+                let pressure = model.given(pressure, 1.0);
+                self.meshes.push((place, Mesh { distance: model.distance_row(roll)?, sign, pressure }));
+            }
+        }
+        Ok(())
+    }
+
+    /// The senses in which teeth drive, by the multipliers of a balance.
+    fn driven(&self, x: &[f64]) -> Vec<f64> {
+        self.meshes.iter().map(|(place, _)| if x[*place] < 0.0 { -1.0 } else { 1.0 }).collect()
     }
 
     pub(super) fn unknowns(&self) -> usize {
@@ -898,10 +958,20 @@ impl<'a> Balancing<'a> {
     }
 }
 
-/// Solves the balance of one share of what acts, where nothing rubs.
+/// Solves the balance of one share of what acts, where nothing rubs. Which way teeth drive does not hang on how they push
+/// apart, since others hold their distance: it is that of smooth wheels.
 pub(super) fn balance(balancing: &Balancing<'_>) -> Result<Balance, AnalyticError> {
+    let smooth = balance_with(balancing, Strength::default())?;
+    let meshes = balancing.burden.driven(&smooth.x);
+    if meshes.is_empty() {
+        return Ok(smooth);
+    }
+    balance_with(balancing, Strength { meshes, ..Strength::default() })
+}
+
+/// Solves it where teeth drive in these senses.
+fn balance_with(balancing: &Balancing<'_>, strength: Strength) -> Result<Balance, AnalyticError> {
     let n = balancing.burden.unknowns();
-    let strength = Strength::default();
     let mut x = vec![0.0; n];
     let (mut rows, known) = balancing.linear(&x, &strength)?;
     let Ordering { groups, free, .. } = order(&known.pattern, n);

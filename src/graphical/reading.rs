@@ -160,7 +160,7 @@ impl Draughtsman<'_> {
         let undefined = |why: &str| Answer::Indeterminate(Indeterminate::Undefined { why: why.to_owned() });
         let numbers = match &read.numbers {
             Ok(numbers) => numbers,
-            Err(why) if *why == super::forces::NO_SPEED => {
+            Err(why) if [super::forces::NO_SPEED, super::forces::PULLS].contains(why) => {
                 return (
                     Answer::Indeterminate(Indeterminate::NoEquilibrium { why: (*why).to_owned() }),
                     None,

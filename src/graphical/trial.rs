@@ -79,7 +79,7 @@ struct Mark {
 
 impl<'m> Draughtsman<'m> {
     /// How a group of higher class is tried: the first way that tells something where the mechanism stands.
-    fn trial(&self, index: usize) -> Trial {
+    pub(super) fn trial(&self, index: usize) -> Trial {
         match self.ways.get(&index) {
             Some(trial) => trial.clone(),
             None => self.structure.trials[index].clone(),

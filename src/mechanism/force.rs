@@ -24,6 +24,8 @@ pub struct Forces {
     pub carriers: Vec<(PointId, LinkId)>,
     /// What rubs.
     pub friction: Friction,
+    /// Angle of pressure of toothed rolling pairs, radians, by index of the pair; the others are smooth.
+    pub pressures: Vec<(usize, Given)>,
     /// The turning-moment diagram.
     pub cycle: Option<Cycle>,
     /// The axis about which the plane turns, of a governor.
@@ -40,6 +42,7 @@ impl Default for Forces {
             springs: Vec::new(),
             carriers: Vec::new(),
             friction: Friction::default(),
+            pressures: Vec::new(),
             cycle: None,
             spin: None,
         }
@@ -324,6 +327,12 @@ impl Forces {
         }
     }
 
+    /// Angle of pressure of a rolling pair, radians; none of smooth wheels.
+    #[must_use]
+    pub fn pressure(&self, roll: usize) -> Option<Given> {
+        self.pressures.iter().find(|(of, _)| *of == roll).map(|(_, angle)| *angle)
+    }
+
     /// The mass of a link.
     #[must_use]
     pub fn mass(&self, link: LinkId) -> Option<&Mass> {
@@ -427,6 +436,13 @@ impl Mechanism {
     #[must_use]
     pub fn is_pin(&self, point: PointId) -> bool {
         self.parties_at(point).len() > 1
+    }
+
+    /// Why there is no equilibrium where a rolling pair that keeps its own contact would have to pull.
+    #[must_use]
+    pub fn say_pulls(&self, roll: usize) -> String {
+        let [one, other] = self.rolls[roll].bodies().map(|link| self.link(link).number);
+        format!("no equilibrium: links {one} and {other} roll on each other and would have to pull")
     }
 
     /// The link that an input drives by its angle.

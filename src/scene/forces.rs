@@ -43,7 +43,7 @@ pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
         inside(scene.get("slides"), &rubs)?;
         inside(scene.get("pins"), &rubs)?;
     }
-    inside(scene.get("rolls"), &[("pressure", "forces in rolling pairs")])
+    Ok(())
 }
 
 /// Gives a point of its link to every pair of own coordinates in `masses`, `loads` and `springs`.
@@ -133,11 +133,7 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     if draft.mechanism.forces.is_empty() {
         return Ok(());
     }
-    if let Some(entry) = scene.entry("rolls") {
-        return Err(
-            undone(entry, "forces in rolling pairs").mend("leave out `masses`, `loads` and `springs`")
-        );
-    }
+    super::rolls::pressures(scene, draft)?;
     super::friction::read(scene, draft)?;
     let sought = draft.mechanism.named_sought().len();
     let freedoms = draft.mechanism.inputs.len();

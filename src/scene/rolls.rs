@@ -5,6 +5,8 @@ use super::draft::{Draft, is_straight};
 use super::guides::guide;
 use super::json::{Fields, Value};
 use super::keys;
+use super::units::Measure;
+use crate::double_double::DoubleDouble;
 use crate::mechanism::{Given, LinkId, Mechanism, Place, Point, PointId, Roll};
 
 /// More teeth than any wheel has.
@@ -28,6 +30,33 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
         };
         draft.mechanism.rolls.push(roll);
         draft.anchors.rolls.push(item.at);
+    }
+    Ok(())
+}
+
+/// Reads the angles of pressure: as stated, or the usual one of teeth. Called when the scene has forces.
+pub(super) fn pressures(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(rolls) = scene.get("rolls") else { return Ok(()) };
+    for (index, item) in rolls.list("a list of rolling pairs")?.iter().enumerate() {
+        let fields = Fields::of(item, keys::ROLL, "a rolling pair")?;
+        let angle = match fields.get("pressure") {
+            Some(stated) => {
+                let angle = draft.scales.given(stated, Measure::Angle)?;
+                if angle.value < 0.0 || angle.value >= std::f64::consts::FRAC_PI_2 {
+                    return Err(Fault::new(stated.at, "an angle of pressure lies between 0 and 90 degrees"));
+                }
+                angle
+            }
+            None if fields.get("teeth").is_some() => {
+                // 20°.
+                let angle = DoubleDouble::PI / DoubleDouble::of(9.0);
+                Given::fine(angle, angle.hi() * 4.0 * DoubleDouble::ROUNDOFF)
+            }
+            None => continue,
+        };
+        if angle.value > 0.0 {
+            draft.mechanism.forces.pressures.push((index, angle));
+        }
     }
     Ok(())
 }

@@ -314,7 +314,7 @@ fn pairs() -> Value {
             "line": described("guide", "The straight line of a rack or plane; its `link` may be left out."),
             "centre": described("point", "The centre of the wheel on a `line`."),
             "radius": described("length", "The radius of the wheel on a `line`."),
-            "pressure": { "description": "Pressure angle of the teeth. This version does not read it." },
+            "pressure": described("angle", "Angle of pressure of the teeth, for forces: 20 degrees with `teeth`, otherwise the wheels are smooth and the force is along the common tangent."),
         }),
     );
     roll["oneOf"] = json!([{ "required": ["centres"] }, { "required": ["line", "centre"] }]);

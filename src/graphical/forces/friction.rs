@@ -90,6 +90,11 @@ impl Leaning {
         &self.rubs
     }
 
+    /// Whether the force of a guide leans.
+    pub(super) fn leans(&self, slide: usize) -> bool {
+        self.leans.contains_key(&slide)
+    }
+
     pub(super) fn drag(&self, slide: usize) -> Option<Pull> {
         self.drags.get(&slide).copied()
     }
@@ -321,7 +326,7 @@ impl Draughtsman<'_> {
     }
 
     /// The part of a vector along a direction.
-    fn part_along(&mut self, [x, y]: [Amount; 2], along: Direction) -> Amount {
+    pub(super) fn part_along(&mut self, [x, y]: [Amount; 2], along: Direction) -> Amount {
         let unit = self.board.amount(Given::exact(1.0));
         let [ax, ay] = self.board.components(along, unit);
         let (px, py) = (self.board.product(x, ax), self.board.product(y, ay));
@@ -455,7 +460,7 @@ impl Draughtsman<'_> {
     }
 
     /// An amount where another one is positive; elsewhere whatever is read from it is refused.
-    fn only_where(&mut self, amount: Amount, positive: Amount) -> Amount {
+    pub(super) fn only_where(&mut self, amount: Amount, positive: Amount) -> Amount {
         let reason = self.reason_missing(Missing::Balance);
         let one = self.board.amount(Given::exact(1.0));
         let sense = self.board.in_sense_of(one, positive, reason);

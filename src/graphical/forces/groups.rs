@@ -1,13 +1,13 @@
 //! The balance of each kind of group.
 
 use crate::board::{Amount, Direction, Line, Point};
-use crate::mechanism::force::{Party, Sought};
+use crate::mechanism::force::Party;
 use crate::mechanism::structure::{Drive, Group, GroupKind};
 use crate::mechanism::{LinkId, PointId};
 
 use super::super::draughtsman::Draughtsman;
 use super::super::pose::Track;
-use super::{Balance, Item, Pull, SlideForce, Taken, TakenFor, pulls};
+use super::{Balance, Item, Pull, SlideForce, Taken, TakenFor, driven, higher, pulls, rolling};
 
 /// Finds the forces of a group in its pairs, and gives them to the bodies on which it hangs.
 pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) {
@@ -23,23 +23,32 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
             rpp(d, (link, point), (lever, base), [ride, slot], balance);
         }
         GroupKind::Yoke { link, ride, pin, slot } => yoke(d, link, ride, (pin, slot), balance),
-        GroupKind::DrivenBar { .. }
-        | GroupKind::Wheel { .. }
-        | GroupKind::Rack { .. }
-        | GroupKind::DrivenWheel { .. }
-        | GroupKind::Rolling { .. }
-        | GroupKind::RidingCentre { .. }
-        | GroupKind::PinnedRack { .. }
-        | GroupKind::Higher { .. }
-        | GroupKind::Other => balance.refused = Some("this version has no balance of forces for this group"),
+        GroupKind::DrivenBar { link, point, pins, holds, under, input, .. } => {
+            driven::driven_bar(d, &driven::Bar { link, point, pins, holds, under }, input, balance);
+        }
+        GroupKind::Wheel { wheel, centre, roll } => rolling::wheel(d, (wheel, centre), roll, balance),
+        GroupKind::Rack { link, ride, roll } => rolling::rack(d, (link, ride), roll, balance),
+        GroupKind::DrivenWheel { wheel, centre, roll, guide, input } => {
+            rolling::driven_wheel(d, (wheel, centre), (roll, guide), input, balance);
+        }
+        GroupKind::Rolling { rod: link, base, wheel, roll, .. }
+        | GroupKind::PinnedRack { link, base, wheel, roll, .. } => {
+            rolling::leaning(d, (link, base), wheel, roll, balance);
+        }
+        GroupKind::RidingCentre { link, ride, wheel, centre, roll } => {
+            rolling::riding_centre(d, (link, ride), (wheel, centre), roll, balance);
+        }
+        GroupKind::Higher { trial } => higher::higher(d, trial, balance),
+        GroupKind::Other => balance.refused = Some("this version has no balance of forces for this group"),
     }
+    balance.balanced.extend(group.links.iter().copied());
     d.board.purpose(before);
 }
 
 /// What slides in a pair of a group, if it is a link of its own, and the party on the other side.
-struct Sliding {
+pub(super) struct Sliding {
     /// The block, or the link that slides without turning; none where the pin itself rides.
-    inner: Option<LinkId>,
+    pub(super) inner: Option<LinkId>,
     /// Who is on the other side.
     outer: Party,
     /// The inner side is what the pair calls its rider.
@@ -48,7 +57,7 @@ struct Sliding {
 
 impl Draughtsman<'_> {
     /// The sides of a sliding pair in which `pin` rides, itself or with a link of the group.
-    fn sliding(&self, slide: usize, link: Option<LinkId>) -> Sliding {
+    pub(super) fn sliding(&self, slide: usize, link: Option<LinkId>) -> Sliding {
         let pair = self.mechanism.slides[slide];
         let rider = self.mechanism.party_of(&pair.rider);
         let guide = pair.guide.link;
@@ -62,6 +71,15 @@ impl Draughtsman<'_> {
             }
             (_, Party::Pin(_)) => Sliding { inner: None, outer: Party::Link(guide), inner_rides: true },
         }
+    }
+
+    /// The sides of a sliding pair of a link that slides without turning: it rides, or carries the guide of what does.
+    pub(super) fn sliding_link(&self, slide: usize, link: LinkId) -> Sliding {
+        let pair = self.mechanism.slides[slide];
+        let rider = self.mechanism.party_of(&pair.rider);
+        let rides = rider == Party::Link(link);
+        let outer = if rides { Party::Link(pair.guide.link) } else { rider };
+        Sliding { inner: Some(link), outer, inner_rides: rides }
     }
 
     /// The direction of a guide under a point, and square to it.
@@ -86,7 +104,7 @@ impl Draughtsman<'_> {
     }
 
     /// Notes the force of a sliding pair on its inner side, and lays it off on the outer one.
-    fn note_slide(
+    pub(super) fn note_slide(
         &mut self,
         balance: &mut Balance,
         slide: usize,
@@ -116,14 +134,14 @@ impl Draughtsman<'_> {
     }
 
     /// Notes the force of a pin on a link of the group, and lays it off on whoever holds the pin.
-    fn note_pin(&mut self, balance: &mut Balance, pin: PointId, link: LinkId, on_link: Pull) {
+    pub(super) fn note_pin(&mut self, balance: &mut Balance, pin: PointId, link: LinkId, on_link: Pull) {
         balance.of_pins.insert((pin.0, link.0), on_link);
         let at = self.touch_at(balance, pin, link);
         balance.push_on_pin(self, pin, Item { pull: Some(Self::opposite(on_link)), at, couple: None });
     }
 
     /// Notes the force of a pin between two links of one group: on the one of them that does not hold it.
-    fn note_inner_pin(&mut self, balance: &mut Balance, pin: PointId, of: [(LinkId, Pull); 2]) {
+    pub(super) fn note_inner_pin(&mut self, balance: &mut Balance, pin: PointId, of: [(LinkId, Pull); 2]) {
         let holder = self.holder(pin);
         for (link, pull) in of {
             if holder != super::Holder::Link(link) {
@@ -133,14 +151,14 @@ impl Draughtsman<'_> {
     }
 
     /// −M of a body about a pin: the couple with which its guide keeps it from turning.
-    fn keeping(&mut self, items: &[Item], about: Point) -> Option<Amount> {
+    pub(super) fn keeping(&mut self, items: &[Item], about: Point) -> Option<Amount> {
         let moment = self.moments(items, about)?;
         Some(self.board.opposite(moment))
     }
 
     /// The two sizes of forces along two lines that close a polygon: from the head of what is known along the first
     /// direction, and from there along the second one to the pole.
-    fn two_lines(&mut self, known: &[Pull], [first, second]: [Direction; 2], links: &[LinkId]) -> [Pull; 2] {
+    pub(super) fn two_lines(&mut self, known: &[Pull], [first, second]: [Direction; 2], links: &[LinkId]) -> [Pull; 2] {
         if known.is_empty() {
             let none = self.no_pull();
             return [none, none];
@@ -166,14 +184,7 @@ fn driver(d: &mut Draughtsman<'_>, group: &Group, base: PointId, input: Drive, b
     let items = balance.on(link);
     let about = d.touch_at(balance, base, link);
     let moments = d.moments(&items, about);
-    let torque = match moments {
-        Some(moments) => d.board.opposite(moments),
-        None => d.rest(),
-    };
-    if let Drive::Input(input) = input {
-        balance.efforts.push((Sought::Effort(input), torque));
-        balance.taken.push(Taken { links: vec![link], about: base, found: TakenFor::Effort(input) });
-    }
+    d.note_effort(balance, input, moments, (&[link], base));
     let reaction = d.closing(&pulls(&items));
     d.note_pin(balance, base, link, reaction);
 }
@@ -211,9 +222,7 @@ fn driven_slide(d: &mut Draughtsman<'_>, slide: usize, input: Drive, balance: &m
     let [ax, ay] = d.board.components(along, unit);
     let (px, py) = (d.board.product(x, ax), d.board.product(y, ay));
     let effort = d.board.sum(px, py);
-    if let Drive::Input(input) = input {
-        balance.efforts.push((Sought::Effort(input), effort));
-    }
+    balance.note_effort(input, effort);
     // The drive stands between rider and carrier as well, and is no force of the pair.
     balance.push_on(sliding.outer, Item { pull: Some(Draughtsman::opposite(drive)), at, couple: None });
     d.note_slide(balance, slide, &sliding, pin, SlideForce { pull: across, at, couple });
@@ -488,20 +497,14 @@ fn rpp(
     } else {
         on_lever_couple
     };
-    let side = |d: &Draughtsman<'_>, slide: usize| {
-        let pair = d.mechanism.slides[slide];
-        let rides = d.mechanism.party_of(&pair.rider) == Party::Link(link);
-        let outer = if rides { Party::Link(pair.guide.link) } else { d.mechanism.party_of(&pair.rider) };
-        Sliding { inner: Some(link), outer, inner_rides: rides }
-    };
-    let slot_side = side(d, slot);
+    let slot_side = d.sliding_link(slot, link);
     let on_link_couple = on_lever_couple.map(|couple| d.board.opposite(couple));
     let slot_item = SlideForce { pull: of_slot_on_link, at: at_base, couple: on_link_couple };
     d.note_slide(balance, slot, &slot_side, base, slot_item);
     let mut about_point = on_link.clone();
     about_point.push(slot_item.item());
     let couple = d.keeping(&about_point, at);
-    let ride_side = side(d, ride);
+    let ride_side = d.sliding_link(ride, link);
     let ride_item = SlideForce { pull: of_ride_on_link, at, couple };
     d.note_slide(balance, ride, &ride_side, point, ride_item);
     let mut of_lever = all[1].clone();
@@ -560,10 +563,7 @@ fn yoke(
             balance.push_on_pin(d, pin, Item { pull: Some(on_inner), at: at_pin, couple: None });
         }
     }
-    let pair = d.mechanism.slides[ride];
-    let rides = d.mechanism.party_of(&pair.rider) == Party::Link(link);
-    let outer = if rides { Party::Link(pair.guide.link) } else { d.mechanism.party_of(&pair.rider) };
-    let side = Sliding { inner: Some(link), outer, inner_rides: rides };
+    let side = d.sliding_link(ride, link);
     d.note_slide(balance, ride, &side, first, SlideForce { pull: ride_force, at, couple });
 }
 

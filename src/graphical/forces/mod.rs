@@ -4,30 +4,36 @@
 //! size, as a quotient of moments by a measured arm; a polygon with two lines gives two. What is left closes a
 //! polygon. A force is a stroke of the force paper from its tail to its head; its place is a point of the skeleton.
 
+mod driven;
 mod friction;
 mod groups;
+mod higher;
 mod loads;
 mod moments;
 mod read;
 mod record;
+mod rolling;
 mod spin;
 
 pub(crate) use friction::holds;
 pub(super) use friction::redrawn;
 pub(super) use read::ForceRead;
 pub(super) use record::{quantities, record};
+pub(super) use rolling::PULLS;
 pub(super) use spin::NO_SPEED;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::board::{Amount, Direction, Line, Point, Scale};
 use crate::mechanism::force::{Party, Share, Sought};
+use crate::mechanism::structure::{GroupKind, TrialDriver};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
 
 use super::construction::Trial;
 use super::draughtsman::Draughtsman;
 use friction::Leaning;
+use rolling::RollForce;
 
 /// A force as drawn.
 #[derive(Debug, Clone, Copy)]
@@ -72,6 +78,14 @@ pub(super) struct Balance {
     pub(super) of_pins: BTreeMap<(usize, usize), Pull>,
     /// By index of the sliding pair.
     pub(super) slides: BTreeMap<usize, SlideForce>,
+    /// By index of the rolling pair, on the second of its bodies.
+    rolls: BTreeMap<usize, RollForce>,
+    /// The links that are in balance already.
+    balanced: BTreeSet<LinkId>,
+    /// Of what acts.
+    share: Share,
+    /// What would have to hold the drivers of a trial.
+    held: Vec<(TrialDriver, Amount)>,
     /// What was sought.
     pub(super) efforts: Vec<(Sought, Amount)>,
     /// Sizes that are tried for what is sought elsewhere than at the input.
@@ -108,6 +122,8 @@ pub(super) enum TakenFor {
     Slide(usize),
     /// The same where what rides acts on the guide of a lever.
     Slot(usize),
+    /// The force of a rolling pair on one of its bodies.
+    Roll { roll: usize, on: LinkId },
 }
 
 /// Who holds a pin: the link on which every force on the pin is laid off.
@@ -237,8 +253,8 @@ impl Draughtsman<'_> {
             return Holder::Link(carrier);
         }
         let links = m.point(pin).links.iter().copied();
-        let first = links.filter_map(|l| self.structure.group_of(l).map(|g| (g, l))).min();
-        let found = self.structure.groups.iter().position(|group| group.points.contains(&pin));
+        let first = links.filter_map(|l| self.order_of(l).map(|g| (g, l))).min();
+        let found = self.order_of_point(pin);
         match (first, found) {
             (Some((group, _)), Some(found)) if found < group => Holder::Pin,
             (Some((_, link)), _) => Holder::Link(link),
@@ -248,6 +264,23 @@ impl Draughtsman<'_> {
 }
 
 impl Draughtsman<'_> {
+    /// The place of a link in the order of transmission: of its group, and within a group of higher class among those into
+    /// which its trial falls; what the trial leaves open comes last.
+    fn order_of(&self, link: LinkId) -> Option<(usize, usize)> {
+        let group = self.structure.group_of(link)?;
+        let GroupKind::Higher { trial } = self.structure.groups[group].kind else { return Some((group, 0)) };
+        let within = self.trial(trial).groups.iter().position(|inner| inner.links.contains(&link));
+        Some((group, within.unwrap_or(usize::MAX)))
+    }
+
+    /// The place in that order at which a joint is found; none of what is found with the figure of a link.
+    fn order_of_point(&self, pin: PointId) -> Option<(usize, usize)> {
+        let group = self.structure.groups.iter().position(|group| group.points.contains(&pin))?;
+        let GroupKind::Higher { trial } = self.structure.groups[group].kind else { return Some((group, 0)) };
+        let within = self.trial(trial).groups.iter().position(|inner| inner.points.contains(&pin))?;
+        Some((group, within))
+    }
+
     /// The carrier of a pin that rubs, where it is found with the group that comes to the pin first.
     fn holds_by_friction(&self, pin: PointId) -> Option<LinkId> {
         let m = self.mechanism;
@@ -268,6 +301,8 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
         } else {
             whole(d, plan, share, &Leaning::default())
         };
+        let mut balance = balance;
+        d.judge_contacts(&mut balance);
         d.balances.push((share, balance));
     }
 }
@@ -330,6 +365,7 @@ fn one(
         known: vec![Vec::new(); d.mechanism.links.len()],
         assumed,
         leaning: leaning.clone(),
+        share,
         ..Balance::default()
     };
     loads::lay_off(d, plan, share, &mut balance);

@@ -152,6 +152,12 @@ impl Draughtsman<'_> {
                     }
                 }
             }
+            TakenFor::Roll { roll, on } => {
+                let action = self.force_of_roll(roll, on);
+                without.push(action);
+                let contact = self.contact_at(roll).at;
+                found = self.moment_term(action, about, Some(contact));
+            }
             TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
                 let pair = self.mechanism.slides[slide];
                 let pin = self.riding_pin(slide)?;
@@ -220,6 +226,12 @@ impl Draughtsman<'_> {
         }
         terms.retain(|term| term.moment != 0.0);
         Some(MomentBalance { links: taken.links.clone(), told, about: taken.about, terms, found })
+    }
+
+    /// The force of a rolling pair on one of its bodies.
+    pub(super) fn force_of_roll(&self, roll: usize, on: LinkId) -> Action {
+        let [first, second] = self.mechanism.rolls[roll].bodies();
+        Action::Pair { by: if on == second { first } else { second }, on }
     }
 
     /// Whether a force passes through a point by its pair.

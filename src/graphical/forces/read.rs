@@ -272,7 +272,11 @@ impl Draughtsman<'_> {
                 let item = Item { pull: Some(pull), at: force.at, couple: force.couple };
                 Ok(if on == guide { self.reversed(item) } else { item })
             }
-            Through::Roll(_) => Err("this version does not draw forces in rolling pairs"),
+            Through::Roll(roll) => {
+                let item = balance.rolls.get(&roll).ok_or(NOT_DRAWN)?.item();
+                let [_, second] = self.mechanism.rolls[roll].bodies();
+                Ok(if on == second { item } else { self.reversed(item) })
+            }
         }
     }
 
@@ -324,6 +328,13 @@ impl Draughtsman<'_> {
                 let force = *balance.slides.get(&index).ok_or(NOT_DRAWN)?;
                 let pull = self.with_drag(balance, index, force.pull);
                 items.push(Item { pull: Some(pull), at: force.at, couple: force.couple });
+            }
+        }
+        for (roll, pair) in self.mechanism.rolls.clone().into_iter().enumerate() {
+            let [first, second] = pair.bodies();
+            if [first, second].contains(&frame) {
+                let by = if first == frame { second } else { first };
+                items.push(self.through(balance, Through::Roll(roll), by, frame)?);
             }
         }
         Ok(items)

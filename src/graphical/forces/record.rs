@@ -270,6 +270,7 @@ impl Draughtsman<'_> {
                 _ if self.holder(pin) == super::Holder::Link(on) => Action::OfPin(pin, by),
                 _ => Action::OfPin(pin, on),
             }),
+            TakenFor::Roll { roll, on } => Some(self.force_of_roll(roll, on)),
             TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
                 let pair = self.mechanism.slides[slide];
                 let guide = pair.guide.link;
@@ -363,6 +364,13 @@ impl Draughtsman<'_> {
                 wanted.push((Action::Pair { by: guide, on: link }, self.knowledge(link, Some(guide), true)));
             } else if guide == link {
                 wanted.push((Action::Pair { by: rider, on: link }, self.knowledge(link, Some(rider), true)));
+            }
+        }
+        for roll in &m.rolls {
+            let [one, other] = roll.bodies();
+            if [one, other].contains(&link) {
+                let by = if one == link { other } else { one };
+                wanted.push((Action::Pair { by, on: link }, Knowledge::Line));
             }
         }
         let sought = m.named_sought().is_empty();
