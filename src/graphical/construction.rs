@@ -84,6 +84,10 @@ pub struct ForceSheet {
     pub shaking: Option<MomentBalance>,
     /// What was sought elsewhere than at the input, by two trials.
     pub trial: Option<Trial>,
+    /// What groups of higher class leave open.
+    pub group_trials: Vec<GroupTrial>,
+    /// The rolling pairs that keep their own contact, by index.
+    pub contacts: Vec<usize>,
     /// What rubs, and in which sense, each with the force that leans or touches its circle.
     pub rubs: Vec<Touch>,
     /// How often the forces were drawn again because they lean and touch circles.
@@ -194,11 +198,40 @@ pub struct MomentBalance {
     /// The body at which they are told, by its place in the order of solution.
     pub told: usize,
     /// The point.
-    pub about: PointId,
+    pub about: About,
     /// What is known.
     pub terms: Vec<MomentTerm>,
     /// What they give.
     pub found: MomentTerm,
+}
+
+/// About what moments are taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum About {
+    /// A point of the mechanism.
+    Point(PointId),
+    /// Where the lines of two forces meet.
+    Meet {
+        /// The link on which they act.
+        on: LinkId,
+        /// The forces.
+        of: [Action; 2],
+        /// Metres from the skeleton's origin.
+        at: [f64; 2],
+    },
+}
+
+/// What a group of higher class leaves open, found by proportion from what would have to hold it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroupTrial {
+    /// The body at which it is told, by its place in the order of solution.
+    pub told: usize,
+    /// The links of the group, in the order in which they are balanced.
+    pub links: Vec<LinkId>,
+    /// What is held, what is left open, and the size of its force, SI.
+    pub found: Vec<(TrialDriver, Closing, f64)>,
+    /// Of one driver: what the loads alone need to hold it, and a unit of the force alone, SI.
+    pub efforts: Option<[f64; 2]>,
 }
 
 /// The moment of a force or a torque.

@@ -394,14 +394,17 @@ impl Mechanism {
         })
     }
 
-    /// The pairs through which one link acts on another.
+    /// The pairs through which one link acts on another. At a pin that a third link holds two others have none where they
+    /// have one elsewhere.
     #[must_use]
     pub fn pairs_between(&self, one: LinkId, other: LinkId) -> Vec<Through> {
         let mut pairs = Vec::new();
+        let mut held = Vec::new();
         for pin in (0..self.points.len()).map(PointId) {
             let parties = self.parties_at(pin);
             if parties.contains(&one) && parties.contains(&other) && self.is_pin(pin) {
-                pairs.push(Through::Pin(pin));
+                let by_third = parties.len() > 2 && self.carrier(pin).is_some_and(|c| c != one && c != other);
+                if by_third { held.push(Through::Pin(pin)) } else { pairs.push(Through::Pin(pin)) }
             }
         }
         for (index, slide) in self.slides.iter().enumerate() {
@@ -416,7 +419,7 @@ impl Mechanism {
                 pairs.push(Through::Roll(index));
             }
         }
-        pairs
+        if pairs.is_empty() { held } else { pairs }
     }
 
     /// The pin at which two links act on each other: that between them, or that of the block that slides.

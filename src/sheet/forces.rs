@@ -14,7 +14,7 @@ use super::skeleton::{self, Arrows, Overlay};
 use super::statics::arm_name;
 use super::steps::Item;
 use crate::graphical::construction::{
-    Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MomentBalance,
+    About, Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MomentBalance,
 };
 use crate::mechanism::LinkId;
 use crate::mechanism::force::{Action, Force, Load, LoadKind, Party, Pointing, Share, Size, SpringKind};
@@ -522,8 +522,21 @@ fn arms(
     construction: &Construction,
     notation: &Notation<'_>,
 ) {
-    let Some(Some(about)) = construction.space.places.get(moments.about.0) else { return };
-    let about = page(*about);
+    let about = match moments.about {
+        About::Point(point) => match construction.space.places.get(point.0) {
+            Some(Some(about)) => page(*about),
+            _ => return,
+        },
+        About::Meet { on, at, .. } => {
+            let at = on_page(at, construction);
+            let mut meet = Group::new("meet").data("link", notation.number(on));
+            meet.mark(Mark::outlined(Shape::Circle { centre: at, radius: 0.6 }, Pen::solid(FINE), Tone::Ink).precise());
+            group.group(meet);
+            let site = Site::Around { at, radius: 0.8, toward: None };
+            requests.push(Request::new(meet_name(on, notation), LABEL, site, "label meet-name"));
+            at
+        }
+    };
     let mut drawn: Vec<Arm> = Vec::new();
     for term in moments.terms.iter().chain([&moments.found]) {
         let Some(arm) = term.arm.filter(|arm| arm.between.is_none() && !drawn.contains(arm)) else {
@@ -552,6 +565,11 @@ fn arms(
         request.leader = true;
         requests.push(request);
     }
+}
+
+/// The name of the point in which the lines of two forces on a link meet.
+pub fn meet_name(on: LinkId, notation: &Notation<'_>) -> Rich {
+    Rich::italic("K").sub(&notation.number(on))
 }
 
 /// Where a force of a moment stands on the skeleton.

@@ -93,8 +93,9 @@ fn items_without(notation: &Notation<'_>, dimensioned: &[PointId]) -> Vec<Rich> 
     for (i, slide) in mechanism.slides.iter().enumerate() {
         parts.extend(teller.guide(i, slide));
     }
-    for roll in &mechanism.rolls {
+    for (index, roll) in mechanism.rolls.iter().enumerate() {
         parts.push(teller.roll(roll));
+        parts.extend(teller.pressure(index));
     }
     parts.extend(teller.journals());
     teller.forces(&mut parts);
@@ -342,6 +343,12 @@ impl Teller<'_> {
     fn drives(&self, index: usize) -> bool {
         let along = |input: &Input| matches!(input, Input::Slide { slide, .. } if *slide == index);
         self.n.mechanism().inputs.iter().any(along)
+    }
+
+    /// The angle of pressure of a rolling pair.
+    fn pressure(&self, roll: usize) -> Option<Rich> {
+        let angle = self.n.mechanism().forces.pressure(roll)?;
+        Some(Rich::fill(self.n.words.given_pressure, &[("angle", human::degrees(angle.value))]))
     }
 
     fn roll(&self, roll: &Roll) -> Rich {

@@ -10,13 +10,15 @@ use super::rich::Rich;
 use super::steps::{Figures, Item, Key, either};
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
-    Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, Knowledge, Label, MassForces,
+    About, Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, GroupTrial, Knowledge, Label, MassForces,
     MomentBalance, MomentTerm, Turning,
 };
 use crate::mechanism::force::{
     Action, Area, Force, Heaviness, Inertia, LoadKind, Party, Share, Size, Sought,
 };
 use crate::mechanism::force::{SpringKind, SpringLaw};
+use crate::mechanism::structure::{Closing, TrialDriver};
+use crate::mechanism::{LinkId, PointId};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 
 /// A side of a polygon that is shorter is not read, mm.
@@ -478,6 +480,9 @@ impl Teller<'_> {
                 }
             }
         }
+        items.extend(self.contacts(body).into_iter().map(Item::Sentence));
+        let trials = self.sheet.group_trials.iter().filter(|trial| trial.told == index);
+        items.extend(trials.map(|trial| Item::Sentence(self.group_trial(trial))));
         for moments in self.sheet.moments.iter().filter(|moments| moments.told == index) {
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
@@ -496,7 +501,13 @@ impl Teller<'_> {
             return items;
         }
         let before = self.sheet.bodies[..index].iter().rev().take_while(|body| body.with_next).count();
-        for k in index - before..=index {
+        // The polygon of a link on legs gives what closes theirs.
+        let meets = |moments: &&MomentBalance| {
+            moments.told == index && matches!(moments.about, About::Meet { .. })
+        };
+        let first = self.sheet.moments.iter().any(|moments| meets(&moments)).then_some(index);
+        let last = first.map_or(index + 1, |first| first);
+        for k in first.into_iter().chain(index - before..last) {
             items.extend(self.polygon(k).into_iter().map(Item::Sentence));
         }
         let driver = |input: usize| matches!(body.of, Party::Link(link) if self.n.mechanism().driven_link(input) == Some(link));
@@ -506,6 +517,99 @@ impl Teller<'_> {
             items.push(Item::Sentence(self.trial(trial)));
         }
         items
+    }
+
+    /// How the forces of rolling pairs point that are not known yet.
+    fn contacts(&self, body: &FreeBody) -> Vec<Rich> {
+        let words = self.n.words;
+        let m = self.n.mechanism();
+        let Party::Link(link) = body.of else { return Vec::new() };
+        let mut told = Vec::new();
+        for (roll, pair) in m.rolls.iter().enumerate().filter(|(_, pair)| pair.bodies().contains(&link)) {
+            let [one, other] = pair.bodies();
+            let action = Action::Pair { by: if one == link { other } else { one }, on: link };
+            let unknown =
+                |acting: &&Acting| acting.action == action && acting.known != Knowledge::Full;
+            let Some(acting) = body.acting.iter().find(unknown) else { continue };
+            let force = ("force", self.symbol(acting.action));
+            let template = match (self.sheet.contacts.contains(&roll), m.forces.pressure(roll)) {
+                (true, _) => Rich::fill(words.contact_presses, &[force]),
+                (false, Some(pressure)) => {
+                    let angle = ("angle", human::degrees(pressure.value));
+                    Rich::fill(words.teeth_press, &[force, angle])
+                }
+                (false, None) => Rich::fill(words.along_tangent, &[force]),
+            };
+            told.push(template);
+        }
+        told
+    }
+
+    /// What a group of higher class leaves open.
+    fn group_trial(&self, trial: &GroupTrial) -> Rich {
+        let words = self.n.words;
+        let m = self.n.mechanism();
+        let of = |closing: Closing| -> (Rich, bool) {
+            let part = |action: Action| super::force_names::part(self.n, action, self.n.profile.normal);
+            let between = |near: PointId, link: LinkId| {
+                let parties = m.parties_at(near);
+                match parties[..] {
+                    [one, other] => Action::Pair { by: if one == link { other } else { one }, on: link },
+                    _ => Action::OfPin(near, link),
+                }
+            };
+            let force = |action: Action| self.symbol(action);
+            match closing {
+                Closing::Rod { link, near, .. } => (part(between(near, link)), false),
+                Closing::Slide { slide, pin } => {
+                    let guide = m.slides[slide].guide.link;
+                    match m.party_of(&m.slides[slide].rider) {
+                        Party::Link(rider) => (force(Action::Pair { by: guide, on: rider }), false),
+                        Party::Pin(_) => (force(Action::OnPin(guide, pin)), false),
+                    }
+                }
+                Closing::Angle { input, .. } => {
+                    (self.n.symbol(Quantity::Force(Force::Torque(input), Share::Total), false), true)
+                }
+                Closing::Driven { input, .. } => {
+                    (self.n.symbol(Quantity::Force(Force::Drive(input), Share::Total), false), false)
+                }
+                Closing::Contact { roll, .. } | Closing::Roll { roll } => {
+                    let [by, on] = m.rolls[roll].bodies();
+                    (force(Action::Pair { by, on }), false)
+                }
+            }
+        };
+        let held = |driver: TrialDriver| match driver {
+            TrialDriver::Turn(link) => (self.n.links(&[link]), true),
+            TrialDriver::Slide(slide) => {
+                let pin = match m.slides[slide].rider {
+                    crate::mechanism::Rider::Pin { point, .. } => Some(point),
+                    crate::mechanism::Rider::Link { link, .. } => m.link(link).points.first().copied(),
+                };
+                (pin.map(|pin| self.n.point(pin)).unwrap_or_default(), false)
+            }
+        };
+        let value = |size: f64, turns: bool| if turns { self.torque(size) } else { self.force(size) };
+        if let (&[(driver, closing, size)], Some([loads, by_unit])) = (&trial.found[..], trial.efforts) {
+            let ((symbol, couple), (driver, turns)) = (of(closing), held(driver));
+            let parts = [
+                ("force", symbol),
+                ("driver", driver),
+                ("first", value(loads, turns)),
+                ("tried", value(1.0, couple)),
+                ("second", value(by_unit, turns)),
+                ("value", value(size, couple)),
+            ];
+            return Rich::fill(words.group_trial, &parts);
+        }
+        let all = trial.found.iter().map(|&(driver, closing, size)| {
+            let (symbol, couple) = of(closing);
+            (symbol.up(EQUALS).then(&value(size, couple)), held(driver).0)
+        });
+        let (forces, drivers): (Vec<Rich>, Vec<Rich>) = all.unzip();
+        let list = |all: &[Rich]| Rich::join(all, &Rich::upright(words.comma));
+        Rich::fill(words.group_trials, &[("forces", list(&forces)), ("drivers", list(&drivers))])
     }
 
     /// Of two forces that one that is not known yet: the other turned round.
@@ -651,7 +755,17 @@ impl Teller<'_> {
         }
         let sum: f64 = moments.terms.iter().map(|term| term.moment).sum();
         let found = symbol(moments.found.of, self.n);
-        let place = ("point", self.n.point(moments.about));
+        let name_of_place = match moments.about {
+            About::Point(point) => self.n.point(point),
+            About::Meet { on, of, .. } => {
+                let name = super::forces::meet_name(on, self.n);
+                let [one, other] = of.map(|action| self.symbol(action));
+                let parts = [("one", one), ("other", other), ("point", name.clone())];
+                lines.insert(0, Rich::fill(words.lines_meet, &parts));
+                name
+            }
+        };
+        let place = ("point", name_of_place);
         let links = ("links", self.n.links(&moments.links));
         let tell = |equation: Rich| {
             Rich::fill(words.moments_about, &[links.clone(), place.clone(), ("equation", equation)])
@@ -935,7 +1049,8 @@ impl Teller<'_> {
         let name = arm_name(self.sheet, &arm, self.n);
         let divisor = Some((self.symbol(Action::Shaking), size));
         let equation = self.weighed(name, &shaking.terms, divisor, result);
-        let parts = [("point", self.n.point(shaking.about)), ("equation", equation)];
+        let About::Point(about) = shaking.about else { return Vec::new() };
+        let parts = [("point", self.n.point(about)), ("equation", equation)];
         lines.push(Rich::fill(words.shaking_line, &parts));
         lines
     }

@@ -7,7 +7,7 @@ use crate::mechanism::{LinkId, PointId};
 
 use super::super::draughtsman::Draughtsman;
 use super::super::pose::Track;
-use super::{Balance, Item, Pull, SlideForce, Taken, TakenFor, driven, higher, pulls, rolling};
+use super::{About, Balance, Item, Pull, SlideForce, Taken, TakenFor, driven, higher, pulls, rolling};
 
 /// Finds the forces of a group in its pairs, and gives them to the bodies on which it hangs.
 pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) {
@@ -38,7 +38,7 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
         GroupKind::RidingCentre { link, ride, wheel, centre, roll } => {
             rolling::riding_centre(d, (link, ride), (wheel, centre), roll, balance);
         }
-        GroupKind::Higher { trial } => higher::higher(d, trial, balance),
+        GroupKind::Higher { trial } => higher::higher(d, group, trial, balance),
         GroupKind::Other => balance.refused = Some("this version has no balance of forces for this group"),
     }
     balance.balanced.extend(group.links.iter().copied());
@@ -250,12 +250,12 @@ fn rrr(
     let tangential = moments.map(|moments| {
         let line = Line { through: at, along: across };
         let found = TakenFor::Across { pin, by: a, on: b, from: base_b };
-        balance.taken.push(Taken { links: vec![b], about: base_b, found });
+        balance.taken.push(Taken { links: vec![b], about: About::Point(base_b), found });
         d.balancing(Some(moments), line, at_b, &[b])
     });
     let whole = tangential.is_none();
     let found = TakenFor::Along { pin, by: b, on: a, from: base_b, whole };
-    balance.taken.push(Taken { links: vec![a], about: base_a, found });
+    balance.taken.push(Taken { links: vec![a], about: About::Point(base_a), found });
     // Moments of the other one about its base give the part along the first.
     let mut turning = d.moments(&on_a, at_a);
     if let Some(size) = tangential {
@@ -329,7 +329,7 @@ fn rrp(
         }
         let size = d.balancing(moments, Line { through: touch, along: normal }, at_base, &[rod]);
         let links = [rod].into_iter().chain(sliding.inner).collect();
-        balance.taken.push(Taken { links, about: base, found: TakenFor::Slide(slide) });
+        balance.taken.push(Taken { links, about: About::Point(base), found: TakenFor::Slide(slide) });
         d.pull_along(normal, size)
     };
     let couple = match sliding.inner {
@@ -382,7 +382,7 @@ fn rpr(
     let moments = d.moments(&on_lever, at_base);
     let moments = d.both(moments, turned);
     let size = d.balancing(moments, Line { through: touch, along: normal }, at_base, &[lever]);
-    balance.taken.push(Taken { links: vec![lever], about: base, found: TakenFor::Slot(slide) });
+    balance.taken.push(Taken { links: vec![lever], about: About::Point(base), found: TakenFor::Slot(slide) });
     let on_lever_force = d.pull_along(normal, size);
     let on_inner_force = Draughtsman::opposite(on_lever_force);
     let couple = if rubs {

@@ -6,13 +6,21 @@ use crate::board::{Amount, Line};
 use crate::given::Given;
 use crate::mechanism::LinkId;
 use crate::mechanism::force::Sought;
-use crate::mechanism::structure::{Closing, Trial, TrialDriver};
+use crate::mechanism::structure::{Closing, Drive, Group, Trial, TrialDriver};
 
+use super::super::construction::GroupTrial;
 use super::super::draughtsman::Draughtsman;
-use super::{Balance, Item, Pull, SlideForce, TRIAL, Taken, TakenFor, pulls};
+use super::{About, Balance, Item, Pull, SlideForce, TRIAL, Taken, TakenFor, pulls};
 
 /// The balance of a group of higher class.
-pub(super) fn higher(d: &mut Draughtsman<'_>, index: usize, balance: &mut Balance) {
+pub(super) fn higher(d: &mut Draughtsman<'_>, group: &Group, index: usize, balance: &mut Balance) {
+    if let Some(legs) = d.triad(group) {
+        let before = balance.clone();
+        if super::triad::triad(d, &legs, balance) {
+            return;
+        }
+        *balance = before;
+    }
     let trial = d.trial(index);
     let drivers: Vec<TrialDriver> = trial.drivers.iter().map(|(driver, _)| *driver).collect();
     let rest = d.rest();
@@ -33,10 +41,12 @@ pub(super) fn higher(d: &mut Draughtsman<'_>, index: usize, balance: &mut Balanc
     };
     let links: Vec<LinkId> = trial.groups.iter().flat_map(|group| group.links.iter().copied()).collect();
     let reason = d.reason(&links);
+    let mut told = None;
     let sizes = match drivers.len() {
         1 => (|| {
             let [loads] = only(efforts(d, balance, &[rest])?)?;
             let [by_unit] = only(efforts(d, &nothing, &[unit])?)?;
+            told = Some([loads.value(), by_unit.value()]);
             Ok(vec![proportion(d, loads, by_unit, reason)])
         })(),
         2 => (|| {
@@ -69,6 +79,17 @@ pub(super) fn higher(d: &mut Draughtsman<'_>, index: usize, balance: &mut Balanc
             let held = std::mem::take(&mut balance.held);
             *balance = pass(d, &trial, balance.clone(), &sizes);
             balance.held = held;
+            let rods = trial.drivers.iter().filter_map(|(_, closing)| match closing {
+                Closing::Rod { link, .. } => Some(*link),
+                _ => None,
+            });
+            let found = trial.drivers.iter().zip(&sizes);
+            balance.group_trials.push(GroupTrial {
+                told: 0,
+                links: rods.chain(trial.groups.iter().rev().flat_map(|group| group.links.clone())).collect(),
+                found: found.map(|((driver, closing), size)| (*driver, *closing, size.value())).collect(),
+                efforts: told,
+            });
         }
         Err(why) => balance.refused = Some(why),
     }
@@ -119,7 +140,7 @@ fn close(d: &mut Draughtsman<'_>, closing: Closing, size: Amount, balance: &mut 
                 if let [one, other] = others[..] {
                     let by = if one == link { other } else { one };
                     let found = TakenFor::Across { pin: near, by, on: link, from: far };
-                    balance.taken.push(Taken { links: vec![link], about: far, found });
+                    balance.taken.push(Taken { links: vec![link], about: About::Point(far), found });
                 }
             }
             parts.push(d.pull_along(along, size));
@@ -197,10 +218,10 @@ fn close(d: &mut Draughtsman<'_>, closing: Closing, size: Amount, balance: &mut 
 
 impl Balance {
     /// Notes the effort of an input, or what would have to hold a trial driver.
-    pub(super) fn note_effort(&mut self, input: crate::mechanism::structure::Drive, size: Amount) {
+    pub(super) fn note_effort(&mut self, input: Drive, size: Amount) {
         match input {
-            crate::mechanism::structure::Drive::Input(input) => self.efforts.push((Sought::Effort(input), size)),
-            crate::mechanism::structure::Drive::Trial(driver) => self.held.push((driver, size)),
+            Drive::Input(input) => self.efforts.push((Sought::Effort(input), size)),
+            Drive::Trial(driver) => self.held.push((driver, size)),
         }
     }
 }

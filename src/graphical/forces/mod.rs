@@ -14,6 +14,7 @@ mod read;
 mod record;
 mod rolling;
 mod spin;
+mod triad;
 
 pub(crate) use friction::holds;
 pub(super) use friction::redrawn;
@@ -25,12 +26,12 @@ pub(super) use spin::NO_SPEED;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::board::{Amount, Direction, Line, Point, Scale};
-use crate::mechanism::force::{Party, Share, Sought};
+use crate::mechanism::force::{Action, Party, Share, Sought};
 use crate::mechanism::structure::{GroupKind, TrialDriver};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
 
-use super::construction::Trial;
+use super::construction::{GroupTrial, Trial};
 use super::draughtsman::Draughtsman;
 use friction::Leaning;
 use rolling::RollForce;
@@ -84,6 +85,8 @@ pub(super) struct Balance {
     balanced: BTreeSet<LinkId>,
     /// Of what acts.
     share: Share,
+    /// How groups of higher class were balanced.
+    group_trials: Vec<GroupTrial>,
     /// What would have to hold the drivers of a trial.
     held: Vec<(TrialDriver, Amount)>,
     /// What was sought.
@@ -105,8 +108,17 @@ pub(super) struct Balance {
 pub(super) struct Taken {
     /// The bodies, as if they were one.
     pub(super) links: Vec<LinkId>,
-    pub(super) about: PointId,
+    pub(super) about: About,
     pub(super) found: TakenFor,
+}
+
+/// About what moments are taken.
+#[derive(Debug, Clone)]
+pub(super) enum About {
+    Point(PointId),
+    /// Where the lines of two forces meet; of the bars that are legs of the link the pin, the bar, its pin on a solved
+    /// link, and whether something acts on it besides.
+    Meet { of: [Action; 2], at: Point, bars: Vec<(PointId, LinkId, PointId, bool)> },
 }
 
 /// What the moments gave.

@@ -5,9 +5,10 @@ use crate::mechanism::force::{Action, Force, Inertia, Party, Share, Sought};
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId};
 
+use super::super::construction::About as Told;
 use super::super::construction::{Acting, Arm, FreeBody, MassForces, MomentBalance, MomentTerm, Turning};
 use super::super::draughtsman::Draughtsman;
-use super::{Holder, Taken, TakenFor};
+use super::{About, Holder, Taken, TakenFor};
 
 /// An arm shorter than this on paper is none: the line passes through the point, mm.
 const NO_ARM: f64 = 0.02;
@@ -112,12 +113,15 @@ impl Draughtsman<'_> {
             _ => None,
         };
         let told = taken.links.iter().copied().chain(lends).filter_map(place).min()?;
-        let about = self.at(taken.about);
+        let (about, point) = match &taken.about {
+            About::Point(point) => (self.at(*point), Some(*point)),
+            About::Meet { at, .. } => (*at, None),
+        };
         let mut terms: Vec<MomentTerm> = Vec::new();
         let mut found: Option<MomentTerm>;
         let mut without: Vec<Action> = Vec::new();
-        // What the force to be found turns with its pin.
-        let mut rider: Option<(LinkId, Point)> = None;
+        // What turns with its pin: what rides for a link acts on it there.
+        let mut riders: Vec<(LinkId, Point)> = Vec::new();
         match taken.found {
             TakenFor::Effort(input) => {
                 let effort = self.effort(Sought::Effort(input))?;
@@ -185,7 +189,7 @@ impl Draughtsman<'_> {
                 if let (TakenFor::Slide(_), Party::Link(block)) =
                     (taken.found, self.mechanism.party_of(&pair.rider))
                 {
-                    rider = Some((block, at));
+                    riders.push((block, at));
                 }
             }
         }
@@ -193,7 +197,7 @@ impl Draughtsman<'_> {
         for body in bodies.iter().filter(|body| matches!(body.of, Party::Link(l) if taken.links.contains(&l)))
         {
             let Party::Link(link) = body.of else { continue };
-            let moved = rider.filter(|(block, _)| *block == link).map(|(_, at)| at);
+            let moved = riders.iter().find(|(block, _)| *block == link).map(|(_, at)| *at);
             for action in self.acting_on(body) {
                 let within = |other: LinkId| other != link && taken.links.contains(&other);
                 let inner = match action {
@@ -208,7 +212,14 @@ impl Draughtsman<'_> {
                 if inner || without.iter().any(|other| same_pair(*other, action)) {
                     continue;
                 }
-                if self.passes(action, taken.about) {
+                if point.is_some_and(|point| self.passes(action, point)) {
+                    continue;
+                }
+                if let Some((pin, base, loaded)) = self.bar_of(action, &taken.about) {
+                    // Its part along the bar passes through the meet.
+                    if loaded {
+                        terms.extend(self.across_of(action, (base, pin), about));
+                    }
                     continue;
                 }
                 let shifted = body.acting.iter().any(|a| a.action == action && a.with_couple);
@@ -225,7 +236,36 @@ impl Draughtsman<'_> {
             }
         }
         terms.retain(|term| term.moment != 0.0);
-        Some(MomentBalance { links: taken.links.clone(), told, about: taken.about, terms, found })
+        let about = match &taken.about {
+            About::Point(point) => Told::Point(*point),
+            About::Meet { of, at, .. } => {
+                let per_mm = self.length_scale().si_per_mm;
+                let on = *taken.links.first()?;
+                Told::Meet { on, of: *of, at: at.value().map(|mm| mm * per_mm) }
+            }
+        };
+        Some(MomentBalance { links: taken.links.clone(), told, about, terms, found })
+    }
+
+    /// The bar that acts so on a link about whose legs' meet moments are taken: its pin there, its other pin, and whether
+    /// something acts on it besides.
+    fn bar_of(&self, action: Action, about: &About) -> Option<(PointId, PointId, bool)> {
+        let About::Meet { bars, .. } = about else { return None };
+        let Action::Pair { by, .. } = action else { return None };
+        bars.iter().find(|(_, bar, ..)| *bar == by).map(|(pin, _, base, loaded)| (*pin, *base, *loaded))
+    }
+
+    /// The moment of the part of a force at a pin that is across the line from another pin.
+    fn across_of(&mut self, action: Action, (from, pin): (PointId, PointId), about: Point) -> Option<MomentTerm> {
+        let items = self.items_of(action, Share::Total).ok()?;
+        let whole = self.sum_of(&items);
+        let (at, base) = (self.at(pin), self.at(from));
+        let reason = self.reason(&[]);
+        let (along, _) = self.board.toward(base, at, reason);
+        let [size, _] = self.board.square_off(Line { through: whole.tail, along }, whole.head);
+        let foot = self.board.step_off(whole.tail, along, size);
+        let part = super::Pull { tail: foot, head: whole.head };
+        self.term_of_pull(Turning::Across(action), part, at, about)
     }
 
     /// The force of a rolling pair on one of its bodies.
@@ -288,7 +328,7 @@ impl Draughtsman<'_> {
             }
         }
         terms.retain(|term| term.moment != 0.0);
-        Some(MomentBalance { links: Vec::new(), told: 0, about, terms, found })
+        Some(MomentBalance { links: Vec::new(), told: 0, about: Told::Point(about), terms, found })
     }
 
     /// What inertia and weight each mass has.

@@ -11,7 +11,7 @@ use crate::plan::Plan;
 use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge, Touch};
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
-use super::{Taken, TakenFor};
+use super::{About, Taken, TakenFor};
 
 /// A line of inertia farther off than this part of the skeleton's size has no room on the paper.
 const REACH: f64 = 0.6;
@@ -26,7 +26,7 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         return None;
     }
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
-    let trial = balance.trial;
+    let (trial, mut group_trials) = (balance.trial, balance.group_trials.clone());
     // With friction, and in a governor, moments are taken about other points than the pins; only of what drives, where
     // nothing rubs at its pins, as ever.
     let plain = rubs.is_empty() && d.mechanism.forces.spin.is_none();
@@ -43,7 +43,13 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         let links = d.structure.groups[group].links.clone();
         let own: Vec<&Taken> =
             taken.iter().filter(|taken| taken.links.iter().any(|link| links.contains(link))).collect();
-        for chunk in in_order(&links, &own) {
+        let tried = group_trials.iter().find(|trial| trial.links.iter().any(|link| links.contains(link)));
+        let chunks = match tried {
+            // One after the other, once what is left open is found.
+            Some(trial) => trial.links.iter().map(|link| vec![*link]).collect(),
+            None => in_order(&links, &own),
+        };
+        for chunk in chunks {
             found.by_moments = own.iter().filter_map(|taken| d.given_by_moments(taken)).collect();
             let mut parties: Vec<Party> = Vec::new();
             for link in &chunk {
@@ -63,6 +69,9 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
                 if chunk.len() == 1 {
                     found.learn(&bodies[first..]);
                 }
+            }
+            if own.iter().any(|taken| matches!(taken.about, About::Meet { .. })) {
+                closed_by_the_last(&mut bodies[first..]);
             }
             found.learn(&bodies[first..]);
         }
@@ -84,7 +93,25 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     // A governor rests in its own plane.
     let governs = d.mechanism.forces.spin.is_some();
     let masses = d.masses_told(|link| !governs && plan.forces.links.contains(&link));
-    Some(ForceSheet { masses, bodies, moments, whole, inertia, shaking, trial, rubs, passes })
+    group_trials.retain_mut(|trial| {
+        let told = bodies.iter().position(|body| matches!(body.of, Party::Link(l) if trial.links.contains(&l)));
+        trial.told = told.unwrap_or_default();
+        told.is_some()
+    });
+    let contacts = (0..d.mechanism.rolls.len()).filter(|roll| d.keeps_contact(*roll)).collect();
+    Some(ForceSheet {
+        masses,
+        bodies,
+        moments,
+        whole,
+        inertia,
+        shaking,
+        trial,
+        group_trials,
+        contacts,
+        rubs,
+        passes,
+    })
 }
 
 /// The forces that earlier bodies have given, and those that moments give before a polygon is laid off.
@@ -107,6 +134,15 @@ impl Found {
 fn in_order(links: &[LinkId], taken: &[&Taken]) -> Vec<Vec<LinkId>> {
     let mut all: Vec<LinkId> = links.iter().rev().copied().collect();
     let first = |taken: &Taken| taken.links.first().copied();
+    // The legs whose moments give a part of their force, the link that they hold, and the others.
+    if let Some(middle) = taken.iter().find(|taken| matches!(taken.about, About::Meet { .. })) {
+        let across = |link: &LinkId| {
+            taken.iter().any(|of| matches!(of.found, TakenFor::Across { .. }) && of.links.contains(link))
+        };
+        all.sort_by_key(|link| Some(*link) == first(middle));
+        all.sort_by_key(|link| (middle.links.contains(link), !across(link)));
+        return vec![all];
+    }
     match taken {
         [one, other] if matches!(one.found, TakenFor::Across { .. }) => {
             return vec![[*one, *other].into_iter().filter_map(first).collect()];
@@ -121,6 +157,18 @@ fn in_order(links: &[LinkId], taken: &[&Taken]) -> Vec<Vec<LinkId>> {
         _ => {}
     }
     all.into_iter().map(|link| vec![link]).collect()
+}
+
+/// The legs of a link are closed once its own polygon, which is laid off first, has given what it exerts on them.
+fn closed_by_the_last(bodies: &mut [FreeBody]) {
+    let Some((middle, legs)) = bodies.split_last_mut() else { return };
+    for leg in legs {
+        for acting in &mut leg.acting {
+            let given = middle.acting.iter().any(|other| same_pair(other.action, acting.action));
+            acting.closes &= !given;
+        }
+        leg.acting.sort_by_key(|acting| acting.closes);
+    }
 }
 
 /// The forces of a sheet, each once, as quantities.

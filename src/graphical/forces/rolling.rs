@@ -8,7 +8,7 @@ use crate::mechanism::structure::{Drive, Joint};
 use crate::mechanism::{LinkId, PointId, Roll};
 
 use super::super::draughtsman::Draughtsman;
-use super::{Balance, Item, Pull, SlideForce, Taken, TakenFor, pulls};
+use super::{About, Balance, Item, Pull, SlideForce, Taken, TakenFor, pulls};
 
 /// A contact would have to pull.
 pub(in super::super) const PULLS: &str =
@@ -245,7 +245,7 @@ pub(super) fn wheel(
     let size = d.balancing(moments, Line { through: contact.at, along: contact.tangent }, about, &[wheel]);
     let pull = d.rolling_pull(roll, wheel, &contact, size);
     d.rolls_on(balance, roll, (wheel, pull), contact.at);
-    balance.taken.push(Taken { links: vec![wheel], about: centre, found: TakenFor::Roll { roll, on: wheel } });
+    balance.taken.push(Taken { links: vec![wheel], about: About::Point(centre), found: TakenFor::Roll { roll, on: wheel } });
     let mut all = pulls(&items);
     all.push(pull);
     let reaction = d.closing(&all);
@@ -355,7 +355,7 @@ pub(super) fn leaning(
     let outward = if own == second { contact.push } else { d.board.reverse(contact.push) };
     let moments = d.moments(&items, about);
     let size = d.balancing(moments, Line { through: contact.at, along: outward }, about, &[link]);
-    balance.taken.push(Taken { links: vec![link], about: base, found: TakenFor::Roll { roll, on: own } });
+    balance.taken.push(Taken { links: vec![link], about: About::Point(base), found: TakenFor::Roll { roll, on: own } });
     let push = d.pull_along(outward, size);
     d.presses(balance, roll, (own, link), push, &contact);
     let mut all = pulls(&items);
@@ -406,7 +406,7 @@ impl Draughtsman<'_> {
         balance.note_effort(input, torque);
         if let Drive::Input(input) = input {
             let found = TakenFor::Effort(input);
-            balance.taken.push(Taken { links: links.to_vec(), about, found });
+            balance.taken.push(Taken { links: links.to_vec(), about: About::Point(about), found });
         }
     }
 }
