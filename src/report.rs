@@ -42,6 +42,11 @@ pub fn diagnose(scene: &Scene, error: &SolveError) -> Diagnostic {
             error.to_string(),
             format!("state where {} stands with less room (`within`)", points.join(" and ")),
         ),
+        SolveError::Indeterminate { why: Indeterminate::NoEquilibrium { .. }, .. } => (
+            Subject::Scene,
+            error.to_string(),
+            "other loads or another position may have one; `expect` tells that it is meant so".to_owned(),
+        ),
         SolveError::Indeterminate { .. } => (
             Subject::Inputs,
             error.to_string(),

@@ -404,7 +404,12 @@ impl Search<'_> {
 
     /// Lets friction grow to its full strength. Where it locks: at which part of it.
     fn grow(&self, senses: &[f64]) -> Result<Result<Vec<f64>, f64>, AnalyticError> {
-        let at = |part: f64| Strength { senses: senses.to_vec(), part, pushed: Vec::new(), meshes: self.meshes.clone() };
+        let at = |part: f64| Strength {
+            senses: senses.to_vec(),
+            part,
+            pushed: Vec::new(),
+            meshes: self.meshes.clone(),
+        };
         let nothing = vec![0.0; self.undetermined.len()];
         let Some((mut x, sense)) = self.newton(&nothing, &at(0.0))? else { return Ok(Err(0.0)) };
         let (mut part, mut step) = (0.0, FIRST_STEP);

@@ -247,8 +247,12 @@ impl<'t> Acting<'t> {
     /// push apart.
     fn slope_of(&self, index: usize, column: usize) -> Var<'t> {
         let slope = self.slope(&self.burden.pairs[index].0, column);
-        let Some((place, mesh)) =
-            self.burden.meshes.iter().enumerate().find_map(|(place, (of, mesh))| (*of == index).then_some((place, mesh)))
+        let Some((place, mesh)) = self
+            .burden
+            .meshes
+            .iter()
+            .enumerate()
+            .find_map(|(place, (of, mesh))| (*of == index).then_some((place, mesh)))
         else {
             return slope;
         };

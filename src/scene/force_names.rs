@@ -80,7 +80,24 @@ pub(super) fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Option<Quan
     if head == "spin" {
         return name.spin(bare).map(|share| Some(Quantity::Force(Force::Spin, share)));
     }
-    Ok(Some(Quantity::Force(name.force(bare)?, share)))
+    let force = name.force(bare)?;
+    if share != Share::Total && !draft.mechanism.forces.pressures.is_empty() && hangs_on_pairs(force) {
+        return Err(name
+            .fault("teeth push their wheels apart whichever way they drive: the parts do not add up to the force")
+            .mend(format!("ask for {bare}, or give the pair \"pressure\": 0")));
+    }
+    Ok(Some(Quantity::Force(force, share)))
+}
+
+/// Whether it is a force that pairs exert.
+fn hangs_on_pairs(force: Force) -> bool {
+    match force {
+        Force::Along { .. } | Force::Across { .. } => true,
+        Force::Vector(action) | Force::Moment(action, _) | Force::Arm(action, _) => {
+            matches!(action, Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..) | Action::OnFrame)
+        }
+        _ => false,
+    }
 }
 
 /// The efforts and every force of a pair: what a scene with forces asks where it has no `find`.

@@ -16,9 +16,9 @@ use super::steps::Item;
 use crate::graphical::construction::{
     About, Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MomentBalance,
 };
-use crate::mechanism::LinkId;
 use crate::mechanism::force::{Action, Force, Load, LoadKind, Party, Pointing, Share, Size, SpringKind};
 use crate::mechanism::quantity::Quantity;
+use crate::mechanism::{LinkId, Roll};
 
 /// Room for the largest polygon of a scale, mm: the first in which no side is too short for its name.
 const POLYGON: [f64; 3] = [85.0, 110.0, 140.0];
@@ -530,7 +530,10 @@ fn arms(
         About::Meet { on, at, .. } => {
             let at = on_page(at, construction);
             let mut meet = Group::new("meet").data("link", notation.number(on));
-            meet.mark(Mark::outlined(Shape::Circle { centre: at, radius: 0.6 }, Pen::solid(FINE), Tone::Ink).precise());
+            meet.mark(
+                Mark::outlined(Shape::Circle { centre: at, radius: 0.6 }, Pen::solid(FINE), Tone::Ink)
+                    .precise(),
+            );
             group.group(meet);
             let site = Site::Around { at, radius: 0.8, toward: None };
             requests.push(Request::new(meet_name(on, notation), LABEL, site, "label meet-name"));
@@ -618,7 +621,7 @@ impl Free<'_> {
                     }
                     // As long as what slides on it, or in it, stands.
                     let slides = mechanism.slides.iter().filter(|slide| slide.guide.link == link);
-                    let riders: Vec<Point> = slides
+                    let mut riders: Vec<Point> = slides
                         .filter_map(|slide| {
                             let rider = match slide.rider {
                                 crate::mechanism::Rider::Pin { point, .. } => point,
@@ -629,6 +632,8 @@ impl Free<'_> {
                             Some(page((*construction.space.places.get(rider.0)?)?))
                         })
                         .collect();
+                    riders.extend(contact_of_rack(link, construction, notation));
+                    wheels(&mut group, link, construction, notation);
                     draw_link(&mut group, link, &own, &riders, notation);
                     friction::circles_on(&mut group, link, sheet, construction, notation);
                 }
@@ -778,6 +783,43 @@ fn wave(from: Point, along: Vec2) -> Vec<Point> {
         .collect()
 }
 
+/// The circles of a link that rolls.
+fn wheels(group: &mut Group, link: LinkId, construction: &Construction, notation: &Notation<'_>) {
+    let circles = |roll: &Roll| match roll {
+        Roll::Circles { links, centres, radii, .. } => {
+            [0, 1].map(|i| (links[i], centres[i], radii[i].value)).to_vec()
+        }
+        Roll::Line { wheel, centre, radius, .. } => vec![(*wheel, *centre, radius.value)],
+    };
+    let mut drawn: Vec<(Point, f64)> = Vec::new();
+    for (_, centre, radius) in
+        notation.mechanism().rolls.iter().flat_map(circles).filter(|(body, ..)| *body == link)
+    {
+        let Some(Some(centre)) = construction.space.places.get(centre.0) else { continue };
+        let circle = (page(*centre), radius / construction.space.metres_per_mm);
+        if !drawn.contains(&circle) {
+            drawn.push(circle);
+        }
+    }
+    for (centre, radius) in drawn {
+        let mut own = Group::new("wheel").data("link", notation.number(link));
+        own.mark(Mark::stroke(Shape::Circle { centre, radius }, Pen::solid(THIN)).precise());
+        group.group(own);
+    }
+}
+
+/// Where wheels touch the line of a link.
+fn contact_of_rack(link: LinkId, construction: &Construction, notation: &Notation<'_>) -> Vec<Point> {
+    let m = notation.mechanism();
+    let lines = m.rolls.iter().zip(&m.contacts).filter_map(|(roll, contact)| match roll {
+        Roll::Line { guide, .. } if guide.link == link => {
+            construction.space.places.get(contact.0).copied().flatten()
+        }
+        _ => None,
+    });
+    lines.map(page).collect()
+}
+
 /// A link by its points: a stroke from joint to joint, a block as a box.
 fn draw_link(
     group: &mut Group,
@@ -788,7 +830,8 @@ fn draw_link(
 ) {
     let mut own = Group::new("link").data("link", notation.number(link));
     let mut points: Vec<Point> = places.iter().map(|(at, ..)| *at).collect();
-    let box_of_its_own = points.len() == 1 && riders.is_empty();
+    let rolls = notation.mechanism().rolls.iter().any(|roll| roll.bodies().contains(&link));
+    let box_of_its_own = points.len() == 1 && riders.is_empty() && !rolls;
     for rider in riders {
         if points.iter().all(|at| at.distance(*rider) > 1.0) {
             points.push(*rider);

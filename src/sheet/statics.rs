@@ -10,16 +10,16 @@ use super::rich::Rich;
 use super::steps::{Figures, Item, Key, either};
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
-    About, Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, GroupTrial, Knowledge, Label, MassForces,
-    MomentBalance, MomentTerm, Turning,
+    About, Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, GroupTrial, Knowledge, Label,
+    MassForces, MomentBalance, MomentTerm, Turning,
 };
 use crate::mechanism::force::{
     Action, Area, Force, Heaviness, Inertia, LoadKind, Party, Share, Size, Sought,
 };
 use crate::mechanism::force::{SpringKind, SpringLaw};
+use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, PointId};
-use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 
 /// A side of a polygon that is shorter is not read, mm.
 const TOO_SHORT: f64 = 1.0;
@@ -502,9 +502,8 @@ impl Teller<'_> {
         }
         let before = self.sheet.bodies[..index].iter().rev().take_while(|body| body.with_next).count();
         // The polygon of a link on legs gives what closes theirs.
-        let meets = |moments: &&MomentBalance| {
-            moments.told == index && matches!(moments.about, About::Meet { .. })
-        };
+        let meets =
+            |moments: &&MomentBalance| moments.told == index && matches!(moments.about, About::Meet { .. });
         let first = self.sheet.moments.iter().any(|moments| meets(&moments)).then_some(index);
         let last = first.map_or(index + 1, |first| first);
         for k in first.into_iter().chain(index - before..last) {
@@ -528,8 +527,7 @@ impl Teller<'_> {
         for (roll, pair) in m.rolls.iter().enumerate().filter(|(_, pair)| pair.bodies().contains(&link)) {
             let [one, other] = pair.bodies();
             let action = Action::Pair { by: if one == link { other } else { one }, on: link };
-            let unknown =
-                |acting: &&Acting| acting.action == action && acting.known != Knowledge::Full;
+            let unknown = |acting: &&Acting| acting.action == action && acting.known != Knowledge::Full;
             let Some(acting) = body.acting.iter().find(unknown) else { continue };
             let force = ("force", self.symbol(acting.action));
             let template = match (self.sheet.contacts.contains(&roll), m.forces.pressure(roll)) {

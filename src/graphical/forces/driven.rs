@@ -21,10 +21,23 @@ pub(super) struct Bar {
 /// What holds the bar at one of its two ends.
 enum Side {
     /// A pin of the bar rides, itself or with a link or block.
-    Rides { slide: usize, sliding: Sliding, items: Vec<Item>, touch: Point },
+    Rides {
+        slide: usize,
+        sliding: Sliding,
+        items: Vec<Item>,
+        touch: Point,
+    },
     /// The bar carries the guide of a solved pin.
-    Carries { slide: usize, sliding: Sliding, items: Vec<Item> },
-    Touches { roll: usize, wheel: LinkId, contact: Contact },
+    Carries {
+        slide: usize,
+        sliding: Sliding,
+        items: Vec<Item>,
+    },
+    Touches {
+        roll: usize,
+        wheel: LinkId,
+        contact: Contact,
+    },
 }
 
 /// A polygon with the two lines of what holds the bar; then moments give the effort.

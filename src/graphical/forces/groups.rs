@@ -158,7 +158,12 @@ impl Draughtsman<'_> {
 
     /// The two sizes of forces along two lines that close a polygon: from the head of what is known along the first
     /// direction, and from there along the second one to the pole.
-    pub(super) fn two_lines(&mut self, known: &[Pull], [first, second]: [Direction; 2], links: &[LinkId]) -> [Pull; 2] {
+    pub(super) fn two_lines(
+        &mut self,
+        known: &[Pull],
+        [first, second]: [Direction; 2],
+        links: &[LinkId],
+    ) -> [Pull; 2] {
         if known.is_empty() {
             let none = self.no_pull();
             return [none, none];

@@ -101,7 +101,12 @@ fn only<const N: usize>(efforts: Vec<Amount>) -> Result<[Amount; N], &'static st
 }
 
 /// −effort / effort of a unit.
-fn proportion(d: &mut Draughtsman<'_>, loads: Amount, by_unit: Amount, reason: crate::board::Reason) -> Amount {
+fn proportion(
+    d: &mut Draughtsman<'_>,
+    loads: Amount,
+    by_unit: Amount,
+    reason: crate::board::Reason,
+) -> Amount {
     let size = d.board.quotient(loads, by_unit, reason);
     d.board.opposite(size)
 }

@@ -118,7 +118,11 @@ pub(super) enum About {
     Point(PointId),
     /// Where the lines of two forces meet; of the bars that are legs of the link the pin, the bar, its pin on a solved
     /// link, and whether something acts on it besides.
-    Meet { of: [Action; 2], at: Point, bars: Vec<(PointId, LinkId, PointId, bool)> },
+    Meet {
+        of: [Action; 2],
+        at: Point,
+        bars: Vec<(PointId, LinkId, PointId, bool)>,
+    },
 }
 
 /// What the moments gave.

@@ -256,7 +256,12 @@ impl Draughtsman<'_> {
     }
 
     /// The moment of the part of a force at a pin that is across the line from another pin.
-    fn across_of(&mut self, action: Action, (from, pin): (PointId, PointId), about: Point) -> Option<MomentTerm> {
+    fn across_of(
+        &mut self,
+        action: Action,
+        (from, pin): (PointId, PointId),
+        about: Point,
+    ) -> Option<MomentTerm> {
         let items = self.items_of(action, Share::Total).ok()?;
         let whole = self.sum_of(&items);
         let (at, base) = (self.at(pin), self.at(from));

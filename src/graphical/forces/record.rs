@@ -94,7 +94,8 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     let governs = d.mechanism.forces.spin.is_some();
     let masses = d.masses_told(|link| !governs && plan.forces.links.contains(&link));
     group_trials.retain_mut(|trial| {
-        let told = bodies.iter().position(|body| matches!(body.of, Party::Link(l) if trial.links.contains(&l)));
+        let told =
+            bodies.iter().position(|body| matches!(body.of, Party::Link(l) if trial.links.contains(&l)));
         trial.told = told.unwrap_or_default();
         told.is_some()
     });
@@ -414,11 +415,12 @@ impl Draughtsman<'_> {
                 wanted.push((Action::Pair { by: rider, on: link }, self.knowledge(link, Some(rider), true)));
             }
         }
-        for roll in &m.rolls {
+        for (index, roll) in m.rolls.iter().enumerate() {
             let [one, other] = roll.bodies();
             if [one, other].contains(&link) {
                 let by = if one == link { other } else { one };
-                wanted.push((Action::Pair { by, on: link }, Knowledge::Line));
+                let known = if self.keeps_contact(index) { Knowledge::Nothing } else { Knowledge::Line };
+                wanted.push((Action::Pair { by, on: link }, known));
             }
         }
         let sought = m.named_sought().is_empty();

@@ -76,7 +76,8 @@ impl Draughtsman<'_> {
     /// distance is held lean by the angle of pressure, so that both wheels are pushed apart, whichever way they drive.
     pub(super) fn rolling_pull(&mut self, roll: usize, on: LinkId, contact: &Contact, size: Amount) -> Pull {
         let along = self.pull_along(contact.tangent, size);
-        let Some(pressure) = self.mechanism.forces.pressure(roll).filter(|_| !self.keeps_contact(roll)) else {
+        let Some(pressure) = self.mechanism.forces.pressure(roll).filter(|_| !self.keeps_contact(roll))
+        else {
             return along;
         };
         let angle = self.board.angle(pressure);
@@ -245,7 +246,11 @@ pub(super) fn wheel(
     let size = d.balancing(moments, Line { through: contact.at, along: contact.tangent }, about, &[wheel]);
     let pull = d.rolling_pull(roll, wheel, &contact, size);
     d.rolls_on(balance, roll, (wheel, pull), contact.at);
-    balance.taken.push(Taken { links: vec![wheel], about: About::Point(centre), found: TakenFor::Roll { roll, on: wheel } });
+    balance.taken.push(Taken {
+        links: vec![wheel],
+        about: About::Point(centre),
+        found: TakenFor::Roll { roll, on: wheel },
+    });
     let mut all = pulls(&items);
     all.push(pull);
     let reaction = d.closing(&all);
@@ -253,7 +258,12 @@ pub(super) fn wheel(
 }
 
 /// A rack in a guide: a polygon with two known lines, square to the guide and along the rack.
-pub(super) fn rack(d: &mut Draughtsman<'_>, (link, ride): (LinkId, usize), roll: usize, balance: &mut Balance) {
+pub(super) fn rack(
+    d: &mut Draughtsman<'_>,
+    (link, ride): (LinkId, usize),
+    roll: usize,
+    balance: &mut Balance,
+) {
     let Some(&first) = d.mechanism.link(link).points.first() else {
         balance.refused = Some("a sliding link has no joint");
         return;
@@ -355,7 +365,11 @@ pub(super) fn leaning(
     let outward = if own == second { contact.push } else { d.board.reverse(contact.push) };
     let moments = d.moments(&items, about);
     let size = d.balancing(moments, Line { through: contact.at, along: outward }, about, &[link]);
-    balance.taken.push(Taken { links: vec![link], about: About::Point(base), found: TakenFor::Roll { roll, on: own } });
+    balance.taken.push(Taken {
+        links: vec![link],
+        about: About::Point(base),
+        found: TakenFor::Roll { roll, on: own },
+    });
     let push = d.pull_along(outward, size);
     d.presses(balance, roll, (own, link), push, &contact);
     let mut all = pulls(&items);

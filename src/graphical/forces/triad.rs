@@ -23,6 +23,8 @@ enum Leg {
     Rides { slide: usize, pin: PointId },
     /// A solved pin rides on the middle link.
     Carries { slide: usize, pin: PointId },
+    /// The middle link rolls on a solved one, at a distance that others hold.
+    Rolls { roll: usize },
 }
 
 /// A link on three legs.
@@ -85,6 +87,14 @@ impl Draughtsman<'_> {
                             continue 'middle;
                         }
                     }
+                    Joint::Roll(roll) => {
+                        let bodies = m.rolls[roll].bodies();
+                        let inner = bodies.iter().filter(|body| group.links.contains(body)).count();
+                        if inner != 1 || !bodies.contains(&middle) || self.keeps_contact(roll) {
+                            continue 'middle;
+                        }
+                        legs.push(Leg::Rolls { roll });
+                    }
                     Joint::Pin(..) => {}
                     _ => continue 'middle,
                 }
@@ -130,7 +140,8 @@ impl Draughtsman<'_> {
                 let (_, along) = self.pressing_at(balance, slide, at);
                 let on_block = balance.on_some(sliding.inner);
                 let handed = pulls(&on_block).into_iter();
-                let on_middle = handed.map(|pull| Item { pull: Some(pull), at: touch, couple: None }).collect();
+                let on_middle =
+                    handed.map(|pull| Item { pull: Some(pull), at: touch, couple: None }).collect();
                 Known { line: Line { through: touch, along }, on_middle, across: None }
             }
             Leg::Carries { slide, pin } => {
@@ -144,7 +155,21 @@ impl Draughtsman<'_> {
                 let on_middle = on_middle.into_iter().collect();
                 Known { line: Line { through: at, along }, on_middle, across: None }
             }
+            Leg::Rolls { roll } => {
+                let contact = self.contact_at(roll);
+                let line = Line { through: contact.at, along: contact.tangent };
+                Known { line, on_middle: Vec::new(), across: None }
+            }
         }
+    }
+
+    /// What a rolling leg exerts on the middle link, with what teeth push apart; none of other legs.
+    fn leaning_leg_of(&mut self, middle: LinkId, leg: Leg, along: Pull) -> Option<Pull> {
+        let Leg::Rolls { roll } = leg else { return None };
+        let contact = self.contact_at(roll);
+        let parts = self.components_of(along);
+        let size = self.part_along(parts, contact.tangent);
+        Some(self.rolling_pull(roll, middle, &contact, size))
     }
 
     /// Notes what a leg exerts on the middle link along its line, and balances the leg.
@@ -201,6 +226,10 @@ impl Draughtsman<'_> {
                     }
                 }
             }
+            Leg::Rolls { roll } => {
+                let contact = self.contact_at(roll);
+                self.rolls_on(balance, roll, (middle, along), contact.at);
+            }
         }
     }
 
@@ -216,6 +245,7 @@ impl Draughtsman<'_> {
                 Some(block) => Action::Pair { by: block, on: middle },
                 None => Action::OfPin(pin, middle),
             },
+            Leg::Rolls { roll } => self.force_of_roll(roll, middle),
         }
     }
 }
@@ -237,7 +267,9 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
     let known = legs.map(|leg| d.leg(middle, leg, balance));
     let crossing = |(i, j): &(usize, usize)| sine(known[*i].line.along, known[*j].line.along).abs();
     let pairs = [(0, 1), (1, 2), (0, 2)];
-    let best = pairs.into_iter().fold((0, 1), |best, pair| if crossing(&pair) > crossing(&best) { pair } else { best });
+    let best = pairs
+        .into_iter()
+        .fold((0, 1), |best, pair| if crossing(&pair) > crossing(&best) { pair } else { best });
     if crossing(&best) < PARALLEL {
         return false;
     }
@@ -257,6 +289,7 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
         }
         Leg::Rides { slide, .. } => TakenFor::Slide(slide),
         Leg::Carries { slide, .. } => TakenFor::Slot(slide),
+        Leg::Rolls { roll } => TakenFor::Roll { roll, on: middle },
     };
     let blocks = legs.iter().filter_map(|leg| match leg {
         Leg::Rides { slide, .. } => d.sliding(*slide, None).inner,
@@ -275,6 +308,24 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
     let [first, second] = d.two_lines(&all, [known[i].line.along, known[j].line.along], &[middle]);
     let mut on_middle = [along; 3];
     (on_middle[i], on_middle[j]) = (first, second);
+    // What teeth push apart the others hold, at whose distance it does no work: the sizes along the tangents stand.
+    let leaning = [0, 1, 2].map(|k| d.leaning_leg_of(middle, legs[k], on_middle[k]));
+    let others: Vec<usize> = (0..3).filter(|k| leaning[*k].is_none()).collect();
+    if others.len() < 3 {
+        let mut all = pulls(&items);
+        all.extend(leaning.iter().flatten());
+        match others[..] {
+            [one] => on_middle[one] = d.closing(&all),
+            [one, other] => {
+                let lines = [one, other].map(|k| known[k].line.along);
+                [on_middle[one], on_middle[other]] = d.two_lines(&all, lines, &[middle]);
+            }
+            _ => return false,
+        }
+        for (k, pull) in leaning.into_iter().enumerate() {
+            on_middle[k] = pull.unwrap_or(on_middle[k]);
+        }
+    }
     for (index, leg) in legs.into_iter().enumerate() {
         d.settle_leg(middle, leg, &known[index], on_middle[index], balance);
     }
