@@ -428,7 +428,9 @@ impl Wanted<'_> {
             Action::Centrifugal(_) if mechanism.named_sought().contains(&Sought::Spin) => all(),
             Action::Inertia(_) | Action::Centrifugal(_) | Action::Shaking | Action::Load(_) => Vec::new(),
             // Drawn beside what is asked.
-            Action::Weight(_) | Action::Spring { .. } | Action::Drive(_) => Vec::new(),
+            Action::Weight(_) | Action::Spring { .. } | Action::Drive(_) | Action::Rolling { .. } => {
+                Vec::new()
+            }
             Action::OnFrame => all(),
         };
         let mut balanced = match force {

@@ -212,6 +212,10 @@ fn everything_on(scene: &Scene, number: u32) -> Vec<String> {
 /// efforts do the work of everything else by the printed velocities. Says why it is refused, where it is.
 fn run(mut value: Value) -> Result<(), String> {
     loaded(&mut value, 1.0);
+    // Every other pair has teeth.
+    for roll in value["rolls"].as_array_mut().unwrap().iter_mut().step_by(2) {
+        roll["pressure"] = json!("20 deg");
+    }
     let plain = scene::read(&value.to_string(), "random").map_err(|why| format!("unread: {why}\n{value}"))?;
     let m = &plain.mechanism;
     for (index, point) in m.points.iter().enumerate() {
@@ -237,8 +241,12 @@ fn run(mut value: Value) -> Result<(), String> {
         .filter_map(|i| i["slide"].as_u64())
         .map(|n| n as u32)
         .collect();
-    find.extend(driven.iter().map(|n| format!("T({n})")));
-    find.extend(sliding.iter().map(|n| format!("drive({n})")));
+    let efforts =
+        driven.iter().map(|n| format!("T({n})")).chain(sliding.iter().map(|n| format!("drive({n})")));
+    let efforts: Vec<String> = efforts.collect();
+    for name in &efforts {
+        find.extend([name.clone(), format!("{name}.static"), format!("{name}.inertia")]);
+    }
     let numbers: Vec<u32> = m.moving().map(|link| m.link(link).number).collect();
     let joint_of = |number: u32| {
         let link = m.link_numbered(number).unwrap();
@@ -298,6 +306,15 @@ fn run(mut value: Value) -> Result<(), String> {
         None => (0.0, 0.0),
         Some(other) => panic!("{name}: {other:?}"),
     };
+    for name in &efforts {
+        let [total, fixed, moved] = ["", ".static", ".inertia"].map(|part| scalar(&format!("{name}{part}")));
+        let apart = (total.0 - fixed.0 - moved.0).abs();
+        let size = total.0.abs() + fixed.0.abs() + moved.0.abs();
+        assert!(
+            apart <= total.1 + fixed.1 + moved.1 + 1e-15 * size,
+            "{name}: superposition {apart}\n{value}"
+        );
+    }
     let place = |name: &str| {
         let point = scene.mechanism.point_named(name).unwrap();
         match scene.mechanism.point(point).place.exact() {
@@ -477,4 +494,39 @@ fn random_mechanisms_of_every_kind_that_rub() {
     let (answered, refused) = rubbing_campaign(60, 2);
     println!("{answered} answered, refused: {refused:#?}");
     assert!(answered >= 20, "{answered}: {refused:#?}");
+}
+
+/// Turning the whole scene turns the forces and keeps the torques: a planet on an arm between a sun and a fixed ring.
+#[test]
+fn a_turned_gear_train_has_turned_forces() {
+    let train = |angle: f64| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let at = |x: f64, y: f64| json!([cos * x - sin * y, sin * x + cos * y]);
+        let value = json!({
+            "fixed": { "O": at(0.0, 0.0) }, "placed": { "B": at(0.2, 0.0), "A": at(0.6, 0.0), "E": at(0.7, 0.2) },
+            "links": { "2": { "joins": ["O", "B"] }, "3": { "joins": ["A", "E"] }, "4": { "joins": ["O", "A"] } },
+            "rolls": [
+                { "links": [2, 3], "centres": ["O", "A"], "radii": [0.3, 0.3], "pressure": "25 deg" },
+                { "links": [1, 3], "centres": ["O", "A"], "radii": [0.9, 0.3], "internal": true, "pressure": "25 deg" }
+            ],
+            "input": { "link": 2, "omega": 10, "alpha": -7 }, "gravity": { "direction": angle - 90.0 },
+            "masses": { "3": { "mass": 3, "at": "E", "inertia": 0.1 }, "4": { "mass": 2, "at": "A" } },
+            "loads": [ { "on": 4, "torque": -12 } ], "find": ["T(2)", "F(2,3)", "F(1,3)", "F(3,4)", "F(O,4)"]
+        });
+        answers(&value).unwrap().1
+    };
+    let (still, other) = (train(0.0), train(37.0));
+    let (sin, cos) = 37.0_f64.to_radians().sin_cos();
+    for (name, answer) in &still {
+        match (answer, &other[name]) {
+            (Answer::Scalar { value, .. }, Answer::Scalar { value: turned, .. }) => {
+                assert!((value - turned).abs() < 1e-9 * value.abs(), "{name}: {value} and {turned}");
+            }
+            (Answer::Vector { value: [x, y], .. }, Answer::Vector { value: turned, .. }) => {
+                let apart = [turned[0] - (cos * x - sin * y), turned[1] - (sin * x + cos * y)];
+                assert!(apart[0].hypot(apart[1]) < 1e-9 * x.hypot(*y), "{name}: {apart:?}");
+            }
+            other => panic!("{name}: {other:?}"),
+        }
+    }
 }

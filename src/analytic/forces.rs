@@ -436,6 +436,13 @@ impl State {
                 };
                 bodies.fold([zero; 3], |sum, body| add(sum, wrench(body), -1.0))
             }
+            Action::Rolling { roll, on } => {
+                let [by, on] = self.model.mechanism.bodies_rolling(roll, on);
+                match on {
+                    LinkId::FRAME => add([zero; 3], through(Through::Roll(roll), by.0), -1.0),
+                    _ => through(Through::Roll(roll), on.0),
+                }
+            }
             Action::Weight(link) => {
                 let weight = self.heavy(s, link).and_then(|heavy| Some((heavy, s.weight(heavy)?)));
                 weight.map_or([zero; 3], |(heavy, [x, y])| {

@@ -441,6 +441,23 @@ impl Mechanism {
         self.parties_at(point).len() > 1
     }
 
+    /// The other body of a rolling pair, and this one.
+    #[must_use]
+    pub fn bodies_rolling(&self, roll: usize, on: LinkId) -> [LinkId; 2] {
+        let [first, second] = self.rolls[roll].bodies();
+        [if on == second { first } else { second }, on]
+    }
+
+    /// The force of a rolling pair on one of its bodies: that of the other one, where these have no pair besides.
+    #[must_use]
+    pub fn force_of_roll(&self, roll: usize, on: LinkId) -> Action {
+        let [by, on] = self.bodies_rolling(roll, on);
+        match self.pairs_between(by, on)[..] {
+            [_] => Action::Pair { by, on },
+            _ => Action::Rolling { roll, on },
+        }
+    }
+
     /// Why there is no equilibrium where a rolling pair that keeps its own contact would have to pull.
     #[must_use]
     pub fn say_pulls(&self, roll: usize) -> String {
@@ -513,6 +530,13 @@ pub enum Action {
     },
     /// The force along the guide on a driven slide, by index of the input; drawn, not asked.
     Drive(usize),
+    /// The force of a rolling pair on one of its bodies, where these meet in another pair besides; drawn, not asked.
+    Rolling {
+        /// Index of the rolling pair.
+        roll: usize,
+        /// The body on which it acts.
+        on: LinkId,
+    },
 }
 
 /// A quantity of the forces.
@@ -647,6 +671,10 @@ impl Action {
             Self::Weight(link) => format!("W({})", l(link)),
             Self::Spring { index, .. } => format!("spring({})", mechanism.forces.springs[index].name),
             Self::Drive(input) => Force::Drive(input).name(mechanism),
+            Self::Rolling { roll, on } => {
+                let [by, on] = mechanism.bodies_rolling(roll, on);
+                format!("F({},{})", l(by), l(on))
+            }
         }
     }
 
@@ -656,9 +684,10 @@ impl Action {
         match self {
             Self::Pair { by, on } => ([None; 2], [Some(by), Some(on)]),
             Self::OfPin(pin, link) | Self::OnPin(link, pin) => ([Some(pin), None], [Some(link), None]),
-            Self::Inertia(link) | Self::Centrifugal(link) | Self::Weight(link) => {
-                ([None; 2], [Some(link), None])
-            }
+            Self::Inertia(link)
+            | Self::Centrifugal(link)
+            | Self::Weight(link)
+            | Self::Rolling { on: link, .. } => ([None; 2], [Some(link), None]),
             Self::Shaking | Self::OnFrame | Self::Load(_) | Self::Spring { .. } | Self::Drive(_) => {
                 ([None; 2], [None; 2])
             }

@@ -71,6 +71,10 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         Action::Weight(link) => marked("W", "", &notation.number(link)),
         Action::Spring { index, .. } => marked(pull(index), "", &mechanism.forces.springs[index].name),
         Action::Drive(input) => drive(input),
+        Action::Rolling { roll, on } => {
+            let [by, on] = mechanism.bodies_rolling(roll, on);
+            marked("F", "", &two(notation.number(by), notation.number(on)))
+        }
     };
     match force {
         Force::Vector(of) => action(of),

@@ -524,9 +524,8 @@ impl Teller<'_> {
         let m = self.n.mechanism();
         let Party::Link(link) = body.of else { return Vec::new() };
         let mut told = Vec::new();
-        for (roll, pair) in m.rolls.iter().enumerate().filter(|(_, pair)| pair.bodies().contains(&link)) {
-            let [one, other] = pair.bodies();
-            let action = Action::Pair { by: if one == link { other } else { one }, on: link };
+        for roll in (0..m.rolls.len()).filter(|roll| m.rolls[*roll].bodies().contains(&link)) {
+            let action = m.force_of_roll(roll, link);
             let unknown = |acting: &&Acting| acting.action == action && acting.known != Knowledge::Full;
             let Some(acting) = body.acting.iter().find(unknown) else { continue };
             let force = ("force", self.symbol(acting.action));
@@ -573,8 +572,8 @@ impl Teller<'_> {
                     (self.n.symbol(Quantity::Force(Force::Drive(input), Share::Total), false), false)
                 }
                 Closing::Contact { roll, .. } | Closing::Roll { roll } => {
-                    let [by, on] = m.rolls[roll].bodies();
-                    (force(Action::Pair { by, on }), false)
+                    let [_, on] = m.rolls[roll].bodies();
+                    (force(m.force_of_roll(roll, on)), false)
                 }
             }
         };

@@ -12,7 +12,6 @@ use super::{Balance, Item, Pull, SlideForce, pulls};
 /// The pairs of a driven bar.
 pub(super) struct Bar {
     pub(super) link: LinkId,
-    pub(super) point: PointId,
     pub(super) pins: [PointId; 2],
     pub(super) holds: [Hold; 2],
     pub(super) under: [bool; 2],
@@ -42,7 +41,7 @@ enum Side {
 
 /// A polygon with the two lines of what holds the bar; then moments give the effort.
 pub(super) fn driven_bar(d: &mut Draughtsman<'_>, bar: &Bar, input: Drive, balance: &mut Balance) {
-    let Bar { link, point, pins, holds, under } = *bar;
+    let Bar { link, pins, holds, under } = *bar;
     let on_bar = balance.on(link);
     let mut all = pulls(&on_bar);
     let mut links = vec![link];
@@ -131,7 +130,7 @@ pub(super) fn driven_bar(d: &mut Draughtsman<'_>, bar: &Bar, input: Drive, balan
             }
         });
     }
-    let about = d.at(point);
+    let about = d.at(pins[0]);
     let moments = d.moments(&items, about);
-    d.note_effort(balance, input, moments, (&links, point));
+    d.note_effort(balance, input, moments, (&links, pins[0]));
 }

@@ -2,7 +2,7 @@
 
 use crate::board::{Amount, Direction, Line, Point};
 use crate::mechanism::force::Party;
-use crate::mechanism::structure::{Drive, Group, GroupKind};
+use crate::mechanism::structure::{Drive, Group, GroupKind, Joint};
 use crate::mechanism::{LinkId, PointId};
 
 use super::super::draughtsman::Draughtsman;
@@ -11,6 +11,10 @@ use super::{About, Balance, Item, Pull, SlideForce, Taken, TakenFor, driven, hig
 
 /// Finds the forces of a group in its pairs, and gives them to the bodies on which it hangs.
 pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut Balance) {
+    if let Some(why) = d.curved_block(group, balance) {
+        balance.refused = Some(why);
+        return;
+    }
     let before = d.board.purpose("balance of a group");
     match group.kind {
         GroupKind::Driver { base, input } => driver(d, group, base, input, balance),
@@ -23,8 +27,8 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
             rpp(d, (link, point), (lever, base), [ride, slot], balance);
         }
         GroupKind::Yoke { link, ride, pin, slot } => yoke(d, link, ride, (pin, slot), balance),
-        GroupKind::DrivenBar { link, point, pins, holds, under, input, .. } => {
-            driven::driven_bar(d, &driven::Bar { link, point, pins, holds, under }, input, balance);
+        GroupKind::DrivenBar { link, pins, holds, under, input, .. } => {
+            driven::driven_bar(d, &driven::Bar { link, pins, holds, under }, input, balance);
         }
         GroupKind::Wheel { wheel, centre, roll } => rolling::wheel(d, (wheel, centre), roll, balance),
         GroupKind::Rack { link, ride, roll } => rolling::rack(d, (link, ride), roll, balance),
@@ -56,6 +60,31 @@ pub(super) struct Sliding {
 }
 
 impl Draughtsman<'_> {
+    /// Why a block on an arc is not balanced, where something would turn it: an arc keeps it by a force that passes by its
+    /// pin.
+    fn curved_block(&mut self, group: &Group, balance: &Balance) -> Option<&'static str> {
+        for joint in &group.joints {
+            let Joint::Slide(slide) = *joint else { continue };
+            let crate::mechanism::Rider::Pin { point, block: Some(block) } =
+                self.mechanism.slides[slide].rider
+            else {
+                continue;
+            };
+            if !self.is_arc(slide) {
+                continue;
+            }
+            if Self::rubs_at(balance, point) {
+                return Some(
+                    "this version does not draw friction at the pin of a block that slides on an arc",
+                );
+            }
+            if balance.known[block.0].iter().any(|item| item.couple.is_some()) {
+                return Some("this version does not draw a couple on a block that slides on an arc");
+            }
+        }
+        None
+    }
+
     /// The sides of a sliding pair in which `pin` rides, itself or with a link of the group.
     pub(super) fn sliding(&self, slide: usize, link: Option<LinkId>) -> Sliding {
         let pair = self.mechanism.slides[slide];
@@ -306,16 +335,7 @@ fn rrp(
     let touch = sliding.inner.map_or(at, |rider| d.inner_touch(balance, pin, [rod, rider]));
     let (_, normal) = d.pressing_at(balance, slide, at);
     let rubs = Draughtsman::rubs_at(balance, pin);
-    if rubs && d.is_arc(slide) {
-        balance.refused =
-            Some("this version does not draw friction at the pin of a block that slides on an arc");
-        return;
-    }
     let couple = if rubs { None } else { d.keeping(&on_rider, at) };
-    if couple.is_some() && d.is_arc(slide) && on_rider.iter().any(|item| item.couple.is_some()) {
-        balance.refused = Some("this version does not draw a couple on a block that slides on an arc");
-        return;
-    }
     let rod_moments = d.moments(&on_rod, at_base);
     let of_guide = if rod_moments.is_none() && sliding.inner.is_some() {
         // A member of two forces: its line is that of its pins.

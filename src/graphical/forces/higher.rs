@@ -6,7 +6,7 @@ use crate::board::{Amount, Line};
 use crate::given::Given;
 use crate::mechanism::LinkId;
 use crate::mechanism::force::Sought;
-use crate::mechanism::structure::{Closing, Drive, Group, Trial, TrialDriver};
+use crate::mechanism::structure::{Closing, Drive, Group, Joint, Trial, TrialDriver};
 
 use super::super::construction::GroupTrial;
 use super::super::draughtsman::Draughtsman;
@@ -20,6 +20,11 @@ pub(super) fn higher(d: &mut Draughtsman<'_>, group: &Group, index: usize, balan
             return;
         }
         *balance = before;
+    }
+    let toothed = |joint: &Joint| matches!(joint, Joint::Roll(roll) if d.leans_by_teeth(*roll));
+    if super::friction::rubs(d) && group.joints.iter().any(toothed) {
+        balance.refused = Some(super::rolling::TOOTHED);
+        return;
     }
     let trial = d.trial(index);
     let drivers: Vec<TrialDriver> = trial.drivers.iter().map(|(driver, _)| *driver).collect();

@@ -19,6 +19,7 @@ pub(super) fn same_pair(one: Action, other: Action) -> bool {
         Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
         Action::OnPin(link, pin) => Action::OfPin(pin, link),
         Action::Spring { index, .. } => Action::Spring { index, end: 0 },
+        Action::Rolling { roll, .. } => Action::Rolling { roll, on: LinkId::FRAME },
         other => other,
     };
     key(one) == key(other)
@@ -157,7 +158,7 @@ impl Draughtsman<'_> {
                 }
             }
             TakenFor::Roll { roll, on } => {
-                let action = self.force_of_roll(roll, on);
+                let action = self.mechanism.force_of_roll(roll, on);
                 without.push(action);
                 let contact = self.contact_at(roll).at;
                 found = self.moment_term(action, about, Some(contact));
@@ -202,6 +203,7 @@ impl Draughtsman<'_> {
                 let within = |other: LinkId| other != link && taken.links.contains(&other);
                 let inner = match action {
                     Action::Pair { by, .. } => within(by),
+                    Action::Rolling { roll, on } => within(self.mechanism.bodies_rolling(roll, on)[0]),
                     Action::OnPin(other, _) => within(other),
                     Action::OfPin(pin, _) => taken
                         .links
@@ -271,12 +273,6 @@ impl Draughtsman<'_> {
         let foot = self.board.step_off(whole.tail, along, size);
         let part = super::Pull { tail: foot, head: whole.head };
         self.term_of_pull(Turning::Across(action), part, at, about)
-    }
-
-    /// The force of a rolling pair on one of its bodies.
-    pub(super) fn force_of_roll(&self, roll: usize, on: LinkId) -> Action {
-        let [first, second] = self.mechanism.rolls[roll].bodies();
-        Action::Pair { by: if on == second { first } else { second }, on }
     }
 
     /// Whether a force passes through a point by its pair.

@@ -224,6 +224,11 @@ impl Draughtsman<'_> {
                 let item = self.of_pin(&balance, pin, link)?;
                 Ok(vec![self.reversed(item)])
             }
+            Action::Rolling { roll, on } => {
+                let balance = self.balance_of(share)?;
+                let [by, on] = self.mechanism.bodies_rolling(roll, on);
+                Ok(vec![self.through(&balance, Through::Roll(roll), by, on)?])
+            }
             Action::OnFrame => {
                 let balance = self.balance_of(share)?;
                 self.on_frame(&balance)

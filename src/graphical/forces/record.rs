@@ -319,7 +319,7 @@ impl Draughtsman<'_> {
                 _ if self.holder(pin) == super::Holder::Link(on) => Action::OfPin(pin, by),
                 _ => Action::OfPin(pin, on),
             }),
-            TakenFor::Roll { roll, on } => Some(self.force_of_roll(roll, on)),
+            TakenFor::Roll { roll, on } => Some(self.mechanism.force_of_roll(roll, on)),
             TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
                 let pair = self.mechanism.slides[slide];
                 let guide = pair.guide.link;
@@ -416,11 +416,9 @@ impl Draughtsman<'_> {
             }
         }
         for (index, roll) in m.rolls.iter().enumerate() {
-            let [one, other] = roll.bodies();
-            if [one, other].contains(&link) {
-                let by = if one == link { other } else { one };
+            if roll.bodies().contains(&link) {
                 let known = if self.keeps_contact(index) { Knowledge::Nothing } else { Knowledge::Line };
-                wanted.push((Action::Pair { by, on: link }, known));
+                wanted.push((m.force_of_roll(index, link), known));
             }
         }
         let sought = m.named_sought().is_empty();
@@ -536,6 +534,7 @@ impl Draughtsman<'_> {
                     crate::mechanism::force::Through::Pin(pin) if m.parties_at(pin).len() > 2 => {
                         Action::OfPin(pin, on)
                     }
+                    crate::mechanism::force::Through::Roll(roll) => m.force_of_roll(roll, on),
                     _ => Action::Pair { by, on },
                 };
                 wanted.push((action, Knowledge::Nothing));

@@ -17,8 +17,11 @@ pub(in super::super) const PULLS: &str =
 /// A contact that would pull with less than this part of the largest force rests.
 const FAINT: f64 = 1e-9;
 
-const RUBS: &str = "this version does not draw friction at the pin of a wheel that is toothed or kept in its place by its \
-contact";
+const RUBS: &str =
+    "this version does not draw friction at the pin of a wheel that is kept in its place by its contact";
+
+/// Teeth and friction in a group that is balanced by trial, or in whose guide the centre of a driven wheel rides.
+pub(super) const TOOTHED: &str = "this version does not draw friction beside the teeth of this group";
 
 /// The force of a rolling pair on the second of its bodies.
 #[derive(Debug, Clone, Copy)]
@@ -93,6 +96,34 @@ impl Draughtsman<'_> {
         let apart = self.pull_along(outward, apart);
         let head = self.chained(&[along, apart]);
         Pull { tail: self.board.origin(), head }
+    }
+
+    /// Whether teeth of a rolling pair push its bodies apart.
+    pub(super) fn leans_by_teeth(&self, roll: usize) -> bool {
+        self.mechanism.forces.pressure(roll).is_some() && !self.keeps_contact(roll)
+    }
+
+    /// The line of the whole force of teeth on one of two bodies, which drive in the sense of a force along the tangent.
+    pub(super) fn line_of_teeth(&mut self, roll: usize, on: LinkId, contact: &Contact, size: Amount) -> Line {
+        let Some(pressure) = self.mechanism.forces.pressure(roll).filter(|_| self.leans_by_teeth(roll))
+        else {
+            return Line { through: contact.at, along: contact.tangent };
+        };
+        let angle = self.board.angle(pressure);
+        let leaning = self.board.protractor(angle);
+        let unit = self.board.amount(Given::exact(1.0));
+        let [cosine, sine] = self.board.components(leaning, unit);
+        let reason = self.reason(&[on]);
+        let apart = self.board.in_sense_of(sine, size, reason);
+        let [_, second] = self.mechanism.rolls[roll].bodies();
+        let outward = if on == second { contact.push } else { self.board.reverse(contact.push) };
+        let scale = self.force_scale();
+        let (cosine, apart) = (self.board.to_paper(cosine, scale), self.board.to_paper(apart, scale));
+        let pole = self.board.origin();
+        let foot = self.board.lay_off(pole, contact.tangent, cosine);
+        let tip = self.board.lay_off(foot, outward, apart);
+        let (along, _) = self.board.toward(pole, tip, reason);
+        Line { through: contact.at, along }
     }
 
     /// Notes a part of the force of a rolling pair on one of its bodies.
@@ -234,8 +265,8 @@ pub(super) fn wheel(
     roll: usize,
     balance: &mut Balance,
 ) {
-    let leans = d.keeps_contact(roll) || d.mechanism.forces.pressure(roll).is_some();
-    if leans && Draughtsman::rubs_at(balance, centre) {
+    let rubs = Draughtsman::rubs_at(balance, centre);
+    if rubs && d.keeps_contact(roll) {
         balance.refused = Some(RUBS);
         return;
     }
@@ -244,7 +275,15 @@ pub(super) fn wheel(
     let contact = d.contact_at(roll);
     let moments = d.moments(&items, about);
     let size = d.balancing(moments, Line { through: contact.at, along: contact.tangent }, about, &[wheel]);
-    let pull = d.rolling_pull(roll, wheel, &contact, size);
+    let pull = match moments {
+        // What pushes apart passes by the point where the pin touches its circle.
+        Some(moments) if rubs && d.leans_by_teeth(roll) => {
+            let line = d.line_of_teeth(roll, wheel, &contact, size);
+            let size = d.balancing(Some(moments), line, about, &[wheel]);
+            d.pull_along(line.along, size)
+        }
+        _ => d.rolling_pull(roll, wheel, &contact, size),
+    };
     d.rolls_on(balance, roll, (wheel, pull), contact.at);
     balance.taken.push(Taken {
         links: vec![wheel],
@@ -272,15 +311,17 @@ pub(super) fn rack(
     let at = d.at(first);
     let contact = d.contact_at(roll);
     let (_, normal) = d.pressing_at(balance, ride, at);
-    let leans = d.mechanism.forces.pressure(roll).is_some() && !d.keeps_contact(roll);
-    if leans && balance.leaning.leans(ride) {
-        balance.refused = Some("this version does not draw friction in the guide of a toothed rack");
-        return;
-    }
     let [_, along] = d.two_lines(&pulls(&items), [normal, contact.tangent], &[link]);
     let parts = d.components_of(along);
     let size = d.part_along(parts, contact.tangent);
-    let pull = d.rolling_pull(roll, link, &contact, size);
+    let pull = if balance.leaning.leans(ride) && d.leans_by_teeth(roll) && !items.is_empty() {
+        // What pushes apart makes the guide rub.
+        let line = d.line_of_teeth(roll, link, &contact, size);
+        let [_, whole] = d.two_lines(&pulls(&items), [normal, line.along], &[link]);
+        whole
+    } else {
+        d.rolling_pull(roll, link, &contact, size)
+    };
     d.rolls_on(balance, roll, (link, pull), contact.at);
     let mut all = pulls(&items);
     all.push(pull);
@@ -303,8 +344,10 @@ pub(super) fn driven_wheel(
 ) {
     let contact = d.contact_at(roll);
     let at = d.at(centre);
-    if Draughtsman::rubs_at(balance, centre) && guide.is_some() {
-        balance.refused = Some(RUBS);
+    if let Some(guide) = guide
+        && (Draughtsman::rubs_at(balance, centre) || (balance.leaning.leans(guide) && d.leans_by_teeth(roll)))
+    {
+        balance.refused = Some(TOOTHED);
         return;
     }
     let mut items = balance.on(wheel);

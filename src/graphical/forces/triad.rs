@@ -245,9 +245,49 @@ impl Draughtsman<'_> {
                 Some(block) => Action::Pair { by: block, on: middle },
                 None => Action::OfPin(pin, middle),
             },
-            Leg::Rolls { roll } => self.force_of_roll(roll, middle),
+            Leg::Rolls { roll } => self.mechanism.force_of_roll(roll, middle),
         }
     }
+}
+
+/// The forces along three lines that hold a link.
+struct Solved {
+    /// The two lines that meet, and the third.
+    pair: [usize; 2],
+    third: usize,
+    meet: Point,
+    on_middle: [Pull; 3],
+}
+
+/// Moments about the meet of the two lines that cross best give the third force, the polygon the other two; none where
+/// all lines are parallel.
+fn across_the_meet(
+    d: &mut Draughtsman<'_>,
+    middle: LinkId,
+    items: &[Item],
+    lines: [Line; 3],
+) -> Option<Solved> {
+    let crossing = |[i, j]: [usize; 2]| sine(lines[i].along, lines[j].along).abs();
+    let pairs = [[0, 1], [1, 2], [0, 2]];
+    let best = pairs
+        .into_iter()
+        .fold([0, 1], |best, pair| if crossing(pair) > crossing(best) { pair } else { best });
+    if crossing(best) < PARALLEL {
+        return None;
+    }
+    let [i, j] = best;
+    let third = 3 - i - j;
+    let reason = d.reason(&[middle]);
+    let meet = d.board.meet_lines(lines[i], lines[j], reason).at;
+    let moments = d.moments(items, meet);
+    let size: Amount = d.balancing(moments, lines[third], meet, &[middle]);
+    let along = d.pull_along(lines[third].along, size);
+    let mut all = pulls(items);
+    all.push(along);
+    let [first, second] = d.two_lines(&all, [lines[i].along, lines[j].along], &[middle]);
+    let mut on_middle = [along; 3];
+    (on_middle[i], on_middle[j]) = (first, second);
+    Some(Solved { pair: best, third, meet, on_middle })
 }
 
 /// The sine of the angle between two directions, as it is seen.
@@ -265,23 +305,26 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
         return false;
     }
     let known = legs.map(|leg| d.leg(middle, leg, balance));
-    let crossing = |(i, j): &(usize, usize)| sine(known[*i].line.along, known[*j].line.along).abs();
-    let pairs = [(0, 1), (1, 2), (0, 2)];
-    let best = pairs
-        .into_iter()
-        .fold((0, 1), |best, pair| if crossing(&pair) > crossing(&best) { pair } else { best });
-    if crossing(&best) < PARALLEL {
-        return false;
-    }
-    let (i, j) = best;
-    let third = 3 - i - j;
     let mut items = balance.on(middle);
     items.extend(known.iter().flat_map(|known| known.on_middle.iter().copied()));
-    let reason = d.reason(&[middle]);
-    let meet: Point = d.board.meet_lines(known[i].line, known[j].line, reason).at;
-    let moments = d.moments(&items, meet);
-    let size: Amount = d.balancing(moments, known[third].line, meet, &[middle]);
-    let along = d.pull_along(known[third].line.along, size);
+    let mut lines = [0, 1, 2].map(|k: usize| known[k].line);
+    let Some(mut solved) = across_the_meet(d, middle, &items, lines) else { return false };
+    let toothed = |leg: &Leg| matches!(leg, Leg::Rolls { roll } if d.leans_by_teeth(*roll));
+    let inclined = super::friction::rubs(d) && !items.is_empty() && legs.iter().any(toothed);
+    if inclined {
+        // What pushes apart passes by the points where pins touch their circles.
+        for (k, leg) in legs.into_iter().enumerate() {
+            if let Leg::Rolls { roll } = leg {
+                let contact = d.contact_at(roll);
+                let parts = d.components_of(solved.on_middle[k]);
+                let size = d.part_along(parts, contact.tangent);
+                lines[k] = d.line_of_teeth(roll, middle, &contact, size);
+            }
+        }
+        let Some(again) = across_the_meet(d, middle, &items, lines) else { return false };
+        solved = again;
+    }
+    let Solved { pair: [i, j], third, meet, mut on_middle } = solved;
     let found = match legs[third] {
         Leg::Bar { link, base, pin } => {
             let whole = known[third].across.is_none();
@@ -303,13 +346,9 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
     });
     let bars = bars.collect();
     balance.taken.push(Taken { links, about: About::Meet { of, at: meet, bars }, found });
-    let mut all = pulls(&items);
-    all.push(along);
-    let [first, second] = d.two_lines(&all, [known[i].line.along, known[j].line.along], &[middle]);
-    let mut on_middle = [along; 3];
-    (on_middle[i], on_middle[j]) = (first, second);
     // What teeth push apart the others hold, at whose distance it does no work: the sizes along the tangents stand.
-    let leaning = [0, 1, 2].map(|k| d.leaning_leg_of(middle, legs[k], on_middle[k]));
+    let leaning =
+        [0, 1, 2].map(|k| if inclined { None } else { d.leaning_leg_of(middle, legs[k], on_middle[k]) });
     let others: Vec<usize> = (0..3).filter(|k| leaning[*k].is_none()).collect();
     if others.len() < 3 {
         let mut all = pulls(&items);
