@@ -483,7 +483,19 @@ impl Teller<'_> {
         items.extend(self.contacts(body).into_iter().map(Item::Sentence));
         let trials = self.sheet.group_trials.iter().filter(|trial| trial.told == index);
         items.extend(trials.map(|trial| Item::Sentence(self.group_trial(trial))));
-        for moments in self.sheet.moments.iter().filter(|moments| moments.told == index) {
+        // What hangs on forces that only the polygon gives comes after it.
+        let closes = |of: Turning| {
+            matches!(of, Turning::Force(action)
+                if body.acting.iter().any(|acting| acting.action == action && acting.closes))
+        };
+        let later = |moments: &MomentBalance| {
+            matches!(moments.found.of, Turning::Torque(_)) && moments.terms.iter().any(|term| closes(term.of))
+        };
+        let told = |later_ones: bool| {
+            let own = self.sheet.moments.iter().filter(|moments| moments.told == index);
+            own.filter(move |moments| later(moments) == later_ones)
+        };
+        for moments in told(false) {
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
         if let (Some(axis), Party::Link(link)) = (self.sheet.friction_axis(body), body.of) {
@@ -508,6 +520,9 @@ impl Teller<'_> {
         let last = first.map_or(index + 1, |first| first);
         for k in first.into_iter().chain(index - before..last) {
             items.extend(self.polygon(k).into_iter().map(Item::Sentence));
+        }
+        for moments in told(true) {
+            items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
         let driver = |input: usize| matches!(body.of, Party::Link(link) if self.n.mechanism().driven_link(input) == Some(link));
         if let Some(trial) = &self.sheet.trial

@@ -138,8 +138,9 @@ pub(super) enum TakenFor {
     Slide(usize),
     /// The same where what rides acts on the guide of a lever.
     Slot(usize),
-    /// The force of a rolling pair on one of its bodies.
-    Roll { roll: usize, on: LinkId },
+    /// The force of a rolling pair on one of its bodies; of a pair that keeps its contact what presses, or what is along
+    /// the tangent.
+    Roll { roll: usize, on: LinkId, presses: bool },
 }
 
 /// Who holds a pin: the link on which every force on the pin is laid off.

@@ -157,11 +157,28 @@ impl Draughtsman<'_> {
                     }
                 }
             }
-            TakenFor::Roll { roll, on } => {
+            TakenFor::Roll { roll, on, presses } => {
                 let action = self.mechanism.force_of_roll(roll, on);
                 without.push(action);
-                let contact = self.contact_at(roll).at;
-                found = self.moment_term(action, about, Some(contact));
+                let contact = self.contact_at(roll);
+                if self.keeps_contact(roll) {
+                    let items = self.items_of(action, Share::Total).ok()?;
+                    let whole = self.sum_of(&items);
+                    let line = Line { through: whole.tail, along: contact.push };
+                    let [size, _] = self.board.square_off(line, whole.head);
+                    let foot = self.board.step_off(whole.tail, contact.push, size);
+                    let pressing = super::Pull { tail: whole.tail, head: foot };
+                    let driving = super::Pull { tail: foot, head: whole.head };
+                    let driving = self.term_of_pull(Turning::Across(action), driving, contact.at, about);
+                    if presses {
+                        terms.extend(driving);
+                        found = self.term_of_pull(Turning::Along(action), pressing, contact.at, about);
+                    } else {
+                        found = driving;
+                    }
+                } else {
+                    found = self.moment_term(action, about, Some(contact.at));
+                }
             }
             TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
                 let pair = self.mechanism.slides[slide];

@@ -319,7 +319,8 @@ impl Draughtsman<'_> {
                 _ if self.holder(pin) == super::Holder::Link(on) => Action::OfPin(pin, by),
                 _ => Action::OfPin(pin, on),
             }),
-            TakenFor::Roll { roll, on } => Some(self.mechanism.force_of_roll(roll, on)),
+            TakenFor::Roll { roll, presses: false, .. } if self.keeps_contact(roll) => None,
+            TakenFor::Roll { roll, on, .. } => Some(self.mechanism.force_of_roll(roll, on)),
             TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
                 let pair = self.mechanism.slides[slide];
                 let guide = pair.guide.link;

@@ -288,7 +288,7 @@ pub(super) fn wheel(
     balance.taken.push(Taken {
         links: vec![wheel],
         about: About::Point(centre),
-        found: TakenFor::Roll { roll, on: wheel },
+        found: TakenFor::Roll { roll, on: wheel, presses: false },
     });
     let mut all = pulls(&items);
     all.push(pull);
@@ -408,11 +408,9 @@ pub(super) fn leaning(
     let outward = if own == second { contact.push } else { d.board.reverse(contact.push) };
     let moments = d.moments(&items, about);
     let size = d.balancing(moments, Line { through: contact.at, along: outward }, about, &[link]);
-    balance.taken.push(Taken {
-        links: vec![link],
-        about: About::Point(base),
-        found: TakenFor::Roll { roll, on: own },
-    });
+    let found = TakenFor::Roll { roll, on: own, presses: true };
+    let links = if own == link { vec![link] } else { vec![link, own] };
+    balance.taken.push(Taken { links, about: About::Point(base), found });
     let push = d.pull_along(outward, size);
     d.presses(balance, roll, (own, link), push, &contact);
     let mut all = pulls(&items);

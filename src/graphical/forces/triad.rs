@@ -332,7 +332,7 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
         }
         Leg::Rides { slide, .. } => TakenFor::Slide(slide),
         Leg::Carries { slide, .. } => TakenFor::Slot(slide),
-        Leg::Rolls { roll } => TakenFor::Roll { roll, on: middle },
+        Leg::Rolls { roll } => TakenFor::Roll { roll, on: middle, presses: false },
     };
     let blocks = legs.iter().filter_map(|leg| match leg {
         Leg::Rides { slide, .. } => d.sliding(*slide, None).inner,
