@@ -438,7 +438,7 @@ impl Wanted<'_> {
             Force::Along { by, on, .. } | Force::Across { by, on, .. } => of_action(Action::Pair { by, on }),
             Force::Torque(_) | Force::Drive(_) | Force::Spin => all(),
             Force::LoadTorque(index) if mechanism.forces.loads[index].is_sought() => all(),
-            Force::Pull(index) if mechanism.forces.springs[index].is_sought() => all(),
+            Force::Pull(index) | Force::Twist(index) if mechanism.forces.springs[index].is_sought() => all(),
             Force::LoadTorque(_)
             | Force::Pull(_)
             | Force::Twist(_)
@@ -499,7 +499,7 @@ impl Wanted<'_> {
         {
             self.load(index);
         }
-        if let Force::Pull(index) = force {
+        if let Force::Pull(index) | Force::Twist(index) = force {
             self.spring(index);
         }
         for &link in &links {
@@ -523,9 +523,11 @@ impl Wanted<'_> {
             }
         }
         for (index, spring) in mechanism.forces.springs.iter().enumerate() {
-            if let SpringKind::Pull(ends) = spring.kind
-                && ends.iter().any(|(link, _)| links.contains(link))
-            {
+            let between = match spring.kind {
+                SpringKind::Pull(ends) => ends.map(|(link, _)| link),
+                SpringKind::Torsion(between) => between,
+            };
+            if between.iter().any(|link| links.contains(link)) {
                 self.spring(index);
             }
         }
@@ -573,6 +575,9 @@ impl Wanted<'_> {
         let load = &self.mechanism.forces.loads[index];
         let order = if load.follows_motion() { Order::Velocity } else { Order::Position };
         self.link(load.link, order);
+        if let (Some(_), Some(driven)) = (load.curve(), self.mechanism.driven_link(0)) {
+            self.link(driven, Order::Position);
+        }
         if let Some(at) = load.at() {
             self.point(at, order);
         }
@@ -592,10 +597,17 @@ impl Wanted<'_> {
     }
 
     fn spring(&mut self, index: usize) {
-        if let SpringKind::Pull(ends) = self.mechanism.forces.springs[index].kind {
-            for (link, point) in ends {
-                self.link(link, Order::Position);
-                self.point(point, Order::Position);
+        match self.mechanism.forces.springs[index].kind {
+            SpringKind::Pull(ends) => {
+                for (link, point) in ends {
+                    self.link(link, Order::Position);
+                    self.point(point, Order::Position);
+                }
+            }
+            SpringKind::Torsion(links) => {
+                for link in links.into_iter().filter(|link| *link != LinkId::FRAME) {
+                    self.link(link, Order::Position);
+                }
             }
         }
     }

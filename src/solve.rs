@@ -253,7 +253,8 @@ fn turn(scene: &Scene, settings: Settings, solution: &mut Solution) {
     let asked: Vec<CycleQuantity> = asked.collect();
     let turned = turned(&scene.mechanism, cycle);
     let at = |angle: f64| turned.as_ref().and_then(|turned| turned.torque(angle));
-    let own: Option<OwnTorque<'_>> = if turned.is_some() { Some(&at) } else { None };
+    let knots = forces.knots();
+    let own = turned.is_some().then_some(OwnTorque { at: &at, knots: &knots });
     let drawn = graphical::cycle::draw(settings.arithmetic, cycle, forces.gravity.g, &asked, own);
     let construction = &mut solution.construction;
     for (asked, reading) in scene.mechanism.asked.iter().zip(&mut construction.answers) {
@@ -282,7 +283,9 @@ fn turned(mechanism: &Mechanism, cycle: &Cycle) -> Option<Turned> {
         method: Method::default(),
     }];
     mechanism.run_steadily();
-    sweep::Sweep::new(&mechanism, None).ok().map(Turned)
+    let turns = mechanism.turns_of_loads()?;
+    let range = (turns > 1).then(|| [0.0, f64::from(turns) * std::f64::consts::TAU]);
+    sweep::Sweep::new(&mechanism, range).ok().map(Turned)
 }
 
 /// So far beside a place where a load has no direction it has one, radians.
@@ -295,8 +298,9 @@ impl Turned {
     /// The place of the sweep at which the input stands at this angle.
     fn place(&self, angle: f64) -> f64 {
         let [from, to] = self.0.range;
-        let turns = libm::floor((angle - from) / std::f64::consts::TAU);
-        (angle - turns * std::f64::consts::TAU).clamp(from, to)
+        let round = to - from;
+        let times = libm::floor((angle - from) / round);
+        (angle - times * round).clamp(from, to)
     }
 
     /// T(2), N m, and how far it may be off.

@@ -191,13 +191,6 @@ fn what_is_sought_in_the_place_of_the_effort() {
 /// What this version does not do is refused by name, with its place.
 #[test]
 fn what_is_not_done_is_refused_by_name() {
-    for (more, key) in [
-        (r#""loads": [ { "on": 4, "force": { "table": [[0, 1]] } } ]"#, "force"),
-        (r#""springs": [ { "links": [1, 2], "stiffness": 1, "free": 0 } ]"#, "springs"),
-    ] {
-        let told = refusal(&format!("{CRANK}, {more} }}"));
-        assert!(told.contains("this version does not do") && told.contains(key), "{told}");
-    }
     let frame = refusal(&format!(r#"{CRANK}, "loads": [ {{ "on": 1, "force": 3 }} ] }}"#));
     assert!(frame.contains("link 1 is the frame"), "{frame}");
     let centre = refusal(&format!(r#"{CRANK}, "masses": {{ "3": {{ "mass": 3 }} }} }}"#));
@@ -279,6 +272,7 @@ pub(crate) struct Chain {
     slides: Vec<String>,
     masses: Vec<String>,
     loads: Vec<String>,
+    springs: Vec<String>,
     /// Moving points with their places, from which groups may hang, and the link that has them.
     open: Vec<(String, [f64; 2])>,
     number: usize,
@@ -295,6 +289,7 @@ impl Chain {
             slides: Vec::new(),
             masses: Vec::new(),
             loads: Vec::new(),
+            springs: Vec::new(),
             open: Vec::new(),
             number: 2,
             bodies: Vec::new(),
@@ -343,6 +338,35 @@ impl Chain {
         }
         if self.dice.one_in(4) {
             self.loads.push(format!(r#"{{ "on": {on}, "torque": {} }}"#, self.dice.within(-20.0, 20.0)));
+        }
+    }
+
+    /// Loads over the angle of the crank and torsion springs on any bodies.
+    fn wind(&mut self) {
+        for nth in 0..3 {
+            let mut body = || {
+                let many = self.bodies.len();
+                self.bodies[((self.dice.next() * many as f64) as usize).min(many - 1)].clone()
+            };
+            let ((on, at), (other, _)) = (body(), body());
+            let mut size = || self.dice.within(-30.0, 30.0);
+            let (a, b, c) = (size(), size(), size());
+            let from = self.dice.within(1.0, 200.0);
+            match nth {
+                0 => self.loads.push(format!(
+                    r#"{{ "name": "C{nth}", "on": {on}, "torque": {{ "table": [[0, {a}], [{from}, {b}], [{from}, {c}], [300, {a}]] }} }}"#
+                )),
+                1 => self.loads.push(format!(
+                    r#"{{ "name": "C{nth}", "on": {on}, "at": "{at}", "force": {{ "harmonics": {{ "constant": {a}, "sin": [[2, {b}]], "cos": [[1, {c}]] }} }}, "direction": {from} }}"#
+                )),
+                _ => {
+                    let first = if on == other || self.dice.one_in(2) { 1 } else { other };
+                    self.springs.push(format!(
+                        r#"{{ "name": "S{nth}", "links": [{first}, {on}], "stiffness": {}, "free": {from} }}"#,
+                        a.abs()
+                    ));
+                }
+            }
         }
     }
 
@@ -410,13 +434,14 @@ impl Chain {
         format!(
             r#"{{ "fixed": {{ {} }}, "placed": {{ {} }}, "links": {{ {} }}, "slides": [ {} ],
             "input": {{ "link": 2, "omega": 2, "alpha": -3 }}, "gravity": {{}},
-            "masses": {{ {} }}, "loads": [ {} ], "find": [ {} ] }}"#,
+            "masses": {{ {} }}, "loads": [ {} ], "springs": [ {} ], "find": [ {} ] }}"#,
             self.fixed.join(", "),
             self.placed.join(", "),
             self.links.join(", "),
             self.slides.join(", "),
             self.masses.join(", "),
             self.loads.join(", "),
+            self.springs.join(", "),
             find.join(", ")
         )
     }
@@ -458,6 +483,10 @@ fn run_chain(seed: u64, groups: usize) -> Option<f64> {
     for group in 0..groups {
         chain.hang(group);
     }
+    let wound = seed % 2 == 1;
+    if wound {
+        chain.wind();
+    }
     if chain.masses.is_empty() && chain.loads.is_empty() {
         return None;
     }
@@ -465,6 +494,9 @@ fn run_chain(seed: u64, groups: usize) -> Option<f64> {
     let mut find: Vec<String> = vec!["T(2)".to_owned(), "T(2).static".to_owned(), "T(2).inertia".to_owned()];
     for (body, about) in &chain.bodies {
         find.extend(everything_on(&plain, *body, about));
+    }
+    if wound {
+        find.extend(["load(C0)", "spring(S2)"].map(str::to_owned));
     }
     let mut once = std::collections::BTreeSet::new();
     find.retain(|name| once.insert(name.clone()));
@@ -522,8 +554,22 @@ fn run_chain(seed: u64, groups: usize) -> Option<f64> {
         }
         for load in m.forces.loads.iter().filter(|load| load.link == link && load.is_torque()) {
             let linkgram::mechanism::force::LoadKind::Torque { size, .. } = load.kind else { continue };
-            let linkgram::mechanism::force::Size::Given(size) = size else { continue };
-            moment += size.value;
+            moment += match size {
+                linkgram::mechanism::force::Size::Given(size) => size.value,
+                _ => number(&format!("load({})", load.name)).0[0],
+            };
+        }
+        for spring in &m.forces.springs {
+            let linkgram::mechanism::force::SpringKind::Torsion([first, second]) = spring.kind else {
+                continue;
+            };
+            let (torque, bound) = number(&format!("spring({})", spring.name));
+            if second == link {
+                moment += torque[0];
+            } else if first == link {
+                moment -= torque[0];
+            }
+            turning += bound + 1e-15 * torque[0].abs();
         }
         if let Some(mass) = m.forces.mass(link) {
             let linkgram::mechanism::force::Heaviness::Mass(kg) = mass.heaviness else { continue };

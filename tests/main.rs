@@ -23,6 +23,7 @@ mod examiner;
 mod extremes;
 mod forces;
 mod forces_cycle;
+mod forces_loads;
 mod forces_routes;
 mod forces_spin;
 mod formats;

@@ -140,7 +140,7 @@ impl<'a> Torque<'a> {
                 let of_cos = cos.iter().map(|[k, size]| size * libm::cos(k * at));
                 Ok(constant + of_sin.sum::<f64>() + of_cos.sum::<f64>())
             }
-            Self::Of(own) => own.torque(at).map(|torque| torque.value),
+            Self::Of(own) => own.torque(own.beside(at, after)).map(|torque| torque.value),
         }
     }
 
@@ -273,10 +273,14 @@ impl Curves<'_> {
         let room = 64.0 * U * self.period;
         let mut knots = vec![0.0, self.period];
         for torque in self.sides.iter().flatten() {
-            let Torque::Table { knots: own, period, .. } = torque else { continue };
+            let own: Vec<[f64; 2]> = match torque {
+                Torque::Table { knots, period, .. } => knots.iter().map(|knot| [knot[0], *period]).collect(),
+                Torque::Of(own) => own.knots().to_vec(),
+                Torque::Harmonics { .. } => continue,
+            };
             for copy in 0..number {
-                for knot in own {
-                    let angle = knot[0] + f64::from(copy) * shift;
+                for [knot, period] in &own {
+                    let angle = knot + f64::from(copy) * shift;
                     let mut at = angle - libm::floor(angle / period) * period;
                     while at < self.period {
                         knots.push(at);

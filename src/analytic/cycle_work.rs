@@ -9,7 +9,7 @@ use super::cycle::{Known, Standing, Told};
 use super::tape::U;
 use super::{State, solve_for};
 use crate::mechanism::force::{
-    Area, Force, Heaviness, Inertia, LoadKind, Pointing, Share, Size, SpringKind, SpringLaw,
+    Area, Force, Heaviness, Inertia, LoadKind, Pointing, Pressure, Share, Size, Spring, SpringKind, SpringLaw,
 };
 use crate::mechanism::quantity::{Answer, Quantity};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
@@ -49,11 +49,51 @@ pub(super) struct OwnTorque<'a> {
     torques: RefCell<BTreeMap<u64, Known>>,
     /// Work of loads without a potential from one piece to the next, by the place of the piece.
     pieces: RefCell<BTreeMap<i64, Known>>,
+    /// Where the curves of loads bend or leap, each with the angle after which it comes again.
+    knots: Vec<[f64; 2]>,
 }
 
 impl<'a> OwnTorque<'a> {
     pub(super) fn new(standing: Standing<'a>, sign: f64) -> Self {
-        Self { standing, sign, torques: RefCell::default(), pieces: RefCell::default() }
+        let knots = standing(0.0).map_or_else(Vec::new, |mechanism| {
+            mechanism.forces.knots().iter().map(|knot| knot.map(|given| given.value)).collect()
+        });
+        Self { standing, sign, torques: RefCell::default(), pieces: RefCell::default(), knots }
+    }
+
+    /// Where the curves of loads bend or leap, each with the angle after which it comes again.
+    pub(super) fn knots(&self) -> &[[f64; 2]] {
+        &self.knots
+    }
+
+    /// The angle itself; at a knot one beside it, on the side from which one comes.
+    pub(super) fn beside(&self, at: f64, after: bool) -> f64 {
+        let near = |[knot, period]: &&[f64; 2]| {
+            let away = (at - knot) - libm::round((at - knot) / period) * period;
+            away.abs() <= 64.0 * U * (at.abs() + period)
+        };
+        match self.knots.iter().find(near) {
+            Some([_, period]) => {
+                let by = 256.0 * U * (at.abs() + period);
+                if after { at + by } else { at - by }
+            }
+            None => at,
+        }
+    }
+
+    /// The knots between two angles.
+    fn knots_between(&self, from: f64, to: f64) -> Vec<f64> {
+        let mut found = Vec::new();
+        for [knot, period] in &self.knots {
+            let mut at = knot + libm::ceil((from - knot) / period) * period;
+            while at < to {
+                if at > from {
+                    found.push(at);
+                }
+                at += period;
+            }
+        }
+        found
     }
 
     fn standing(&self, at: f64) -> Told<Mechanism> {
@@ -108,7 +148,7 @@ impl<'a> OwnTorque<'a> {
         }
         let (from, to) = (self.energy(0.0)?, self.energy(at)?);
         let mut work = Known { value: to.value - from.value, bound: to.bound + from.bound };
-        if !self.without_potential(0.0)?.forces.loads.is_empty() {
+        if !self.without_potential(0.0)?.forces.is_empty() {
             let given = self.integral(at)?;
             work = Known { value: work.value - given.value, bound: work.bound + given.bound };
         }
@@ -128,8 +168,14 @@ impl<'a> OwnTorque<'a> {
             }
         }
         for spring in &forces.springs {
-            if let SpringKind::Pull(ends) = spring.kind {
-                quantities.extend(ends.map(|(_, point)| Quantity::Position(point)));
+            match spring.kind {
+                SpringKind::Pull(ends) => {
+                    quantities.extend(ends.map(|(_, point)| Quantity::Position(point)));
+                }
+                SpringKind::Torsion(links) => {
+                    let moving = links.into_iter().filter(|link| *link != LinkId::FRAME);
+                    quantities.extend(moving.map(Quantity::Angle));
+                }
             }
         }
         quantities.extend(forces.loads.iter().filter_map(|load| load.at()).map(Quantity::Position));
@@ -182,8 +228,30 @@ impl<'a> OwnTorque<'a> {
             }
         }
         for spring in &forces.springs {
-            let SpringKind::Pull(ends) = spring.kind else {
-                return Err("the work of a torsion spring is not solved".to_owned());
+            let ends = match spring.kind {
+                SpringKind::Pull(ends) => ends,
+                SpringKind::Torsion(links) => {
+                    let SpringLaw::Stiffness { stiffness: Size::Given(stiffness), free } = spring.law else {
+                        // A torque of one size is integrated.
+                        continue;
+                    };
+                    let mut angles = [Known { value: 0.0, bound: 0.0 }; 2];
+                    for (angle, link) in angles.iter_mut().zip(links) {
+                        if link != LinkId::FRAME {
+                            *angle = scalar(&state, Quantity::Angle(link)).ok_or_else(|| undetermined(at))?;
+                        }
+                    }
+                    let [first, second] = angles;
+                    let further = second.value - first.value - free.value;
+                    let further =
+                        further - libm::round(further / std::f64::consts::TAU) * std::f64::consts::TAU;
+                    let loose = first.bound + second.bound + 16.0 * U;
+                    sum.add(
+                        0.5 * stiffness.value * further * further,
+                        stiffness.value * further.abs() * loose,
+                    );
+                    continue;
+                }
             };
             let [(one, off), (other, also)] = [place(ends[0].1)?, place(ends[1].1)?];
             let length = libm::hypot(one[0] - other[0], one[1] - other[1]);
@@ -208,12 +276,12 @@ impl<'a> OwnTorque<'a> {
         Ok(Known { value: sum.value, bound: 2.0 * (sum.bound + 32.0 * U * sum.size) })
     }
 
-    /// The mechanism with those loads alone that have no potential, its input at unit speed.
+    /// The mechanism with those loads and springs alone that have no potential, its input at unit speed.
     fn without_potential(&self, at: f64) -> Told<Mechanism> {
         let mut mechanism = self.standing(at)?;
         mechanism.forces.loads.retain(|load| constant(&load.kind).is_none());
         mechanism.forces.masses.clear();
-        mechanism.forces.springs.clear();
+        mechanism.forces.springs.retain(is_a_steady_torque);
         for input in &mut mechanism.inputs {
             if let Input::Angle { omega, .. } = input {
                 omega.value = if omega.value < 0.0 { -1.0 } else { 1.0 };
@@ -260,7 +328,7 @@ impl<'a> OwnTorque<'a> {
         };
         let quantity = Quantity::Force(Force::Torque(0), Share::Total);
         let Ok(state) = solve_for(&mechanism, &[quantity]) else { return Ok(None) };
-        Ok(state.power().map(|power| power.loads / speed))
+        Ok(state.power().map(|power| (power.loads + power.springs) / speed))
     }
 
     /// Where a loaded point turns back between two angles: a load against its motion leaps there.
@@ -333,6 +401,8 @@ impl<'a> OwnTorque<'a> {
         }
         let mut ends = vec![from];
         ends.extend(self.reversals(from, to)?);
+        ends.extend(self.knots_between(from, to));
+        ends.sort_by(f64::total_cmp);
         ends.push(to);
         let mut sum = Known { value: 0.0, bound: 0.0 };
         for pair in ends.windows(2) {
@@ -386,6 +456,11 @@ fn vector(state: &State, quantity: Quantity) -> Option<([f64; 2], f64)> {
     }
 }
 
+/// Whether a spring is a torque of one size, whose work hangs on how often its links have gone round.
+fn is_a_steady_torque(spring: &Spring) -> bool {
+    matches!((spring.kind, spring.law), (SpringKind::Torsion(_), SpringLaw::Force(_)))
+}
+
 /// The components of a load that is the same in every position.
 fn constant(kind: &LoadKind) -> Option<[f64; 2]> {
     match *kind {
@@ -393,7 +468,7 @@ fn constant(kind: &LoadKind) -> Option<[f64; 2]> {
         LoadKind::Force { size, pointing: Pointing::World(angle), .. } => {
             let newtons = match size {
                 Size::Given(force) => force.value,
-                Size::Pressure { pressure, area } => {
+                Size::Pressure { pressure: Pressure::Given(pressure), area } => {
                     let area = match area {
                         Area::Given(area) => area.value,
                         Area::Bore { bore, rod } => {
@@ -406,7 +481,7 @@ fn constant(kind: &LoadKind) -> Option<[f64; 2]> {
                     };
                     pressure.value * area
                 }
-                Size::Sought => return None,
+                Size::Sought | Size::Curve(_) | Size::Pressure { .. } => return None,
             };
             let (sin, cos) = libm::sincos(angle.value);
             Some([newtons * cos, newtons * sin])

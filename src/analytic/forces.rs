@@ -147,6 +147,12 @@ impl State {
             {
                 return Err(why.clone());
             }
+            if let Some(why) = &self.stuck
+                && !self.resting.is_empty()
+                && self.hangs_on_rest(&tape.sweep(var), balance)
+            {
+                return Err(why.clone());
+            }
             *slot =
                 self.measure(&tape, var, solved, Some(balance)).map_err(|why| match (&self.stuck, why) {
                     (Some(stuck), Indeterminate::Singular) => stuck.clone(),
@@ -171,6 +177,19 @@ impl State {
         let behind = balance.system.adjoint(gradient).rows;
         // Three balances of each body, the frame has none.
         behind.iter().any(|(row, weight)| *weight != 0.0 && burden.strays_on(row / 3 + 1, share))
+    }
+
+    /// Whether a number hangs on the balance of a body at which a pair rubs that does not move: nobody knows its friction.
+    fn hangs_on_rest(&self, number: &Linear, balance: &Balance) -> bool {
+        let mut gradient = vec![0.0; balance.x.len()];
+        for (leaf, slope) in &number.terms {
+            if let Leaf::Force(at) = leaf {
+                gradient[*at] += slope;
+            }
+        }
+        let behind = balance.system.adjoint(gradient).rows;
+        // Three balances of each body, the frame has none.
+        behind.iter().any(|(row, weight)| *weight != 0.0 && self.resting.contains(&(row / 3 + 1)))
     }
 
     /// What acts without a direction here, because two places are one or nothing moves, and why.
@@ -252,7 +271,10 @@ impl State {
                 let [m] = self.act(share, |s| [s.effort(place).sqrt()])?;
                 Ok(scalar(m, 1.0 / self.model.time))
             }
-            Force::Twist(_) => undefined("torsion springs are not solved"),
+            Force::Twist(index) => {
+                let [m] = self.act(share, |s| [-s.pull(&s.burden.springs[index])])?;
+                Ok(scalar(m, newton * metre))
+            }
             Force::InertiaTorque(link) => {
                 let [m] = self.act(share, |s| match self.heavy(s, link) {
                     Some(heavy) if share != Share::Static => [s.inertial(heavy).1],

@@ -5,12 +5,13 @@ use super::assembly::assemble;
 use super::constraints::{Motion, Scope};
 use super::cycle::Turning;
 use super::figure;
-use super::friction::{self, Found};
+use super::friction::{self, Found, Rubbing};
 use super::model::{Model, REPEATED};
 use super::motion::{Located, Solved, error_of, locate, param_error, singular_values, solve_motion};
 use super::statics::{Balance, Balancing, Burden, balance};
 use super::tape::{Leaf, Tape, Var};
 use crate::mechanism::force::Share;
+use crate::mechanism::friction::RubbingPair;
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity, Stuck};
 use crate::mechanism::{Mechanism, Place, PointId};
 
@@ -56,6 +57,8 @@ pub struct State {
     pub(super) pulls: Vec<(Share, Indeterminate)>,
     /// Why friction, or a load that points nowhere, leaves no force of a pair.
     pub(super) stuck: Option<Indeterminate>,
+    /// The bodies at which pairs rub that do not move.
+    pub(super) resting: Vec<usize>,
 }
 
 /// A number in scaled units with its bound.
@@ -122,6 +125,7 @@ impl State {
             balances: Vec::new(),
             pulls: Vec::new(),
             stuck: None,
+            resting: Vec::new(),
         };
         if order >= Order::Velocity {
             let (model, located) = (&state.model, &mut state.located);
@@ -165,29 +169,37 @@ impl State {
             }
             (state.balances, state.stuck) = (balances, stuck);
             state.pulls = state.pulling();
+            state.resting = state.at_rest().into_iter().flat_map(|(bodies, _)| bodies).collect();
         }
         Ok(state)
+    }
+
+    /// In which sense a pair that rubs moves: +1, −1, or 0 where it does not.
+    fn sense(&self, rubbing: &Rubbing) -> f64 {
+        match self.read(1, self.solved.as_ref(), |s| [rubbing.moved(s).d]) {
+            Ok([rate]) if rate.value.abs() > rate.bound => rate.value.signum(),
+            _ => 0.0,
+        }
+    }
+
+    /// The pairs that rub and do not move, each with its bodies.
+    fn at_rest(&self) -> Vec<([usize; 2], RubbingPair)> {
+        let rubbing = self.burden.iter().flat_map(|burden| &burden.rubbing);
+        let resting = rubbing.filter(|rubbing| self.sense(rubbing) == 0.0);
+        resting.map(|rubbing| (rubbing.bodies(), rubbing.pair)).collect()
     }
 
     /// A balance with friction, and why it leaves nothing where it does.
     fn rubbed(&self, balancing: &Balancing<'_>) -> Result<(Balance, Option<Indeterminate>), AnalyticError> {
         let why = |how: Stuck, why: String| Some(Indeterminate::Rubbing { how, why });
-        let mut senses = Vec::new();
-        let mut stuck = None;
-        for rubbing in &balancing.burden.rubbing {
-            let rate = self.read(1, self.solved.as_ref(), |s| [rubbing.moved(s).d]);
-            match rate {
-                Ok([rate]) if rate.value.abs() > rate.bound => senses.push(rate.value.signum()),
-                _ => {
-                    senses.push(0.0);
-                    stuck = stuck.or(why(Stuck::AtRest, friction::say_at_rest(&self.model, rubbing.pair)));
-                }
-            }
-        }
+        let senses = balancing.burden.rubbing.iter().map(|rubbing| self.sense(rubbing)).collect();
+        let at_rest = self.at_rest().into_iter().next();
         let (found, mut balance) = friction::balance(balancing, senses)?;
-        if stuck.is_some() {
-            balance.undetermined.fill(true);
-            return Ok((balance, stuck));
+        if let Some((_, pair)) = at_rest {
+            if !matches!(found, Found::One(_) | Found::Singular) {
+                balance.undetermined.fill(true);
+            }
+            return Ok((balance, why(Stuck::AtRest, friction::say_at_rest(&self.model, pair))));
         }
         let stuck = match found {
             Found::One(_) | Found::Singular => None,

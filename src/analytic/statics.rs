@@ -16,8 +16,10 @@ use super::model::{Model, Tie, Track};
 use super::motion::{Located, Solved};
 use super::ordering::{Ordering, order};
 use super::tape::{Calculus, Jet, Leaf, Linear, Tape, U, Var, dot, minus};
+use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
-    Area, Heaviness, Inertia, LoadKind, Pointing, Share, Size, Sought, SpringKind, SpringLaw, Unaimed,
+    Area, Heaviness, Inertia, LoadKind, Pointing, Pressure, Share, Size, Sought, SpringKind, SpringLaw,
+    Unaimed,
 };
 use crate::mechanism::quantity::Indeterminate;
 use crate::mechanism::spin::SpinSpeed;
@@ -34,6 +36,9 @@ pub(super) struct Burden {
     gravity: Option<[Num; 2]>,
     pub(super) masses: Vec<HeavyBody>,
     pub(super) loads: Vec<BodyLoad>,
+    /// Sizes of loads over the angle of the first input.
+    curves: Vec<BodyCurve>,
+    turned: Option<InputAngle>,
     pub(super) springs: Vec<BodySpring>,
     /// The axis of a governor.
     spin: Option<BodySpin>,
@@ -103,12 +108,53 @@ pub(super) struct BodyLoad {
 
 #[derive(Debug, Clone, Copy)]
 enum LoadSize {
-    One(Num),
+    One(Level),
     Pair([Num; 2]),
-    Pressure(Num, [Num; 2]),
-    PressureOn(Num, Num),
+    Pressure(Level, [Num; 2]),
+    PressureOn(Level, Num),
     Sought(usize),
 }
+
+/// A number, or a curve of [`Burden::curves`].
+#[derive(Debug, Clone, Copy)]
+enum Level {
+    One(Num),
+    Curve(usize),
+}
+
+/// A size over the angle of the first input.
+#[derive(Debug, Clone)]
+enum BodyCurve {
+    /// Angles as they decide which piece counts, then angles and sizes.
+    Table {
+        angles: Vec<f64>,
+        knots: Vec<[Num; 2]>,
+        turn: f64,
+        period: Num,
+    },
+    Harmonics {
+        constant: Num,
+        waves: Vec<BodyWave>,
+    },
+}
+
+#[derive(Debug, Clone, Copy)]
+struct BodyWave {
+    order: Num,
+    size: Num,
+    sine: bool,
+}
+
+/// How the angle of the first input is known.
+#[derive(Debug, Clone, Copy)]
+enum InputAngle {
+    Given(Num),
+    /// The direction from one place to another, within a turn from +x.
+    Line([Site; 2]),
+}
+
+/// Nearer than this part of the period to a knot one stands on it.
+const ON_KNOT: f64 = 16.0 * U;
 
 #[derive(Debug, Clone, Copy)]
 enum Toward {
@@ -120,13 +166,29 @@ enum Toward {
     Motion(f64),
 }
 
-/// A spring between two points.
+/// A spring.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BodySpring {
-    ends: [Site; 2],
+    between: Between,
     law: BodyLaw,
     /// It has no direction here.
     pub(super) unaimed: bool,
+}
+
+/// Between what a spring acts: two places, or two bodies that turn against each other.
+#[derive(Debug, Clone, Copy)]
+enum Between {
+    Places([Site; 2]),
+    Bodies([usize; 2]),
+}
+
+impl BodySpring {
+    fn bodies(&self) -> [usize; 2] {
+        match self.between {
+            Between::Places(ends) => ends.map(|end| end.body),
+            Between::Bodies(bodies) => bodies,
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -347,13 +409,13 @@ impl<'t> Acting<'t> {
         }
         let s = &self.real;
         let size = match load.size {
-            LoadSize::One(size) => s.num(size).v,
+            LoadSize::One(size) => self.level(size),
             LoadSize::Sought(index) => self.effort(index),
-            LoadSize::PressureOn(pressure, area) => s.num(pressure).v * s.num(area).v,
+            LoadSize::PressureOn(pressure, area) => self.level(pressure) * s.num(area).v,
             LoadSize::Pressure(pressure, [bore, rod]) => {
                 let (bore, rod) = (s.num(bore).v, s.num(rod).v);
                 let quarter_pi = s.tape.rounded(std::f64::consts::FRAC_PI_4, U);
-                s.num(pressure).v * quarter_pi * (bore * bore - rod * rod)
+                self.level(pressure) * quarter_pi * (bore * bore - rod * rod)
             }
             LoadSize::Pair([x, y]) => {
                 let parts = [s.num(x), s.num(y)];
@@ -391,37 +453,122 @@ impl<'t> Acting<'t> {
         [direction[0] * size, direction[1] * size, zero]
     }
 
-    /// The pull of a spring, given its length.
-    fn pull_of(&self, spring: &BodySpring, length: Var<'t>) -> Var<'t> {
-        let num = |num: Num| self.real.num(num).v;
-        match spring.law {
-            BodyLaw::Stiffness(stiffness, free) => num(stiffness) * (length - num(free)),
-            BodyLaw::StiffnessSought(index, free) => self.effort(index) * (length - num(free)),
-            BodyLaw::Force(force) => num(force),
-            BodyLaw::ForceSought(index) => self.effort(index),
+    /// A number, or the height of a curve at the angle of the first input.
+    fn level(&self, level: Level) -> Var<'t> {
+        match level {
+            Level::One(num) => self.real.num(num).v,
+            Level::Curve(curve) => match (self.burden.curves.get(curve), self.burden.turned) {
+                (Some(curve), Some(turned)) => self.height(curve, self.turned(turned)),
+                // Refused where the model is made.
+                _ => self.tape().constant(1.0) / self.tape().constant(0.0),
+            },
         }
     }
 
+    /// The angle of the first input, radians.
+    fn turned(&self, turned: InputAngle) -> Var<'t> {
+        match turned {
+            InputAngle::Given(angle) => self.real.num(angle).v,
+            InputAngle::Line([from, to]) => {
+                let along = minus(self.real.site(&to), self.real.site(&from));
+                let angle = along[1].v.atan2(along[0].v);
+                if angle.value >= 0.0 {
+                    return angle;
+                }
+                let turn = std::f64::consts::TAU;
+                angle + self.tape().rounded(turn, 2.0 * U * turn)
+            }
+        }
+    }
+
+    /// The height of a curve: where it leaps, that behind the leap.
+    fn height(&self, curve: &BodyCurve, at: Var<'t>) -> Var<'t> {
+        let num = |num: Num| self.real.num(num).v;
+        match curve {
+            BodyCurve::Harmonics { constant, waves } => waves.iter().fold(num(*constant), |sum, wave| {
+                let angle = self.tape().steady(num(wave.order) * at);
+                let [cos, sin] = angle.cos_sin().map(|c| c.v);
+                sum + num(wave.size) * if wave.sine { sin } else { cos }
+            }),
+            BodyCurve::Table { angles, knots, turn, period } => {
+                let room = ON_KNOT * turn;
+                let whole = libm::floor((at.value - angles[0] + room) / turn);
+                let place = at.value - whole * turn;
+                // The last knot that is not ahead.
+                let from = angles.partition_point(|angle| *angle <= place + room).max(1) - 1;
+                let mut here = at;
+                if whole != 0.0 {
+                    here = here - self.tape().constant(whole) * num(*period);
+                }
+                let [start, low] = knots[from].map(num);
+                if (angles[from] - place).abs() <= room {
+                    return low;
+                }
+                let [end, high] = match knots.get(from + 1) {
+                    Some(next) => next.map(num),
+                    None => [num(knots[0][0]) + num(*period), num(knots[0][1])],
+                };
+                low + (high - low) * ((here - start) / (end - start))
+            }
+        }
+    }
+
+    /// How much longer a spring is than free, or how much further its second body is turned against the first.
+    fn longer(&self, spring: &BodySpring, now: Var<'t>, free: Num) -> Var<'t> {
+        let more = now - self.real.num(free).v;
+        match spring.between {
+            Between::Places(_) => more,
+            Between::Bodies(_) => more.wrapped(),
+        }
+    }
+
+    /// The pull of a spring, given its length; of a torsion spring its torque on the first body, given the angle.
+    fn pull_of(&self, spring: &BodySpring, now: Var<'t>) -> Var<'t> {
+        let stated = |force: Var<'t>| match spring.between {
+            Between::Places(_) => force,
+            // It is told as the torque on the second body.
+            Between::Bodies(_) => -force,
+        };
+        match spring.law {
+            BodyLaw::Stiffness(stiffness, free) => {
+                self.real.num(stiffness).v * self.longer(spring, now, free)
+            }
+            BodyLaw::StiffnessSought(index, free) => self.effort(index) * self.longer(spring, now, free),
+            BodyLaw::Force(force) => stated(self.real.num(force).v),
+            BodyLaw::ForceSought(index) => stated(self.effort(index)),
+        }
+    }
+
+    /// The length of a spring, or the angle of its second body against the first.
     fn length<S: Formulas>(scope: &S, spring: &BodySpring) -> S::Number {
-        let along = minus(scope.site(&spring.ends[1]), scope.site(&spring.ends[0]));
-        dot(along, along).sqrt()
+        match &spring.between {
+            Between::Places([first, second]) => {
+                let along = minus(scope.site(second), scope.site(first));
+                dot(along, along).sqrt()
+            }
+            Between::Bodies([first, second]) => scope.angle(*second) - scope.angle(*first),
+        }
     }
 
     /// A spring on what all halves of a governor share is shared too.
     fn part_of_spring(&self, spring: &BodySpring) -> Var<'t> {
-        let shared = |end: &Site| self.model.mechanism.shared_by(LinkId(end.body)) != 1.0;
-        let body = spring.ends.iter().find(|end| shared(end)).unwrap_or(&spring.ends[0]).body;
-        self.part(body)
+        let bodies = spring.bodies();
+        let shared = |body: &&usize| self.model.mechanism.shared_by(LinkId(**body)) != 1.0;
+        self.part(*bodies.iter().find(shared).unwrap_or(&bodies[0]))
     }
 
-    /// The pull of a spring.
+    /// The pull of a spring; of a torsion spring its torque on the first body.
     pub(super) fn pull(&self, spring: &BodySpring) -> Var<'t> {
         self.pull_of(spring, Self::length(&self.real, spring).v)
     }
 
     /// The pull of a spring on one of its ends, and where that is.
     pub(super) fn spring_on(&self, spring: &BodySpring, end: usize) -> ([Var<'t>; 2], [Var<'t>; 2]) {
-        let (own, other) = (self.real.site(&spring.ends[end]), self.real.site(&spring.ends[1 - end]));
+        let Between::Places(ends) = &spring.between else {
+            // A torque has no line.
+            return ([self.tape().constant(0.0); 2], [self.tape().constant(0.0); 2]);
+        };
+        let (own, other) = (self.real.site(&ends[end]), self.real.site(&ends[1 - end]));
         if spring.unaimed {
             return ([self.tape().constant(1.0) / self.tape().constant(0.0); 2], own.map(|c| c.v));
         }
@@ -516,7 +663,7 @@ impl<'t> Acting<'t> {
         // What is sought is a load for a unit of it: it stands among the unknowns, not in the sum.
         for load in self.burden.loads.iter().filter(|load| load.body == body && !load.unaimed) {
             let unit = |index: usize| {
-                let alone = BodyLoad { size: LoadSize::One(Num::Exact(1.0)), ..*load };
+                let alone = BodyLoad { size: LoadSize::One(Level::One(Num::Exact(1.0))), ..*load };
                 (pairs + index, alone)
             };
             let of = |load: &BodyLoad| {
@@ -536,17 +683,22 @@ impl<'t> Acting<'t> {
             }
         }
         for spring in &self.burden.springs {
-            if spring.unaimed || !spring.ends.iter().any(|end| end.body == body) {
+            if spring.unaimed || !spring.bodies().contains(&body) {
                 continue;
             }
             let length = Self::length(&virtually, spring);
             let stretch = -(length.d * self.part_of_spring(spring));
             match spring.law {
                 BodyLaw::StiffnessSought(index, free) => {
-                    let longer = length.v - self.real.num(free).v;
-                    slopes.push((pairs + index, stretch * longer));
+                    slopes.push((pairs + index, stretch * self.longer(spring, length.v, free)));
                 }
-                BodyLaw::ForceSought(index) => slopes.push((pairs + index, stretch)),
+                BodyLaw::ForceSought(index) => {
+                    let sense = match spring.between {
+                        Between::Places(_) => stretch,
+                        Between::Bodies(_) => -stretch,
+                    };
+                    slopes.push((pairs + index, sense));
+                }
                 _ if self.statical() => sum = sum + stretch * self.pull_of(spring, length.v),
                 _ => {}
             }
@@ -684,12 +836,14 @@ impl Burden {
             };
             burden.masses.push(HeavyBody { link: mass.link, centre, heaviness, inertia });
         }
+        burden.turned = model.input_angle();
         for (index, load) in forces.loads.iter().enumerate() {
+            let curves = (&forces.curves[..], &mut burden.curves);
             burden.loads.push(match load.kind {
                 LoadKind::Torque { size, with_motion } => BodyLoad {
                     body: load.link.0,
                     at: None,
-                    size: load_size(model, size, torque, place(Sought::Load(index))),
+                    size: load_size(model, curves, size, torque, place(Sought::Load(index))),
                     pointing: match with_motion {
                         Some(with) => Toward::Motion(if with { 1.0 } else { -1.0 }),
                         None => Toward::World(Num::Exact(0.0)),
@@ -706,7 +860,7 @@ impl Burden {
                 LoadKind::Force { at, size, pointing } => BodyLoad {
                     body: load.link.0,
                     at: Some(site_in(model, at, load.link)?),
-                    size: load_size(model, size, force, place(Sought::Load(index))),
+                    size: load_size(model, curves, size, force, place(Sought::Load(index))),
                     pointing: match pointing {
                         Pointing::World(angle) => Toward::World(model.given(angle, 1.0)),
                         Pointing::Own { link, angle } => Toward::Own(link.0, model.given(angle, 1.0)),
@@ -721,8 +875,13 @@ impl Burden {
             });
         }
         for (index, spring) in forces.springs.iter().enumerate() {
-            let SpringKind::Pull([first, second]) = spring.kind else { continue };
-            let ends = [site_in(model, first.1, first.0)?, site_in(model, second.1, second.0)?];
+            let (between, force, length) = match spring.kind {
+                SpringKind::Pull([first, second]) => {
+                    let ends = [site_in(model, first.1, first.0)?, site_in(model, second.1, second.0)?];
+                    (Between::Places(ends), force, length)
+                }
+                SpringKind::Torsion(links) => (Between::Bodies(links.map(|link| link.0)), torque, 1.0),
+            };
             let index = place(Sought::Spring(index));
             let law = match spring.law {
                 SpringLaw::Stiffness { stiffness: Size::Given(stiffness), free } => {
@@ -735,7 +894,7 @@ impl Burden {
                 SpringLaw::Force(Size::Given(pull)) => BodyLaw::Force(model.given(pull, force)),
                 SpringLaw::Force(_) => BodyLaw::ForceSought(index),
             };
-            burden.springs.push(BodySpring { ends, law, unaimed: false });
+            burden.springs.push(BodySpring { between, law, unaimed: false });
         }
         if let Some(spin) = &forces.spin {
             let drag = match spin.drag {
@@ -797,18 +956,78 @@ impl Burden {
     }
 }
 
-fn load_size(model: &mut Model, size: Size, unit: f64, sought: usize) -> LoadSize {
+fn load_size(
+    model: &mut Model,
+    (given, known): (&[Curve], &mut Vec<BodyCurve>),
+    size: Size,
+    unit: f64,
+    sought: usize,
+) -> LoadSize {
     let (length, pressure_unit) = (model.length, unit / (model.length * model.length));
+    let mut curve = |model: &mut Model, index: usize, unit: f64| {
+        known.push(model.curve(&given[index], unit));
+        Level::Curve(known.len() - 1)
+    };
     match size {
-        Size::Given(given) => LoadSize::One(model.given(given, unit)),
+        Size::Given(given) => LoadSize::One(Level::One(model.given(given, unit))),
+        Size::Curve(index) => LoadSize::One(curve(model, index, unit)),
         Size::Sought => LoadSize::Sought(sought),
-        Size::Pressure { pressure, area: Area::Given(area) } => {
-            LoadSize::PressureOn(model.given(pressure, pressure_unit), model.given(area, length * length))
+        Size::Pressure { pressure, area } => {
+            let pressure = match pressure {
+                Pressure::Given(pressure) => Level::One(model.given(pressure, pressure_unit)),
+                Pressure::Curve(index) => curve(model, index, pressure_unit),
+            };
+            match area {
+                Area::Given(area) => LoadSize::PressureOn(pressure, model.given(area, length * length)),
+                Area::Bore { bore, rod } => {
+                    let rod = rod.map_or(Num::Exact(0.0), |rod| model.given(rod, length));
+                    LoadSize::Pressure(pressure, [model.given(bore, length), rod])
+                }
+            }
         }
-        Size::Pressure { pressure, area: Area::Bore { bore, rod } } => LoadSize::Pressure(
-            model.given(pressure, pressure_unit),
-            [model.given(bore, length), rod.map_or(Num::Exact(0.0), |rod| model.given(rod, length))],
-        ),
+    }
+}
+
+impl Model {
+    /// A curve whose sizes are counted in this unit.
+    fn curve(&mut self, curve: &Curve, unit: f64) -> BodyCurve {
+        match curve {
+            Curve::Table { knots, period } => BodyCurve::Table {
+                angles: knots.iter().map(|[at, _]| at.value).collect(),
+                knots: knots
+                    .iter()
+                    .map(|[at, size]| [self.given(*at, 1.0), self.given(*size, unit)])
+                    .collect(),
+                turn: period.value,
+                period: self.given(*period, 1.0),
+            },
+            Curve::Harmonics { constant, sin, cos } => {
+                let constant = self.given(*constant, unit);
+                let all = sin.iter().map(|wave| (wave, true)).chain(cos.iter().map(|wave| (wave, false)));
+                let waves = all.map(|(wave, sine)| BodyWave {
+                    order: self.given(wave.order, 1.0),
+                    size: self.given(wave.size, unit),
+                    sine,
+                });
+                BodyCurve::Harmonics { constant, waves: waves.collect() }
+            }
+        }
+    }
+
+    /// How the angle of the first input is known; not at all where it drives a slide.
+    fn input_angle(&mut self) -> Option<InputAngle> {
+        let mechanism = std::sync::Arc::clone(&self.mechanism);
+        match mechanism.inputs.first()? {
+            Input::Angle { angle: Some(angle), .. } | Input::Speed { angle: Some(angle), .. } => {
+                Some(InputAngle::Given(self.given(*angle, 1.0)))
+            }
+            Input::Angle { link, .. } | Input::Speed { link, .. } => {
+                let [first, second, ..] = mechanism.links[link.0].points[..] else { return None };
+                let ends = [site_in(self, first, *link).ok()?, site_in(self, second, *link).ok()?];
+                Some(InputAngle::Line(ends))
+            }
+            Input::Slide { .. } => None,
+        }
     }
 }
 
@@ -850,7 +1069,10 @@ impl Burden {
             Some((Unaimed::Load(index), aim))
         });
         let springs = self.springs.iter().enumerate();
-        let springs = springs.map(|(index, spring)| (Unaimed::Spring(index), Aim::Between(spring.ends)));
+        let springs = springs.filter_map(|(index, spring)| match spring.between {
+            Between::Places(ends) => Some((Unaimed::Spring(index), Aim::Between(ends))),
+            Between::Bodies(_) => None,
+        });
         loads.chain(springs).collect()
     }
 
@@ -871,7 +1093,7 @@ impl Burden {
         };
         let spring = |spring: &BodySpring| {
             let sought = matches!(spring.law, BodyLaw::StiffnessSought(..) | BodyLaw::ForceSought(_));
-            spring.unaimed && spring.ends.iter().any(|end| end.body == body) && counts(sought)
+            spring.unaimed && spring.bodies().contains(&body) && counts(sought)
         };
         self.loads.iter().any(load) || self.springs.iter().any(spring)
     }

@@ -370,7 +370,7 @@ impl BoundedProgram {
                     back.add(a, |i| g[i] * x[i] * inverse[i]);
                     back.add(b, |i| -(g[i] * y[i] * inverse[i]));
                 }
-                Op::Cosine | Op::Sine => {}
+                Op::Cosine | Op::Sine | Op::Whole => {}
             }
         }
         if let Some(g) = back.take(0) {
@@ -432,6 +432,7 @@ fn forward(step: &Step, signs: &[f64], block: &mut BoundedBlock) -> bool {
         Op::Cross => operate(Op::Cross, step, signs, block),
         Op::Angle => operate(Op::Angle, step, signs, block),
         Op::Turned => operate(Op::Turned, step, signs, block),
+        Op::Whole => operate(Op::Whole, step, signs, block),
         Op::Cosine | Op::Sine => cosine_and_sine(step, block),
     }
 }
@@ -453,7 +454,7 @@ fn judged(op: Op, count: usize, at: [f64; 4], value: f64, slopes: &[f64; 4], err
         along += if slopes[k] == 0.0 || errors[k] == 0.0 { 0.0 } else { slopes[k].abs() * errors[k] };
     }
     let own = op.rounding::<f64>(at, value);
-    let Beyond { left_out, has_tangent } = op.beyond(slopes, errors, along);
+    let Beyond { left_out, has_tangent } = op.beyond(&at, slopes, errors, along);
     // Written so that a not-a-number matters.
     let idle = left_out <= MATTERS[0] * own + MATTERS[1] * along;
     let kept = if has_tangent { along } else { 0.0 };

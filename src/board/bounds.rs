@@ -314,7 +314,7 @@ impl Tape {
             errors
         };
         let mut along = self.along(&partials, &of[..count]);
-        let mut beyond = op.beyond(&partials, &errors(self), along);
+        let mut beyond = op.beyond(&at, &partials, &errors(self), along);
         // What was only measured to see that the drawing is right needs no good bound.
         let sweeps = if self.is_aside(index) { &SWEEPS[..0] } else { &SWEEPS[..] };
         // Products with powers of two are exact, and beside exact numbers nothing is too small to matter.
@@ -331,7 +331,7 @@ impl Tape {
                 self.draw_in(mark, sweep.how);
             }
             along = self.along(&partials, &of[..count]);
-            beyond = op.beyond(&partials, &errors(self), along);
+            beyond = op.beyond(&at, &partials, &errors(self), along);
         }
         if beyond.has_tangent {
             let own = rounding + beyond.left_out + OF_PARTIALS * along;

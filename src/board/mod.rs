@@ -325,6 +325,22 @@ impl Board {
         Amount(self.mul(a.0, sense))
     }
 
+    /// The largest whole number that is not greater than a: which turn, or which piece of a table. Whoever evaluates the
+    /// tape elsewhere finds it there.
+    pub fn whole(&mut self, a: Amount) -> Amount {
+        Amount(self.floor(a.0))
+    }
+
+    /// An angle as a number of radians.
+    pub fn radians(&mut self, angle: Angle) -> Amount {
+        Amount(angle.0)
+    }
+
+    /// A number of radians as an angle.
+    pub fn of_radians(&mut self, radians: Amount) -> Angle {
+        Angle(radians.0)
+    }
+
     /// −a.
     pub fn opposite(&mut self, a: Amount) -> Amount {
         Amount(self.neg(a.0))

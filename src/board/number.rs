@@ -147,6 +147,11 @@ impl Board {
         self.make(Op::Angle, [y, x])
     }
 
+    /// The largest whole number that is not greater than a.
+    pub(super) fn floor(&mut self, a: Num) -> Num {
+        self.make(Op::Whole, [a])
+    }
+
     /// The same for an angle that goes on beyond half a turn where the drawing is run on.
     pub(super) fn turned_angle(&mut self, y: Num, x: Num) -> Num {
         self.make(Op::Turned, [y, x])

@@ -32,6 +32,8 @@ pub enum Op {
     Angle,
     /// The same, of something that may turn more than half round.
     Turned,
+    /// The largest whole number that is not greater than a.
+    Whole,
 }
 
 /// At most this many operands.
@@ -54,7 +56,7 @@ impl Op {
     #[inline]
     pub(super) const fn operands(self) -> usize {
         match self {
-            Self::Opposite | Self::Root | Self::HalfChord | Self::Cosine | Self::Sine => 1,
+            Self::Opposite | Self::Root | Self::HalfChord | Self::Cosine | Self::Sine | Self::Whole => 1,
             Self::Sum | Self::Difference | Self::Product | Self::Quotient | Self::Angle | Self::Turned => 2,
             Self::Dot | Self::Cross => 4,
         }
@@ -75,6 +77,11 @@ impl Op {
             Self::Cosine => a.cos(),
             Self::Sine => a.sin(),
             Self::Angle | Self::Turned => a.atan2(b),
+            Self::Whole => {
+                let nearest = R::from_f64(libm::floor(a.to_f64()));
+                // What lies just below a whole number may have been rounded up to it.
+                if a < nearest { nearest - R::from_f64(1.0) } else { nearest }
+            }
         }
     }
 
@@ -98,6 +105,7 @@ impl Op {
                 let square = a * a + b * b;
                 [finite(b / square), finite(-a / square), 0.0, 0.0]
             }
+            Self::Whole => [0.0; MOST_OPERANDS],
         }
     }
 
@@ -109,7 +117,7 @@ impl Op {
         match self {
             Self::Sum => R::rounding_of_sum(real(a), real(b), real(value)),
             Self::Difference => R::rounding_of_sum(real(a), real(-b), real(value)),
-            Self::Opposite => 0.0,
+            Self::Opposite | Self::Whole => 0.0,
             // Powers of two only shift.
             Self::Product if is_power_of_two(a) || is_power_of_two(b) => {
                 underflow::<R>(value, a != 0.0 && b != 0.0)
@@ -133,10 +141,12 @@ impl Op {
         }
     }
 
-    /// What the errors of the operands do to the result beyond its tangent; `along` is what they do along it.
+    /// What the errors of the operands, which are `at`, do to the result beyond its tangent; `along` is what they do
+    /// along it.
     #[inline]
     pub(super) fn beyond(
         self,
+        at: &[f64; MOST_OPERANDS],
         partials: &[f64; MOST_OPERANDS],
         errors: &[f64; MOST_OPERANDS],
         along: f64,
@@ -175,6 +185,12 @@ impl Op {
                 } else {
                     all(std::f64::consts::PI)
                 }
+            }
+            // A step between two whole numbers, which the operand is clear of or not.
+            Self::Whole => {
+                let past = at[0] - libm::floor(at[0]);
+                let room = past.min(1.0 - past);
+                if errors[0] < room { small(0.0) } else { all(libm::ceil(errors[0]) + 1.0) }
             }
         }
     }

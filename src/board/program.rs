@@ -1111,6 +1111,7 @@ impl Program {
                         rows[step.second as usize] = second;
                     }
                 }
+                Op::Whole => each(&mut out, &x, libm::floor),
                 Op::Angle => zip(&mut out, &x, &rows[b as usize], libm::atan2),
                 Op::Turned => {
                     let half_turns = self.half_turns(c, signs);
@@ -1204,7 +1205,9 @@ impl Program {
                 _ => 0.0,
             };
             let mut out = carried(of, &step.op.partials(values, value), value);
-            out.round(2.0 * U * value.abs() + U * products, step.lots);
+            if step.op != Op::Whole {
+                out.round(2.0 * U * value.abs() + U * products, step.lots);
+            }
             out.lost |= step.guard && !out.is_clear();
             let second = (step.second != 0).then(|| {
                 let other = if step.op == Op::Cosine { Op::Sine } else { Op::Cosine };

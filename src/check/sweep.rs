@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 use crate::analytic::{self, AnalyticError};
 use crate::mechanism::quantity::{Answer, Indeterminate, Quantity, Stuck};
+use crate::mechanism::{Input, Mechanism};
 use crate::sweep::{EventKind, Sweep};
 
 /// A sweep is compared at so many positions at most.
@@ -15,6 +16,9 @@ pub const MOST_POSITIONS: usize = 16;
 
 /// At the end of a stretch two arcs touch, and speeds grow without end: it is compared this part of its length inside.
 const INSIDE: f64 = 1e-3;
+
+/// Nearer than this part of its period to a knot of a curve one may be on either side of it.
+const KNOT: f64 = 1e-12;
 
 /// A number of a sweep is known within so many of its errors: by as much as it must exceed zero.
 const ERRORS: f64 = 8.0;
@@ -94,10 +98,24 @@ fn positions(sweep: &Sweep) -> Vec<f64> {
     places
 }
 
+/// Whether the first input stands where the curve of a load may leap: there a hair decides which of two sizes counts.
+fn stands_on_a_knot(mechanism: &Mechanism) -> bool {
+    let Some(Input::Angle { angle: Some(at), .. } | Input::Speed { angle: Some(at), .. }) =
+        mechanism.inputs.first()
+    else {
+        return false;
+    };
+    mechanism.forces.knots().iter().any(|[knot, period]| {
+        let away = at.value - knot.value;
+        let away = away - libm::round(away / period.value) * period.value;
+        away != 0.0 && away.abs() <= KNOT * period.value
+    })
+}
+
 fn confirm_at(sweep: &Sweep, at: f64) -> Result<(), SweepUnconfirmed> {
     let (Some(values), Some(mechanism)) = (sweep.at(at), sweep.mechanism_at(at)) else { return Ok(()) };
     let quantities: Vec<Quantity> = mechanism.asked.iter().map(|asked| asked.quantity).collect();
-    if quantities.is_empty() {
+    if quantities.is_empty() || stands_on_a_knot(&mechanism) {
         return Ok(());
     }
     // Of what is asked alone: other links may be impossible there.

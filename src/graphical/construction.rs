@@ -88,10 +88,36 @@ pub struct ForceSheet {
     pub group_trials: Vec<GroupTrial>,
     /// The rolling pairs that keep their own contact, by index.
     pub contacts: Vec<usize>,
+    /// What was sought elsewhere than at several inputs.
+    pub trials: Option<Trials>,
     /// What rubs, and in which sense, each with the force that leans or touches its circle.
     pub rubs: Vec<Touch>,
     /// How often the forces were drawn again because they lean and touch circles.
     pub passes: usize,
+    /// The sizes of loads that change with the angle of the first input.
+    pub sizes: Vec<LoadSize>,
+    /// How torsion springs stand.
+    pub twists: Vec<SpringTwist>,
+}
+
+/// The size of a load as it is read from its curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadSize {
+    /// Which, by its index.
+    pub load: usize,
+    /// The angle of the first input, radians.
+    pub angle: f64,
+    /// The height of the curve there, SI units.
+    pub height: f64,
+}
+
+/// How a torsion spring stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpringTwist {
+    /// Which, by its index.
+    pub spring: usize,
+    /// How much further its second link is turned against the first than without load, radians.
+    pub further: f64,
 }
 
 /// A force with friction.
@@ -175,6 +201,19 @@ pub struct Trial {
     pub efforts: [f64; 2],
     /// What it comes to, SI.
     pub size: f64,
+}
+
+/// Several loads or springs found in proportion from the efforts that a unit of each needs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trials {
+    /// What was sought and what it comes to, SI.
+    pub sought: Vec<(Sought, f64)>,
+    /// The size of each trial, SI.
+    pub tried: f64,
+    /// The effort at each input without what is sought, SI.
+    pub without: Vec<f64>,
+    /// The same with each of what is sought tried alone, in its order.
+    pub with: Vec<Vec<f64>>,
 }
 
 /// A body cut free: a link, or a pin at which more than two links meet.

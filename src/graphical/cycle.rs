@@ -8,13 +8,19 @@
 
 use crate::board::{Amount, Arithmetic, Board, Line, Mm, Point, Reason, Scale, Tape};
 use crate::given::Given;
-use crate::mechanism::curve::Curve;
 use crate::mechanism::cycle::{Course, Cycle, CycleQuantity, RotatingInertia, Sides};
 use crate::mechanism::quantity::{Answer, Indeterminate};
 
-/// What the mechanism's own torque is at an angle of the input: N m, and how far it may be off; none where it is not
-/// determined.
-pub type OwnTorque<'a> = &'a dyn Fn(f64) -> Option<(f64, f64)>;
+use super::curve::{Curved, Limit};
+
+/// A mechanism's own torque over the angle of its input.
+#[derive(Clone, Copy)]
+pub struct OwnTorque<'a> {
+    /// What it is at an angle: N m, and how far it may be off; none where it is not determined.
+    pub at: &'a dyn Fn(f64) -> Option<(f64, f64)>,
+    /// Where the curves of its loads bend or leap: an angle, and after which angle it comes again.
+    pub knots: &'a [[Given; 2]],
+}
 
 /// A weak divisor has no better name here.
 const REASON: Reason = 0;
@@ -132,26 +138,57 @@ struct Number {
 
 /// A torque on the board.
 enum Drawn {
-    /// Where the knots stand, and after which angle they come again, is besides what decides which are used.
-    Table {
-        knots: Vec<[Amount; 2]>,
-        period: Amount,
-        angles: Vec<f64>,
-        turn: f64,
-    },
-    Harmonics {
-        constant: Amount,
-        waves: Vec<Wave>,
-    },
+    Curve(Curved),
+    /// What the mechanism gives, and where the curves of its loads have their knots.
     Of {
         sign: f64,
+        knots: Vec<Breaks>,
     },
 }
 
-struct Wave {
-    order: Amount,
-    size: Amount,
-    sine: bool,
+/// An angle at which a curve bends or leaps, and after which angle it comes again; both also as they decide.
+#[derive(Debug, Clone, Copy)]
+struct Breaks {
+    at: Amount,
+    period: Amount,
+    place: f64,
+    turn: f64,
+}
+
+/// Where a curve bends or leaps.
+fn knots_of(course: &Drawn) -> Vec<Breaks> {
+    match course {
+        Drawn::Curve(Curved::Table(table)) => {
+            let knots = table.knots.iter().zip(&table.angles);
+            let of = |(knot, place): (&[Amount; 2], &f64)| Breaks {
+                at: knot[0],
+                period: table.period,
+                place: *place,
+                turn: table.turn,
+            };
+            knots.map(of).collect()
+        }
+        Drawn::Curve(Curved::Harmonics { .. }) => Vec::new(),
+        Drawn::Of { knots, .. } => knots.clone(),
+    }
+}
+
+/// The angle at which a mechanism is asked, so that a curve of its loads that leaps there is on the side from which one
+/// comes.
+fn beside(knots: &[Breaks], place: f64, limit: Limit) -> f64 {
+    let near = |knot: &&Breaks| {
+        let away = place - knot.place;
+        let away = away - libm::round(away / knot.turn) * knot.turn;
+        away.abs() <= SAME * (knot.turn + place.abs())
+    };
+    match knots.iter().find(near) {
+        // Farther than what counts as the knot itself.
+        Some(knot) => {
+            let by = 4.0 * SAME * (knot.turn + place.abs());
+            if limit == Limit::Before { place - by } else { place + by }
+        }
+        None => place,
+    }
 }
 
 /// A crossing within a piece: its node, its angle with how far that may be off besides, and the halves of the piece.
@@ -170,13 +207,6 @@ impl Level {
     fn seen(self) -> (usize, f64) {
         (self.side, self.seen)
     }
-}
-
-/// From which side one comes to an angle.
-#[derive(Clone, Copy, PartialEq)]
-enum Limit {
-    Before,
-    After,
 }
 
 /// An angle on the board, and as it is on scratch paper: what is drawn is decided there, alike in every arithmetic.
@@ -308,23 +338,17 @@ impl Desk<'_> {
     fn course(&mut self, course: &Course, sign: f64) -> Drawn {
         match course {
             // What drives is positive, whichever way the input turns.
-            Course::Of(_) => Drawn::Of { sign: sign * self.turning_sense() },
-            Course::Curve(Curve::Table { knots, period }) => Drawn::Table {
-                knots: knots.iter().map(|knot| knot.map(|number| self.board.amount(number))).collect(),
-                period: self.board.amount(*period),
-                angles: knots.iter().map(|[at, _]| at.value).collect(),
-                turn: period.value,
-            },
-            Course::Curve(Curve::Harmonics { constant, sin, cos }) => {
-                let constant = self.board.amount(*constant);
-                let all = sin.iter().map(|wave| (wave, true)).chain(cos.iter().map(|wave| (wave, false)));
-                let waves = all.map(|(wave, sine)| Wave {
-                    order: self.board.amount(wave.order),
-                    size: self.board.amount(wave.size),
-                    sine,
+            Course::Of(_) => {
+                let knots = self.of.map_or(&[][..], |of| of.knots);
+                let knots = knots.iter().map(|[at, period]| Breaks {
+                    at: self.board.amount(*at),
+                    period: self.board.amount(*period),
+                    place: at.value,
+                    turn: period.value,
                 });
-                Drawn::Harmonics { constant, waves: waves.collect() }
+                Drawn::Of { knots: knots.collect(), sign: sign * self.turning_sense() }
             }
+            Course::Curve(curve) => Drawn::Curve(Curved::new(&mut self.board, curve)),
         }
     }
 
@@ -346,12 +370,17 @@ impl Desk<'_> {
         for copy in 0..self.cycle.copies.number {
             let angle = self.shifted(at, copy);
             let height = match course {
-                Drawn::Table { knots, period, angles, turn } => {
-                    self.table((knots, *period), (angles, *turn), angle, limit)
+                Drawn::Curve(curve) => {
+                    let turn = match curve {
+                        Curved::Table(table) => table.turn,
+                        Curved::Harmonics { .. } => 0.0,
+                    };
+                    let room = SAME * self.cycle.period.value.max(turn);
+                    curve.height(&mut self.board, (angle.at, angle.place), (limit, room), REASON)
                 }
-                Drawn::Harmonics { constant, waves } => self.harmonics(*constant, waves, angle.at),
-                Drawn::Of { sign } => {
-                    let found = self.of.and_then(|of| of(angle.place));
+                Drawn::Of { sign, knots } => {
+                    let place = beside(knots, angle.place, limit);
+                    let found = self.of.and_then(|of| (of.at)(place));
                     let (value, error) = found.ok_or_else(|| {
                         format!(
                             "the mechanism's torque is not determined at {:.6} deg of its input",
@@ -367,63 +396,6 @@ impl Desk<'_> {
             });
         }
         sum.ok_or_else(|| "there is no curve".to_owned())
-    }
-
-    fn table(
-        &mut self,
-        (knots, period): (&[[Amount; 2]], Amount),
-        (angles, turn): (&[f64], f64),
-        Angle { mut at, mut place }: Angle,
-        limit: Limit,
-    ) -> Amount {
-        let (first, last) = (0, knots.len() - 1);
-        let room = SAME * self.cycle.period.value.max(turn);
-        let turns = libm::floor((place - angles[first] + room) / turn);
-        if turns != 0.0 {
-            let by = self.exact(turns);
-            let by = self.board.product(by, period);
-            at = self.board.difference(at, by);
-            place -= turns * turn;
-        }
-        let here = |angle: &f64| (angle - place).abs() <= room;
-        let closes = angles[last] - angles[first] >= turn - room;
-        let found = match limit {
-            Limit::Before if here(&angles[first]) && closes => Some(last),
-            Limit::Before => angles.iter().position(&here),
-            Limit::After => angles.iter().rposition(&here),
-        };
-        if let Some(found) = found {
-            return knots[found][1];
-        }
-        let next = angles.partition_point(|angle| *angle <= place);
-        let from = if next == 0 { knots[last] } else { knots[next - 1] };
-        let to = match knots.get(next) {
-            Some(to) => *to,
-            None => [self.board.sum(knots[first][0], period), knots[first][1]],
-        };
-        let width = self.board.difference(to[0], from[0]);
-        let rise = self.board.difference(to[1], from[1]);
-        let along = self.board.difference(at, from[0]);
-        let part = self.board.product(rise, along);
-        let part = self.board.quotient(part, width, REASON);
-        self.board.sum(from[1], part)
-    }
-
-    /// The heights of turning arrows.
-    fn harmonics(&mut self, constant: Amount, waves: &[Wave], at: Amount) -> Amount {
-        const ONE: Scale = Scale { si_per_mm: 1.0 };
-        let unit = self.exact(1.0);
-        let radius = self.board.to_paper(unit, ONE);
-        let mut sum = constant;
-        for wave in waves {
-            let turn = self.board.product(wave.order, at);
-            let arc = self.board.to_paper(turn, ONE);
-            let angle = self.board.arc_angle(arc, radius, REASON);
-            let arrow = self.board.protractor(angle);
-            let [x, y] = self.board.components(arrow, wave.size);
-            sum = self.board.sum(sum, if wave.sine { y } else { x });
-        }
-        sum
     }
 
     /// Both curves of the diagram; none for one that is the mean of the other.
@@ -460,26 +432,26 @@ impl Desk<'_> {
         let (zero, whole) = (self.exact(0.0), self.board.amount(self.cycle.period));
         let mut breaks = vec![Angle { at: zero, place: 0.0 }, Angle { at: whole, place: period }];
         for course in courses.iter().flatten() {
-            let Drawn::Table { knots, period: own, angles, turn } = course else { continue };
-            let again = libm::ceil(period / turn) as i32;
+            let knots = knots_of(course);
             for copy in 0..self.cycle.copies.number {
-                for (knot, known) in knots.iter().zip(angles) {
+                for knot in &knots {
+                    let again = libm::ceil(period / knot.turn) as i32;
                     let shift = self.board.amount(self.cycle.copies.shift);
                     let by = self.exact(f64::from(copy));
                     let by = self.board.product(by, shift);
-                    let angle = self.board.sum(knot[0], by);
-                    let seen = known + f64::from(copy) * self.cycle.copies.shift.value;
-                    let down = libm::floor((seen + room) / turn);
+                    let angle = self.board.sum(knot.at, by);
+                    let seen = knot.place + f64::from(copy) * self.cycle.copies.shift.value;
+                    let down = libm::floor((seen + room) / knot.turn);
                     for nth in 0..again {
                         let turns = f64::from(nth) - down;
                         let at = if turns == 0.0 {
                             angle
                         } else {
                             let by = self.exact(turns);
-                            let by = self.board.product(by, *own);
+                            let by = self.board.product(by, knot.period);
                             self.board.sum(angle, by)
                         };
-                        let place = seen + turns * turn;
+                        let place = seen + turns * knot.turn;
                         let taken = |known: &Angle| (known.place - place).abs() <= room;
                         if place > 0.0 && place < period && !breaks.iter().any(taken) {
                             breaks.push(Angle { at, place });
@@ -567,7 +539,7 @@ impl Desk<'_> {
         let courses = self.courses();
         let breaks = self.breaks(&courses);
         let period = self.cycle.period.value;
-        let curved = courses.iter().flatten().any(|course| !matches!(course, Drawn::Table { .. }));
+        let curved = courses.iter().flatten().any(|course| !matches!(course, Drawn::Curve(Curved::Table(_))));
         // How large torques are.
         let looks = (0..=PIECES).map(|i| f64::from(i) / f64::from(PIECES) * period);
         for at in breaks.iter().map(|angle| angle.place).chain(looks) {
@@ -1141,7 +1113,7 @@ impl Desk<'_> {
 
     /// How far the mechanism's torque may be off.
     fn noise_at(&self, at: f64) -> f64 {
-        match self.of.and_then(|of| of(at)) {
+        match self.of.and_then(|of| (of.at)(at)) {
             Some((_, error)) => error,
             // A curve that is given has no other noise than its rounding.
             None => 0.0,

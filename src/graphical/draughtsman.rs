@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use crate::board::{Amount, Angle, Board, Point, Reason, Scale, Side, Tape};
 use crate::given::Given;
+use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{Heaviness, LoadKind, Share, Size};
 use crate::mechanism::quantity::{Indeterminate, Order, Quantity};
 use crate::mechanism::structure::{Hold, Structure, Target, Trial, TrialDriver, Unknown};
@@ -185,6 +186,13 @@ fn newtons_per_mm(mechanism: &Mechanism) -> f64 {
     let forces = &mechanism.forces;
     let loads = forces.loads.iter().flat_map(|load| match load.kind {
         LoadKind::Force { size: Size::Given(size), .. } => vec![size.value],
+        LoadKind::Force { size: Size::Curve(curve), .. } => match &forces.curves[curve] {
+            Curve::Table { knots, .. } => knots.iter().map(|[_, size]| size.value).collect(),
+            Curve::Harmonics { constant, sin, cos } => {
+                let waves = sin.iter().chain(cos).map(|wave| wave.size.value);
+                waves.chain([constant.value]).collect()
+            }
+        },
         LoadKind::Vector { parts, .. } => parts.map(|part| part.value).to_vec(),
         _ => Vec::new(),
     });

@@ -10,6 +10,7 @@ mod by_hand;
 mod centres;
 pub mod centrodes;
 pub mod construction;
+mod curve;
 pub mod cycle;
 mod departure;
 mod draughtsman;

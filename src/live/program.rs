@@ -20,13 +20,14 @@ const fn kind(op: Op) -> u32 {
         Op::Sine => 10,
         Op::Angle => 11,
         Op::Turned => 12,
+        Op::Whole => 13,
     }
 }
 
 /// How many operands an operation of the code has.
 const fn operands(op: Op) -> usize {
     match op {
-        Op::Opposite | Op::Root | Op::HalfChord | Op::Cosine | Op::Sine => 1,
+        Op::Opposite | Op::Root | Op::HalfChord | Op::Cosine | Op::Sine | Op::Whole => 1,
         Op::Sum | Op::Difference | Op::Product | Op::Quotient | Op::Angle | Op::Turned => 2,
         Op::Dot | Op::Cross => 4,
     }
@@ -36,7 +37,7 @@ const fn operands(op: Op) -> usize {
 const GUARD: u32 = 256;
 
 /// What is found by trial, among the operations of the code.
-const FIND: u32 = 13;
+const FIND: u32 = 14;
 
 /// Integers for a step.
 const WIDTH: usize = 8;

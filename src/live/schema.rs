@@ -52,7 +52,7 @@ pub fn schema() -> Value {
                                 signs of its rounding + 256 where it is divided by. Kinds: 0 a+b, 1 a-b, 2 -a, 3 ab, \
                                 4 a/b, 5 root of a, 6 root of a times sign b, 7 ab+cd, 8 ab-cd, 9 cosine (second: sine), \
                                 10 sine (second: cosine), 11 angle of (b, a), 12 the same near so many half turns as \
-                                the sign c past the chords' says, 13 where row a vanishes, found by trial with the \
+                                the sign c past the chords' says, 13 the greatest whole number up to a, 14 where row a vanishes, found by trial with the \
                                 steps up to place b of the code (second: how row a changes there), expected as the \
                                 four signs c past the half turns say (a place, what stands there, how it moves on, \
                                 sense of the change), in steps of d.",

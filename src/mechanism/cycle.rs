@@ -177,7 +177,30 @@ impl CycleQuantity {
     }
 }
 
+/// How often a curve, or each of its waves, comes again in a turn.
+fn times_in_a_turn(curve: &Curve) -> Vec<f64> {
+    match curve {
+        Curve::Table { period, .. } => vec![std::f64::consts::TAU / period.value],
+        Curve::Harmonics { sin, cos, .. } => sin.iter().chain(cos).map(|wave| wave.order.value).collect(),
+    }
+}
+
+/// A mechanism comes round with the curves of its loads after no more turns than these.
+const MOST_TURNS: u32 = 100;
+
 impl Mechanism {
+    /// After how many turns of its first input the mechanism stands as it did, with its loads as they were: one, where no
+    /// load has a curve. None where that is never, or nobody waits for it.
+    #[must_use]
+    pub fn turns_of_loads(&self) -> Option<u32> {
+        let times: Vec<f64> = self.forces.curves.iter().flat_map(times_in_a_turn).collect();
+        let whole = |turns: u32, times: f64| {
+            let all = f64::from(turns) * times;
+            (all - all.round()).abs() < 1e-9 * all
+        };
+        (1..=MOST_TURNS).find(|turns| times.iter().all(|times| whole(*turns, *times)))
+    }
+
     /// Every input keeps its speed.
     pub fn run_steadily(&mut self) {
         for input in &mut self.inputs {

@@ -3,6 +3,7 @@
 //! As everywhere in this room the numbers stand as they were given: a weight stays a weight, a moment of inertia about
 //! a pin stays that. Forces are in newtons, masses in kilograms, torques in newton metres, ccw positive.
 
+use super::curve::Curve;
 use super::cycle::Cycle;
 use super::friction::Friction;
 use super::quantity::Order;
@@ -18,6 +19,8 @@ pub struct Forces {
     pub masses: Vec<Mass>,
     /// Loads, in the order of the scene.
     pub loads: Vec<Load>,
+    /// Sizes of loads over the angle of the first input, each of one load.
+    pub curves: Vec<Curve>,
     /// Springs, in the order of the scene.
     pub springs: Vec<Spring>,
     /// The link that holds a pin of several links, where the scene names it.
@@ -39,6 +42,7 @@ impl Default for Forces {
             gravity,
             masses: Vec::new(),
             loads: Vec::new(),
+            curves: Vec::new(),
             springs: Vec::new(),
             carriers: Vec::new(),
             friction: Friction::default(),
@@ -119,15 +123,37 @@ pub struct Mass {
 pub enum Size {
     /// Given.
     Given(Given),
+    /// Over the angle of the first input: a curve of [`Forces::curves`], by its index.
+    Curve(usize),
     /// A pressure on an area, Pa and m².
     Pressure {
         /// The pressure.
-        pressure: Given,
+        pressure: Pressure,
         /// On what.
         area: Area,
     },
     /// To be found.
     Sought,
+}
+
+/// A pressure, Pa.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pressure {
+    /// Given.
+    Given(Given),
+    /// Over the angle of the first input: a curve of [`Forces::curves`], by its index.
+    Curve(usize),
+}
+
+impl Size {
+    /// The curve by which it changes with the angle of the first input, by its index.
+    #[must_use]
+    pub fn curve(&self) -> Option<usize> {
+        match *self {
+            Self::Curve(curve) | Self::Pressure { pressure: Pressure::Curve(curve), .. } => Some(curve),
+            Self::Given(_) | Self::Pressure { .. } | Self::Sought => None,
+        }
+    }
 }
 
 /// What a pressure acts on.
@@ -238,6 +264,15 @@ impl Load {
         }
     }
 
+    /// The curve by which its size changes with the angle of the first input, by its index.
+    #[must_use]
+    pub fn curve(&self) -> Option<usize> {
+        match self.kind {
+            LoadKind::Force { size, .. } | LoadKind::Torque { size, .. } => size.curve(),
+            LoadKind::Vector { .. } => None,
+        }
+    }
+
     /// Whether its direction is that of a motion.
     #[must_use]
     pub fn follows_motion(&self) -> bool {
@@ -331,6 +366,16 @@ impl Forces {
     #[must_use]
     pub fn pressure(&self, roll: usize) -> Option<Given> {
         self.pressures.iter().find(|(of, _)| *of == roll).map(|(_, angle)| *angle)
+    }
+
+    /// Where the curves of loads have their knots: an angle, and after which angle it comes again, radians.
+    #[must_use]
+    pub fn knots(&self) -> Vec<[Given; 2]> {
+        let of = |curve: &Curve| match curve {
+            Curve::Table { knots, period } => knots.iter().map(|[at, _]| [*at, *period]).collect(),
+            Curve::Harmonics { .. } => Vec::new(),
+        };
+        self.curves.iter().flat_map(of).collect()
     }
 
     /// The mass of a link.

@@ -179,15 +179,9 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     let Some(value) = scene.get("cycle") else { return Ok(()) };
     let fields = Fields::of(value, keys::CYCLE, "a cycle: {\"torque\": …, \"period\": …}")?;
     let omega = speed(scene, draft)?;
-    let turn = Given {
-        value: std::f64::consts::TAU,
-        error: f64::EPSILON * 2.0,
-        low: 0.0,
-        low_error: f64::EPSILON * 2.0,
-    };
     let period = match fields.get("period") {
         Some(period) => whole_period(period, draft)?,
-        None => turn,
+        None => turn(),
     };
     let sides = sides(&fields, value, period, draft)?;
     let copies = match fields.get("copies") {
@@ -319,10 +313,77 @@ fn course(value: &Value<'_>, period: Given, draft: &Draft<'_>) -> Res<Course> {
                 )
                 .mend("name the link of the first input"));
             }
+            loads_come_again(*at, period, draft)?;
             Ok(Course::Of(link))
         }
         None => Ok(Course::Curve(curve(&fields, value, Measure::Torque, period, draft)?)),
     }
+}
+
+/// What the mechanism gives comes again when the curves of its loads do.
+fn loads_come_again(at: usize, period: Given, draft: &Draft<'_>) -> Res<()> {
+    let mechanism = &draft.mechanism;
+    if mechanism.forces.curves.is_empty() {
+        return Ok(());
+    }
+    let turns = mechanism.turns_of_loads();
+    let whole = turns.is_some_and(|turns| {
+        let times = period.value / (f64::from(turns) * std::f64::consts::TAU);
+        (times - libm::round(times)).abs() < 1e-9 && libm::round(times) >= 1.0
+    });
+    if whole {
+        return Ok(());
+    }
+    let what = match turns {
+        Some(turns) => format!("with its loads the mechanism comes round after {turns} turns, and no sooner"),
+        None => "the mechanism and its loads never come round together".to_owned(),
+    };
+    Err(Fault::new(at, what)
+        .mend("give the `period` of the diagram as an angle after which the loads come again"))
+}
+
+/// The size of a load over the angle of the first input: its period is that of the diagram, or one turn, where it says
+/// none.
+pub(super) fn curve_of_load(
+    value: &Value<'_>,
+    of: Measure,
+    scene: &Fields<'_, '_>,
+    draft: &Draft<'_>,
+) -> Res<Curve> {
+    let fields = Fields::of(
+        value,
+        keys::CURVE,
+        "a size over the angle of the input: {\"table\": [[0, …]]}, {\"harmonics\": {…}}",
+    )?;
+    match draft.mechanism.inputs.first() {
+        Some(Input::Angle { link, angle, .. } | Input::Speed { link, angle, .. }) => {
+            if angle.is_none() && draft.link(*link).points.len() < 2 {
+                return Err(Fault::new(value.at, format!("nothing tells the angle of {}", draft.say(*link)))
+                    .mend("give the `angle` of the input"));
+            }
+        }
+        Some(Input::Slide { .. }) | None => {
+            return Err(Fault::new(
+                value.at,
+                "a load changes with the angle of a driven link, and the first input is none",
+            )
+            .mend("drive a link in `input`, or give the size at this instant"));
+        }
+    }
+    let period = match (fields.get("period"), scene.get("cycle").map(|cycle| &cycle.kind)) {
+        (Some(period), _) => whole_period(period, draft)?,
+        (None, Some(Kind::Object(entries))) => match entries.iter().find(|entry| entry.key == "period") {
+            Some(entry) => whole_period(&entry.value, draft)?,
+            None => turn(),
+        },
+        (None, _) => turn(),
+    };
+    curve(&fields, value, of, period, draft)
+}
+
+/// One turn.
+fn turn() -> Given {
+    Given { value: std::f64::consts::TAU, error: f64::EPSILON * 2.0, low: 0.0, low_error: f64::EPSILON * 2.0 }
 }
 
 /// A `table` or `harmonics` of some measure.

@@ -24,6 +24,10 @@ pub(super) struct Draft<'s> {
     pub(super) settled: Vec<(PointId, GivenPoint)>,
     /// The points that stand for own coordinates in masses, loads and springs, by where these stand in the file.
     pub(super) spots: HashMap<usize, PointId>,
+    /// Blocks that have points beside their pins: they slide as links do.
+    pub(super) wide_blocks: Vec<LinkId>,
+    /// A load changes with the angle of the input: in which turn that is counts.
+    pub(super) loads_count_turns: bool,
     points: HashMap<String, PointId>,
     links: HashMap<u32, LinkId>,
 }
@@ -52,6 +56,8 @@ impl<'s> Draft<'s> {
             rooms: Vec::new(),
             settled: Vec::new(),
             spots: HashMap::new(),
+            wide_blocks: Vec::new(),
+            loads_count_turns: false,
             points: HashMap::new(),
             links: HashMap::from([(1, LinkId::FRAME)]),
         }

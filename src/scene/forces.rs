@@ -1,13 +1,16 @@
 //! What acts on the links besides their pairs: `gravity`, `masses`, `loads`, `springs`.
 
+use super::cycle::curve_of_load;
 use super::diagnostic::{Fault, Res};
 use super::draft::Draft;
 use super::json::{Entry, Fields, Kind, Value};
 use super::keys;
 use super::links::{index_of, own_coordinates};
 use super::units::{Measure, short};
+use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
-    Area, Gravity, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Size, Spring, SpringKind, SpringLaw,
+    Area, Gravity, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Pressure, Size, Spring, SpringKind,
+    SpringLaw,
 };
 use crate::mechanism::{Form, Given, Input, LinkId, Place, PointId};
 
@@ -48,6 +51,11 @@ pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
 
 /// Gives a point of its link to every pair of own coordinates in `masses`, `loads` and `springs`.
 pub(super) fn spots(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
+    draft.loads_count_turns = has_curves(scene);
+    let blocks = blocks(scene, draft);
+    let spot = |value: Option<&Value<'_>>, link: LinkId, name: &str, draft: &mut Draft<'_>| {
+        spot(value, link, (name, &blocks), draft)
+    };
     if let Some(masses) = scene.get("masses") {
         for Entry { key, value, .. } in masses.object("masses, by number of the link")? {
             let Ok(fields) = Fields::of(value, keys::MASS, "a mass") else { continue };
@@ -76,8 +84,39 @@ pub(super) fn spots(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     Ok(())
 }
 
-/// A point for own coordinates, by this name where nobody has it.
-fn spot(value: Option<&Value<'_>>, link: LinkId, name: &str, draft: &mut Draft<'_>) -> Res<()> {
+/// Whether the size of a load is a curve over the angle of the input.
+fn has_curves(scene: &Fields<'_, '_>) -> bool {
+    let Some(Kind::List(loads)) = scene.get("loads").map(|loads| &loads.kind) else { return false };
+    let is_curve = |item: &Value<'_>| match &item.kind {
+        Kind::Object(entries) => entries.iter().any(|entry| {
+            ["force", "torque", "pressure"].contains(&entry.key.as_str())
+                && matches!(entry.value.kind, Kind::Object(_))
+        }),
+        _ => false,
+    };
+    loads.iter().any(is_curve)
+}
+
+/// The blocks of `slides`, each of one sliding pair.
+fn blocks(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
+    let Some(Kind::List(slides)) = scene.get("slides").map(|slides| &slides.kind) else { return Vec::new() };
+    let number = |item: &Value<'_>| {
+        let fields = Fields::of(item, keys::SLIDE, "a sliding pair").ok()?;
+        fields.get("block").and_then(|block| draft.link_at(block).ok())
+    };
+    let all: Vec<LinkId> = slides.iter().filter_map(number).collect();
+    let once = |link: &LinkId| all.iter().filter(|other| *other == link).count() == 1;
+    all.iter().copied().filter(once).collect()
+}
+
+/// A point for own coordinates, by this name where nobody has it. A block that gets one slides as a link does from then
+/// on, its x-axis along its guide: it is the same body in the same pairs.
+fn spot(
+    value: Option<&Value<'_>>,
+    link: LinkId,
+    (name, blocks): (&str, &[LinkId]),
+    draft: &mut Draft<'_>,
+) -> Res<()> {
     let Some(value) = value.filter(|value| matches!(value.kind, Kind::List(_))) else { return Ok(()) };
     let own = draft.scales.place(value)?;
     let form = draft.link(link).form.clone();
@@ -88,9 +127,15 @@ fn spot(value: Option<&Value<'_>>, link: LinkId, name: &str, draft: &mut Draft<'
             draft.spots.insert(value.at, only);
             return Ok(());
         }
-        let what =
-            format!("this version does not do own coordinates of {}, which has one joint", draft.say(link));
-        return Err(Fault::new(value.at, what).mend(format!("name its joint, {}", draft.say_point(only))));
+        if !blocks.contains(&link) {
+            let what = format!(
+                "this version does not do own coordinates of {}, which has one joint",
+                draft.say(link)
+            );
+            return Err(Fault::new(value.at, what).mend(format!("name its joint, {}", draft.say_point(only))));
+        }
+        draft.wide_blocks.push(link);
+        draft.mechanism.links[link.0].form = Form::Shape(vec![[Given::exact(0.0); 2]]);
     }
     let mut free = name.to_owned();
     while draft.point_named(&free, value.at).is_ok() {
@@ -127,7 +172,7 @@ fn place(value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<PointId> {
 pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     gravity(scene.get("gravity"), draft)?;
     masses(scene.get("masses"), draft)?;
-    loads(scene.get("loads"), draft)?;
+    loads(scene, draft)?;
     springs(scene.get("springs"), draft)?;
     super::spin::read(scene, draft)?;
     if draft.mechanism.forces.is_empty() {
@@ -280,16 +325,30 @@ fn moved_inertia(mass: &Mass, draft: &Draft<'_>) -> Option<f64> {
 fn size(value: &Value<'_>, measure: Measure, draft: &Draft<'_>) -> Res<Size> {
     match &value.kind {
         Kind::Text(text) if text.trim() == SOUGHT => Ok(Size::Sought),
-        Kind::Object(_) => {
-            Err(Fault::new(value.at, "this version does not do loads over the input's angle yet")
-                .mend("give the number at this instant"))
-        }
         _ => Ok(Size::Given(draft.scales.given(value, measure)?)),
     }
 }
 
-fn loads(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
-    let Some(value) = value else { return Ok(()) };
+/// The sizes of loads that change with the angle of the first input, while they are read.
+struct Curves<'a, 's> {
+    scene: &'a Fields<'a, 's>,
+    read: Vec<Curve>,
+}
+
+impl Curves<'_, '_> {
+    /// A number, `"?"`, or a curve.
+    fn size(&mut self, value: &Value<'_>, measure: Measure, draft: &Draft<'_>) -> Res<Size> {
+        if !matches!(value.kind, Kind::Object(_)) {
+            return size(value, measure, draft);
+        }
+        self.read.push(curve_of_load(value, measure, self.scene, draft)?);
+        Ok(Size::Curve(self.read.len() - 1))
+    }
+}
+
+fn loads(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
+    let Some(value) = scene.get("loads") else { return Ok(()) };
+    let mut curves = Curves { scene, read: Vec::new() };
     let mut loads: Vec<Load> = Vec::new();
     for (index, item) in value.list("a list of loads")?.iter().enumerate() {
         let fields = Fields::of(item, keys::LOAD, "a load: {\"on\": 4, \"at\": \"C\", \"force\": …}")?;
@@ -303,10 +362,11 @@ fn loads(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
             return Err(Fault::new(on.at, "link 1 is the frame: a load on it changes nothing")
                 .mend("name the link on which it acts"));
         }
-        let kind = load(&fields, link, draft)?;
+        let kind = load(&fields, link, &mut curves, draft)?;
         loads.push(Load { name, link, kind });
     }
     draft.mechanism.forces.loads = loads;
+    draft.mechanism.forces.curves = curves.read;
     Ok(())
 }
 
@@ -324,7 +384,12 @@ fn name(fields: &Fields<'_, '_>, otherwise: &str, draft: &Draft<'_>) -> Res<Stri
     Ok(name.to_owned())
 }
 
-fn load(fields: &Fields<'_, '_>, link: LinkId, draft: &Draft<'_>) -> Res<LoadKind> {
+fn load(
+    fields: &Fields<'_, '_>,
+    link: LinkId,
+    curves: &mut Curves<'_, '_>,
+    draft: &Draft<'_>,
+) -> Res<LoadKind> {
     let keys = ["force", "torque", "pressure"];
     let given: Vec<&Entry<'_>> = keys.iter().filter_map(|key| fields.entry(key)).collect();
     let entry = match given[..] {
@@ -354,7 +419,10 @@ fn load(fields: &Fields<'_, '_>, link: LinkId, draft: &Draft<'_>) -> Res<LoadKin
                 }
             },
         };
-        return Ok(LoadKind::Torque { size: size(&entry.value, Measure::Torque, draft)?, with_motion });
+        return Ok(LoadKind::Torque {
+            size: curves.size(&entry.value, Measure::Torque, draft)?,
+            with_motion,
+        });
     }
     let at = match fields.get("at") {
         Some(at) => place(at, link, draft)?,
@@ -384,8 +452,9 @@ fn load(fields: &Fields<'_, '_>, link: LinkId, draft: &Draft<'_>) -> Res<LoadKin
     fields.refuse(&["in"], "it says in whose coordinates the components [x, y] of a force are")?;
     let size = match entry.key.as_str() {
         "pressure" => {
-            let pressure = match size(&entry.value, Measure::Pressure, draft)? {
-                Size::Given(pressure) => pressure,
+            let pressure = match curves.size(&entry.value, Measure::Pressure, draft)? {
+                Size::Given(pressure) => Pressure::Given(pressure),
+                Size::Curve(curve) => Pressure::Curve(curve),
                 _ => {
                     return Err(
                         Fault::new(entry.value.at, "a pressure cannot be sought").mend("seek a `force`")
@@ -394,7 +463,7 @@ fn load(fields: &Fields<'_, '_>, link: LinkId, draft: &Draft<'_>) -> Res<LoadKin
             };
             Size::Pressure { pressure, area: area(fields, draft)? }
         }
-        _ => size(&entry.value, Measure::Force, draft)?,
+        _ => curves.size(&entry.value, Measure::Force, draft)?,
     };
     let pointing = match fields.get("direction") {
         None => Pointing::World(Given::exact(0.0)),
@@ -489,15 +558,15 @@ fn springs(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> {
             }
         };
         let turning = matches!(kind, SpringKind::Torsion(_));
-        if turning {
-            return Err(Fault::new(item.at, "this version does not do torsion springs yet")
-                .mend("give the torque as a load"));
-        }
         let law = match (fields.get("stiffness"), fields.entry("force")) {
             (Some(stiffness), None) => {
                 let measure = if turning { Measure::TurningStiffness } else { Measure::Stiffness };
                 let stiffness = size(stiffness, measure, draft)?;
-                let free = fields.need("free", "the length of the spring without load")?;
+                let what = match turning {
+                    true => "the angle of the second link against the first without load",
+                    false => "the length of the spring without load",
+                };
+                let free = fields.need("free", what)?;
                 let measure = if turning { Measure::Angle } else { Measure::Length };
                 SpringLaw::Stiffness { stiffness, free: draft.scales.given(free, measure)? }
             }

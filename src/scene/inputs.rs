@@ -102,7 +102,11 @@ fn rate(fields: &Fields<'_, '_>, key: &str, measure: Measure, draft: &Draft<'_>)
 fn link_input(fields: &Fields<'_, '_>, value: &Value<'_>, draft: &Draft<'_>) -> Res<Input> {
     fields.refuse(&["at", "velocity", "acceleration"], "it belongs to a driven `slide`")?;
     let link = draft.moving_link(value)?;
-    let angle = fields.get("angle").map(|a| draft.scales.given(a, Measure::Angle)).transpose()?;
+    let angle = fields.get("angle").map(|angle| match draft.loads_count_turns {
+        true => draft.scales.whole_angle(angle),
+        false => draft.scales.given(angle, Measure::Angle),
+    });
+    let angle = angle.transpose()?;
     let points = &draft.link(link).points;
     if draft.link(link).form != Form::Single {
         let own = |index| own_coordinates(draft.link(link), index).map(|(place, _)| place);
@@ -216,7 +220,12 @@ fn named_slide(value: &Value<'_>, draft: &Draft<'_>) -> Res<usize> {
                 );
             }
             let point = draft.point(value)?;
-            let rides = |rider: &Rider| matches!(rider, Rider::Pin { point: pin, .. } if *pin == point);
+            let rides = |rider: &Rider| match rider {
+                Rider::Pin { point: pin, .. } => *pin == point,
+                Rider::Link { link, .. } => {
+                    draft.wide_blocks.contains(link) && draft.riding_point(rider) == Some(point)
+                }
+            };
             (0..slides.len()).filter(|i| rides(&slides[*i].rider)).collect()
         }
         _ => return Err(value.unexpected("the pin that slides, or the number of the block or link")),

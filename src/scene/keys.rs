@@ -55,6 +55,7 @@ pub(super) const SPIN: &[&str] = &["axis", "omega", "balls", "sleeve"];
 pub(super) const AXIS: &[&str] = &["through", "angle"];
 pub(super) const CYCLE: &[&str] = &["torque", "load", "period", "copies", "rotating", "fluctuation"];
 pub(super) const COURSE: &[&str] = &["of", "table", "harmonics"];
+pub(super) const CURVE: &[&str] = &["table", "harmonics", "period"];
 pub(super) const HARMONICS: &[&str] = &["constant", "sin", "cos"];
 pub(super) const AREAS: &[&str] = &["areas", "scale", "total"];
 pub(super) const AREA_SCALE: &[&str] = &["torque", "angle"];

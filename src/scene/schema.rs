@@ -366,6 +366,10 @@ fn forces() -> Value {
     let sought = |description: &str, examples: Value| {
         text_or_number(&format!("{description} \"?\" seeks it."), examples)
     };
+    let or_curve = |mut size: Value| {
+        size["oneOf"] = json!([{ "type": "number" }, { "type": "string" }, reference("curve")]);
+        size
+    };
     let gravity = object(
         "The field of gravity; weights act where it stands, and {} is 9.81 m/s² downwards.",
         &[],
@@ -409,6 +413,7 @@ fn forces() -> Value {
                 "oneOf": [
                     { "type": "number" }, { "type": "string" },
                     { "type": "array", "items": { "oneOf": [{ "type": "number" }, { "type": "string" }] }, "minItems": 2, "maxItems": 2 },
+                    reference("curve"),
                 ],
                 "description": "Size of a force, or its components [x, y]; \"?\" seeks it.", "examples": ["400 N", "?", [0, -20]],
             },
@@ -417,8 +422,8 @@ fn forces() -> Value {
                 "description": "Where a force points, 0 where it is left out; against or with the motion.",
             },
             "in": described("linkNumber", "In whose own coordinates the components are; the world's where it is left out."),
-            "torque": sought("Size of a torque, counter-clockwise positive.", json!(["12 N*m cw", "?"])),
-            "pressure": text_or_number("A pressure on `area` or `bore`.", json!(["28 bar"])),
+            "torque": or_curve(sought("Size of a torque, counter-clockwise positive.", json!(["12 N*m cw", "?"]))),
+            "pressure": or_curve(text_or_number("A pressure on `area` or `bore`.", json!(["28 bar"]))),
             "area": text_or_number("The area.", json!(["80 cm^2"])),
             "bore": described("length", "Diameter of the piston."),
             "rod": described("length", "Diameter of its rod."),
@@ -443,11 +448,14 @@ fn forces() -> Value {
             },
             "links": {
                 "type": "array", "items": reference("linkNumber"), "minItems": 2, "maxItems": 2,
-                "description": "The two links between which a torsion spring acts. This version does not read it.",
+                "description": "The two links between which a torsion spring acts.",
             },
-            "stiffness": sought("Force for a unit of length.", json!(["2 kN/m"])),
-            "free": described("length", "Its length without load."),
-            "force": sought("Its pull now.", json!(["40 N", "?"])),
+            "stiffness": sought("Force for a unit of length; of a torsion spring torque for a radian.", json!(["2 kN/m", "3 N*m/rad"])),
+            "free": {
+                "oneOf": [reference("length"), reference("angle")],
+                "description": "Its length without load; of a torsion spring the angle of the second link against the first.",
+            },
+            "force": sought("Its pull now; of a torsion spring its torque on the second link.", json!(["40 N", "?"])),
         }),
     );
     json!({
@@ -497,6 +505,15 @@ fn cycle() -> Value {
             "of": described("movingLink", "What the mechanism gives, or as a load needs, at its driven link."),
             "table": pairs("Angle and size, straight between; a leap where an angle stands twice.", json!([[0, 0], [60, 800], [180, 0]])),
             "harmonics": reference("harmonics"),
+        }),
+    );
+    let curve = object(
+        "A size over the angle of the first input.",
+        &[],
+        json!({
+            "table": pairs("Angle and size, straight between; a leap where an angle stands twice.", json!([[0, "28 bar"], [180, "4 bar"]])),
+            "harmonics": reference("harmonics"),
+            "period": described("angle", "After which angle it comes again; where it is left out, that of the cycle, or one turn."),
         }),
     );
     let harmonics = object(
@@ -564,7 +581,7 @@ fn cycle() -> Value {
     );
     json!({
         "spin": spin, "axis": axis,
-        "cycle": cycle, "course": course, "harmonics": harmonics, "areas": areas, "areaScale": scale,
+        "cycle": cycle, "course": course, "curve": curve, "harmonics": harmonics, "areas": areas, "areaScale": scale,
         "copies": copies, "rotating": rotating,
     })
 }
@@ -696,7 +713,7 @@ mod tests {
     #[test]
     fn same_keys_as_the_reader() {
         let schema = schema();
-        let tables: [(&str, &[&str]); 30] = [
+        let tables: [(&str, &[&str]); 31] = [
             ("", keys::SCENE),
             ("/$defs/units", keys::UNITS),
             ("/$defs/placeWithin", keys::PLACED),
@@ -722,6 +739,7 @@ mod tests {
             ("/$defs/axis", keys::AXIS),
             ("/$defs/cycle", keys::CYCLE),
             ("/$defs/course", keys::COURSE),
+            ("/$defs/curve", keys::CURVE),
             ("/$defs/harmonics", keys::HARMONICS),
             ("/$defs/areas", keys::AREAS),
             ("/$defs/areaScale", keys::AREA_SCALE),

@@ -574,7 +574,8 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
     }
 }
 
-fn of_curve(curve: &Curve, unit: &Unit) -> Rich {
+/// A curve as it is given: its knots, or its sum of waves.
+pub(super) fn of_curve(curve: &Curve, unit: &Unit) -> Rich {
     let told = match curve {
         Curve::Table { knots, .. } => {
             let knot = |at: f64, size: f64| {

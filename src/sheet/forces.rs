@@ -1006,7 +1006,28 @@ pub fn stated(
         requests.push(request.or(Site::Along { from: at, to }));
     }
     for spring in &mechanism.forces.springs {
-        let SpringKind::Pull([(_, from), (_, to)]) = spring.kind else { continue };
+        let [(_, from), (_, to)] = match spring.kind {
+            SpringKind::Pull(ends) => ends,
+            SpringKind::Torsion(links) => {
+                let pin = mechanism
+                    .link(links[1])
+                    .points
+                    .iter()
+                    .find(|point| mechanism.point(**point).links.contains(&links[0]));
+                let pin = pin.or(mechanism.link(links[1]).points.first());
+                if let Some(at) = pin.and_then(|pin| place(*pin)) {
+                    let mut own = Group::new("spring");
+                    own.mark(Mark::stroke(Shape::Polyline(spiral(at)), Pen::solid(THIN)));
+                    group.group(own);
+                    let site = Site::Around { at, radius: 3.4, toward: None };
+                    let mut request =
+                        Request::new(Rich::italic(&spring.name), SMALL, site, "label spring-name");
+                    request.leader = true;
+                    requests.push(request);
+                }
+                continue;
+            }
+        };
         let (Some(from), Some(to)) = (place(from), place(to)) else { continue };
         if from.distance(to) < 4.0 * SHORTEST {
             continue;
@@ -1048,6 +1069,18 @@ fn stated_direction(
         }
         LoadKind::Vector { .. } | LoadKind::Torque { .. } => None,
     }
+}
+
+/// A torsion spring about a point, mm.
+fn spiral(about: Point) -> Vec<Point> {
+    const TURNS: u32 = 2;
+    const PARTS: u32 = 24;
+    let of = |part: u32| {
+        let angle = std::f64::consts::TAU * f64::from(part) / f64::from(PARTS);
+        let radius = 1.2 + 1.8 * f64::from(part) / f64::from(PARTS * TURNS);
+        about + Vec2::new(libm::cos(angle), -libm::sin(angle)) * radius
+    };
+    (0..=PARTS * TURNS).map(of).collect()
 }
 
 /// A spring as a zigzag between its ends.

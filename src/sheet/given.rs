@@ -2,11 +2,13 @@
 //!
 //! **Architecture Invariant:** everything here is the scene's own; no result of a solver comes in.
 
+use super::cycle::of_curve;
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
+use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
-    Area, Force, Heaviness, Inertia, Load, LoadKind, Pointing, Size, SpringKind, SpringLaw,
+    Area, Force, Heaviness, Inertia, Load, LoadKind, Pointing, Pressure, Size, Spring, SpringKind, SpringLaw,
 };
 use crate::mechanism::friction::{FrictionCircle, Roughness};
 use crate::mechanism::quantity::{Asked, Dimension, Order, Quantity, Unit};
@@ -153,12 +155,23 @@ fn moves(input: &Input) -> bool {
 }
 
 /// Pascals are small: kPa or MPa in their place.
-fn handy(unit: &Unit, si: f64) -> Unit {
+pub(super) fn handy(unit: &Unit, si: f64) -> Unit {
     let larger = [("MPa", 1e6), ("kPa", 1e3)].into_iter().find(|(_, own)| si.abs() >= 0.1 * own);
     match larger.filter(|_| unit.symbol == "Pa") {
         Some((symbol, si)) => Unit { symbol: symbol.to_owned(), si },
         None => unit.clone(),
     }
+}
+
+/// The largest size of a curve, whatever its sign.
+pub(super) fn largest(curve: &Curve) -> f64 {
+    let sizes: Vec<f64> = match curve {
+        Curve::Table { knots, .. } => knots.iter().map(|[_, size]| size.value).collect(),
+        Curve::Harmonics { constant, sin, cos } => {
+            sin.iter().chain(cos).map(|wave| wave.size.value).chain([constant.value]).collect()
+        }
+    };
+    sizes.into_iter().fold(0.0, |most, size| most.max(size.abs()))
 }
 
 impl Teller<'_> {
@@ -447,6 +460,13 @@ impl Teller<'_> {
                 let name = [("name", Rich::italic(&spring.name))];
                 parts.push(Rich::fill(self.n.words.given_spring, &[&name[..], &ends].concat()));
             }
+            if let SpringKind::Torsion([from, to]) = spring.kind {
+                let links = [("from", self.number(from)), ("to", self.number(to))];
+                let name = [("name", Rich::italic(&spring.name))];
+                parts.push(Rich::fill(self.n.words.given_torsion, &[&name[..], &links].concat()));
+                parts.extend(self.torsion(spring));
+                continue;
+            }
             match spring.law {
                 SpringLaw::Stiffness { stiffness, free } => {
                     if let Size::Given(stiffness) = stiffness {
@@ -462,6 +482,27 @@ impl Teller<'_> {
             }
         }
         self.friction(parts);
+    }
+
+    /// How hard a torsion spring turns: its stiffness and the angle without load, or its torque.
+    fn torsion(&self, spring: &Spring) -> Vec<Rich> {
+        let symbol = |letter: &str| Rich::italic(letter).sub(&spring.name);
+        match spring.law {
+            SpringLaw::Stiffness { stiffness, free } => {
+                let mut told = Vec::new();
+                if let Size::Given(stiffness) = stiffness {
+                    let unit = Unit { symbol: "N*m/rad".to_owned(), si: 1.0 };
+                    told.push(self.equals(symbol("K"), &human::stated_quantity(stiffness.value, &unit)));
+                }
+                told.push(self.equals(symbol("φ"), &human::degrees(free.value)));
+                told
+            }
+            SpringLaw::Force(Size::Given(torque)) => {
+                let value = human::stated_quantity(torque.value.abs(), &self.n.scene.units.torque);
+                vec![self.equals(symbol("T"), &value.word(self.n.sense(torque.value)))]
+            }
+            SpringLaw::Force(_) => Vec::new(),
+        }
     }
 
     /// What rubs: f or φ of pins and guides, the radius of a circle that is given, a constant drag.
@@ -530,6 +571,7 @@ impl Teller<'_> {
 
     fn load(&self, load: &Load) -> Rich {
         let units = &self.n.scene.units;
+        let mechanism = self.n.mechanism();
         let name = Rich::italic(&load.name);
         let on = match load.at() {
             Some(at) => self.n.point(at),
@@ -546,9 +588,17 @@ impl Teller<'_> {
         };
         let size = |size: Size, unit: &Unit| match size {
             Size::Given(given) => human::stated_quantity(given.value, unit),
+            Size::Curve(curve) => of_curve(&mechanism.forces.curves[curve], unit),
             Size::Pressure { pressure, area } => {
-                let pressure =
-                    human::stated_quantity(pressure.value, &handy(&units.pressure, pressure.value));
+                let pressure = match pressure {
+                    Pressure::Given(pressure) => {
+                        human::stated_quantity(pressure.value, &handy(&units.pressure, pressure.value))
+                    }
+                    Pressure::Curve(curve) => {
+                        let curve = &mechanism.forces.curves[curve];
+                        of_curve(curve, &handy(&units.pressure, largest(curve)))
+                    }
+                };
                 let told = self.equals(Rich::italic("p"), &pressure).up(self.n.words.comma);
                 match area {
                     Area::Given(area) => {

@@ -4,6 +4,7 @@
 use std::cell::RefCell;
 
 use super::forces::{ForcePanel, per_mm, pole};
+use super::given::{handy, largest};
 use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
@@ -11,10 +12,11 @@ use super::steps::{Figures, Item, Key, either};
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
     About, Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, GroupTrial, Knowledge, Label,
-    MassForces, MomentBalance, MomentTerm, Turning,
+    LoadSize, MassForces, MomentBalance, MomentTerm, SpringTwist, Trials, Turning,
 };
+use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
-    Action, Area, Force, Heaviness, Inertia, LoadKind, Party, Share, Size, Sought,
+    Action, Area, Force, Heaviness, Inertia, LoadKind, Party, Pressure, Share, Size, Sought,
 };
 use crate::mechanism::force::{SpringKind, SpringLaw};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
@@ -227,8 +229,18 @@ impl Teller<'_> {
         let units = &self.n.scene.units;
         let forces = &self.n.mechanism().forces;
         let mut lines = Vec::new();
-        for load in &forces.loads {
+        for size in &self.sheet.sizes {
+            lines.extend(self.size(size));
+        }
+        for (index, load) in forces.loads.iter().enumerate() {
             let LoadKind::Force { size: Size::Pressure { pressure, area }, .. } = load.kind else { continue };
+            let pressure = match pressure {
+                Pressure::Given(pressure) => pressure.value,
+                Pressure::Curve(_) => match self.sheet.sizes.iter().find(|size| size.load == index) {
+                    Some(size) => size.height,
+                    None => continue,
+                },
+            };
             let name = Rich::italic(&load.name);
             let square =
                 Unit { symbol: format!("{}^2", units.length.symbol), si: units.length.si * units.length.si };
@@ -264,9 +276,8 @@ impl Teller<'_> {
                     value
                 }
             };
-            let factors =
-                [Factor::new(pressure.value, &units.pressure, "Pa"), Factor::new(size, &square, "m²")];
-            let result = Factor::new(pressure.value * size, &units.force, "N");
+            let factors = [Factor::new(pressure, &units.pressure, "Pa"), Factor::new(size, &square, "m²")];
+            let result = Factor::new(pressure * size, &units.force, "N");
             let formula = Rich::italic("p").up(DOT).it("A");
             lines.push(self.line(name, formula, &factors, product, |n| n.iter().product(), result));
         }
@@ -303,7 +314,87 @@ impl Teller<'_> {
             let set = |n: &[Rich]| n[0].clone().up(TIMES).up("(").then(&n[1]).up(" − ").then(&n[2]).up(")");
             lines.push(self.line(name, formula, &factors, set, |n| n[0] * (n[1] - n[2]), result));
         }
+        for twist in &self.sheet.twists {
+            lines.extend(self.twist(twist));
+        }
         lines
+    }
+
+    /// What a load comes to at the angle of the input: straight between the knots of its table on either side.
+    fn size(&self, of: &LoadSize) -> Option<Rich> {
+        let units = &self.n.scene.units;
+        let forces = &self.n.mechanism().forces;
+        let load = &forces.loads[of.load];
+        let curve = &forces.curves[load.curve()?];
+        let (name, unit, si) = match load.kind {
+            LoadKind::Force { size: Size::Pressure { .. }, .. } => {
+                (Rich::italic("p"), handy(&units.pressure, largest(curve)), "Pa")
+            }
+            LoadKind::Torque { .. } => (Rich::italic(&load.name), units.torque.clone(), "N\u{a0}m"),
+            _ => (Rich::italic(&load.name), units.force.clone(), "N"),
+        };
+        let unit = &unit;
+        let name = name.up("(").it("θ").up(EQUALS).then(&human::degrees(of.angle)).up(")");
+        let told = name.clone().up(EQUALS).then(&human::quantity(of.height, unit));
+        let Curve::Table { knots, period } = curve else { return Some(told) };
+        let knots: Vec<[f64; 2]> = knots.iter().map(|knot| knot.map(|given| given.value)).collect();
+        let turns = libm::floor((of.angle - knots[0][0]) / period.value);
+        let here = of.angle - turns * period.value;
+        let next = knots.partition_point(|knot| knot[0] <= here);
+        let from = *knots.get(next.checked_sub(1)?)?;
+        let to = match knots.get(next) {
+            Some(to) => *to,
+            None => [knots[0][0] + period.value, knots[0][1]],
+        };
+        if here - from[0] < 1e-9 || to[0] - here < 1e-9 {
+            return Some(told);
+        }
+        let degree = Unit { symbol: "°".to_owned(), si: std::f64::consts::PI / 180.0 };
+        let angle = |value: f64| Factor::new(value, &degree, "°");
+        let size = |value: f64| Factor::new(value, unit, si);
+        let factors = [size(from[1]), size(to[1]), angle(here), angle(from[0]), angle(to[0])];
+        let set = |n: &[Rich]| {
+            let rise = Rich::upright("(").then(&n[1]).up(" − ").then(&n[0]).up(")");
+            let part = Rich::upright("(").then(&n[2]).up(" − ").then(&n[3]).up(")");
+            let whole = Rich::upright("(").then(&n[4]).up(" − ").then(&n[3]).up(")");
+            n[0].clone().up(" + ").then(&rise).up(TIMES).then(&part).up(OVER).then(&whole)
+        };
+        let reckon = |n: &[f64]| n[0] + (n[1] - n[0]) * (n[2] - n[3]) / (n[4] - n[3]);
+        let result = size(of.height);
+        let values: Vec<(Option<Key>, f64, &Unit)> =
+            factors.iter().map(|factor| (factor.key, factor.si, factor.unit)).collect();
+        let (written, text, _) =
+            self.figures.borrow_mut().line_of(&values, (result.key, result.si, unit), reckon);
+        Some(name.up(EQUALS).then(&set(&written)).up(EQUALS).then(&human::with_unit(&text, &unit.symbol)))
+    }
+
+    /// The torque of a torsion spring on its second link, by how much further that is turned than without load.
+    fn twist(&self, of: &SpringTwist) -> Option<Rich> {
+        let spring = &self.n.mechanism().forces.springs[of.spring];
+        let SpringLaw::Stiffness { stiffness: Size::Given(stiffness), free } = spring.law else {
+            return None;
+        };
+        let name = self.n.symbol(Quantity::Force(Force::Twist(of.spring), Share::Total), false);
+        let (per_radian, radian) =
+            (Unit { symbol: "N*m/rad".to_owned(), si: 1.0 }, Unit { symbol: "rad".to_owned(), si: 1.0 });
+        let factors = [
+            Factor::new(stiffness.value, &per_radian, "N\u{a0}m/rad"),
+            Factor::new(free.value, &radian, "rad"),
+            Factor::new(free.value + of.further, &radian, "rad"),
+        ];
+        let torque = &self.n.scene.units.torque;
+        let result = Factor::new(-stiffness.value * of.further, torque, "N\u{a0}m");
+        let formula = Rich::italic("K")
+            .sub(&spring.name)
+            .up("\u{2009}(")
+            .then(&Rich::italic("φ").sub(&spring.name))
+            .up(" − ")
+            .it("φ")
+            .up(")");
+        let set = |n: &[Rich]| n[0].clone().up(TIMES).up("(").then(&n[1]).up(" − ").then(&n[2]).up(")");
+        let together = (torque.si - 1.0).abs() < 1e-12;
+        let reckon = |n: &[f64]| n[0] * (n[1] - n[2]);
+        Some(self.line_in(together, name, formula, &factors, set, reckon, (result, torque)))
     }
 
     fn line_of_area(
@@ -530,6 +621,9 @@ impl Teller<'_> {
         {
             items.push(Item::Sentence(self.trial(trial)));
         }
+        if let Some(trials) = self.sheet.trials.as_ref().filter(|_| index + 1 == self.sheet.bodies.len()) {
+            items.extend(self.trials(trials).into_iter().map(Item::Sentence));
+        }
         items
     }
 
@@ -639,24 +733,97 @@ impl Teller<'_> {
     }
 
     /// What was sought elsewhere than at the input.
-    fn trial(&self, trial: &crate::graphical::construction::Trial) -> Rich {
+    fn sought(&self, of: Sought) -> (Rich, Unit) {
         let units = &self.n.scene.units;
         let forces = &self.n.mechanism().forces;
-        let (symbol, unit) = match trial.sought {
+        match of {
             Sought::Load(index) => {
                 let unit = if forces.loads[index].is_torque() { &units.torque } else { &units.force };
-                (Rich::italic(&forces.loads[index].name), unit)
+                (Rich::italic(&forces.loads[index].name), unit.clone())
             }
-            Sought::Spring(index) => match forces.springs[index].law {
-                SpringLaw::Stiffness { .. } => {
-                    (Rich::italic("K").sub(&forces.springs[index].name), &units.stiffness)
+            Sought::Spring(index) => {
+                let spring = &forces.springs[index];
+                let stiffness = || Rich::italic("K").sub(&spring.name);
+                let symbol = |force| self.n.symbol(Quantity::Force(force, Share::Total), false);
+                match (spring.kind, spring.law) {
+                    (SpringKind::Pull(_), SpringLaw::Stiffness { .. }) => {
+                        (stiffness(), units.stiffness.clone())
+                    }
+                    (SpringKind::Pull(_), SpringLaw::Force(_)) => {
+                        (symbol(Force::Pull(index)), units.force.clone())
+                    }
+                    (SpringKind::Torsion(_), SpringLaw::Stiffness { .. }) => {
+                        (stiffness(), Unit { symbol: "N*m/rad".to_owned(), si: 1.0 })
+                    }
+                    (SpringKind::Torsion(_), SpringLaw::Force(_)) => {
+                        (symbol(Force::Twist(index)), units.torque.clone())
+                    }
                 }
-                SpringLaw::Force(_) => {
-                    (self.n.symbol(Quantity::Force(Force::Pull(index), Share::Total), false), &units.force)
-                }
-            },
-            Sought::Effort(_) | Sought::Spin => (Rich::default(), &units.force),
+            }
+            Sought::Effort(_) | Sought::Spin => (Rich::default(), units.force.clone()),
+        }
+    }
+
+    /// Several unknowns: each tried alone, and what they come to.
+    fn trials(&self, trials: &Trials) -> Vec<Rich> {
+        let inputs = 0..trials.without.len();
+        let turns = |input: usize| self.n.mechanism().driven_link(input).is_some();
+        let symbol = |input: usize| {
+            let force = if turns(input) { Force::Torque(input) } else { Force::Drive(input) };
+            self.n.symbol(Quantity::Force(force, Share::Total), false)
         };
+        let equals = |symbol: Rich, value: &Rich| symbol.up(EQUALS).then(value);
+        let list = |parts: Vec<Rich>| Rich::join(&parts, &Rich::upright(self.n.words.comma));
+        let efforts = |values: &[f64]| {
+            let told = inputs.clone().zip(values).map(|(input, value)| {
+                let value = if turns(input) { self.torque(*value) } else { self.force(*value) };
+                equals(symbol(input), &value)
+            });
+            list(told.collect())
+        };
+        // What is sought is tried in a size of its own order, for which efforts grow in proportion.
+        let tried = |(sought, size): &(Sought, f64)| {
+            let (symbol, unit) = self.sought(*sought);
+            let power = libm::pow(10.0, libm::floor(libm::log10((size / unit.si).abs())));
+            let tried = if power.is_normal() { libm::copysign(power, *size) } else { 1.0 } * unit.si;
+            (symbol, unit, tried)
+        };
+        let zero = Rich::upright("0");
+        let with = |only: Option<usize>| {
+            let told = trials.sought.iter().enumerate().map(|(index, of)| {
+                let (symbol, unit, tried) = tried(of);
+                match only {
+                    Some(only) if only == index => equals(symbol, &human::quantity(tried, &unit)),
+                    _ => equals(symbol, &zero),
+                }
+            });
+            list(told.collect())
+        };
+        let say = |loads: Rich, efforts: Rich| {
+            Rich::fill(self.n.words.force_trials, &[("loads", loads), ("efforts", efforts)])
+        };
+        let mut lines = vec![say(with(None), efforts(&trials.without))];
+        for (index, (of, unit_efforts)) in trials.sought.iter().zip(&trials.with).enumerate() {
+            let (_, _, size) = tried(of);
+            let grown = trials.without.iter().zip(unit_efforts);
+            let grown: Vec<f64> =
+                grown.map(|(none, one)| none + (one - none) * (size / trials.tried)).collect();
+            lines.push(say(with(Some(index)), efforts(&grown)));
+        }
+        let found = trials.sought.iter().map(|(sought, size)| {
+            let (symbol, unit) = self.sought(*sought);
+            equals(symbol, &human::quantity(*size, &unit))
+        });
+        let gone = list(inputs.clone().map(|input| equals(symbol(input), &zero)).collect());
+        let parts = [("loads", list(found.collect())), ("efforts", gone)];
+        lines.push(Rich::fill(self.n.words.force_trials_found, &parts));
+        lines
+    }
+
+    fn trial(&self, trial: &crate::graphical::construction::Trial) -> Rich {
+        let units = &self.n.scene.units;
+        let (symbol, unit) = self.sought(trial.sought);
+        let unit = &unit;
         let turns = self.n.mechanism().driven_link(0).is_some();
         let effort = |value: f64| if turns { self.torque(value) } else { self.force(value) };
         let input = if turns { Force::Torque(0) } else { Force::Drive(0) };

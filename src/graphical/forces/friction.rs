@@ -51,6 +51,17 @@ pub(super) enum Rubbed {
     Slide { slide: usize, along: Direction, normal: Direction, tangent: Option<Amount>, drag: Option<Pull> },
 }
 
+impl Rubbed {
+    fn pair(&self) -> RubbingPair {
+        match self {
+            Self::Pin { pin, carrier, link, .. } => {
+                RubbingPair::Pin { pin: *pin, carrier: *carrier, link: *link }
+            }
+            Self::Slide { slide, .. } => RubbingPair::Slide(*slide),
+        }
+    }
+}
+
 /// Where forces touch their circles in a pass, and how they lean.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Leaning {
@@ -155,10 +166,20 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
             leaning.drags.insert(*slide, *drag);
         }
     }
+    let mut resting: Vec<RubbingPair> = Vec::new();
+    for (pair, sense) in senses {
+        if d.board.is_weak(sense) {
+            resting.push(pair);
+        }
+    }
+    // Nobody knows the friction of a pair that does not move: what hangs on it leads nowhere.
+    let (rests, rubbed): (Vec<Rubbed>, Vec<Rubbed>) =
+        rubbed.into_iter().partition(|rub| resting.contains(&rub.pair()));
+    for (rub, pair) in rests.iter().map(|rub| (rub, rub.pair())) {
+        leaning = d.nowhere(std::slice::from_ref(rub), leaning, Missing::Sense(pair));
+    }
     let fresh = leaning.clone();
-    if let Some((pair, _)) = senses.into_iter().find(|(_, sense)| d.board.is_weak(*sense)) {
-        // Nobody knows what its friction would do to the others.
-        leaning = d.nowhere(&rubbed, fresh, Missing::Sense(pair));
+    if rubbed.is_empty() {
         return super::whole(d, plan, share, &leaning);
     }
     let mut balance = super::whole(d, plan, share, &leaning);

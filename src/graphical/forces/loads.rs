@@ -3,14 +3,15 @@
 use crate::board::{Amount, Direction, Reason};
 use crate::given::Given;
 use crate::mechanism::force::{
-    Area, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Share, Size, Sought, SpringKind, SpringLaw,
-    Unaimed,
+    Area, Heaviness, Inertia, Load, LoadKind, Mass, Pointing, Pressure, Share, Size, Sought, SpringKind,
+    SpringLaw, Unaimed,
 };
 use crate::mechanism::quantity::Order;
 use crate::mechanism::spin::SpinSpeed;
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
+use super::super::curve::Curved;
 use super::super::draughtsman::Draughtsman;
 use super::super::missing::Missing;
 use super::{Balance, Item, Pull};
@@ -31,14 +32,26 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
         }
     }
     for (index, spring) in forces.springs.iter().enumerate() {
-        let SpringKind::Pull(ends) = spring.kind else { continue };
         if share == Share::Inertia && !spring.is_sought() {
             continue;
         }
+        let assumed = balance.assumed.iter().find(|(s, _)| *s == Sought::Spring(index)).map(|(_, a)| *a);
+        if spring.is_sought() && assumed.is_none() {
+            continue;
+        }
+        let ends = match spring.kind {
+            SpringKind::Pull(ends) => ends,
+            SpringKind::Torsion(links) => {
+                if links.into_iter().any(drawn) {
+                    let torque = d.spring_torque(spring.law, links, assumed);
+                    d.lay_off_torsion(links, torque, balance);
+                }
+                continue;
+            }
+        };
         if !ends.iter().any(|(link, _)| drawn(*link)) {
             continue;
         }
-        let assumed = balance.assumed.iter().find(|(s, _)| *s == Sought::Spring(index)).map(|(_, a)| *a);
         let pull = d.spring_pull(spring.law, ends.map(|(_, point)| point), assumed);
         let [first, second] = ends.map(|(_, point)| d.at(point));
         let reason = d.reason_missing(Missing::Aim(Unaimed::Spring(index)));
@@ -87,6 +100,23 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
 }
 
 impl Draughtsman<'_> {
+    /// A couple on each link of a torsion spring: `torque` on the second one.
+    fn lay_off_torsion(&mut self, links: [LinkId; 2], torque: Amount, balance: &mut Balance) {
+        let back = self.board.opposite(torque);
+        // A spring on what all halves of a governor share is shared too.
+        let shared = links.into_iter().find(|link| self.mechanism.shared_by(*link) != 1.0);
+        for (link, couple) in links.into_iter().zip([back, torque]) {
+            // A couple acts wherever one likes on its link.
+            let at = match self.mechanism.link(link).points.first() {
+                Some(&joint) => self.at(joint),
+                None => self.no_point(Missing::Joint(link)),
+            };
+            let item = Item { pull: None, at, couple: Some(couple) };
+            let item = self.part_of_shared(shared.unwrap_or(link), item);
+            balance.known[link.0].push(item);
+        }
+    }
+
     /// The mass of a link; none of a flywheel.
     pub(super) fn kilograms(&mut self, mass: &Mass) -> Option<Amount> {
         match mass.heaviness {
@@ -179,13 +209,78 @@ impl Draughtsman<'_> {
     fn size(&mut self, size: Size, assumed: Option<Amount>) -> Amount {
         match size {
             Size::Given(given) => self.board.amount(given),
+            Size::Curve(curve) => self.height_of_curve(curve),
             Size::Sought => assumed.unwrap_or_else(|| self.no_amount(Missing::Sought)),
             Size::Pressure { pressure, area } => {
-                let pressure = self.board.amount(pressure);
+                let pressure = match pressure {
+                    Pressure::Given(given) => self.board.amount(given),
+                    Pressure::Curve(curve) => self.height_of_curve(curve),
+                };
                 let area = self.area(area);
                 self.board.product(pressure, area)
             }
         }
+    }
+
+    /// The height of a curve at the angle of the first input.
+    pub(super) fn height_of_curve(&mut self, curve: usize) -> Amount {
+        let at = self.angle_of_input();
+        let curve = self.mechanism.forces.curves[curve].clone();
+        let links = self.mechanism.driven_link(0);
+        let reason = self.reason(links.as_slice());
+        let curve = Curved::new(&mut self.board, &curve);
+        curve.height_here(&mut self.board, at, reason)
+    }
+
+    /// The angle of the first input, radians: as it is given, or measured within a turn from +x.
+    pub(super) fn angle_of_input(&mut self) -> Amount {
+        let (link, angle) = match self.mechanism.inputs.first() {
+            Some(Input::Angle { link, angle, .. } | Input::Speed { link, angle, .. }) => (*link, *angle),
+            Some(Input::Slide { .. }) | None => return self.no_amount(Missing::Input(0)),
+        };
+        if let Some(angle) = angle {
+            let angle = self.board.input_angle(0, angle);
+            return self.board.radians(angle);
+        }
+        let own = self.own_line_of(link);
+        let along = self.carried(link, own);
+        let angle = self.board.measure_angle(along);
+        let angle = self.board.radians(angle);
+        if angle.value() >= 0.0 {
+            return angle;
+        }
+        let turn = crate::double_double::DoubleDouble::PI * crate::double_double::DoubleDouble::of(2.0);
+        let turn = self.board.amount(Given::fine(turn, 1e-31));
+        self.board.sum(angle, turn)
+    }
+
+    /// The torque of a torsion spring on its second link: against how much further that is turned against the first one
+    /// than without load, within half a turn where it stands.
+    pub(super) fn spring_torque(
+        &mut self,
+        law: SpringLaw,
+        links: [LinkId; 2],
+        assumed: Option<Amount>,
+    ) -> Amount {
+        match law {
+            SpringLaw::Force(size) => self.size(size, assumed),
+            SpringLaw::Stiffness { stiffness, free } => {
+                let further = self.further_turned(links, free);
+                let stiffness = self.size(stiffness, assumed);
+                let back = self.board.product(stiffness, further);
+                self.board.opposite(back)
+            }
+        }
+    }
+
+    /// How much further the second link is turned against the first than by this angle, radians.
+    pub(super) fn further_turned(&mut self, links: [LinkId; 2], free: Given) -> Amount {
+        let right = self.board.rightward();
+        let [first, second] = links.map(|link| self.carried(link, right));
+        let free = self.board.angle(free);
+        let without = self.board.turned(first, free);
+        let further = self.board.turned_since(without, second);
+        self.board.radians(further)
     }
 
     fn area(&mut self, area: Area) -> Amount {

@@ -13,6 +13,7 @@ mod moments;
 mod read;
 mod record;
 mod rolling;
+mod sought;
 mod spin;
 mod triad;
 
@@ -31,7 +32,7 @@ use crate::mechanism::structure::{GroupKind, TrialDriver};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::Plan;
 
-use super::construction::{GroupTrial, Trial};
+use super::construction::{GroupTrial, Trial, Trials};
 use super::draughtsman::Draughtsman;
 use friction::Leaning;
 use rolling::RollForce;
@@ -95,6 +96,8 @@ pub(super) struct Balance {
     assumed: Vec<(Sought, Amount)>,
     /// How what was sought elsewhere than at the input was found.
     pub(super) trial: Option<Trial>,
+    /// The same of several.
+    pub(super) trials: Option<Trials>,
     /// Moments that gave a size, in the order in which they were taken.
     pub(super) taken: Vec<Taken>,
     /// What could not be drawn, and why.
@@ -150,9 +153,6 @@ pub(super) enum Holder {
     /// The pin itself, before any link that has it is solved.
     Pin,
 }
-
-/// The unit of force in which trials are made.
-const TRIAL: f64 = 1.0;
 
 impl Draughtsman<'_> {
     /// The scale of the force paper.
@@ -324,50 +324,11 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     }
 }
 
-/// The balance of one share, with forces that lean so; what is sought elsewhere than at the input is found by two trials
-/// and proportion.
+/// The balance of one share, with forces that lean so.
 fn whole(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, leaning: &Leaning) -> Balance {
-    let named = d.mechanism.named_sought();
-    match named[..] {
+    match d.mechanism.named_sought()[..] {
         [] => one(d, plan, (share, leaning), Vec::new()),
-        [only] if d.mechanism.inputs.len() == 1 => {
-            let rest = d.rest();
-            let effort = |balance: &Balance| {
-                let of = |(sought, _): &&(Sought, Amount)| *sought == Sought::Effort(0);
-                balance.efforts.iter().find(of).map(|(_, size)| *size)
-            };
-            let without = one(d, plan, (share, leaning), vec![(only, rest)]);
-            if without.refused.is_some() {
-                return without;
-            }
-            let unit = d.board.amount(crate::given::Given::exact(TRIAL));
-            let with = one(d, plan, (share, leaning), vec![(only, unit)]);
-            let (Some(without_effort), Some(with_effort)) = (effort(&without), effort(&with)) else {
-                return without;
-            };
-            let change = d.board.difference(with_effort, without_effort);
-            let links = d.mechanism.driven_link(0);
-            let reason = d.reason(links.as_slice());
-            let part = d.board.quotient(without_effort, change, reason);
-            let size = d.board.opposite(part);
-            let size = if only == Sought::Spin { d.square_of_a_speed(size, reason) } else { Some(size) };
-            let Some(size) = size else {
-                return Balance { refused: Some(NO_SPEED), ..Balance::default() };
-            };
-            let mut balance = one(d, plan, (share, leaning), vec![(only, size)]);
-            balance.efforts = vec![(only, size)];
-            balance.trial = Some(Trial {
-                sought: only,
-                tried: TRIAL,
-                efforts: [without_effort, with_effort].map(|effort| effort.value()),
-                size: size.value(),
-            });
-            balance
-        }
-        _ => Balance {
-            refused: Some("this version does not draw several unknown loads at once"),
-            ..Balance::default()
-        },
+        ref named => sought::found(d, plan, (share, leaning), named),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Reads the asked forces off the balance.
 
 use crate::board::{Amount, Line, Point};
-use crate::mechanism::force::{Action, Force, Share, Sought, Through};
+use crate::mechanism::force::{Action, Force, Share, Sought, SpringKind, Through};
 use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{LinkId, PointId};
 
@@ -75,9 +75,7 @@ impl Draughtsman<'_> {
             },
             Force::Pull(index) => {
                 let spring = self.mechanism.forces.springs[index].clone();
-                let crate::mechanism::force::SpringKind::Pull(ends) = spring.kind else {
-                    return Err("torsion springs are not drawn");
-                };
+                let SpringKind::Pull(ends) = spring.kind else { return Err(NOT_DRAWN) };
                 let assumed = match spring.is_sought() {
                     true => Some(self.effort_of(Sought::Spring(index), share)?),
                     false => None,
@@ -91,7 +89,15 @@ impl Draughtsman<'_> {
                 }
                 ForceRead::Scalar(self.board.root(square))
             }
-            Force::Twist(_) => return Err("torsion springs are not drawn"),
+            Force::Twist(index) => {
+                let spring = self.mechanism.forces.springs[index].clone();
+                let SpringKind::Torsion(links) = spring.kind else { return Err(NOT_DRAWN) };
+                let assumed = match spring.is_sought() {
+                    true => Some(self.effort_of(Sought::Spring(index), share)?),
+                    false => None,
+                };
+                ForceRead::Scalar(self.spring_torque(spring.law, links, assumed))
+            }
             Force::InertiaTorque(link) => {
                 let mass = *self.mechanism.forces.mass(link).ok_or(NOT_DRAWN)?;
                 let torque = if share == Share::Static { None } else { self.inertia_torque(&mass) };
@@ -182,9 +188,7 @@ impl Draughtsman<'_> {
             }
             Action::Spring { index, end } => {
                 let spring = self.mechanism.forces.springs[index].clone();
-                let crate::mechanism::force::SpringKind::Pull(ends) = spring.kind else {
-                    return Err("torsion springs are not drawn");
-                };
+                let SpringKind::Pull(ends) = spring.kind else { return Err(NOT_DRAWN) };
                 let assumed = match spring.is_sought() {
                     true => Some(self.effort_of(Sought::Spring(index), share)?),
                     false => None,

@@ -1,14 +1,14 @@
 //! What the balance leaves on the paper: the free bodies in the order of solution, and the whole.
 
 use crate::mechanism::force::{
-    Action, Force, Load, LoadKind, Party, Pointing, Share, Sought, Spring, SpringKind,
+    Action, Force, Load, LoadKind, Party, Pointing, Share, Sought, Spring, SpringKind, SpringLaw,
 };
 use crate::mechanism::friction::{Rub, RubbingPair};
 use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
-use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge, Touch};
+use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge, LoadSize, SpringTwist, Touch};
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
 use super::{About, Taken, TakenFor};
@@ -26,7 +26,8 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         return None;
     }
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
-    let (trial, mut group_trials) = (balance.trial, balance.group_trials.clone());
+    let (trial, trials, mut group_trials) =
+        (balance.trial, balance.trials.clone(), balance.group_trials.clone());
     // With friction, and in a governor, moments are taken about other points than the pins; only of what drives, where
     // nothing rubs at its pins, as ever.
     let plain = rubs.is_empty() && d.mechanism.forces.spin.is_none();
@@ -100,6 +101,8 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         told.is_some()
     });
     let contacts = (0..d.mechanism.rolls.len()).filter(|roll| d.keeps_contact(*roll)).collect();
+    let drawn = |link: LinkId| plan.forces.links.contains(&link);
+    let (sizes, twists) = (d.sizes_told(drawn), d.twists_told(drawn));
     Some(ForceSheet {
         masses,
         bodies,
@@ -110,8 +113,11 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         trial,
         group_trials,
         contacts,
+        trials,
         rubs,
         passes,
+        sizes,
+        twists,
     })
 }
 
@@ -452,8 +458,10 @@ impl Draughtsman<'_> {
             }
         }
         let driven = (0..m.inputs.len()).any(|input| m.driven_link(input) == Some(link));
-        if let ([one, other], false) =
-            (&mut acting[..], driven || m.forces.loads.iter().any(|l| l.link == link && l.is_torque()))
+        let wound = |spring: &Spring| matches!(spring.kind, SpringKind::Torsion(of) if of.contains(&link));
+        let turned = m.forces.loads.iter().any(|l| l.link == link && l.is_torque())
+            || m.forces.springs.iter().any(wound);
+        if let ([one, other], false) = (&mut acting[..], driven || turned)
             && one.known == Knowledge::Full
         {
             // The other one is in its line.
@@ -492,7 +500,46 @@ impl Draughtsman<'_> {
                 found.push((force, amount.value()));
             }
         }
+        // The first link of a torsion spring feels the opposite of what its second link does.
+        for (index, spring) in m.forces.springs.iter().enumerate() {
+            let SpringKind::Torsion([first, second]) = spring.kind else { continue };
+            if let (true, super::ForceRead::Scalar(torque)) =
+                ([first, second].contains(&link), self.read_force(Force::Twist(index), Share::Total))
+            {
+                let value = if second == link { torque.value() } else { -torque.value() };
+                found.push((Force::Twist(index), value));
+            }
+        }
         found
+    }
+
+    /// What the loads on drawn links come to whose size changes with the angle of the first input.
+    fn sizes_told(&mut self, drawn: impl Fn(LinkId) -> bool) -> Vec<LoadSize> {
+        let loads = &self.mechanism.forces.loads;
+        let told = |(index, load): (usize, &Load)| load.curve().map(|curve| (index, curve));
+        let curves: Vec<(usize, usize)> =
+            loads.iter().enumerate().filter(|(_, load)| drawn(load.link)).filter_map(told).collect();
+        let mut all = Vec::new();
+        for (load, curve) in curves {
+            let (angle, height) = (self.angle_of_input().value(), self.height_of_curve(curve).value());
+            all.push(LoadSize { load, angle, height });
+        }
+        all
+    }
+
+    /// How the torsion springs on drawn links stand.
+    fn twists_told(&mut self, drawn: impl Fn(LinkId) -> bool) -> Vec<SpringTwist> {
+        let springs = self.mechanism.forces.springs.clone();
+        let mut all = Vec::new();
+        for (index, spring) in springs.iter().enumerate() {
+            if let (SpringKind::Torsion(links), SpringLaw::Stiffness { free, .. }) = (spring.kind, spring.law)
+                && links.iter().any(|link| drawn(*link))
+            {
+                let further = self.further_turned(links, free);
+                all.push(SpringTwist { spring: index, further: further.value() });
+            }
+        }
+        all
     }
 
     /// Everything that acts on the mechanism from outside.

@@ -6,8 +6,8 @@ const CLEAR = 8;
 /** So many samples of the roundings are carried along. */
 const SAMPLES = 8;
 const SUM = 0, DIFFERENCE = 1, OPPOSITE = 2, PRODUCT = 3, QUOTIENT = 4, ROOT = 5, HALF_CHORD = 6, DOT = 7, CROSS = 8,
-  COSINE = 9, SINE = 10, ANGLE = 11, TURNED = 12, FIND = 13;
-const OPERANDS = [2, 2, 1, 2, 2, 1, 1, 4, 4, 1, 1, 2, 2, 0];
+  COSINE = 9, SINE = 10, ANGLE = 11, TURNED = 12, WHOLE = 13, FIND = 14;
+const OPERANDS = [2, 2, 1, 2, 2, 1, 1, 4, 4, 1, 1, 2, 2, 1, 0];
 const WIDTH = 8;
 
 /** @param {number} a */
@@ -134,6 +134,7 @@ class Program {
           break;
         case COSINE: sinCos(a); out = circular.cosine; partials[0] = -circular.sine; break;
         case SINE: sinCos(a); out = circular.sine; partials[0] = circular.cosine; break;
+        case WHOLE: out = Math.floor(a); break;
         default: {
           out = kind === TURNED ? angleNear(signs[this.signCount + code[step + 5]], a, b) : angleOf(a, b);
           const square = a * a + b * b;
@@ -142,7 +143,7 @@ class Program {
         }
       }
       this.carry(to, step, count, out);
-      this.round(to, 2 * UNIT * Math.abs(out) + UNIT * products, last & 255);
+      if (kind !== WHOLE) this.round(to, 2 * UNIT * Math.abs(out) + UNIT * products, last & 255);
       if (last & 256 && !this.isClear(to)) this.lost[to] = 1;
       if (second !== 0) {
         const other = kind === COSINE ? circular.sine : circular.cosine;
@@ -186,6 +187,7 @@ class Program {
         case HALF_CHORD: row[to] = signs[code[step + 4]] * rootOf(a); break;
         case DOT: row[to] = a * b + c * d; break;
         case CROSS: row[to] = a * b - c * d; break;
+        case WHOLE: row[to] = Math.floor(a); break;
         case ANGLE: row[to] = angleOf(a, b); break;
         case TURNED: row[to] = angleNear(signs[this.signCount + code[step + 5]], a, b); break;
         default: {

@@ -1,0 +1,485 @@
+//! Loads over the angle of the input, torsion springs, several unknowns at once, and what a pair at rest leaves open:
+//! against closed forms, virtual work and quadrature of the test's own.
+
+#![allow(clippy::unwrap_used, reason = "a test")]
+
+use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
+
+use linkgram::check;
+use linkgram::mechanism::quantity::{Answer, Indeterminate};
+use linkgram::plan::Extent;
+use linkgram::scene::{self, Scene};
+use linkgram::solve::{solve, solve_analytically};
+use linkgram::sweep::Sweep;
+
+fn read(text: &str) -> Scene {
+    scene::read(text, "loads.json").unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn refusal(text: &str) -> String {
+    scene::read(text, "loads.json").unwrap_err().to_string()
+}
+
+/// Answers by name, of both solvers, which must agree.
+fn answers(scene: &Scene) -> BTreeMap<String, Vec<f64>> {
+    let solved = solve(scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let agreement = check::agreement(scene, &solved, &solve_analytically(scene));
+    assert!(agreement.ok(), "{:?} {:?} {:?}", agreement.refused, agreement.disagreements(), agreement.power);
+    let readings = &solved.solution.construction.answers;
+    let told = scene.mechanism.asked.iter().zip(readings).map(|(asked, reading)| {
+        let number = match &reading.answer {
+            Answer::Scalar { value, .. } => vec![*value],
+            Answer::Vector { value, .. } => value.to_vec(),
+            other => panic!("{}: {other:?}", asked.name),
+        };
+        (asked.name.clone(), number)
+    });
+    told.collect()
+}
+
+fn near(found: f64, wanted: f64) {
+    assert!((found - wanted).abs() <= 1e-9 * wanted.abs().max(1.0), "{found} is not {wanted}");
+}
+
+/// A slider-crank of 60 and 220 mm at an angle of its crank.
+fn crank(angle: &str, more: &str) -> Scene {
+    read(&format!(
+        r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+        "links": {{ "2": {{ "joins": ["O2", "A"], "length": 60 }}, "3": {{ "joins": ["A", "B"], "length": 220 }} }},
+        "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O2" }} }} ],
+        "near": {{ "B": [240, 0] }}, "input": {{ "link": 2, {angle} "omega": "10 rad/s ccw" }}, {more} }}"#
+    ))
+}
+
+/// How far the piston moves towards the crank for a radian, metres.
+fn arm(theta: f64) -> f64 {
+    let phi = libm::asin(60.0 * libm::sin(theta) / 220.0);
+    0.06 * libm::sin(theta + phi) / libm::cos(phi)
+}
+
+/// The test's own table: straight between knots, the second of two knots at a leap.
+fn table(knots: &[[f64; 2]], period: f64, at: f64) -> f64 {
+    let at = knots[0][0] + (at - knots[0][0]).rem_euclid(period);
+    let next = knots.iter().position(|knot| knot[0] > at + 1e-9).unwrap_or(knots.len());
+    let from = knots[next - 1];
+    let to = if next < knots.len() { knots[next] } else { [knots[0][0] + period, knots[0][1]] };
+    from[1] + (to[1] - from[1]) * (at - from[0]) / (to[0] - from[0])
+}
+
+const PUSH: [[f64; 2]; 6] =
+    [[0.0, 2000.0], [90.0, 1000.0], [180.0, 0.0], [180.0, -300.0], [360.0, -300.0], [540.0, 100.0]];
+
+fn push(period: f64) -> String {
+    let knots: Vec<String> = PUSH.iter().map(|[at, size]| format!("[{at}, {size}]")).collect();
+    format!(
+        r#"{{ "name": "P", "on": 4, "force": {{ "table": [{}], "period": {period} }}, "direction": 180 }}"#,
+        knots.join(", ")
+    )
+}
+
+/// A table of forces, harmonics of a torque and a table of pressures at angles between knots, at knots, at a leap and in the
+/// second turn; an angle that follows from places is that angle.
+#[test]
+fn loads_have_the_size_of_their_angle() {
+    let harmonics = r#"{ "name": "M", "on": 2, "torque": { "harmonics": { "constant": 3, "sin": [[2, 5]], "cos": [[1, "-4 N*m"], [0.5, 1]] }, "period": 720 } }"#;
+    let gas = r#"{ "name": "Q", "on": 4, "pressure": { "table": [[10, "28 bar"], [100, "2 bar"]] }, "bore": 80, "direction": 180 }"#;
+    let find = r#""find": ["T(2)", "load(P)", "load(M)", "load(Q)", "F(1,4)"]"#;
+    for degrees in [5.0, 50.0, 90.0, 180.0, 200.0, 359.0, 410.0, 540.0, 700.0, -20.0] {
+        let theta = f64::to_radians(degrees);
+        let scene = crank(
+            &format!(r#""angle": {degrees},"#),
+            &format!(r#""loads": [ {}, {harmonics}, {gas} ], {find}"#, push(720.0)),
+        );
+        let found = answers(&scene);
+        let force = table(&PUSH, 720.0, degrees);
+        let torque = 3.0 + 5.0 * libm::sin(2.0 * theta) - 4.0 * libm::cos(theta) + libm::cos(theta / 2.0);
+        let pressure = table(&[[10.0, 28e5], [100.0, 2e5]], 360.0, degrees);
+        let gas = pressure * PI / 4.0 * 0.0064;
+        near(found["load(P)"][0], -force);
+        near(found["load(M)"][0], torque);
+        near(found["load(Q)"][0], -gas);
+        near(found["T(2)"][0], -(force + gas) * arm(theta) - torque);
+    }
+    let placed = |load: &str| {
+        read(&format!(
+            r#"{{ "fixed": {{ "O2": [0, 0] }}, "placed": {{ "A": [-3, -4], "B": [9, 0] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"] }}, "3": {{ "joins": ["A", "B"] }} }},
+            "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": "O2" }} }} ],
+            "input": {{ "link": 2, "omega": 1 }}, "loads": [ {{ "name": "P", "on": 4, "force": {load} }} ], "find": ["load(P)"] }}"#
+        ))
+    };
+    // The crank stands at 233.13°.
+    let angle = (180.0 + libm::atan2(4.0, 3.0).to_degrees()) / 360.0;
+    near(answers(&placed(r#"{ "table": [[0, 0], [360, 1]] }"#))["load(P)"][0], angle);
+    near(answers(&placed(r#"{ "table": [[0, 0], [720, 1]], "period": 720 }"#))["load(P)"][0], angle / 2.0);
+}
+
+/// Over two turns, with knots and a leap in the way, every position is the closed form, and the other solver confirms it.
+#[test]
+fn a_sweep_follows_the_curves() {
+    let scene =
+        crank(r#""angle": 50,"#, &format!(r#""loads": [ {} ], "find": ["T(2)", "load(P)"]"#, push(720.0)));
+    let sweep = Sweep::new(&scene.mechanism, Some([0.0, 2.0 * TAU])).unwrap();
+    let mut seen = 0;
+    for position in sweep.positions(&sweep.equal_steps(144)) {
+        let force = table(&PUSH, 720.0, position.at.to_degrees());
+        near(position.values[0].unwrap(), -force * arm(position.at));
+        near(position.values[1].unwrap(), -force);
+        seen += 1;
+    }
+    assert_eq!(seen, 145);
+    let one = Sweep::new(&scene.mechanism, None).unwrap();
+    check::confirm_sweep(&one).unwrap();
+    for place in [0.3, 1.2, 2.0] {
+        let mut there = scene.clone();
+        there.mechanism = one.mechanism_at(place).unwrap();
+        near(answers(&there)["T(2)"][0], -table(&PUSH, 720.0, f64::to_degrees(place)) * arm(place));
+    }
+    // With bounds: the truth lies within them.
+    let bounded = one.with_bounds().unwrap();
+    let places = one.equal_steps(90);
+    bounded.run(&places, |at, numbers, bounds| {
+        let truth = -table(&PUSH, 720.0, at.to_degrees()) * arm(at);
+        let room = bounds[0] + 1e-12 * truth.abs().max(1.0);
+        assert!(
+            (numbers[0] - truth).abs() <= room || bounds[0].is_infinite(),
+            "{at}: {} {truth}",
+            numbers[0]
+        );
+    });
+}
+
+/// The turning-moment diagram of a mechanism whose load is a table: work and levels by quadrature of the closed form.
+#[test]
+fn a_cycle_of_a_mechanism_with_curves() {
+    let scene = crank(
+        r#""angle": 50,"#,
+        &format!(
+            r#""loads": [ {} ], "cycle": {{ "torque": {{ "of": 2 }}, "period": 720 }}, "find": ["E", "Tmean", "Ef", "Emax", "Emin"]"#,
+            push(720.0)
+        ),
+    );
+    let found = answers(&scene);
+    // The middle of many small steps, none of which spans a knot.
+    let steps = 288_000;
+    let step = 2.0 * TAU / f64::from(steps);
+    let torque = |at: f64| table(&PUSH, 720.0, at.to_degrees()) * arm(at);
+    let work: f64 = (0..steps).map(|k| torque((f64::from(k) + 0.5) * step) * step).sum();
+    let mean = work / (2.0 * TAU);
+    let (mut level, mut most, mut least) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for k in 0..steps {
+        level += (torque((f64::from(k) + 0.5) * step) - mean) * step;
+        (most, least) = (most.max(level), least.min(level));
+    }
+    let close = |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-5, "{found} is not {wanted}");
+    close(found["E"][0], work);
+    close(found["Tmean"][0], mean);
+    close(found["Ef"][0], most - least);
+    // Masses move the levels and take no work; both solvers must still agree.
+    let heavy = crank(
+        r#""angle": 50,"#,
+        &format!(
+            r#""masses": {{ "4": {{ "mass": 2 }}, "3": {{ "mass": 1.5, "inertia": 0.01, "at": "A" }} }},
+            "loads": [ {}, {{ "on": 2, "torque": {{ "harmonics": {{ "sin": [[1, 3]] }} }} }} ],
+            "cycle": {{ "torque": {{ "of": 2 }}, "period": 720 }}, "find": ["E", "Ef", "crossing(1)"]"#,
+            push(720.0)
+        ),
+    );
+    close(answers(&heavy)["E"][0], work);
+    let told = refusal(
+        r#"{ "fixed": { "O": [0, 0] }, "links": { "2": { "joins": ["O", "A"], "length": 1 } },
+            "input": { "link": 2, "angle": 3, "omega": 1 },
+            "loads": [ { "on": 2, "torque": { "table": [[0, 1], [90, 3]], "period": 720 } } ],
+            "cycle": { "torque": { "of": 2 }, "period": 360 }, "find": ["Ef"] }"#,
+    );
+    assert!(told.contains("after 2 turns"), "{told}");
+}
+
+/// What says nothing is refused where it stands.
+#[test]
+fn curves_that_say_nothing_are_refused() {
+    let with = |input: &str, force: &str| {
+        refusal(&format!(
+            r#"{{ "fixed": {{ "O": [0, 0] }}, "links": {{ "2": {{ "joins": ["O", "A"], "length": 1 }} }},
+            {input}, "loads": [ {{ "on": 2, "at": "A", "force": {force} }} ], "find": ["T(2)"] }}"#
+        ))
+    };
+    let turning = r#""input": { "link": 2, "angle": 3, "omega": 1 }"#;
+    for (force, what) in [
+        (r#"{ "table": [[90, 1], [0, 2]] }"#, "ascend"),
+        (r#"{ "table": [] }"#, "knots"),
+        ("{}", "the curve is missing"),
+        (r#"{ "table": [[0, "2 m"]] }"#, "a force is expected"),
+        (r#"{ "table": [[0, 1]], "harmonics": { "constant": 1 } }"#, "not both"),
+        (r#"{ "of": 2 }"#, "of"),
+    ] {
+        let told = with(turning, force);
+        assert!(told.contains(what), "{told}");
+    }
+    let slider = refusal(
+        r#"{ "fixed": { "O": [0, 0] }, "placed": { "B": [3, 0] }, "links": { "2": { "joins": ["B", "C"], "length": 1 } },
+            "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O" } } ],
+            "near": { "C": [4, 0] }, "inputs": [ { "slide": "B", "at": 3 }, { "link": 2, "angle": 3 } ],
+            "loads": [ { "on": 4, "force": { "table": [[0, 1]] } } ], "find": ["drive(B)"] }"#,
+    );
+    assert!(slider.contains("drive a link"), "{slider}");
+}
+
+/// A four-bar as the test knows it: angles of links 3 and 4, and their rates for a unit rate of the crank.
+fn four_bar(theta: f64) -> [f64; 4] {
+    let (a, b, c, d) = (0.06, 0.18, 0.12, 0.2);
+    let at = [a * libm::cos(theta), a * libm::sin(theta)];
+    let apart = [d - at[0], -at[1]];
+    let reach = libm::hypot(apart[0], apart[1]);
+    let inner = libm::acos((reach * reach + b * b - c * c) / (2.0 * reach * b));
+    let three = libm::atan2(apart[1], apart[0]) + inner;
+    let pin = [at[0] + b * libm::cos(three), at[1] + b * libm::sin(three)];
+    let four = libm::atan2(pin[1], pin[0] - d);
+    let three_rate = a * libm::sin(four - theta) / (b * libm::sin(three - four));
+    let four_rate = a * libm::sin(theta - three) / (c * libm::sin(four - three));
+    [three, four, three_rate, four_rate]
+}
+
+fn rocker(more: &str) -> Scene {
+    read(&format!(
+        r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O4": [200, 0] }},
+        "links": {{ "2": {{ "joins": ["O2", "A"], "length": 60 }}, "3": {{ "joins": ["A", "B"], "length": 180 }},
+            "4": {{ "joins": ["O4", "B"], "length": 120 }} }},
+        "near": {{ "B": [160, 110] }}, "input": {{ "link": 2, "angle": 50, "omega": "10 rad/s ccw" }}, {more} }}"#
+    ))
+}
+
+/// T₂ = −Σ M δφ: a torsion spring to the frame, one between two moving links, a torque of a spring, a stiffness that is
+/// sought; over a turn too.
+#[test]
+fn torsion_springs_are_virtual_work() {
+    let [three, four, three_rate, four_rate] = four_bar(50.0_f64.to_radians());
+    let found = answers(&rocker(
+        r#""springs": [ { "name": "S", "links": [1, 4], "stiffness": 20, "free": 80 }, { "name": "R", "links": [3, 4], "force": "4 N*m cw" },
+            { "name": "K", "links": [4, 3], "stiffness": "5 N*m/rad", "free": "-1.2 rad" } ],
+           "find": ["T(2)", "spring(S)", "spring(R)", "spring(K)", "moment(F(1,4),B)", "F(3,4)"]"#,
+    ));
+    let (s, r, k) = (-20.0 * (four - 80.0_f64.to_radians()), -4.0, -5.0 * (three - four + 1.2));
+    near(found["spring(S)"][0], s);
+    near(found["spring(R)"][0], r);
+    near(found["spring(K)"][0], k);
+    let work = s * four_rate + r * (four_rate - three_rate) + k * (three_rate - four_rate);
+    near(found["T(2)"][0], -work);
+    // Of the frame's spring the frame feels no force: link 4 is in balance by its pins and couples.
+    near(found["moment(F(1,4),B)"][0], -(s + r - k));
+    let sought = answers(&rocker(&format!(
+        r#""springs": [ {{ "name": "S", "links": [1, 4], "stiffness": "?", "free": 80 }} ],
+           "loads": [ {{ "on": 2, "torque": {} }} ], "find": ["spring(S)"]"#,
+        -s * four_rate
+    )));
+    near(sought["spring(S)"][0], s);
+    let scene = rocker(
+        r#""springs": [ { "name": "S", "links": [1, 4], "stiffness": 20, "free": 80 } ], "find": ["T(2)", "spring(S)"]"#,
+    );
+    let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+    check::confirm_sweep(&sweep).unwrap();
+    for position in sweep.positions(&sweep.equal_steps(72)) {
+        let [_, four, _, four_rate] = four_bar(position.at);
+        let torque = -20.0 * (four - 80.0_f64.to_radians());
+        near(position.values[1].unwrap(), torque);
+        near(position.values[0].unwrap(), -torque * four_rate);
+    }
+    // The free angle counts within half a turn.
+    let wound = rocker(
+        r#""springs": [ { "name": "S", "links": [1, 4], "stiffness": 20, "free": 440 } ], "find": ["spring(S)"]"#,
+    );
+    near(answers(&wound)["spring(S)"][0], s);
+    // What it takes it gives back: over a turn no work, whatever the levels.
+    let cycle = rocker(
+        r#""springs": [ { "links": [1, 4], "stiffness": 20, "free": 80 } ],
+           "loads": [ { "on": 2, "torque": 7 } ], "cycle": { "torque": { "of": 2 } }, "find": ["E", "Ef"]"#,
+    );
+    near(answers(&cycle)["E"][0], 7.0 * TAU);
+}
+
+/// Two links, two inputs, and two loads that are sought in the place of both efforts: the closed form of the arm.
+#[test]
+fn several_unknowns_are_found_at_once() {
+    let arm = |more: &str| {
+        read(&format!(
+            r#"{{ "fixed": {{ "O": [0, 0] }}, "links": {{ "2": {{ "joins": ["O", "A"], "length": 2 }}, "3": {{ "joins": ["A", "B"], "length": 1.5 }} }},
+            "inputs": [ {{ "link": 2, "angle": 40, "omega": 1 }}, {{ "link": 3, "angle": 100, "omega": -2 }} ], {more} }}"#
+        ))
+    };
+    let (one, two) = (40.0_f64.to_radians(), 100.0_f64.to_radians());
+    let efforts =
+        answers(&arm(r#""loads": [ { "on": 3, "at": "B", "force": [30, -70] } ], "find": ["T(2)", "T(3)"]"#));
+    // Angles of the world are the coordinates: a torque for each.
+    let wanted = [
+        -(2.0 * (libm::cos(one) * -70.0 - libm::sin(one) * 30.0)),
+        -(1.5 * (libm::cos(two) * -70.0 - libm::sin(two) * 30.0)),
+    ];
+    near(efforts["T(2)"][0], wanted[0]);
+    near(efforts["T(3)"][0], wanted[1]);
+    // The same force from the torques, sought along two directions in either order.
+    for [first, second] in [["X", "Y"], ["Y", "X"]] {
+        let of = |name: &str| {
+            let angle = if name == "X" { 0 } else { 90 };
+            format!(r#"{{ "name": "{name}", "on": 3, "at": "B", "force": "?", "direction": {angle} }}"#)
+        };
+        let found = answers(&arm(&format!(
+            r#""loads": [ {}, {}, {{ "on": 2, "torque": {} }}, {{ "on": 3, "torque": {} }} ], "find": ["load(X)", "load(Y)", "F(2,3)"]"#,
+            of(first),
+            of(second),
+            wanted[0],
+            wanted[1]
+        )));
+        near(found["load(X)"][0], 30.0);
+        near(found["load(Y)"][1], -70.0);
+        near(found["F(2,3)"][0], -30.0);
+        near(found["F(2,3)"][1], 70.0);
+    }
+    // A spring's stiffness and a torque; three at once.
+    let found = answers(&arm(
+        r#""loads": [ { "on": 3, "at": "B", "force": [30, -70] }, { "name": "M", "on": 2, "torque": "?" } ],
+           "springs": [ { "name": "S", "between": [ { "link": 3, "at": "B" }, { "link": 1, "at": [-4, 1] } ], "stiffness": "?", "free": 1 } ],
+           "find": ["load(M)", "spring(S)"]"#,
+    ));
+    let tip = [2.0 * libm::cos(one) + 1.5 * libm::cos(two), 2.0 * libm::sin(one) + 1.5 * libm::sin(two)];
+    let away = [-4.0 - tip[0], 1.0 - tip[1]];
+    let long = libm::hypot(away[0], away[1]);
+    let unit = away.map(|c| c / long);
+    let pull = -(libm::cos(two) * -70.0 - libm::sin(two) * 30.0)
+        / (libm::cos(two) * unit[1] - libm::sin(two) * unit[0]);
+    near(found["spring(S)"][0], pull);
+    let on = [30.0 + pull * unit[0], -70.0 + pull * unit[1]];
+    near(found["load(M)"][0], -2.0 * (libm::cos(one) * on[1] - libm::sin(one) * on[0]));
+    let three = read(
+        r#"{ "fixed": { "O": [0, 0] }, "links": { "2": { "joins": ["O", "A"], "length": 2 }, "3": { "joins": ["A", "B"], "length": 1.5 }, "4": { "joins": ["B", "C"], "length": 1 } },
+            "inputs": [ { "link": 2, "angle": 40, "omega": 1 }, { "link": 3, "angle": 100, "omega": -2 }, { "link": 4, "angle": 10, "omega": 1 } ],
+            "loads": [ { "on": 4, "at": "C", "force": [30, -70] }, { "name": "L", "on": 4, "torque": "?" }, { "name": "M", "on": 2, "torque": "?" },
+                { "name": "X", "on": 3, "at": "B", "force": "?", "direction": 0 } ], "find": ["load(L)", "load(M)", "load(X)"] }"#,
+    );
+    let found = answers(&three);
+    let turn = |length: f64, angle: f64, force: [f64; 2]| {
+        length * (libm::cos(angle) * force[1] - libm::sin(angle) * force[0])
+    };
+    near(found["load(L)"][0], -turn(1.0, 10.0_f64.to_radians(), [30.0, -70.0]));
+    let x = turn(1.5, two, [30.0, -70.0]) / (1.5 * libm::sin(two));
+    near(found["load(X)"][0], x);
+    near(found["load(M)"][0], -turn(2.0, one, [30.0 + x, -70.0]));
+    // Two loads that do the same work are not told apart.
+    let alike = arm(
+        r#""loads": [ { "on": 3, "torque": 5 }, { "name": "M", "on": 2, "torque": "?" }, { "name": "N", "on": 2, "torque": "?" } ], "find": ["load(M)"]"#,
+    );
+    let solved = solve(&alike, Extent::Asked, linkgram::sheet::scale::for_scene);
+    let undetermined = match solved {
+        Err(_) => true,
+        Ok(solved) => matches!(solved.solution.construction.answers[0].answer, Answer::Indeterminate(_)),
+    };
+    assert!(undetermined);
+}
+
+/// The sheet says what a curve comes to, how a torsion spring stands and how several unknowns are found, in every
+/// language.
+#[test]
+fn sheets_tell_it() {
+    let scenes = [
+        crank(r#""angle": 50,"#, &format!(r#""loads": [ {} ], "find": ["T(2)"]"#, push(720.0))),
+        crank(
+            r#""angle": 50,"#,
+            r#""loads": [ { "name": "Q", "on": 4, "pressure": { "table": [[10, "28 bar"], [100, "2 bar"]] }, "bore": 80, "direction": 180 },
+                { "on": 2, "torque": { "harmonics": { "sin": [[2, 5]] } } } ], "find": ["T(2)"]"#,
+        ),
+        rocker(
+            r#""springs": [ { "name": "S", "links": [1, 4], "stiffness": 20, "free": 80 } ], "find": ["T(2)", "F(3,4)"]"#,
+        ),
+        rocker(
+            r#""springs": [ { "name": "R", "links": [3, 4], "force": "4 N*m cw" } ], "find": ["T(2)", "F(3,4)"]"#,
+        ),
+        read(
+            r#"{ "fixed": { "O": [0, 0] }, "links": { "2": { "joins": ["O", "A"], "length": 2 }, "3": { "joins": ["A", "B"], "length": 1.5 } },
+            "inputs": [ { "link": 2, "angle": 40, "omega": 1 }, { "link": 3, "angle": 100, "omega": -2 } ],
+            "loads": [ { "name": "X", "on": 3, "at": "B", "force": "?", "direction": 0 }, { "name": "M", "on": 2, "torque": "?" }, { "on": 3, "torque": 6 } ],
+            "find": ["load(X)", "load(M)"] }"#,
+        ),
+    ];
+    for scene in scenes {
+        for language in ["en", "ar", "fa"] {
+            let mut scene = scene.clone();
+            scene.sheet.language = Some(language.to_owned());
+            let drawn = linkgram::drawing::figure(&scene, &linkgram::drawing::Wish::default());
+            drawn.unwrap_or_else(|error| panic!("{}", error.told(&scene)));
+        }
+    }
+}
+
+/// A pair that rubs and rests leaves open what hangs on its friction, and nothing else: at the dead centre of its slider
+/// the other slider's forces are those of its rod.
+#[test]
+fn a_pair_at_rest_leaves_only_its_own_forces_open() {
+    let scene = read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 220 }, "5": { "joins": ["A", "C"], "length": 200 } },
+        "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O2" }, "f": 0.1 },
+            { "pin": "C", "block": 6, "on": { "link": 1, "through": "O2", "angle": 90 }, "f": 0.2 } ],
+        "near": { "B": [280, 0], "C": [0, 190] }, "input": { "link": 2, "angle": 0, "omega": "10 rad/s ccw" },
+        "loads": [ { "name": "P", "on": 4, "force": 1500, "direction": 180 }, { "name": "Q", "on": 6, "force": 500, "direction": 270 } ],
+        "find": ["F(5,6)", "F(1,6)", "load(P)", "F(3,4)", "F(1,4)"] }"#,
+    );
+    let solved = solve(&scene, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let agreement = check::agreement(&scene, &solved, &solve_analytically(&scene));
+    assert!(agreement.ok(), "{:?}", agreement.disagreements());
+    for compared in &agreement.compared[..3] {
+        assert!(compared.difference.is_some(), "{}: {:?}", compared.asked.name, compared.indeterminate());
+    }
+    for compared in &agreement.compared[3..] {
+        assert!(
+            matches!(compared.indeterminate(), Some(Indeterminate::Rubbing { .. })),
+            "{}: {:?}",
+            compared.asked.name,
+            compared.graphical.answer
+        );
+        assert!(matches!(compared.analytic, Answer::Indeterminate(_)), "{}", compared.asked.name);
+    }
+    // The block rises: its guide's friction is downwards, 0.2 of the normal force, and the rod is a member of two forces.
+    let Answer::Vector { value: rod, .. } = agreement.compared[0].graphical.answer else { panic!() };
+    let Answer::Vector { value: guide, .. } = agreement.compared[1].graphical.answer else { panic!() };
+    let up = libm::sqrt(200.0 * 200.0 - 3600.0);
+    near(rod[0] / rod[1], -60.0 / up);
+    near(guide[0], -rod[0]);
+    near(guide[1], -0.2 * guide[0].abs());
+    near(rod[1] + guide[1], 500.0);
+}
+
+/// A block's mass centre and a load beside its pin, in the block's own coordinates: x along its guide. Its guide keeps it
+/// from turning, and what it carries on a lever moves as the lever turns: the same body as a link that slides.
+#[test]
+fn own_coordinates_of_a_block() {
+    let scene = crank(
+        r#""angle": 50,"#,
+        r#""gravity": {}, "masses": { "4": { "mass": 5, "at": [20, 30] } },
+           "loads": [ { "on": 4, "at": [20, 30], "force": 100, "direction": 180 } ],
+           "find": ["T(2)", "F(1,4)", "moment(F(1,4),B)", "a(G4)", "a(B)"]"#,
+    );
+    let found = answers(&scene);
+    near(found["a(G4)"][0], found["a(B)"][0]);
+    let along = -100.0 - 5.0 * found["a(B)"][0];
+    near(found["moment(F(1,4),B)"][0], -(0.02 * -49.05 - 0.03 * along));
+    let lever = |links: &str, slide: &str| {
+        answers(&read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O4": [0, -150] }},
+            "links": {{ "2": {{ "joins": ["O2", "A"], "length": 60 }}, {links} "4": {{ "joins": ["O4", "C"], "length": 300 }} }},
+            "slides": [ {{ {slide}, "on": {{ "link": 4, "through": "O4", "toward": "C" }} }} ],
+            "near": {{ "C": [50, 140] }}, "input": {{ "link": 2, "angle": 50, "omega": "10 rad/s ccw" }}, "gravity": {{}},
+            "masses": {{ "3": {{ "mass": 5, "inertia": 0.01, "at": [20, 30] }} }}, "loads": [ {{ "on": 4, "at": "C", "force": 100, "direction": 180 }} ],
+            "find": ["T(2)", "F(4,3)", "moment(F(4,3),A)", "a(G3)"] }}"#
+        )))
+    };
+    let block = lever("", r#""pin": "A", "block": 3"#);
+    let link = lever(
+        r#""3": { "joins": ["A", "D"], "shape": { "A": [0, 0], "D": [1, 0] } },"#,
+        r#""link": 3, "turned": 0"#,
+    );
+    for (name, numbers) in &block {
+        for (one, other) in numbers.iter().zip(&link[name]) {
+            near(*one, *other);
+        }
+    }
+}
