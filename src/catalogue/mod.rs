@@ -71,6 +71,11 @@ pub const KINDS: &[Kind] = &[
     kind!("rack-pinion", "Pinion that drives a rack"),
     kind!("rolling-wheel", "Driven wheel on the ground with a rod and a slider"),
     kind!("rack-wheel", "Wheel that rolls on the ground, pushed by a crank and rod"),
+    kind!("engine", "Forces in an engine: gas pressure, weights and inertia"),
+    kind!("press", "Forces in a toggle press: the torque that a pressing force needs"),
+    kind!("governor-porter", "Porter governor with dead weight: rising and falling speed"),
+    kind!("governor-hartnell", "Hartnell governor with a spring and friction at the sleeve"),
+    kind!("turning-moment", "Turning-moment diagram of a four-stroke engine, its flywheel"),
 ];
 
 #[cfg(test)]
