@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::check::{Unconfirmed, confirm};
+use crate::check::{Unconfirmed, confirm, confirm_sweep};
 use crate::graphical::construction::Construction;
 use crate::mechanism::quantity::Dimension;
 use crate::parallel;
@@ -11,7 +11,7 @@ use crate::render::theme::Theme;
 use crate::report::{diagnose, short};
 use crate::scene::{Diagnostic, Scene, Subject};
 use crate::sheet::{self, Figure, Language};
-use crate::solve::{Settings, SolveError, Solved, solve_with};
+use crate::solve::{Settings, SolveError, Solved, governed, solve_with};
 
 /// No sheet is wider or higher, all its pages together (mm): scales stated by mistake, and a picture that
 /// no program opens.
@@ -267,6 +267,9 @@ impl Wish {
     }
 }
 
+/// The figure of a governor that is of no single place.
+const CONTROLLING_FORCE: &str = "controlling-force";
+
 /// What every single figure of a wish has in common.
 struct Shown<'a> {
     scene: &'a Scene,
@@ -276,12 +279,28 @@ struct Shown<'a> {
 }
 
 impl Shown<'_> {
+    /// The controlling-force diagram, which is of all places of a governor.
+    fn controlling_force(&self) -> Result<Figure, NoFigure> {
+        let wish = |why: &str| NoFigure::Wish(format!("figure {CONTROLLING_FORCE}: {why}"));
+        let governed = governed(&self.scene.mechanism).map_err(|why| wish(&why))?;
+        let governed = governed
+            .ok_or_else(|| wish("it is of a governor whose speed is sought: `spin` with `omega` \"?\""))?;
+        if !self.settings.unchecked && confirm_sweep(&governed.sweep).is_err() {
+            return Err(wish("the independent solver does not confirm the speeds of its places"));
+        }
+        let figure = sheet::controlling_force(self.scene, &governed, self.language);
+        figure.ok_or_else(|| wish("there is equilibrium at no place of its range"))
+    }
+
     fn singles(&self, construction: &Construction, names: &[&str]) -> Result<Vec<Figure>, NoFigure> {
         names.iter().map(|name| self.single(construction, name)).collect()
     }
 
     fn single(&self, construction: &Construction, name: &str) -> Result<Figure, NoFigure> {
         let scene = self.scene;
+        if name == CONTROLLING_FORCE {
+            return self.controlling_force();
+        }
         let kind = sheet::auxiliary(name, scene).ok().flatten();
         let drawing = construction.auxiliary.iter().find(|a| Some(a.kind) == kind);
         // A construction that outgrows the sheet is drawn once more to a scale of its own.

@@ -8,12 +8,13 @@ use crate::graphical::construction::Reading;
 use crate::graphical::cycle::OwnTorque;
 use crate::graphical::{self, Draughtsmen, DrawError, Extents, HandError, Scales, Solution};
 use crate::mechanism::Mechanism;
-use crate::mechanism::cycle::{Cycle, CycleQuantity};
+use crate::mechanism::cycle::{Cycle, CycleQuantity, Sides};
 use crate::mechanism::force::{Force, Share};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity, Stuck, Unit};
 use crate::mechanism::structure::{Structure, StructureError};
 use crate::plan::{Auxiliary, CentreSource, Extent, Plan};
 use crate::scene::{Refusal, Scene};
+pub use crate::sweep::governor::Governed;
 use crate::sweep::{self, PositionError};
 
 /// How to solve.
@@ -382,9 +383,91 @@ pub fn by_hand(
     solved: &Solved,
     draughtsmen: Draughtsmen,
 ) -> Result<Vec<HandError>, SolveError> {
-    let errors =
+    let mut errors =
         graphical::by_hand(&scene.mechanism, &solved.structure, &solved.plan, solved.scales, draughtsmen)?;
+    let asked = cycle_quantities(&scene.mechanism);
+    if asked.is_empty() {
+        return Ok(errors);
+    }
+    // Whoever looks for a torque at many angles looks at fewer diagrams.
+    let turns = scene.mechanism.forces.cycle.as_ref().is_some_and(|cycle| cycle.of().is_some());
+    let number = if turns { draughtsmen.number.min(MOST_TURNS) } else { draughtsmen.number };
+    let drawn: Vec<Vec<Option<f64>>> = (0..number)
+        .map(|seed| cycle_by_one_hand(&scene.mechanism, solved.scales, (draughtsmen.hand, seed)))
+        .collect();
+    for (index, asked) in scene.mechanism.asked.iter().enumerate() {
+        let Quantity::Cycle(of) = asked.quantity else { continue };
+        let Some(place) = cycle_quantities(&scene.mechanism).iter().position(|known| *known == of) else {
+            continue;
+        };
+        let read: Vec<Option<f64>> = drawn.iter().map(|numbers| numbers[place]).collect();
+        let perfect = match solved.solution.construction.answers.get(index).map(|reading| &reading.answer) {
+            Some(Answer::Scalar { value, .. }) => Some(*value),
+            _ => None,
+        };
+        if let Some(error) = errors.get_mut(index) {
+            *error = graphical::errors_of(&read, perfect);
+        }
+    }
     Ok(errors)
+}
+
+/// Draughtsmen of a turning-moment diagram for which the mechanism has to be led through its period.
+const MOST_TURNS: u64 = 24;
+
+/// What is asked of the turning-moment diagram.
+#[must_use]
+pub fn cycle_quantities(mechanism: &Mechanism) -> Vec<CycleQuantity> {
+    let of = |asked: &Asked| match asked.quantity {
+        Quantity::Cycle(of) => Some(of),
+        _ => None,
+    };
+    mechanism.asked.iter().filter_map(of).collect()
+}
+
+/// What one draughtsman reads off the turning-moment diagram, whose slips follow from a seed, in the order of
+/// [`cycle_quantities`]; none where it has no such number.
+#[must_use]
+pub fn cycle_by_one_hand(
+    mechanism: &Mechanism,
+    scales: Scales,
+    (hand, seed): (Hand, u64),
+) -> Vec<Option<f64>> {
+    let asked = cycle_quantities(mechanism);
+    let Some(cycle) = &mechanism.forces.cycle else { return vec![None; asked.len()] };
+    let paper = match (scales.paper().cycle, &cycle.sides) {
+        (Some(paper), _) => paper,
+        // Areas that are given stand on no paper of his.
+        (None, Sides::Areas { .. }) => [1.0; 2],
+        (None, _) => return vec![None; asked.len()],
+    };
+    let drawn = graphical::cycle_by_hand::drawn_by_hand(cycle, paper, hand, seed);
+    let numbers = cycle_numbers(mechanism, &drawn.cycle, &asked, &|at| drawn.missed(at));
+    asked.into_iter().zip(numbers).map(|(of, number)| Some(drawn.read(of, number?))).collect()
+}
+
+/// The numbers of a turning-moment diagram without their bounds; `missed` is added to the mechanism's own torque.
+#[must_use]
+pub fn cycle_numbers(
+    mechanism: &Mechanism,
+    cycle: &Cycle,
+    asked: &[CycleQuantity],
+    missed: &dyn Fn(f64) -> f64,
+) -> Vec<Option<f64>> {
+    let turned = turned(mechanism, cycle);
+    let at = |angle: f64| {
+        let (torque, error) = turned.as_ref()?.torque(angle)?;
+        Some((torque + missed(angle), error))
+    };
+    let knots = mechanism.forces.knots();
+    let own = turned.is_some().then_some(OwnTorque { at: &at, knots: &knots });
+    let drawn = graphical::cycle::draw(Arithmetic::Double, cycle, mechanism.forces.gravity.g, asked, own);
+    let Ok(sheet) = drawn else { return vec![None; asked.len()] };
+    let number = |of: &CycleQuantity| match sheet.answer(*of) {
+        Answer::Scalar { value, .. } => Some(value),
+        _ => None,
+    };
+    asked.iter().map(number).collect()
 }
 
 impl Solved {
@@ -394,6 +477,14 @@ impl Solved {
         let index = scene.mechanism.asked.iter().position(|asked| asked.name == name)?;
         self.solution.construction.answers.get(index).map(|reading| &reading.answer)
     }
+}
+
+/// A governor led over the range of its input; none of a mechanism whose speed of equilibrium is not sought.
+///
+/// # Errors
+/// Why it cannot be led there, in plain English.
+pub fn governed(mechanism: &Mechanism) -> Result<Option<Governed>, String> {
+    sweep::governor::governed(mechanism).map_err(|error| error.to_string())
 }
 
 /// Refuses where none of the asked quantities is determined.

@@ -19,7 +19,14 @@ use linkgram::sheet::Language;
 use linkgram::solve::{Hand, solve_analytically};
 use roxmltree::{Document, Node};
 
-const SCENES: [&str; 3] = ["exam/six-link-slider", "exam/crank-and-slider", "exam/quick-return"];
+const SCENES: [&str; 6] = [
+    "exam/six-link-slider",
+    "exam/crank-and-slider",
+    "exam/quick-return",
+    "exam/four-bar-forces",
+    "exam/rough-slider-crank",
+    "exam/flywheel",
+];
 
 fn terms(variants: usize) -> Terms {
     let hand = Hand { length: 0.2, angle: 0.3_f64.to_radians() };

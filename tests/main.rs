@@ -22,6 +22,7 @@ mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
 mod forces;
+mod forces_classroom;
 mod forces_cycle;
 mod forces_loads;
 mod forces_routes;
@@ -54,6 +55,7 @@ mod placed;
 mod plan;
 #[path = "planted/main.rs"]
 mod planted;
+mod planted_forces;
 mod random_sheets;
 mod rooms;
 mod stated;

@@ -58,7 +58,6 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(Failure("--booklet: this build has no PDF: build with the feature `pdf`".to_owned()));
     }
     let (_, scene) = read_scene(&job.scene)?;
-    super::without_forces(&scene)?;
     let languages = match (languages.is_empty(), scene.sheet.language.as_deref()) {
         (false, _) => languages,
         (true, stated) => vec![stated.and_then(Language::from_tag).unwrap_or_default()],

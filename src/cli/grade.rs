@@ -71,7 +71,6 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         Some(exam) => Source::Exam(exam),
         None => {
             let scene = read_scene(&job.scene)?.1;
-            super::without_forces(&scene)?;
             Source::Scene(Box::new(scene))
         }
     };

@@ -13,6 +13,7 @@ mod golden;
 mod grade;
 mod help;
 mod new;
+mod reversals;
 mod solve;
 mod structure;
 mod sweep;
@@ -29,7 +30,6 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::drawing::Kind;
 use crate::files::{self, FileError};
-use crate::mechanism::quantity::Quantity;
 use crate::scene::{Diagnostic, Scene};
 use crate::sheet::Language;
 use crate::solve::{Arithmetic, Hand, Settings};
@@ -705,16 +705,6 @@ fn read_scene(path: &std::path::Path) -> Result<(String, Scene), Failure> {
     let (file, text) = files::read(path)?;
     let scene = crate::scene::read(&text, &file)?;
     Ok((file, scene))
-}
-
-/// Refuses to set or to mark what has no sheets yet.
-fn without_forces(scene: &Scene) -> Result<(), Failure> {
-    let asked = &scene.mechanism.asked;
-    if asked.iter().any(|asked| matches!(asked.quantity, Quantity::Force(..) | Quantity::Cycle(_))) {
-        let why = "this version sets and marks no questions on forces yet; `linkgram solve`, `draw` and `sweep` answer this scene";
-        return Err(Failure(why.to_owned()));
-    }
-    Ok(())
 }
 
 /// An error of a later room, at the place in the file that it is about.

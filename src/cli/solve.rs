@@ -33,9 +33,11 @@ const DRAUGHTSMEN: u64 = 1000;
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let (file, scene) = read_scene(&job.scene)?;
     let scene = &scene;
-    let solved =
+    let mut solved =
         crate::solve::solve_with(scene, Extent::Asked, &[], job.settings, crate::sheet::scale::for_scene)
             .map_err(|error| failure(scene, &error))?;
+    solved.scales = solved.scales.on(crate::sheet::force_paper(scene, &solved.solution.construction));
+    let solved = solved;
     let agreement = crate::check::agreement(scene, &solved, &crate::solve::solve_analytically(scene));
     let by_hand = match job.hand {
         Some(hand) => {

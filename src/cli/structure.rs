@@ -243,7 +243,7 @@ fn object(file: &str, scene: &Scene, report: &Report) -> Value {
     let four_bars: Vec<Value> = report.four_bars.iter().map(|f| four_bar(scene, f)).collect();
     let slider_cranks: Vec<Value> = report.slider_cranks.iter().map(|s| slider_crank(scene, s)).collect();
     let mobility = &report.mobility;
-    json!({
+    let mut object = json!({
         "scene": scene.title.in_language("en").unwrap_or(file),
         "links": links,
         "pairs": pairs,
@@ -263,7 +263,22 @@ fn object(file: &str, scene: &Scene, report: &Report) -> Value {
         "refused": report.refused,
         "four_bars": four_bars,
         "slider_cranks": slider_cranks,
-    })
+    });
+    if !scene.mechanism.forces.is_empty() {
+        object["forces"] = balance(scene, report);
+    }
+    object
+}
+
+/// Which links are in balance of two forces and of three, and in which order the groups are balanced: from the output back.
+fn balance(scene: &Scene, report: &Report) -> Value {
+    let mechanism = &scene.mechanism;
+    let of = |count: usize| -> Vec<u32> {
+        let links = mechanism.moving().filter(|link| mechanism.forces_on(*link) == Some(count));
+        links.map(|link| mechanism.link(link).number).collect()
+    };
+    let order: Vec<&Vec<u32>> = report.groups.iter().rev().map(|group| &group.links).collect();
+    json!({ "two_force_members": of(2), "three_force_members": of(3), "order_of_balance": order })
 }
 
 fn four_bar(scene: &Scene, four_bar: &FourBar) -> Value {

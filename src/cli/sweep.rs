@@ -7,16 +7,21 @@ use std::path::{Path, PathBuf};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 
+use super::reversals::{Reversal, reversals};
 use super::{Ending, Failure, print, read_scene};
-use crate::check::{SweepUnconfirmed, confirm_sweep};
+use crate::check::{SweepUnconfirmed, Unconfirmed, confirm, confirm_sweep};
+use crate::drawing::Wish;
 use crate::files;
+use crate::graphical::cycle::CycleSheet;
 use crate::live::{Live, LiveError};
 use crate::mechanism::friction::Friction;
 use crate::mechanism::quantity::{Asked, Method, Quantity, Unit};
+use crate::plan::Extent;
 use crate::render::{self, Format};
 use crate::report::{diagnose, short};
 use crate::scene::{Scene, Subject};
-use crate::solve::SolveError;
+use crate::sheet::{Figure, Language};
+use crate::solve::{SolveError, Solved, governed, solve};
 use crate::sweep::{
     Event, EventKind, InputKind, Over, SliderStroke, Stretch, Sweep, SweepError, SweepWithBounds, Without,
 };
@@ -95,6 +100,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         (Some(from), Some(to)) => Some([from * unit.si, to * unit.si]),
         _ => return Err(Failure("give both --from and --to, in the scene's units".to_owned())),
     };
+    let turned = scene.mechanism.forces.cycle.is_some().then(|| turned(scene)).transpose()?;
+    let cycle = turned.as_ref().and_then(|solved| solved.solution.construction.cycle.as_ref());
+    if let (true, Some(sheet)) = (scene.mechanism.inputs.is_empty(), cycle) {
+        return of_cycle_alone(job, scene, &outputs, sheet, language);
+    }
     let mut sweep = Sweep::over(job.over, &scene.mechanism, stated).map_err(|error| refusal(scene, error))?;
     let only_diagrams = !outputs.is_empty() && outputs.iter().all(|o| matches!(o, Output::Diagrams(_)));
     if only_diagrams && job.only.is_none() && !asks(scene) {
@@ -110,7 +120,9 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         }
     }
     let sweep = sweep;
-    let mut report = Report { file: &file, scene, sweep: &sweep, unit: &unit, unconfirmed: None };
+    let reversals = reversals(&scene.mechanism, &sweep, job.over, stated);
+    let mut report =
+        Report { file: &file, scene, sweep: &sweep, unit: &unit, unconfirmed: None, reversals, cycle };
     if let Err(why) = confirm_sweep(&sweep) {
         let why = report.unconfirmed(&why);
         if !job.unchecked {
@@ -144,8 +156,14 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     let options = render::Options { theme: crate::drawing::theme(scene), ..Default::default() };
     let diagrams = outputs.iter().any(|output| matches!(output, Output::Diagrams(_)));
     let figure = diagrams.then(|| {
-        crate::sheet::diagrams::of_sweep_with(scene, &sweep, language, report.unconfirmed.as_deref())
+        let own =
+            crate::sheet::diagrams::of_sweep_with(scene, &sweep, language, report.unconfirmed.as_deref());
+        let drawn = cycle.map_or_else(|| Ok(Vec::new()), |_| of_cycle(scene, language));
+        drawn.map(
+            |drawn| if drawn.is_empty() { own } else { crate::sheet::stack(&[vec![own], drawn].concat()) },
+        )
     });
+    let figure = figure.transpose()?;
     let live = outputs.contains(&Output::Live).then(|| live(job, scene, stated, language)).transpose()?;
     let drawn: Vec<Option<Vec<u8>>> = outputs
         .iter()
@@ -167,13 +185,147 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     Ok(Ending::Fine)
 }
 
-/// The drawing as a page runs it.
-fn live(
+/// The solution of a scene with a turning-moment diagram, which the independent solver confirms.
+fn turned(scene: &Scene) -> Result<Solved, Failure> {
+    let solved = solve(scene, Extent::Asked, crate::sheet::scale::for_scene)
+        .map_err(|error| super::failure(scene, &error))?;
+    let unconfirmed = |why: Unconfirmed| Failure(crate::drawing::unconfirmed(scene, &why));
+    confirm(scene, &solved).map_err(unconfirmed)?;
+    Ok(solved)
+}
+
+/// The figures of a turning-moment diagram.
+fn of_cycle(scene: &Scene, language: Language) -> Result<Vec<Figure>, Failure> {
+    let figures = ["turning-moment", "energy"].map(str::to_owned);
+    let drawn = figures.map(|name| {
+        let wish = Wish { figures: vec![name], language: Some(language), ..Wish::default() };
+        crate::drawing::figure(scene, &wish).map_err(|error| Failure(error.told(scene)))
+    });
+    let mut all: Vec<Figure> = Vec::new();
+    for figure in drawn {
+        match figure {
+            Ok(figure) => all.push(figure),
+            // Of areas alone there is no curve.
+            Err(_) if all.is_empty() => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(all)
+}
+
+/// A turning-moment diagram without a mechanism: its table of levels, and its figures.
+fn of_cycle_alone(
     job: &Job,
     scene: &Scene,
-    stated: Option<[f64; 2]>,
-    language: crate::sheet::Language,
-) -> Result<Vec<u8>, Failure> {
+    outputs: &[Output],
+    sheet: &CycleSheet,
+    language: Language,
+) -> Result<Ending, Failure> {
+    if outputs.is_empty() {
+        print(&levels_told(scene, sheet))?;
+        return Ok(Ending::Fine);
+    }
+    let options = render::Options { theme: crate::drawing::theme(scene), ..Default::default() };
+    let written: Vec<Vec<u8>> = outputs
+        .iter()
+        .map(|output| match output {
+            Output::Csv => Ok(levels_csv(scene, sheet).into_bytes()),
+            Output::Json => {
+                let told = json!({
+                    "scene": scene.title.in_language("en").unwrap_or(scene.source.file()),
+                    "cycle": levels_json(scene, sheet),
+                });
+                let text = serde_json::to_string_pretty(&told).map_err(|error| Failure(error.to_string()))?;
+                Ok((text + "\n").into_bytes())
+            }
+            Output::Live => Err(Failure("a turning-moment diagram alone does not move".to_owned())),
+            Output::Diagrams(format) => {
+                let figure = crate::sheet::stack(&of_cycle(scene, language)?);
+                render::render(&figure, *format, &options).map_err(|error| super::not_written(scene, &error))
+            }
+        })
+        .collect::<Result<_, _>>()?;
+    files::stream_all(job.output.iter().map(PathBuf::as_path), |index, to| {
+        written.get(index).map_or(Ok(()), |bytes| to.write_all(bytes))
+    })?;
+    Ok(Ending::Fine)
+}
+
+/// The crossings of a turning-moment diagram, or its areas, with their levels: number, angle, torque, level, and the area
+/// to the next, in the scene's units.
+fn levels(scene: &Scene, sheet: &CycleSheet) -> Vec<(usize, [Option<f64>; 4])> {
+    let (angle, torque) = (scene.units.angle.si, scene.units.torque.si);
+    let rows = sheet.levels.len().max(sheet.crossings.len());
+    let row = |index: usize| {
+        let crossing = sheet.crossings.get(index);
+        let numbers = [
+            crossing.map(|crossing| crossing.at / angle),
+            crossing.map(|crossing| crossing.torque / torque),
+            sheet.levels.get(index).map(|level| level / torque),
+            sheet.areas.get(index).map(|area| area / torque),
+        ];
+        (index + 1, numbers)
+    };
+    (0..rows).map(row).collect()
+}
+
+/// Their headings.
+fn levels_head(scene: &Scene) -> [String; 5] {
+    let (angle, torque) = (&scene.units.angle.symbol, &scene.units.torque.symbol);
+    [
+        "crossing".to_owned(),
+        format!("angle [{angle}]"),
+        format!("torque [{torque}]"),
+        format!("level [{torque}]"),
+        format!("area [{torque}]"),
+    ]
+}
+
+fn levels_csv(scene: &Scene, sheet: &CycleSheet) -> String {
+    let mut out = levels_head(scene).map(|head| quoted(&head)).join(",") + "\n";
+    for (number, numbers) in levels(scene, sheet) {
+        let _ = write!(out, "{number}");
+        for number in numbers {
+            let _ = match number {
+                Some(number) => write!(out, ",{}", Plain(number)),
+                None => write!(out, ","),
+            };
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn levels_told(scene: &Scene, sheet: &CycleSheet) -> String {
+    let told = |number: Option<f64>| number.map_or_else(String::new, short);
+    let mut rows: Vec<[String; 5]> = vec![levels_head(scene)];
+    rows.extend(levels(scene, sheet).into_iter().map(|(number, [angle, torque, level, area])| {
+        [number.to_string(), told(angle), told(torque), told(level), told(area)]
+    }));
+    let widths: [usize; 5] =
+        std::array::from_fn(|at| rows.iter().map(|row| row[at].chars().count()).max().unwrap_or(0));
+    let mut out = String::new();
+    for row in rows {
+        let cells: Vec<String> =
+            row.iter().zip(widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
+        let _ = writeln!(out, "{}", cells.join("  "));
+    }
+    out
+}
+
+fn levels_json(scene: &Scene, sheet: &CycleSheet) -> Value {
+    let rows = levels(scene, sheet).into_iter().map(|(number, [angle, torque, level, area])| {
+        json!({ "crossing": number, "angle": angle, "torque": torque, "level": level, "area": area })
+    });
+    json!({
+        "units": { "angle": scene.units.angle.symbol, "torque": scene.units.torque.symbol },
+        "period": sheet.period / scene.units.angle.si,
+        "levels": rows.collect::<Vec<_>>(),
+    })
+}
+
+/// The drawing as a page runs it.
+fn live(job: &Job, scene: &Scene, stated: Option<[f64; 2]>, language: Language) -> Result<Vec<u8>, Failure> {
     let live = Live::of(scene, job.over, stated).map_err(|error| match error {
         LiveError::Unsolved(error) => super::failure(scene, &error),
         LiveError::Sweep(error) => refusal(scene, error),
@@ -248,7 +400,15 @@ pub(super) fn unit_of(scene: &Scene, over: Over) -> Unit {
 
 /// Which number of a sweep the independent solver does not confirm.
 pub(super) fn not_confirmed(scene: &Scene, sweep: &Sweep, unit: &Unit, why: &SweepUnconfirmed) -> String {
-    let report = Report { file: scene.source.file(), scene, sweep, unit, unconfirmed: None };
+    let report = Report {
+        file: scene.source.file(),
+        scene,
+        sweep,
+        unit,
+        unconfirmed: None,
+        reversals: Vec::new(),
+        cycle: None,
+    };
     format!("not confirmed: {}", report.unconfirmed(why))
 }
 
@@ -295,6 +455,17 @@ fn reason(why: Without) -> &'static str {
     }
 }
 
+/// A number of a row.
+#[derive(Debug, Clone, Copy)]
+enum Cell {
+    /// A column of the sweep.
+    Column(usize),
+    /// The size of a force, by the first of its columns.
+    Size(usize),
+    /// Its direction.
+    Direction(usize),
+}
+
 struct Report<'s> {
     file: &'s str,
     scene: &'s Scene,
@@ -302,6 +473,10 @@ struct Report<'s> {
     unit: &'s Unit,
     /// What the independent solver does not confirm.
     unconfirmed: Option<String>,
+    /// Where forces leap.
+    reversals: Vec<Reversal>,
+    /// The turning-moment diagram.
+    cycle: Option<&'s CycleSheet>,
 }
 
 impl Report<'_> {
@@ -391,6 +566,41 @@ impl Report<'_> {
         )
     }
 
+    /// What turns round at a place, and what leaps there.
+    fn reversal(&self, reversal: &Reversal) -> String {
+        let leaps = self.cells().into_iter().filter_map(|cell| {
+            let (Cell::Column(_) | Cell::Size(_)) = cell else { return None };
+            if matches!(cell, Cell::Column(c) if self.sweep.columns[c].axis.is_some()) {
+                return None;
+            }
+            let [before, after] = [0, 1].map(|side| self.told(cell, &reversal.sides[side]));
+            let (name, unit) = self.head_of(cell);
+            let (before, after) =
+                before.zip(after).filter(|(a, b)| (a - b).abs() > 1e-6 * a.abs().max(b.abs()))?;
+            let name = name.strip_suffix(".size").map_or(name.clone(), |name| format!("|{name}|"));
+            Some(format!("{name} = {} {unit} before, {} {unit} after", short(before), short(after)))
+        });
+        let mut told = format!("{}: turns round: {}", self.place(reversal.at), reversal.what.join(", "));
+        for leap in leaps {
+            let _ = write!(told, "; {leap}");
+        }
+        told
+    }
+
+    /// Where a governor is stable.
+    fn governor(&self) -> String {
+        let mut out = String::new();
+        let unit = &self.scene.units.length;
+        if let Ok(Some(governed)) = governed(&self.scene.mechanism) {
+            for part in &governed.parts {
+                let [from, to] = part.radii.map(|radius| short(radius / unit.si));
+                let name = part.stability.name();
+                let _ = writeln!(out, "{name} from r = {from} to {to} {}", unit.symbol);
+            }
+        }
+        out
+    }
+
     /// From where to where the mechanism moves, and whether it has to be taken apart for that. Stretches between which
     /// no meet changes its side are told as one.
     fn moves(&self) -> Vec<(f64, f64, bool)> {
@@ -433,8 +643,15 @@ impl Report<'_> {
         for event in &self.sweep.events {
             let _ = writeln!(out, "{}", self.event(event));
         }
+        for reversal in &self.reversals {
+            let _ = writeln!(out, "{}", self.reversal(reversal));
+        }
         for stroke in self.sweep.strokes() {
             let _ = writeln!(out, "{}", self.stroke(&stroke));
+        }
+        out.push_str(&self.governor());
+        if let Some(sheet) = self.cycle {
+            out.push_str(&levels_told(self.scene, sheet));
         }
         out
     }
@@ -442,6 +659,65 @@ impl Report<'_> {
     /// The asked columns.
     fn asked(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.sweep.columns.len()).filter(|&c| !self.sweep.columns[c].watched)
+    }
+
+    /// What stands in a row: the asked columns, and of a force its size and its direction behind its components.
+    fn cells(&self) -> Vec<Cell> {
+        let columns = &self.sweep.columns;
+        let mut cells = Vec::new();
+        for c in self.asked() {
+            cells.push(Cell::Column(c));
+            if let (Some(1), Quantity::Force(..)) = (columns[c].axis, columns[c].asked.quantity) {
+                cells.extend([Cell::Size(c - 1), Cell::Direction(c - 1)]);
+            }
+        }
+        cells
+    }
+
+    /// Heading and unit of a cell.
+    fn head_of(&self, cell: Cell) -> (String, String) {
+        match cell {
+            Cell::Column(c) => (self.sweep.columns[c].name(), self.unit_of(c).symbol.clone()),
+            Cell::Size(c) => {
+                (format!("{}.size", self.sweep.columns[c].asked.name), self.unit_of(c).symbol.clone())
+            }
+            Cell::Direction(c) => {
+                (format!("{}.direction", self.sweep.columns[c].asked.name), "deg".to_owned())
+            }
+        }
+    }
+
+    /// The number of a cell in its unit.
+    fn told(&self, cell: Cell, values: &[Option<f64>]) -> Option<f64> {
+        let value = |c: usize| values.get(c).copied().flatten();
+        match cell {
+            Cell::Column(c) => value(c).map(|v| v / self.unit_of(c).si),
+            Cell::Size(c) => value(c).zip(value(c + 1)).map(|(x, y)| libm::hypot(x, y) / self.unit_of(c).si),
+            Cell::Direction(c) => {
+                let found = value(c).zip(value(c + 1)).filter(|(x, y)| *x != 0.0 || *y != 0.0);
+                found.map(|(x, y)| libm::atan2(y, x).to_degrees())
+            }
+        }
+    }
+
+    /// How far that number may be off.
+    fn bound_of(&self, cell: Cell, values: &[Option<f64>], bounds: &[f64]) -> Option<f64> {
+        let own = |c: usize| values.get(c).copied().flatten().map(|v| self.bound(c, v, bounds[c]));
+        match cell {
+            Cell::Column(c) => own(c),
+            Cell::Size(c) | Cell::Direction(c) => {
+                let (x, y) = own(c).zip(own(c + 1))?;
+                let size = self.told(Cell::Size(c), values)?;
+                let off = libm::hypot(x, y) + 4.0 * size * f64::EPSILON;
+                match cell {
+                    Cell::Direction(_) if off < size => {
+                        Some(libm::asin(off / size).to_degrees() + 360.0 * f64::EPSILON)
+                    }
+                    Cell::Direction(_) => Some(180.0),
+                    _ => Some(off),
+                }
+            }
+        }
     }
 
     /// A bound in the unit of its column, with the roundings that this costs: the unit's own two and the division's.
@@ -456,9 +732,10 @@ impl Report<'_> {
         places: &[f64],
         bounded: Option<&SweepWithBounds<'_>>,
     ) -> io::Result<()> {
+        let cells = self.cells();
         write!(out, "{} [{}]", self.input(), self.unit.symbol)?;
-        for c in self.asked() {
-            let (name, unit) = (self.sweep.columns[c].name(), &self.unit_of(c).symbol);
+        for cell in &cells {
+            let (name, unit) = self.head_of(*cell);
             write!(out, ",{}", quoted(&format!("{name} [{unit}]")))?;
             if bounded.is_some() {
                 write!(out, ",{}", quoted(&format!("bound of {name} [{unit}]")))?;
@@ -467,21 +744,31 @@ impl Report<'_> {
         writeln!(out)?;
         self.each(places, bounded, |at, values, bounds| {
             write!(out, "{}", Plain(at / self.unit.si))?;
-            for c in self.asked() {
-                let value = values.get(c).copied().flatten();
-                match value {
-                    Some(value) => write!(out, ",{}", Plain(value / self.unit_of(c).si))?,
+            for cell in &cells {
+                match self.told(*cell, values) {
+                    Some(value) => write!(out, ",{}", Plain(value))?,
                     None => write!(out, ",")?,
                 }
                 if let Some(bounds) = bounds {
-                    match value {
-                        Some(value) => write!(out, ",{}", Plain(self.bound(c, value, bounds[c])))?,
+                    match self.bound_of(*cell, values, bounds) {
+                        Some(bound) => write!(out, ",{}", Plain(bound))?,
                         None => write!(out, ",")?,
                     }
                 }
             }
             writeln!(out)
         })
+    }
+
+    /// Whether a place is that of a reversal; after a whole turn it is again.
+    fn is_at(&self, reversal: &Reversal, at: f64) -> bool {
+        let whole = self.sweep.range[1] - self.sweep.range[0];
+        let away = (reversal.at - at).abs();
+        away <= 1e-9 * whole || self.sweep.whole_turn && (away - whole).abs() <= 1e-9 * whole
+    }
+
+    fn leaps_at(&self, at: f64) -> Option<&Reversal> {
+        self.reversals.iter().find(|reversal| self.is_at(reversal, at))
     }
 
     /// Every position in order, with the bounds of its numbers where they are wanted.
@@ -499,12 +786,33 @@ impl Report<'_> {
             ProgressBar::hidden()
         };
         let mut numbers = Vec::new();
+        let mut leaps = self.reversals.iter().filter(|leap| places.first().is_some_and(|at| leap.at >= *at));
+        let mut leap = leaps.next();
         for portion in places.chunks(PORTION) {
             let mut told = Ok(());
             match bounded {
+                // Of a place at which forces leap both sides are told.
                 None => self.sweep.each_position(portion, |at, values| {
-                    if told.is_ok() {
-                        told = take(at, values, None);
+                    let mut here = self.leaps_at(at);
+                    while let Some(before) = leap.filter(|leap| told.is_ok() && leap.at <= at) {
+                        here = here.filter(|own| !std::ptr::eq(*own, before));
+                        let [one, other] = &before.sides;
+                        told = take(before.at, one, None).and_then(|()| take(before.at, other, None));
+                        leap = leaps.next();
+                        if self.is_at(before, at) {
+                            return;
+                        }
+                    }
+                    match here {
+                        _ if told.is_err() => {}
+                        Some(own) => {
+                            let [one, other] = &own.sides;
+                            told = take(at, one, None).and_then(|()| take(at, other, None));
+                            if leap.is_some_and(|leap| std::ptr::eq(leap, own)) {
+                                leap = leaps.next();
+                            }
+                        }
+                        None => told = take(at, values, None),
                     }
                 }),
                 Some(bounded) => bounded.run(portion, |at, values, bounds| {
@@ -533,15 +841,14 @@ impl Report<'_> {
         // The positions are the last key of the object, one in a line.
         let head = head.trim_end().strip_suffix('}').unwrap_or_default().trim_end();
         write!(out, "{head},\n  \"positions\": [")?;
+        let cells = self.cells();
         let mut first = true;
         self.each(places, bounded, |at, values, bounds| {
-            let unit = |c: usize| self.unit_of(c).si;
-            let value = |c: usize| values.get(c).copied().flatten();
-            let numbers: Vec<Option<f64>> = self.asked().map(|c| value(c).map(|v| v / unit(c))).collect();
+            let numbers: Vec<Option<f64>> = cells.iter().map(|cell| self.told(*cell, values)).collect();
             let mut row = json!({ "at": at / self.unit.si, "values": numbers });
             if let Some(bounds) = bounds {
-                let within = |c: usize| value(c).map(|v| self.bound(c, v, bounds[c]));
-                row["bounds"] = json!(self.asked().map(within).collect::<Vec<Option<f64>>>());
+                let within = cells.iter().map(|cell| self.bound_of(*cell, values, bounds));
+                row["bounds"] = json!(within.collect::<Vec<Option<f64>>>());
             }
             let comma = if std::mem::take(&mut first) { "" } else { "," };
             write!(out, "{comma}\n    {row}")
@@ -553,8 +860,10 @@ impl Report<'_> {
     fn head(&self) -> Value {
         let unit = |c: usize| self.unit_of(c);
         let columns: Vec<Value> = self
-            .asked()
-            .map(|c| json!({ "name": self.sweep.columns[c].name(), "unit": unit(c).symbol }))
+            .cells()
+            .into_iter()
+            .map(|cell| self.head_of(cell))
+            .map(|(name, unit)| json!({ "name": name, "unit": unit }))
             .collect();
         let stretches: Vec<Value> = self
             .moves()
@@ -595,6 +904,21 @@ impl Report<'_> {
         });
         if let Some(why) = &self.unconfirmed {
             head["unconfirmed"] = json!(why);
+        }
+        if !self.reversals.is_empty() {
+            let cells = self.cells();
+            let side = |values: &[Option<f64>]| -> Vec<Option<f64>> {
+                cells.iter().map(|cell| self.told(*cell, values)).collect()
+            };
+            let told = self.reversals.iter().map(|reversal| {
+                let [before, after] = [0, 1].map(|at| side(&reversal.sides[at]));
+                let at = reversal.at / self.unit.si;
+                json!({ "at": at, "turns_round": reversal.what, "before": before, "after": after })
+            });
+            head["reversals"] = told.collect();
+        }
+        if let Some(sheet) = self.cycle {
+            head["cycle"] = levels_json(self.scene, sheet);
         }
         head
     }

@@ -2,10 +2,12 @@
 //! scene is.
 
 use super::answer::{self, KeyAnswer, Worth};
+use super::measured::Measured;
 use super::{ExamError, Flaw, Terms, Variant};
 use crate::check::confirm;
 use crate::graphical::construction::{Act, Construction};
 use crate::graphical::{Draughtsmen, DrawError};
+use crate::mechanism::quantity::Answer;
 use crate::mechanism::{Mechanism, Place, PointId};
 use crate::plan::Extent;
 use crate::scene::{self, Scene};
@@ -38,6 +40,10 @@ pub(super) struct Base<'a> {
     clear: Vec<bool>,
     /// Which of its own answers a careful hand may miss by more than is allowed.
     loose: Vec<bool>,
+    /// Which of its own answers lie at infinity: there is no number to hand in.
+    at_infinity: Vec<bool>,
+    /// What a hand measures of its forces.
+    forces: Measured,
 }
 
 /// A try that may become a variant.
@@ -50,9 +56,11 @@ pub(super) struct Candidate {
 
 impl<'a> Base<'a> {
     pub(super) fn new(scene: &'a Scene, terms: &Terms) -> Result<Self, ExamError> {
-        let solved = whole(scene)?;
+        let solved = on_paper(scene, whole(scene)?);
         confirm(scene, &solved)?;
         let construction = &solved.solution.construction;
+        let at_infinity =
+            construction.answers.iter().map(|reading| matches!(reading.answer, Answer::AtInfinity { .. }));
         let hand = by_hand(scene, &solved, draughtsmen(terms))?;
         let clear = construction.answers.iter().zip(&hand).map(|(reading, hand)| {
             hand.tolerance().is_some_and(|slip| answer::size(&reading.answer) >= CLEAR * slip)
@@ -72,6 +80,8 @@ impl<'a> Base<'a> {
             step: if several { SMALL_STEP } else { 1.0 },
             clear: clear.collect(),
             loose,
+            at_infinity: at_infinity.collect(),
+            forces: Measured::of(scene, construction, solved.scales.paper()),
         })
     }
 
@@ -79,7 +89,7 @@ impl<'a> Base<'a> {
     pub(super) fn admit(&self, numbers: &[String], terms: &Terms) -> Result<Candidate, Flaw> {
         let places = self.led_to(numbers)?;
         let scene = read(&self.text(numbers, &places, ""))?;
-        let solved = whole(&scene).map_err(refused)?;
+        let solved = on_paper(&scene, whole(&scene).map_err(refused)?);
         let construction = &solved.solution.construction;
         if construction.space.choices != self.choices {
             return Err(Flaw::OtherAssembly);
@@ -87,6 +97,8 @@ impl<'a> Base<'a> {
         if let Some(angle) = flattest(construction).filter(|angle| *angle < terms.flattest) {
             return Err(Flaw::Flat { degrees: angle.to_degrees() });
         }
+        let forces = Measured::of(&scene, construction, solved.scales.paper());
+        self.forces.suits(&forces)?;
         confirm(&scene, &solved).map_err(|_| Flaw::Disagrees)?;
         let hand = by_hand(&scene, &solved, draughtsmen(terms)).map_err(refused)?;
         let mut answers = Vec::new();
@@ -94,6 +106,10 @@ impl<'a> Base<'a> {
             let Some(hand) = hand.get(index) else { continue };
             let worth = Worth::of(&scene, asked, terms.max_tolerance);
             let numbers = answer::numbers(index, asked, &reading.answer, hand, worth);
+            let nowhere = matches!(reading.answer, Answer::AtInfinity { .. });
+            if nowhere && self.at_infinity.get(index) == Some(&true) {
+                continue;
+            }
             if numbers.is_empty() {
                 return Err(Flaw::Undetermined { name: asked.name.clone() });
             }
@@ -162,8 +178,16 @@ impl<'a> Base<'a> {
         let size = extent(places) / unit;
         let decimals =
             if size > 0.0 { (-libm::floor(libm::log10(size * ROUGH))).clamp(0.0, 17.0) } else { 0.0 };
+        // A mass centre that is a point by own coordinates follows its link, and is none before its mass is read.
+        let follows = |point: PointId| {
+            mechanism.links.iter().any(|link| {
+                let own = link.points.len() - link.extra.len().min(link.points.len());
+                link.points[own..].contains(&point)
+            })
+        };
         let moving = mechanism.points.iter().enumerate().filter(|(index, point)| {
-            point.place.exact().is_none() && mechanism.roll_at(PointId(*index)).is_none()
+            let place = PointId(*index);
+            point.place.exact().is_none() && mechanism.roll_at(place).is_none() && !follows(place)
         });
         let near: Vec<(&str, [String; 2])> = moving
             .filter_map(|(index, point)| {
@@ -174,6 +198,13 @@ impl<'a> Base<'a> {
             .collect();
         scene::variant(self.scene, numbers, &near, name)
     }
+}
+
+/// The same with the paper on which a hand draws its forces.
+fn on_paper(scene: &Scene, mut solved: Solved) -> Solved {
+    let paper = sheet::force_paper(scene, &solved.solution.construction);
+    solved.scales = solved.scales.on(paper);
+    solved
 }
 
 /// The solution with the whole skeleton: no sheet of an exam leaves a link out.

@@ -1,6 +1,7 @@
 //! The numbers that a student hands in, and how far they may be off.
 
 use crate::graphical::HandError;
+use crate::mechanism::force::{Action, Force, Through};
 use crate::mechanism::quantity::{Answer, Asked, Quantity};
 use crate::mechanism::{LinkId, Path, Rider};
 use crate::scene::Scene;
@@ -30,6 +31,8 @@ pub struct KeyAnswer {
     pub loose: Option<f64>,
     /// What it is worth.
     pub weight: f64,
+    /// Whether its sign is a sense of rotation.
+    pub turns: bool,
 }
 
 /// Of what a vector is worth so much is its direction where only its sense is left to choose.
@@ -64,9 +67,7 @@ impl KeyAnswer {
     /// The same number with the opposite sense, where it is a rotation that has one.
     #[must_use]
     pub fn opposite(&self) -> Option<String> {
-        let turns =
-            self.part == Part::Value && (self.unit.starts_with("rad/") || self.unit.starts_with("rpm"));
-        (turns && self.value.abs() > 2.0 * self.tolerance).then(|| fixed(-self.value, self.tolerance, 2))
+        (self.turns && self.value.abs() > 2.0 * self.tolerance).then(|| fixed(-self.value, self.tolerance, 2))
     }
 
     /// Whether another variant's number could pass for this one.
@@ -117,6 +118,7 @@ pub(crate) fn share_without_direction(scene: &Scene, quantity: Quantity, right: 
             | Quantity::RelativeAlpha(..),
             [value],
         ) if *value < 0.0 => WITHOUT_SENSE / 100.0,
+        (Quantity::Force(force, _), [value]) if force.turns() && *value < 0.0 => WITHOUT_SENSE / 100.0,
         _ => 1.0,
     }
 }
@@ -128,12 +130,33 @@ fn direction_part(scene: &Scene, quantity: Quantity) -> f64 {
 
 /// Whether the direction of a vector is given but for its sense: by a fixed straight guide.
 fn along_guide(scene: &Scene, quantity: Quantity) -> bool {
+    if let Quantity::Force(Force::Vector(Action::Pair { by, on }), _) = quantity {
+        return presses_square(scene, by, on);
+    }
     let (Quantity::Velocity(point) | Quantity::Acceleration(point)) = quantity else { return false };
     scene.mechanism.slides.iter().any(|slide| {
         let rides = matches!(slide.rider, Rider::Pin { point: rider, .. } if rider == point);
         let straight = matches!(slide.guide.path, Path::Straight { .. });
         rides && straight && slide.guide.link == LinkId::FRAME
     })
+}
+
+/// Whether the only pair of two links is a straight guide on the frame that does not rub: its force is square to it.
+fn presses_square(scene: &Scene, by: LinkId, on: LinkId) -> bool {
+    let mechanism = &scene.mechanism;
+    let [Through::Slide(index)] = mechanism.pairs_between(by, on)[..] else { return false };
+    let guide = mechanism.slides[index].guide;
+    let straight = matches!(guide.path, Path::Straight { .. });
+    straight && guide.link == LinkId::FRAME && mechanism.forces.friction.resistance(index).is_none()
+}
+
+/// Whether the sign of a number is a sense of rotation.
+fn turns(asked: &Asked) -> bool {
+    match asked.quantity {
+        Quantity::Force(force, _) => force.turns(),
+        Quantity::Cycle(_) => false,
+        _ => asked.unit.symbol.starts_with("rad/") || asked.unit.symbol.starts_with("rpm"),
+    }
 }
 
 /// The numbers of an answer; none where it has no number or cannot be drawn by hand.
@@ -155,6 +178,7 @@ pub(super) fn numbers(
         tolerance: honest.min(most),
         loose: (honest > most).then_some(honest),
         weight,
+        turns: part == Part::Value && turns(asked),
     };
     let in_unit = |part, value: f64, most: f64, weight: f64| {
         let value = value / si;
@@ -163,7 +187,12 @@ pub(super) fn numbers(
     };
     let cap = worth.max_tolerance;
     match answer {
-        Answer::Scalar { value, .. } => vec![in_unit(Part::Value, *value, cap, worth.marks.unwrap_or(1.0))],
+        Answer::Scalar { value, .. } => {
+            // An angle of the diagram is counted from an origin that nobody reads it from.
+            let is_place = matches!(asked.quantity, Quantity::Cycle(of) if of.is_angle());
+            let cap = if is_place { f64::INFINITY } else { cap };
+            vec![in_unit(Part::Value, *value, cap, worth.marks.unwrap_or(1.0))]
+        }
         Answer::Vector { value: [x, y], .. } => {
             let whole = worth.marks.unwrap_or(2.0);
             if let Quantity::Position(_) | Quantity::Centre(..) = asked.quantity {
@@ -223,6 +252,7 @@ mod tests {
             tolerance,
             loose: None,
             weight: 1.0,
+            turns: false,
         }
     }
 
@@ -261,7 +291,7 @@ mod tests {
     #[test]
     fn a_sense_alone_is_worth_less_than_a_magnitude() {
         let mut rate = answer(Part::Value, -5.84, 0.1);
-        rate.unit = "rad/s".to_owned();
+        rate.turns = true;
         assert_eq!(rate.opposite().as_deref(), Some("5.84"));
         rate.tolerance = 3.0;
         assert_eq!(rate.opposite(), None);

@@ -13,6 +13,7 @@ mod answer;
 mod bank;
 mod dice;
 mod key;
+mod measured;
 mod moodle;
 mod qti;
 
@@ -126,6 +127,18 @@ pub enum Flaw {
         /// The name of the quantity.
         name: String,
     },
+    /// An arm or a side of a force polygon is too short to be measured, though it is not in the scene.
+    Short {
+        /// Which.
+        what: String,
+        /// How long it is on paper, mm.
+        mm: f64,
+    },
+    /// A pair that rubs moves in another sense than in the scene.
+    OtherSense {
+        /// Which.
+        what: String,
+    },
     /// At the stated scales it is larger than the paper.
     OffPage,
     /// The two solvers do not agree within their bounds.
@@ -149,6 +162,8 @@ impl Flaw {
             Self::NotByHand { .. } => "cannot be drawn by every careful hand",
             Self::Drowned { .. } => "have an answer within the slip of a careful hand",
             Self::Loose { .. } => "have an answer that no tolerance suits",
+            Self::Short { .. } => "have a length of the forces that is too short to be measured",
+            Self::OtherSense { .. } => "have a pair that rubs the other way",
             Self::OffPage => "do not fit the page at the stated scales",
             Self::Disagrees => "are not confirmed by the analytic solver",
             Self::Alike { .. } => "have the answers of another variant, within tolerance",
@@ -164,6 +179,8 @@ impl Flaw {
             | Self::NotByHand { name }
             | Self::Drowned { name }
             | Self::Loose { name } => Some(name.clone()),
+            Self::Short { what, mm } => Some(format!("{what}, {mm:.1} mm")),
+            Self::OtherSense { what } => Some(what.clone()),
             Self::Alike { variant } => Some(format!("variant {}", name(*variant))),
             Self::CannotAssemble | Self::OtherAssembly | Self::OffPage | Self::Disagrees => None,
         }

@@ -560,6 +560,10 @@ impl Vector {
     fn name(&self) -> String {
         let end = |end: &End| end.label.clone().unwrap_or_else(|| "?".to_owned());
         let ends = format!("{}→{}", end(&self.tail), end(&self.head));
+        // A force of a polygon runs between points without names.
+        if let (None, None, Some(quantity)) = (&self.tail.label, &self.head.label, &self.quantity) {
+            return quantity.clone();
+        }
         self.quantity.as_ref().map_or(ends.clone(), |quantity| format!("{quantity} {ends}"))
     }
 }

@@ -28,9 +28,9 @@ const ANSWERS: &[&str] = &[
     "drawing",
     "tolerance",
 ];
-const SCALES: &[&str] = &["length", "velocity", "acceleration"];
+const SCALES: &[&str] = &["length", "velocity", "acceleration", "force"];
 const FIGURES: &[&str] = &["velocity", "acceleration", "skeleton"];
-const VALUE: &[&str] = &["value", "magnitude", "direction", "sense", "components", "unit"];
+const VALUE: &[&str] = &["value", "magnitude", "direction", "sense", "components", "unit", "through"];
 const SCAN: &[&str] = &["pixels", "mm"];
 
 /// What a student handed in.
@@ -69,6 +69,8 @@ pub struct Item {
     pub given: Given,
     /// In which form it was written.
     pub form: Form,
+    /// A point of the line of a force, metres in the world, where one is told.
+    pub through: Option<[f64; 2]>,
     /// Half a unit in its last place, in the unit of `given`.
     pub rounding: f64,
     /// Where it stands in the file.
@@ -103,13 +105,19 @@ pub enum Given {
 
 /// The scale factors of a drawing, where they are stated: SI units per millimetre of paper.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct StatedScales([Option<f64>; Dimension::ALL.len()]);
+pub struct StatedScales([Option<f64>; Dimension::ALL.len()], Option<f64>);
 
 impl StatedScales {
     /// The scale of a dimension, where it is stated.
     #[must_use]
     pub const fn of(&self, dimension: Dimension) -> Option<f64> {
         self.0[dimension as usize]
+    }
+
+    /// Newtons per millimetre of the force polygons, where it is stated.
+    #[must_use]
+    pub const fn force(&self) -> Option<f64> {
+        self.1
     }
 }
 
@@ -191,7 +199,7 @@ impl Answers {
     pub(super) fn of_asked(scene: &Scene) -> Self {
         let item = |asked: &Asked| {
             let given = if is_vector(&asked.quantity) { Given::Vector([0.0; 2]) } else { Given::Signed(0.0) };
-            Item { asked: asked.clone(), given, form: Form::Polar, rounding: 0.0, at: 0 }
+            Item { asked: asked.clone(), given, form: Form::Polar, through: None, rounding: 0.0, at: 0 }
         };
         let items = scene.mechanism.asked.iter().map(item).collect();
         Self { items, ..Self::none("", "") }
@@ -308,6 +316,7 @@ fn answers(root: &Value<'_>, scene: &Scene, mut answers: Answers) -> Res<Answers
             answers.scales.0[dimension as usize] = scale(key, measure, 1000.0)?;
             answers.scales_at[dimension as usize] = stated.get(key).map_or(0, |value| value.at);
         }
+        answers.scales.1 = scale("force", Measure::Force, 1000.0)?;
     }
     for entry in entries(&fields, "lengths", "lengths on the drawing in mm, by name of the quantity")? {
         let asked = names.quantity(&entry.key, entry.at)?;
@@ -374,7 +383,8 @@ fn value(entry: &Entry<'_>, names: &Names<'_>, scales: &Scales) -> Res<Item> {
             if let Some(list) = fields.get("components") {
                 fields
                     .refuse(&["value", "magnitude", "direction", "sense"], "the components say everything")?;
-                return components(asked, list, unit, entry.at, scales);
+                let item = components(asked, list, unit, entry.at, scales)?;
+                return through(item, fields.get("through"), scales);
             }
             let size = match (fields.get("value"), fields.get("magnitude")) {
                 (Some(value), None) => value,
@@ -406,12 +416,29 @@ fn value(entry: &Entry<'_>, names: &Names<'_>, scales: &Scales) -> Res<Item> {
             if let Some(sense) = sense {
                 item.given = turned(&item, sense)?;
             }
-            match direction {
-                Some(angle) => directed(item, angle),
-                None => Ok(item),
-            }
+            let item = match direction {
+                Some(angle) => directed(item, angle)?,
+                None => item,
+            };
+            through(item, fields.get("through"), scales)
         }
         _ => scalar(asked, &entry.value, None, entry.at, scales),
+    }
+}
+
+/// A force with a point of its line.
+fn through(item: Item, place: Option<&Value<'_>>, scales: &Scales) -> Res<Item> {
+    let Some(place) = place else { return Ok(item) };
+    if !matches!(item.asked.quantity, Quantity::Force(Force::Vector(_), _)) {
+        let fault = Fault::new(place.at, format!("`{}` is no force that has a line", item.asked.name));
+        return Err(fault.mend("leave out `through`"));
+    }
+    match place.list("a point [x, y] of the line of the force")? {
+        [x, y] => {
+            let [x, y] = [scales.given(x, Measure::Length)?.value, scales.given(y, Measure::Length)?.value];
+            Ok(Item { through: Some([x, y]), ..item })
+        }
+        other => Err(Fault::new(place.at, format!("expected a point [x, y], found {} numbers", other.len()))),
     }
 }
 
@@ -473,7 +500,7 @@ pub(super) fn scalar(
     };
     let unit = stated.scale.unit();
     let rounding = last_place(value) / 2.0 * unit.si;
-    Ok(Item { asked: Asked { unit, ..asked }, given, form: Form::Number, rounding, at })
+    Ok(Item { asked: Asked { unit, ..asked }, given, form: Form::Number, through: None, rounding, at })
 }
 
 /// A list of two components.
@@ -502,7 +529,7 @@ pub(super) fn vector(
     let unit: Unit = a.scale.unit();
     let rounding = last_place(x).max(last_place(y)) / 2.0 * unit.si;
     let given = Given::Vector([a.given.value, b.given.value]);
-    Ok(Item { asked: Asked { unit, ..asked }, given, form: Form::Components, rounding, at })
+    Ok(Item { asked: Asked { unit, ..asked }, given, form: Form::Components, through: None, rounding, at })
 }
 
 /// A length measured on the drawing.
@@ -515,7 +542,7 @@ pub(super) fn drawn(asked: Asked, mm: f64, rounding: f64, at: usize) -> Res<Item
         return Err(Fault::new(at, "a length on the drawing is not negative"));
     }
     on_paper(mm, at)?;
-    Ok(Item { asked, given: Given::Drawn(mm), form: Form::Paper, rounding, at })
+    Ok(Item { asked, given: Given::Drawn(mm), form: Form::Paper, through: None, rounding, at })
 }
 
 /// A tolerance beyond it says nothing.
@@ -571,6 +598,7 @@ pub(super) fn is_vector(quantity: &Quantity) -> bool {
             | Quantity::PathRadius(_)
             | Quantity::Angle(_)
             | Quantity::Transmission(..)
+            | Quantity::Cycle(_)
     ) && !matches!(quantity, Quantity::Force(force, _) if !force.is_vector())
 }
 
@@ -581,7 +609,7 @@ fn never_negative(quantity: &Quantity) -> bool {
         Quantity::Rub(..)
             | Quantity::PathRadius(_)
             | Quantity::Transmission(..)
-            | Quantity::Force(Force::Offset(_) | Force::Arm(..), _)
+            | Quantity::Force(Force::Offset(_) | Force::Arm(..) | Force::Spin, _)
     )
 }
 

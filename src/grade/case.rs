@@ -1,19 +1,23 @@
 //! One student's answers beside the right construction: what each answer is of, in which step it is found, what
 //! any changed construction would make of it, and how far off a careful hand may be.
 
+use std::cell::{OnceCell, RefCell};
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
 use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
-use super::change::{Change, Misreading, Stray, Which};
+use super::change::{Change, InputChange, Misreading, Stray, Which};
 use super::{GradeError, GradeSettings};
 use crate::board::Hand;
 use crate::graphical::construction::{
-    Act, Calculation, Claim, Construction, ConstructionLine, Label, Reference,
+    Act, Calculation, Claim, Construction, ConstructionLine, ForceSheet, Label, Reference,
 };
-use crate::graphical::{Departure, Scales, Sketch, sketch};
+use crate::graphical::cycle::CycleSheet;
+use crate::graphical::{Departure, Paper, Scales, Sketch, free_bodies, sketch};
 use crate::limits;
-use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
+use crate::mechanism::cycle::{CycleQuantity, RotatingInertia};
+use crate::mechanism::force::{Action, Force, Share};
+use crate::mechanism::quantity::{Answer, Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
@@ -30,6 +34,8 @@ pub(super) enum Target {
     Image(Order, Label),
     /// A point of the skeleton.
     Place(PointId),
+    /// How far a point (metres in the world) lies from the line of a force, by its index among the asked ones.
+    Line(usize, [f64; 2]),
 }
 
 /// One answer.
@@ -79,6 +85,18 @@ pub(super) struct Case<'s> {
     pub(super) allowances: Vec<Allowance>,
     /// Of each answer, how many times more a miss of its length counts than one of its direction.
     stiffness: Vec<f64>,
+    /// The free bodies of the right solution, where forces are asked.
+    sheet: Option<ForceSheet>,
+    /// The right turning-moment diagram, where there is one.
+    pub(super) cycle: Option<CycleSheet>,
+    /// Inertia that turns in it, kg m², referred to the input.
+    pub(super) rotating: f64,
+    /// The largest torque of the right solution, N m.
+    largest_torque: f64,
+    /// The numbers of the turning-moment diagram, by what was changed of the mechanism.
+    turned: RefCell<Vec<(Vec<InputChange>, Numbers)>>,
+    /// By how much each of some draughtsmen is off in them.
+    turned_by_hand: OnceCell<Vec<Numbers>>,
     /// No tolerance is a larger part of its value.
     max_tolerance: f64,
     /// Whether sense and direction have marks of their own.
@@ -104,6 +122,12 @@ pub(super) enum Basis {
     /// It is read off the drawing, or calculated from what is.
     Read,
 }
+
+/// Numbers of the turning-moment diagram, in the order in which they are asked.
+type Numbers = Vec<Option<f64>>;
+
+/// So many draughtsmen draw a turning-moment diagram.
+const TURNING: u64 = 24;
 
 /// What the cap needs to know of an answer.
 struct Drawn {
@@ -142,7 +166,12 @@ impl<'s> Case<'s> {
         let scales =
             Scales::new(|dimension| answers.scales.of(dimension).unwrap_or(own.scales.of(dimension)));
         let asking = asking(scene, answers);
-        let Solved { structure, plan, .. } = solve::solve(&asking, Extent::Asked, |_, _| scales)?;
+        let Solved { structure, plan, solution, .. } = solve::solve(&asking, Extent::Asked, |_, _| scales)?;
+        let construction = solution.construction;
+        let paper = crate::sheet::force_paper(&asking, &construction);
+        let newtons = answers.scales.force().or(paper.force).or_else(|| on_a_hand(&asking, &construction));
+        let scales = scales.on(Paper { force: newtons, ..paper });
+        let rotating = rotating(&asking.mechanism);
         let mechanism = asking.mechanism;
         let right = sketch(&mechanism, &structure, &plan, scales, &[], None)
             .map_err(|error| GradeError::Solve(error.into()))?;
@@ -165,9 +194,16 @@ impl<'s> Case<'s> {
             tolerances: Vec::new(),
             allowances: Vec::new(),
             stiffness: Vec::new(),
+            largest_torque: construction.forces.as_ref().map_or(0.0, largest_torque),
+            sheet: construction.forces,
+            cycle: construction.cycle,
+            rotating,
+            turned: RefCell::default(),
+            turned_by_hand: OnceCell::new(),
             max_tolerance: settings.max_tolerance,
             by_parts: settings.by_parts,
         };
+        case.right = case.with_cycle(case.right.clone(), &Change::default(), None);
         case.observe_items(answers);
         for figure in &answers.figures {
             case.observe_points(answers, figure)?;
@@ -200,7 +236,7 @@ impl<'s> Case<'s> {
             self.mechanism.asked.len() - answers.items.len() - points_asked(self.scene, answers).len();
         for (index, item) in answers.items.iter().enumerate() {
             let quantity = item.asked.quantity;
-            let si_per_mm = self.si_per_mm(quantity.order());
+            let si_per_mm = self.si_of(&quantity);
             let (given, on_paper, rounding) = match item.given {
                 Given::Drawn(mm) => (Given::Magnitude(mm * si_per_mm), true, item.rounding * si_per_mm),
                 given => (given, false, item.rounding),
@@ -215,8 +251,154 @@ impl<'s> Case<'s> {
                 unit: item.asked.unit.clone(),
                 rounding,
                 stated: None,
-                rank: rank_of(&self.right.construction, &quantity),
+                rank: self.rank_of(&quantity),
             });
+            if let Some(through) = item.through {
+                let unit = self.scene.units.length.clone();
+                let (order, step, place) = self.rank_of(&quantity);
+                self.observations.push(Observation {
+                    name: format!("{} through", item.asked.name),
+                    target: Target::Line(start + index, through),
+                    quantity: None,
+                    given: Given::Signed(0.0),
+                    on_paper: false,
+                    form: Form::Number,
+                    unit,
+                    rounding: 0.0,
+                    stated: None,
+                    rank: (order, step, place + 1),
+                });
+            }
+        }
+    }
+
+    /// Where in the order of the solution a quantity is found: forces after all motion, in the order in which bodies are
+    /// balanced, and the turning-moment diagram last.
+    fn rank_of(&self, quantity: &Quantity) -> (Order, usize, usize) {
+        let place = match quantity {
+            Quantity::Force(force, share) => {
+                let shares = [Share::Static, Share::Inertia, Share::Total, Share::Rising, Share::Falling];
+                let of_share = shares.iter().position(|known| known == share).unwrap_or(shares.len());
+                10 * (10 * self.stage(*force) + of_share)
+            }
+            Quantity::Cycle(of) => 10 * (LAST + cycle_stage(*of)),
+            _ => return rank_of(&self.right.construction, quantity),
+        };
+        (Order::Acceleration, usize::MAX, 1 + place)
+    }
+
+    /// When a force is found.
+    fn stage(&self, force: Force) -> usize {
+        let bodies = self.sheet.as_ref().map_or(&[][..], |sheet| &sheet.bodies[..]);
+        // Where it is found first, not where it is known already.
+        let found = |action: Action| {
+            let key = |action: Action| match action {
+                Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
+                Action::OnPin(link, pin) => Action::OfPin(pin, link),
+                other => other,
+            };
+            let body =
+                bodies.iter().position(|body| body.acting.iter().any(|a| key(a.action) == key(action)));
+            let place = |body: usize| {
+                let acting = bodies[body].acting.iter();
+                acting.take_while(|acting| key(acting.action) != key(action)).count()
+            };
+            body.map_or(10 * bodies.len(), |body| 10 * body + place(body).min(9))
+        };
+        let of_action = |action: Action| match action {
+            Action::Load(_) | Action::Weight(_) | Action::Spring { .. } => 0,
+            Action::Inertia(_) | Action::Centrifugal(_) => 1,
+            Action::Shaking => 4,
+            Action::OnFrame => 11 + 10 * bodies.len(),
+            Action::Drive(_) => 12 + 10 * bodies.len(),
+            Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..) | Action::Rolling { .. } => {
+                6 + found(action)
+            }
+        };
+        match force {
+            Force::Vector(action) => of_action(action),
+            Force::Along { by, on, .. } | Force::Across { by, on, .. } => {
+                of_action(Action::Pair { by, on }) - 1
+            }
+            Force::InertiaTorque(_) => 2,
+            Force::Offset(_) => 3,
+            Force::Moment(action, _) | Force::Arm(action, _) => 1 + of_action(action),
+            Force::Pull(_) | Force::Twist(_) => 0,
+            Force::Torque(_) | Force::Drive(_) | Force::LoadTorque(_) | Force::Spin => 12 + 10 * bodies.len(),
+        }
+    }
+
+    /// The free bodies of a drawing that departs so.
+    pub(super) fn bodies(&self, change: &Change) -> Option<ForceSheet> {
+        let right = self.sheet.as_ref()?;
+        if !change.redraws() {
+            return Some(right.clone());
+        }
+        let mechanism = change.mechanism(&self.mechanism);
+        let own =
+            free_bodies(&mechanism, &self.structure, &self.plan, self.scales, &change.departures).ok()?;
+        Some(own.unwrap_or_else(|| right.clone()))
+    }
+
+    /// A drawing with the numbers of the turning-moment diagram.
+    fn with_cycle(&self, mut sketch: Sketch, change: &Change, draughtsman: Option<u64>) -> Sketch {
+        let asked = solve::cycle_quantities(&self.mechanism);
+        if asked.is_empty() {
+            return sketch;
+        }
+        let mut numbers = self.turned(change, &asked);
+        if let Some(seed) = draughtsman {
+            let misses = self.turned_by_hand.get_or_init(|| {
+                let right = self.turned(&Change::default(), &asked);
+                let by = |seed| solve::cycle_by_one_hand(&self.mechanism, self.scales, (self.hand, seed));
+                let missed = |own: Numbers| {
+                    own.into_iter().zip(&right).map(|(own, right)| Some(own? - (*right)?)).collect()
+                };
+                (0..TURNING).map(|seed| missed(by(seed))).collect()
+            });
+            if let Some(misses) = misses.get((seed % TURNING) as usize) {
+                for (number, miss) in numbers.iter_mut().zip(misses) {
+                    *number = number.zip(*miss).map(|(number, miss)| number + miss);
+                }
+            }
+        }
+        let mut numbers = numbers.into_iter();
+        for (asked, read) in self.mechanism.asked.iter().zip(&mut sketch.numbers) {
+            if matches!(asked.quantity, Quantity::Cycle(_)) {
+                *read = numbers.next().flatten().map(|number| vec![number]);
+            }
+        }
+        sketch
+    }
+
+    /// The numbers of the turning-moment diagram of a changed mechanism; what is drawn otherwise has no say in them.
+    fn turned(&self, change: &Change, asked: &[CycleQuantity]) -> Numbers {
+        if let Some((_, known)) = self.turned.borrow().iter().find(|(of, _)| *of == change.inputs) {
+            return known.clone();
+        }
+        let mechanism = change.mechanism(&self.mechanism);
+        let numbers = match &mechanism.forces.cycle {
+            Some(cycle) => solve::cycle_numbers(&mechanism, cycle, asked, &|_| 0.0),
+            None => vec![None; asked.len()],
+        };
+        self.turned.borrow_mut().push((change.inputs.clone(), numbers.clone()));
+        numbers
+    }
+
+    /// SI units for a millimetre of what stands for a quantity on paper.
+    pub(super) fn si_of(&self, quantity: &Quantity) -> f64 {
+        match (quantity, self.scales.paper().force) {
+            (Quantity::Force(force, _), Some(newtons)) if force.is_vector() => newtons,
+            _ => self.si_per_mm(quantity.order()),
+        }
+    }
+
+    /// The same of an answer.
+    pub(super) fn si_of_answer(&self, observation: &Observation) -> f64 {
+        match (observation.target, &observation.quantity) {
+            (Target::Image(order, _), _) => self.si_per_mm(order),
+            (_, Some(quantity)) => self.si_of(quantity),
+            (_, None) => self.si_per_mm(Order::Position),
         }
     }
 
@@ -252,7 +434,7 @@ impl<'s> Case<'s> {
                         images.iter().rev().find(|image| image.label == label).map(|image| image.at)
                     }
                     Target::Place(point) => self.right.construction.space.places[point.0],
-                    Target::Asked(_) => None,
+                    Target::Asked(_) | Target::Line(..) => None,
                 }
             };
             let [one, other] = pair.map(place);
@@ -286,7 +468,7 @@ impl<'s> Case<'s> {
                     let quantity = Quantity::Position(point);
                     (rank_of(&self.right.construction, &quantity), None)
                 }
-                Target::Asked(_) => continue,
+                Target::Asked(_) | Target::Line(..) => continue,
             };
             let at = onto.right(at);
             self.observations.push(Observation {
@@ -362,6 +544,7 @@ impl<'s> Case<'s> {
     /// Whether the student says at which scale a vector was drawn.
     pub(super) fn states_scale(&self, of: Which) -> bool {
         match of {
+            Which::One(Quantity::Force(force, _)) if force.is_vector() => self.stated.force().is_some(),
             Which::One(quantity) if quantity.order() != Order::Position => {
                 self.stated.of(quantity.order().dimension()).is_some()
             }
@@ -394,7 +577,8 @@ impl<'s> Case<'s> {
         let mechanism = change.mechanism(&self.mechanism);
         let by = draughtsman.map(|seed| (self.hand, seed));
         let drawn = |departures: &[Departure]| {
-            sketch(&mechanism, &self.structure, &self.plan, self.scales, departures, by).ok()
+            let sketch = sketch(&mechanism, &self.structure, &self.plan, self.scales, departures, by).ok()?;
+            Some(self.with_cycle(sketch, change, draughtsman))
         };
         if change.strays.is_empty() {
             return drawn(&change.departures);
@@ -488,6 +672,13 @@ impl<'s> Case<'s> {
             Target::Place(point) => {
                 sketch.construction.space.places[point.0]?.map(|mm| mm * self.scales.length()).to_vec()
             }
+            Target::Line(index, at) => {
+                let through = (*sketch.lines.get(index)?)?;
+                let &[x, y] = sketch.numbers.get(index)?.as_deref()? else { return None };
+                let length = libm::hypot(x, y);
+                let away = (at[0] - through[0]) * y - (at[1] - through[1]) * x;
+                if length > 0.0 { vec![away / length] } else { return None }
+            }
         };
         for reading in &change.readings {
             match *reading {
@@ -508,6 +699,9 @@ impl<'s> Case<'s> {
                 Misreading::Backwards { of, from } if observation.quantity == Some(of) => {
                     let [head, from] = self.head_and(&sketch.construction, &of, from)?;
                     numbers = vec![2.0 * from[0] - head[0], 2.0 * from[1] - head[1]];
+                }
+                Misreading::Plus { of, by } if observation.quantity == Some(of) => {
+                    numbers.iter_mut().zip(by).for_each(|(number, by)| *number += by);
                 }
                 reading => self.misread(observation, reading, &mut numbers),
             }
@@ -546,6 +740,18 @@ impl<'s> Case<'s> {
             }
             return;
         }
+        if let Misreading::Fluctuation { factor, inertia } = reading {
+            if let ([number], Quantity::Cycle(of)) = (numbers, quantity) {
+                match of {
+                    CycleQuantity::Fluctuation | CycleQuantity::OfEnergy | CycleQuantity::OfSpeed => {
+                        *number *= factor;
+                    }
+                    CycleQuantity::Flywheel => *number = factor * (*number + inertia) - inertia,
+                    _ => {}
+                }
+            }
+            return;
+        }
         let (of, twist) = match reading {
             Misreading::Twisted { of, twist } => (of, twist),
             Misreading::Unscaled { of, factor } | Misreading::Divided { of, factor } => {
@@ -553,7 +759,7 @@ impl<'s> Case<'s> {
                     return;
                 }
                 // What one unit of the answer is long on paper.
-                let mm = observation.unit.si / self.si_per_mm(quantity.order());
+                let mm = observation.unit.si / self.si_of(&quantity);
                 let divided = matches!(reading, Misreading::Divided { .. });
                 let factor = if divided { mm * mm * factor } else { mm * factor };
                 (of, crate::graphical::Twist::scaled(factor))
@@ -562,6 +768,8 @@ impl<'s> Case<'s> {
             | Misreading::MeasuredFrom { .. }
             | Misreading::MeasuredTo { .. }
             | Misreading::Backwards { .. }
+            | Misreading::Plus { .. }
+            | Misreading::Fluctuation { .. }
             | Misreading::InRadians { .. } => return,
         };
         if !of.includes(&quantity) {
@@ -652,12 +860,14 @@ impl<'s> Case<'s> {
             Some(Quantity::Alpha(_) | Quantity::RelativeAlpha(..)) => {
                 Some(self.max_tolerance * SMALL * largest[1])
             }
-            Some(quantity) if !is_vector(&quantity) => None,
-            _ => {
-                let order = observation.quantity.map_or(Order::Position, |q| q.order());
-                let order = if let Target::Image(order, _) = observation.target { order } else { order };
-                Some(FINEST * self.hand.length * self.si_per_mm(order) * factor)
+            Some(Quantity::Force(Force::Offset(_) | Force::Arm(..), _)) => {
+                Some(FINEST * self.hand.length * self.scales.length() * factor)
             }
+            Some(Quantity::Force(force, _)) if force.turns() => {
+                Some(self.max_tolerance * SMALL * self.largest_torque)
+            }
+            Some(quantity) if !is_vector(&quantity) => None,
+            _ => Some(FINEST * self.hand.length * self.si_of_answer(observation) * factor),
         }
     }
 
@@ -685,10 +895,9 @@ impl<'s> Case<'s> {
             return Allowance { by, honest: by, basis: Basis::Calculated };
         }
         // One reading more than the drawing itself: the length that is handed in.
-        let order = observation.quantity.map_or(Order::Position, |q| q.order());
-        let order = if let Target::Image(order, _) = observation.target { order } else { order };
         let linear = observation.quantity.is_none_or(|q| is_vector(&q));
-        let reading = if linear { self.hand.length * self.si_per_mm(order) * drawn.factor } else { 0.0 };
+        let reading =
+            if linear { self.hand.length * self.si_of_answer(observation) * drawn.factor } else { 0.0 };
         let honest = (SAFETY * drawn.worst + reading + rounding).max(f64::MIN_POSITIVE);
         let least = self.finest(observation, drawn.factor, largest).unwrap_or(honest);
         let by = match is_place(observation) {
@@ -775,9 +984,66 @@ impl<'s> Case<'s> {
     }
 }
 
+/// Behind the numbers of every balance.
+const LAST: usize = 1_000_000;
+
+/// When a number of the turning-moment diagram is found.
+fn cycle_stage(of: CycleQuantity) -> usize {
+    match of {
+        CycleQuantity::Work => 0,
+        CycleQuantity::Mean => 1,
+        CycleQuantity::Power => 2,
+        CycleQuantity::Crossing(k) => 3 + k as usize,
+        CycleQuantity::Area(k) => LAST + k as usize,
+        CycleQuantity::Level(k) => 2 * LAST + k as usize,
+        CycleQuantity::Highest | CycleQuantity::AtHighest => 3 * LAST,
+        CycleQuantity::Lowest | CycleQuantity::AtLowest => 3 * LAST + 1,
+        CycleQuantity::Fluctuation => 3 * LAST + 2,
+        CycleQuantity::OfEnergy | CycleQuantity::Inertia => 3 * LAST + 3,
+        CycleQuantity::OfSpeed | CycleQuantity::Flywheel => 3 * LAST + 4,
+        CycleQuantity::Most | CycleQuantity::Least | CycleQuantity::AtMost | CycleQuantity::AtLeast => {
+            3 * LAST + 5
+        }
+    }
+}
+
+/// The largest torque and moment among all that is balanced.
+fn largest_torque(sheet: &ForceSheet) -> f64 {
+    let terms = sheet.moments.iter().flat_map(|balance| balance.terms.iter().chain([&balance.found]));
+    let torques = sheet.bodies.iter().flat_map(|body| &body.torques).map(|(_, torque)| torque.abs());
+    terms.map(|term| term.moment.abs()).chain(torques).fold(0.0, f64::max)
+}
+
+/// Newtons for a millimetre where no polygon stands on the sheet: the largest asked force is drawn so large.
+fn on_a_hand(scene: &Scene, construction: &Construction) -> Option<f64> {
+    let forces = scene.mechanism.asked.iter().zip(&construction.answers);
+    let sizes = forces.filter_map(|(asked, reading)| match (asked.quantity, &reading.answer) {
+        (Quantity::Force(force, _), Answer::Vector { value, .. }) if force.is_vector() => Some(size(value)),
+        _ => None,
+    });
+    sizes.reduce(f64::max).filter(|largest| *largest > 0.0).map(|largest| largest / LARGEST_FORCE)
+}
+
+/// mm.
+const LARGEST_FORCE: f64 = 100.0;
+
+/// What turns with the input, kg m².
+fn rotating(mechanism: &Mechanism) -> f64 {
+    let Some(cycle) = &mechanism.forces.cycle else { return 0.0 };
+    let g = mechanism.forces.gravity.g.value;
+    let inertia = |of: RotatingInertia| match of {
+        RotatingInertia::Central(inertia) => inertia.value,
+        RotatingInertia::Mass(mass, radius) => mass.value * radius.value * radius.value,
+        RotatingInertia::Weight(weight, radius) => weight.value / g * radius.value * radius.value,
+    };
+    let all = cycle.rotating.iter();
+    all.map(|rotating| inertia(rotating.inertia) * rotating.ratio.value * rotating.ratio.value).sum()
+}
+
 /// Whether an answer is a place or an angle of the skeleton.
 fn is_place(observation: &Observation) -> bool {
-    matches!(observation.target, Target::Place(_))
+    matches!(observation.target, Target::Place(_) | Target::Line(..))
+        || matches!(observation.quantity, Some(Quantity::Cycle(of)) if of.is_angle())
         || matches!(
             observation.quantity,
             Some(

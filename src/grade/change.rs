@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use crate::given::Given;
 use crate::graphical::construction::{Claim, Label, Reference};
 use crate::graphical::{Departure, Twist};
+use crate::mechanism::force::{Inertia, SpringKind, SpringLaw};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::statement::Locus;
 use crate::mechanism::{Form, GuidePoint, Input, Mechanism, Path, Place, Roll};
@@ -40,6 +41,10 @@ pub(super) enum InputChange {
     AnglesInRadians,
     /// Every length is multiplied; the given speeds of points and slides as well, or not.
     Lengths { factor: f64, speeds: bool },
+    /// The period of the turning-moment diagram is multiplied.
+    Period(f64),
+    /// The wanted fluctuation of speed is multiplied.
+    Fluctuation(f64),
 }
 
 /// What was drawn was read or written down otherwise.
@@ -61,6 +66,10 @@ pub(super) enum Misreading {
     Backwards { of: Quantity, from: Label },
     /// Directions went through a calculator that computes in radians.
     InRadians { of: Which, how: InRadians },
+    /// Another vector was added to it, SI.
+    Plus { of: Quantity, by: [f64; 2] },
+    /// The fluctuation of energy is multiplied, and with it what is reckoned from it beside this inertia, kg m².
+    Fluctuation { factor: f64, inertia: f64 },
 }
 
 /// How a calculator set to radians spoils a direction.
@@ -137,6 +146,16 @@ impl Change {
                 InputChange::Rates { omega, alpha } => drive(mechanism.to_mut(), omega, alpha),
                 InputChange::AnglesInRadians => take_for_radians(mechanism.to_mut()),
                 InputChange::Lengths { factor, speeds } => enlarge(mechanism.to_mut(), factor, speeds),
+                InputChange::Period(factor) => {
+                    if let Some(cycle) = &mut mechanism.to_mut().forces.cycle {
+                        cycle.period = cycle.period.times(factor);
+                    }
+                }
+                InputChange::Fluctuation(factor) => {
+                    if let Some(cycle) = &mut mechanism.to_mut().forces.cycle {
+                        cycle.fluctuation = cycle.fluctuation.map(|given| given.times(factor));
+                    }
+                }
             }
         }
         mechanism
@@ -219,6 +238,16 @@ fn enlarge(mechanism: &mut Mechanism, factor: f64, speeds: bool) {
             }
         }
     }
+    for mass in &mut mechanism.forces.masses {
+        if let Inertia::Gyration(radius) = &mut mass.inertia {
+            grow(radius);
+        }
+    }
+    for spring in &mut mechanism.forces.springs {
+        if let (SpringKind::Pull(_), SpringLaw::Stiffness { free, .. }) = (spring.kind, &mut spring.law) {
+            grow(free);
+        }
+    }
     for input in &mut mechanism.inputs {
         match input {
             Input::Angle { .. } => {}
@@ -247,7 +276,7 @@ impl Which {
     /// Whether a quantity is among them.
     pub(super) fn includes(self, quantity: &Quantity) -> bool {
         let vector = super::answers::is_vector(quantity)
-            && !matches!(quantity, Quantity::Position(_) | Quantity::Centre(..));
+            && !matches!(quantity, Quantity::Position(_) | Quantity::Centre(..) | Quantity::Force(..));
         match self {
             Self::One(one) => one == *quantity,
             Self::Vectors(order) => vector && quantity.order() == order,

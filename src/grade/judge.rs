@@ -13,6 +13,7 @@ use super::mistakes::{self, Hypothesis, vector_of};
 use super::routes;
 use crate::graphical::construction::{Act, Calculation, Label};
 use crate::graphical::{Departure, Sketch, Twist};
+use crate::mechanism::force::{Action, Force, Share};
 use crate::mechanism::quantity::{Order, Quantity};
 
 /// What is said of one answer.
@@ -172,7 +173,7 @@ impl Judge<'_, '_> {
     /// The mistakes that explain the answer, ranked, and all that the student is taken to have drawn so far.
     fn explain(&self) -> (Vec<Mistake>, Change) {
         let Some(base) = self.case.drawn(self.drawn, None) else { return (Vec::new(), self.drawn.clone()) };
-        let hypotheses = mistakes::all(self.case, &base);
+        let hypotheses = mistakes::all(self.case, &base, self.drawn);
         let unknown = self.unknown(&base);
         let price = unknown.as_ref().map_or(UNKNOWN + MOST, |tried| tried.cost);
         let unmoved = self.case.seen(&base, self.drawn);
@@ -468,6 +469,23 @@ fn moved_foot(base: &Sketch, order: Order, label: Label, at: [f64; 2]) -> Option
     (length > 0.0).then(|| Change::drawn(vec![departure]))
 }
 
+/// How a balance goes on from a student's own force.
+fn own_force(force: Force, own: Option<[f64; 2]>, (factor, twist): (f64, Twist)) -> Option<Change> {
+    let departure = match (force, own) {
+        (Force::Vector(Action::Inertia(link)), Some(_)) => {
+            Departure::InertiaForce { link: Some(link), twist }
+        }
+        (
+            Force::Vector(action @ (Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..))),
+            Some(force),
+        ) => Departure::ForceIs { action, force },
+        (Force::InertiaTorque(link), None) => Departure::InertiaTorque { link: Some(link), factor },
+        (Force::Offset(link), None) => Departure::Offset { link: Some(link), factor },
+        _ => return None,
+    };
+    Some(Change::drawn(vec![departure]))
+}
+
 fn own_quantity(
     case: &Case<'_>,
     base: &Sketch,
@@ -514,6 +532,9 @@ fn own_quantity(
                 let at = [vector.from[0] + x / si, vector.from[1] + y / si];
                 ways.push(Change::drawn(vec![Departure::Image { order, point: b, at }]));
             }
+        }
+        (Quantity::Force(force, Share::Total), vector) => {
+            ways.extend(own_force(force, vector, (factor, twist)))
         }
         (_, Some(_)) => {
             ways.push(Change::drawn(vec![Departure::LaidOff { quantity, twist }]));

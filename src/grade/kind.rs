@@ -59,11 +59,51 @@ pub enum Kind {
     WrongLine,
     /// A vector was measured to a neighbouring point of its polygon.
     NeighbourRead,
+    /// An inertia force points with the acceleration of its mass centre.
+    InertiaAlongAcceleration,
+    /// An inertia force passes its mass centre on the wrong side.
+    OffsetOtherSide,
+    /// An inertia torque has the sense of the angular acceleration.
+    CoupleWithAlpha,
+    /// A weight was used as a mass.
+    WeightAsMass,
+    /// A mass was used as a weight.
+    MassAsWeight,
+    /// A force was taken for its reaction: F₂₃ for F₃₂.
+    ReactionForAction,
+    /// The distance of a pin was taken for the arm of a force.
+    ArmToPin,
+    /// An arm was taken as it is on paper, without the scale of the skeleton.
+    ArmUnscaled,
+    /// A force was left out of a polygon or of moments.
+    ForceLeftOut,
+    /// The force of a guide was not drawn square to it.
+    GuideForceNotSquare,
+    /// The force of a pin touches its friction circle on the other side.
+    OtherTangent,
+    /// The force of a rough guide leans the other way.
+    FrictionAngleReversed,
+    /// The journal itself was taken for the friction circle.
+    CircleIsJournal,
+    /// The effort that a mechanism gives was handed in for the one that it needs.
+    TorqueGiven,
+    /// Loads, weights and springs were left out of the total.
+    StaticLeftOut,
+    /// Inertia was left out of the total.
+    InertiaLeftOut,
+    /// The shaking force was taken with the loads.
+    LoadsInShaking,
+    /// The largest area was taken for the fluctuation of energy.
+    LargestArea,
+    /// A cycle of two turns was reckoned as one of one.
+    OneTurnForTwo,
+    /// A fluctuation of ±x % was taken as x %.
+    HalfFluctuation,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 28] = [
+    pub const ALL: [Self; 48] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -92,6 +132,26 @@ impl Kind {
         Self::CalculatorInRadians,
         Self::WrongLine,
         Self::NeighbourRead,
+        Self::InertiaAlongAcceleration,
+        Self::OffsetOtherSide,
+        Self::CoupleWithAlpha,
+        Self::WeightAsMass,
+        Self::MassAsWeight,
+        Self::ReactionForAction,
+        Self::ArmToPin,
+        Self::ArmUnscaled,
+        Self::ForceLeftOut,
+        Self::GuideForceNotSquare,
+        Self::OtherTangent,
+        Self::FrictionAngleReversed,
+        Self::CircleIsJournal,
+        Self::TorqueGiven,
+        Self::StaticLeftOut,
+        Self::InertiaLeftOut,
+        Self::LoadsInShaking,
+        Self::LargestArea,
+        Self::OneTurnForTwo,
+        Self::HalfFluctuation,
     ];
 
     /// Its name in a report.
@@ -126,6 +186,26 @@ impl Kind {
             Self::CalculatorInRadians => "calculator-in-radians",
             Self::WrongLine => "wrong-line",
             Self::NeighbourRead => "neighbour-read",
+            Self::InertiaAlongAcceleration => "inertia-along-acceleration",
+            Self::OffsetOtherSide => "offset-other-side",
+            Self::CoupleWithAlpha => "inertia-torque-with-alpha",
+            Self::WeightAsMass => "weight-as-mass",
+            Self::MassAsWeight => "mass-as-weight",
+            Self::ReactionForAction => "reaction-for-action",
+            Self::ArmToPin => "arm-to-pin",
+            Self::ArmUnscaled => "arm-in-drawing-units",
+            Self::ForceLeftOut => "force-left-out",
+            Self::GuideForceNotSquare => "guide-force-not-square",
+            Self::OtherTangent => "other-tangent",
+            Self::FrictionAngleReversed => "friction-angle-reversed",
+            Self::CircleIsJournal => "journal-for-friction-circle",
+            Self::TorqueGiven => "given-for-needed",
+            Self::StaticLeftOut => "static-part-left-out",
+            Self::InertiaLeftOut => "inertia-left-out",
+            Self::LoadsInShaking => "loads-in-shaking-force",
+            Self::LargestArea => "largest-area",
+            Self::OneTurnForTwo => "one-turn-for-two",
+            Self::HalfFluctuation => "half-fluctuation",
         }
     }
 }

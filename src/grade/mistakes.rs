@@ -7,6 +7,7 @@ use super::change::{Change, InRadians, InputChange, Misreading, Stray, Which};
 use super::kind::Kind;
 use crate::graphical::construction::{Act, Calculation, Claim, Construction, Label, Reference, Vector};
 use crate::graphical::{Departure, Sketch, Twist};
+use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::{DiagramKind, Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::DiagramPlan;
@@ -27,14 +28,16 @@ pub(super) struct Hypothesis {
 }
 
 /// A slip that is made as a whole, in the way that the textbook warns of.
-const PLAIN: f64 = 0.0;
+pub(super) const PLAIN: f64 = 0.0;
 /// A less usual form of it.
 const UNUSUAL: f64 = 2.0;
+/// A mistake of the motion that only forces could show.
+const UNSEEN: f64 = 1.0;
 /// A far-fetched form.
 const FAR: f64 = 4.0;
 
 /// What may be wrong with a construction, as it stands after `so_far`.
-pub(super) fn all(case: &Case<'_>, so_far: &Sketch) -> Vec<Hypothesis> {
+pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypothesis> {
     let mut list = List { case, construction: &so_far.construction, found: Vec::new() };
     list.given();
     list.assemblies();
@@ -49,12 +52,20 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch) -> Vec<Hypothesis> {
     list.poles(so_far);
     list.units();
     list.calculator();
+    if let Some(sheet) = case.bodies(drawn) {
+        // Nobody who answered nothing of the motion shows where its polygons went wrong.
+        if ![Order::Velocity, Order::Acceleration].into_iter().any(|order| case.answers(order)) {
+            list.found.iter_mut().filter(|one| one.change.redraws()).for_each(|one| one.price += UNSEEN);
+        }
+        list.forces(&sheet);
+    }
+    list.turning_moments();
     list.found
 }
 
-struct List<'c, 's> {
-    case: &'c Case<'s>,
-    construction: &'c Construction,
+pub(super) struct List<'c, 's> {
+    pub(super) case: &'c Case<'s>,
+    pub(super) construction: &'c Construction,
     found: Vec<Hypothesis>,
 }
 
@@ -69,12 +80,12 @@ struct Turning {
 }
 
 impl<'c> List<'c, '_> {
-    fn add(&mut self, kind: Kind, at: &str, step: Option<usize>, price: f64, change: Change) {
+    pub(super) fn add(&mut self, kind: Kind, at: &str, step: Option<usize>, price: f64, change: Change) {
         self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change, how: None });
     }
 
     /// The same, with what exactly was done.
-    fn add_so(
+    pub(super) fn add_so(
         &mut self,
         (kind, how): (Kind, String),
         at: &str,
@@ -85,11 +96,11 @@ impl<'c> List<'c, '_> {
         self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change, how: Some(how) });
     }
 
-    fn name(&self, quantity: &Quantity) -> String {
+    pub(super) fn name(&self, quantity: &Quantity) -> String {
         name_of(self.case, quantity)
     }
 
-    fn number(&self, link: LinkId) -> u32 {
+    pub(super) fn number(&self, link: LinkId) -> u32 {
         self.case.mechanism.link(link).number
     }
 
@@ -220,8 +231,10 @@ impl<'c> List<'c, '_> {
             self.add(kind, "the answers' unit", None, price + FAR, twisted(Which::Vectors(order)));
         }
         for quantity in self.observed() {
-            let name = self.name(&quantity);
-            self.add(kind, &name, None, price + FAR, twisted(Which::One(quantity)));
+            if !of_forces(&quantity) {
+                let name = self.name(&quantity);
+                self.add(kind, &name, None, price + FAR, twisted(Which::One(quantity)));
+            }
         }
     }
 
@@ -748,6 +761,7 @@ impl<'c> List<'c, '_> {
                     (Kind::NormalAwayFromCentre, Kind::SenseReversed)
                 }
                 Quantity::Coriolis(..) => (Kind::CoriolisWrongTurn, Kind::SenseReversed),
+                Quantity::Force(force, _) => (reversed(force), Kind::SenseReversed),
                 _ if relative => (Kind::RelativeReversed, Kind::SenseReversed),
                 _ => (Kind::SenseReversed, Kind::SenseReversed),
             };
@@ -940,7 +954,7 @@ impl<'c> List<'c, '_> {
     }
 
     /// The quantities that were answered by value.
-    fn observed(&self) -> Vec<Quantity> {
+    pub(super) fn observed(&self) -> Vec<Quantity> {
         self.case
             .observations
             .iter()
@@ -1084,8 +1098,30 @@ impl<'c> List<'c, '_> {
     }
 }
 
+/// Whether a number is one in which no length of the scene is written.
+fn of_forces(quantity: &Quantity) -> bool {
+    match quantity {
+        Quantity::Force(force, _) => !matches!(force, Force::Offset(_) | Force::Arm(..) | Force::Moment(..)),
+        Quantity::Cycle(_) => true,
+        _ => false,
+    }
+}
+
+/// What it is that has the opposite sense.
+fn reversed(force: Force) -> Kind {
+    match force {
+        Force::Vector(Action::Pair { .. } | Action::OfPin(..) | Action::OnPin(..))
+        | Force::Along { .. }
+        | Force::Across { .. } => Kind::ReactionForAction,
+        Force::Vector(Action::Inertia(_)) => Kind::InertiaAlongAcceleration,
+        Force::InertiaTorque(_) => Kind::CoupleWithAlpha,
+        Force::Torque(_) | Force::Drive(_) => Kind::TorqueGiven,
+        _ => Kind::SenseReversed,
+    }
+}
+
 /// Whether two directions are clear of each other, whichever way each is followed.
-fn apart(a: [f64; 2], b: [f64; 2]) -> bool {
+pub(super) fn apart(a: [f64; 2], b: [f64; 2]) -> bool {
     (a[0] * b[1] - a[1] * b[0]).abs() > 0.07
 }
 
@@ -1093,7 +1129,7 @@ fn apart(a: [f64; 2], b: [f64; 2]) -> bool {
 const OTHER_SCALES: [f64; 8] = [0.5, 0.4, 2.0, 2.5, 0.05, 0.04, 0.2, 0.25];
 
 /// The price of one of several that would do as well: the more there are, the sooner one fits by chance.
-fn one_of(count: usize) -> f64 {
+pub(super) fn one_of(count: usize) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "links and lengths are few")]
     let count = count.max(1) as f64;
     2.0 * libm::log(count)

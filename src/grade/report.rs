@@ -279,13 +279,9 @@ fn graded(
         Given::Vector(vector) => (vector.to_vec(), false),
     };
     let right = if magnitude_only && !truth.is_empty() { vec![size(&truth)] } else { truth };
-    let order = match (observation.target, observation.quantity) {
-        (Target::Image(order, _), _) => order,
-        (_, quantity) => quantity.map_or(Order::Position, |quantity| quantity.order()),
-    };
     let Allowance { by, honest, basis } = case.allowances[index];
     let linear = observation.quantity.is_none_or(|q| super::answers::is_vector(&q));
-    let on_paper = |amount: f64| amount / case.si_per_mm(order);
+    let on_paper = |amount: f64| amount / case.si_of_answer(observation);
     let allowed = match basis {
         Basis::Stated => Allowed::Stated,
         Basis::Calculated => Allowed::Calculated,
@@ -306,7 +302,7 @@ fn graded(
         name: observation.name.clone(),
         given: in_unit(given),
         form: observation.form,
-        per_mm: observation.on_paper.then(|| case.si_per_mm(order) / si),
+        per_mm: observation.on_paper.then(|| case.si_of_answer(observation) / si),
         rounding: observation.rounding / si,
         magnitude_only,
         right: in_unit(right),

@@ -45,6 +45,26 @@ impl Mistake {
             Kind::WrongPole => format!("{at} measured from the wrong point of the polygon"),
             Kind::WrongLine => format!("{at}: a line drawn by the wrong line of the skeleton"),
             Kind::NeighbourRead => format!("{at} measured to the wrong point of the polygon"),
+            Kind::InertiaAlongAcceleration => format!("{at} with the acceleration of its mass centre"),
+            Kind::OffsetOtherSide => format!("{at} laid off to the other side"),
+            Kind::CoupleWithAlpha => format!("{at} with the sense of the angular acceleration"),
+            Kind::WeightAsMass => format!("{at}: the weight used as a mass"),
+            Kind::MassAsWeight => format!("{at}: the mass used as a weight"),
+            Kind::ReactionForAction => format!("{at}: the reaction in the place of the force"),
+            Kind::ArmToPin => format!("{at}: the distance of the pin in the place of the arm"),
+            Kind::ArmUnscaled => format!("{at}: an arm as it is on paper"),
+            Kind::ForceLeftOut => format!("{at} was left out"),
+            Kind::GuideForceNotSquare => format!("{at} is not square to its guide"),
+            Kind::OtherTangent => format!("{at}: the tangent on the other side"),
+            Kind::FrictionAngleReversed => format!("{at}: the angle of friction to the other side"),
+            Kind::CircleIsJournal => format!("{at} has the radius of the journal"),
+            Kind::TorqueGiven => format!("{at}: what the mechanism gives, not what it needs"),
+            Kind::StaticLeftOut => format!("{at}: loads, weights and springs were left out"),
+            Kind::InertiaLeftOut => format!("{at}: inertia was left out"),
+            Kind::LoadsInShaking => format!("{at} with the loads"),
+            Kind::LargestArea => format!("{at}: the largest area"),
+            Kind::OneTurnForTwo => format!("{at}: one turn for a cycle of two"),
+            Kind::HalfFluctuation => format!("{at}: half of the range"),
         };
         self.how.as_ref().map_or_else(|| text.clone(), |how| format!("{text} ({how})"))
     }
@@ -98,6 +118,40 @@ impl Mistake {
             }
             Kind::WrongLine => "Look which two points each line of the polygon belongs to.",
             Kind::NeighbourRead => "Look which letter of the polygon belongs to the point that is asked.",
+            Kind::InertiaAlongAcceleration => {
+                "An inertia force points against the acceleration of its mass centre: from g′ to o′."
+            }
+            Kind::OffsetOtherSide => "Lay h off to the side on which the inertia force turns against α.",
+            Kind::CoupleWithAlpha => "An inertia torque is −I·α: its sense is against that of α.",
+            Kind::WeightAsMass => "Divide a weight by g before you multiply it by an acceleration.",
+            Kind::MassAsWeight => "A weight is M·g; in M·A stands the mass itself.",
+            Kind::ReactionForAction => {
+                "F₂₃ is the force of link 2 on link 3: on link 2 it has the opposite sense."
+            }
+            Kind::ArmToPin => "An arm is square to the line of its force.",
+            Kind::ArmUnscaled => "Multiply arms that you measure by the scale of the skeleton.",
+            Kind::ForceLeftOut => {
+                "Cut the link free and count what acts on it, before you draw its polygon or take moments."
+            }
+            Kind::GuideForceNotSquare => "Without friction a guide only presses square to itself.",
+            Kind::OtherTangent => {
+                "The force on a link passes its friction circle so that its moment about the pin is against the turning of the link."
+            }
+            Kind::FrictionAngleReversed => {
+                "The force on what slides leans from the normal against its sliding."
+            }
+            Kind::CircleIsJournal => "The radius of the friction circle is r·sin φ, not r.",
+            Kind::TorqueGiven => {
+                "T is the torque of the surroundings on the driven link: it balances the moments of the others."
+            }
+            Kind::StaticLeftOut => "The total is the static part and that of inertia.",
+            Kind::InertiaLeftOut => "The total is the static part and that of inertia.",
+            Kind::LoadsInShaking => "The shaking force is the sum of the inertia forces alone.",
+            Kind::LargestArea => {
+                "E_f is the highest level of energy less the lowest: add the areas up in their order."
+            }
+            Kind::OneTurnForTwo => "Four strokes take two turns: the mean is the work over 4π.",
+            Kind::HalfFluctuation => "±x % about the mean is a range of 2·x %.",
         }
     }
 }

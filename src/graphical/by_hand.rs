@@ -124,6 +124,17 @@ fn apart(drawn: &Marked, perfect: &Marked, turns: bool) -> Option<f64> {
     error.is_finite().then_some(error)
 }
 
+/// The errors of a number that draughtsmen read off another drawing; none for whoever got no answer.
+#[must_use]
+pub fn errors_of(read: &[Option<f64>], perfect: Option<f64>) -> HandError {
+    let mut errors: Vec<f64> = perfect
+        .map_or_else(Vec::new, |perfect| read.iter().flatten().map(|own| (own - perfect).abs()).collect());
+    errors.retain(|error| error.is_finite());
+    errors.sort_by(f64::total_cmp);
+    let spread = spread(&errors);
+    HandError { worst: spread.map(|s| s.largest), flat: false, spread, failed: read.len() - errors.len() }
+}
+
 fn spread(sorted: &[f64]) -> Option<Spread> {
     let at = |part: usize, of: usize| sorted.get((sorted.len() * part / of).min(sorted.len().max(1) - 1));
     Some(Spread { median: *at(1, 2)?, most: *at(19, 20)?, largest: *sorted.last()? })

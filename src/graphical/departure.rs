@@ -6,12 +6,13 @@
 
 use crate::board::{Amount, Board, Direction, Hand, Line, Mm, Point, Tape};
 use crate::given::Given;
+use crate::mechanism::force::{Action, Share};
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::Plan;
 
-use super::construction::{Claim, Construction, Mm2};
+use super::construction::{Claim, Construction, ForceSheet, Mm2};
 use super::draughtsman::Draughtsman;
 use super::dyad::Route;
 use super::reading::read_all;
@@ -97,6 +98,75 @@ pub enum Departure {
     OtherSide(PointId),
     /// Of two ways in which a link can stand the other one is taken.
     OtherPose(LinkId),
+    /// The inertia force of a link, of every link where none is named, is laid off otherwise.
+    InertiaForce {
+        /// The link.
+        link: Option<LinkId>,
+        /// How.
+        twist: Twist,
+    },
+    /// −I ε of a link, of every link where none is named, is multiplied.
+    InertiaTorque {
+        /// The link.
+        link: Option<LinkId>,
+        /// By this.
+        factor: f64,
+    },
+    /// The distance at which an inertia force passes its mass centre is multiplied; −1 puts it on the other side.
+    Offset {
+        /// The link; every link where none is named.
+        link: Option<LinkId>,
+        /// By this.
+        factor: f64,
+    },
+    /// The weight of a link, of every link where none is named, is multiplied.
+    Weight {
+        /// The link.
+        link: Option<LinkId>,
+        /// By this.
+        factor: f64,
+    },
+    /// Something acts on a link besides what does: a force at a place, metres from the skeleton's origin, and a couple.
+    Beside {
+        /// The link.
+        link: LinkId,
+        /// Newtons.
+        force: [f64; 2],
+        /// Where.
+        at: [f64; 2],
+        /// N m, ccw positive.
+        couple: f64,
+    },
+    /// The force of a guide is drawn along another direction than square to it.
+    GuideForce {
+        /// Index of the sliding pair.
+        slide: usize,
+        /// The direction, radians from +x.
+        along: f64,
+    },
+    /// The radius of a friction circle is multiplied; −1 takes the tangent on its other side.
+    FrictionCircle {
+        /// The pin.
+        pin: PointId,
+        /// By this.
+        factor: f64,
+    },
+    /// The tangent of the angle of friction in a guide is multiplied; −1 leans the force the other way.
+    FrictionAngle {
+        /// Index of the sliding pair.
+        slide: usize,
+        /// By this.
+        factor: f64,
+    },
+    /// Of all that acts only this part is laid off.
+    OnlyShare(Share),
+    /// A force of a pair is another one from where it is found on, newtons.
+    ForceIs {
+        /// Which.
+        action: Action,
+        /// Its components.
+        force: [f64; 2],
+    },
 }
 
 /// What becomes of a vector that is laid off wrongly.
@@ -122,6 +192,8 @@ pub struct Sketch {
     /// The asked quantities as read off, SI: two numbers for a vector, one for a scalar, `None` for what has
     /// none. A centre at infinity has one number, its direction in radians.
     pub numbers: Vec<Option<Vec<f64>>>,
+    /// A point of the line of each asked force, metres in the world; none of what has none.
+    pub lines: Vec<Option<[f64; 2]>>,
     /// Skeleton and polygons; its answers are empty.
     pub construction: Construction,
 }
@@ -155,15 +227,32 @@ pub fn sketch(
     bare().or_else(|_| taped())
 }
 
+/// The free bodies of a drawing with departures, by an exact hand; none where nothing is balanced.
+///
+/// # Errors
+/// As [`sketch`].
+pub fn free_bodies(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    plan: &Plan,
+    scales: Scales,
+    departures: &[Departure],
+) -> Result<Option<ForceSheet>, DrawError> {
+    let mut drawn = draw_departing(Board::default(), mechanism, structure, plan, scales, departures)?;
+    Ok(super::forces::record(&mut drawn, plan))
+}
+
 fn finish(mut d: Draughtsman<'_>) -> Sketch {
-    let numbers = read_all(&mut d)
+    let read = read_all(&mut d);
+    let lines = read.iter().map(|read| read.through).collect();
+    let numbers = read
         .into_iter()
         .map(|read| {
             let numbers: Vec<f64> = read.numbers.ok()?.into_iter().map(|(_, value)| value).collect();
             numbers.iter().all(|n| n.is_finite()).then_some(numbers)
         })
         .collect();
-    Sketch { numbers, construction: d.into_record() }
+    Sketch { numbers, lines, construction: d.into_record() }
 }
 
 /// An image counts as on a line if it is off it by less than this part of its distance.

@@ -145,6 +145,8 @@ pub(super) struct Draughtsman<'m> {
     /// With friction, how often each balance is drawn again where that cannot be seen from the drawing: a hand that
     /// trembles never draws the same twice.
     pub(super) redrawn: Vec<(Share, usize)>,
+    /// As large as what a perfect hand finds is what is tried for it: a slip is then a small part of a trial.
+    pub(super) tried_sizes: Vec<(Share, f64)>,
     /// On which side rough guides press, in a trial: by sliding pair, left of their direction or right.
     pub(super) pressed: Vec<(usize, bool)>,
     /// Where points stood when wheels began to roll.
@@ -229,7 +231,7 @@ impl<'m> Draughtsman<'m> {
             structure,
             board,
             scales,
-            per_newton: newtons_per_mm(mechanism),
+            per_newton: scales.paper().force.unwrap_or_else(|| newtons_per_mm(mechanism)),
             balances: Vec::new(),
             per_page: 1.0,
             places: vec![None; points],
@@ -262,6 +264,7 @@ impl<'m> Draughtsman<'m> {
             tried_rates: Vec::new(),
             departures: &[],
             redrawn: Vec::new(),
+            tried_sizes: Vec::new(),
             pressed: Vec::new(),
             starts: &[],
             turned_by: vec![None; links],

@@ -12,6 +12,7 @@ pub mod centrodes;
 pub mod construction;
 mod curve;
 pub mod cycle;
+pub mod cycle_by_hand;
 mod departure;
 mod draughtsman;
 mod dyad;
@@ -34,14 +35,14 @@ mod trial;
 mod velocity;
 mod verify;
 
-pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand};
-pub use departure::{Departure, Sketch, Twist, sketch};
+pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand, errors_of};
+pub use departure::{Departure, Sketch, Twist, free_bodies, sketch};
 pub(crate) use figure::standing;
 pub(crate) use forces::holds;
 pub use missing::Missing;
 pub use page::is_a_point;
 pub use reading::Numbers;
-pub use scales::{DiagramExtent, Extents, Scales, Told};
+pub use scales::{DiagramExtent, Extents, Paper, Scales, Told};
 pub use shown::{Shown, is_trial};
 pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, transcribe_with_bounds};
 
@@ -420,11 +421,13 @@ fn draw_departing<'m>(
         draughtsman
     };
     let mut draughtsman = begun(board);
-    if draughtsman.board.tape().trembles() && !mechanism.forces.friction.is_empty() {
-        // As often as the perfect hand draws the forces again.
+    let again = !mechanism.forces.friction.is_empty() || !mechanism.named_sought().is_empty();
+    if draughtsman.board.tape().trembles() && again {
+        // As often as the perfect hand draws the forces again, and with trials as large as what it finds.
         let perfect = drawn_by(begun(Board::scratch()), plan);
         let perfect = perfect.or_else(|_| drawn_by(begun(Board::default()), plan))?;
         draughtsman.redrawn = forces::redrawn(&perfect);
+        draughtsman.tried_sizes = forces::found_by_trial(&perfect);
     }
     drawn_by(draughtsman, plan)
 }

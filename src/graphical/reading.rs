@@ -35,7 +35,7 @@ pub(super) struct ReadOff {
     /// How long it was drawn.
     drawn_mm: Option<f64>,
     /// A point of the line of a force.
-    through: Option<[f64; 2]>,
+    pub(super) through: Option<[f64; 2]>,
     /// What it turns about the place where it acts first, N·m.
     couple: Option<f64>,
 }

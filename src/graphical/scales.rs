@@ -13,13 +13,36 @@ use super::link_figure;
 
 /// The scale factors of a solution: for each dimension, how much one millimetre of paper stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scales([f64; Dimension::ALL.len()]);
+pub struct Scales([f64; Dimension::ALL.len()], Paper);
+
+/// The paper of forces and of the turning-moment diagram, SI units per millimetre. A hand slips by as much of them; what
+/// an exact drawing says does not depend on them, and where none is stated it has its own.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Paper {
+    /// Newtons per millimetre of the force polygons.
+    pub force: Option<f64>,
+    /// Newton metres and radians per millimetre of the turning-moment diagram.
+    pub cycle: Option<[f64; 2]>,
+}
 
 impl Scales {
     /// Scales by dimension, SI units per millimetre of paper.
     #[must_use]
     pub fn new(of: impl Fn(Dimension) -> f64) -> Self {
-        Self(Dimension::ALL.map(of))
+        Self(Dimension::ALL.map(of), Paper::default())
+    }
+
+    /// The same for a hand that draws forces on such paper.
+    #[must_use]
+    pub const fn on(mut self, paper: Paper) -> Self {
+        self.1 = paper;
+        self
+    }
+
+    /// The paper of forces.
+    #[must_use]
+    pub const fn paper(self) -> Paper {
+        self.1
     }
 
     /// SI units per millimetre of paper.

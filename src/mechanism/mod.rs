@@ -12,6 +12,7 @@ pub mod engine;
 pub mod force;
 pub mod friction;
 pub mod group;
+mod members;
 pub mod quantity;
 pub mod report;
 pub mod slider_crank;

@@ -6,9 +6,14 @@ use super::units::Words;
 use super::{Scene, keys};
 
 /// Keys of the scene whose numbers may vary: what is given, not what is asked, published or drawn.
-const GIVEN: [&str; 8] = ["fixed", "placed", "links", "slides", "rolls", "input", "inputs", "pins"];
+const GIVEN: [&str; 14] = [
+    "fixed", "placed", "links", "slides", "rolls", "input", "inputs", "pins", "gravity", "masses", "loads",
+    "springs", "spin", "cycle",
+];
 /// Numbers that name a link, by the key behind which they stand.
 const NAMES_LINKS: [&str; 4] = ["link", "links", "block", "slide"];
+/// The same where a single number stands behind the key, and what is counted.
+const NAMES_ONE: [&str; 7] = ["on", "in", "of", "sleeve", "balls", "carrier", "number"];
 /// No range has more steps.
 const MOST_STEPS: i128 = 1_000_000;
 
@@ -147,7 +152,9 @@ fn numbers<'v, 'a>(scene: &'v Value<'a>) -> Vec<(String, &'v Value<'a>)> {
             Kind::Object(entries) => {
                 for Entry { key, value, .. } in entries {
                     // The links themselves stand by number, and `links` of a rolling pair names two.
-                    let names = NAMES_LINKS.contains(&key.as_str());
+                    let single = matches!(value.kind, Kind::Number(_) | Kind::Text(_));
+                    let names =
+                        NAMES_LINKS.contains(&key.as_str()) || single && NAMES_ONE.contains(&key.as_str());
                     if !names {
                         walk(&format!("{path}.{key}"), value, into);
                     }

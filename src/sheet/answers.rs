@@ -53,7 +53,7 @@ pub(super) fn prompt_words(words: &'static Words, asked: &Asked, part: Part) -> 
             | Quantity::Alpha(_)
             | Quantity::RelativeAlpha(..)
             | Quantity::Angle(_)
-    );
+    ) || matches!(asked.quantity, Quantity::Force(force, _) if force.turns());
     match part {
         Part::Value if turns => words.answer_rotation,
         Part::Value => "{symbol}",

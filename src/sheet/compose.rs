@@ -83,6 +83,7 @@ pub const fn figure_names() -> &'static [&'static str] {
         "friction",
         "turning-moment",
         "energy",
+        "controlling-force",
     ]
 }
 
@@ -521,7 +522,7 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
 }
 
 /// A drawing cut to its ink.
-fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
+pub(super) fn tight(scene: &Scene, block: Block, heading: &str, words: &Words) -> Figure {
     let mut description = String::new();
     block.group.walk(&mut |node| match node {
         Node::Text(text) if text.class == "caption" => {

@@ -151,6 +151,13 @@ impl CyclePanel {
     }
 }
 
+/// Newton metres and radians for a millimetre of the diagram, where it is drawn.
+#[must_use]
+pub fn paper(sheet: &CycleSheet, notation: &Notation<'_>) -> Option<[f64; 2]> {
+    let drawn = !sheet.curves[0].is_empty();
+    drawn.then(|| [CyclePanel::TurningMoment.per_mm(sheet, notation), radians_per_mm(sheet)])
+}
+
 /// Degrees for a centimetre.
 const ANGLES: [f64; 14] = [1.0, 2.0, 3.0, 6.0, 10.0, 12.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0];
 

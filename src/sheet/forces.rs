@@ -318,6 +318,14 @@ pub fn per_mm(sheet: &ForceSheet, panel: ForcePanel, notation: &Notation<'_>) ->
     scales.into_iter().reduce(|best, next| if crowded(next) < crowded(best) { next } else { best })
 }
 
+/// Newtons per millimetre of the larger polygons of a sheet, where there are any.
+#[must_use]
+pub fn of_polygons(sheet: &ForceSheet, notation: &Notation<'_>) -> Option<f64> {
+    let bodies = (0..sheet.bodies.len()).map(ForcePanel::Polygon);
+    let all = bodies.chain([ForcePanel::Whole, ForcePanel::Shaking]);
+    all.filter_map(|panel| per_mm(sheet, panel, notation)).reduce(f64::max)
+}
+
 /// The finest round scale at which so much has room.
 fn round_scale(largest: f64, room: f64, unit: f64) -> f64 {
     let least = largest / room * 10.0 / unit;

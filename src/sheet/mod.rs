@@ -12,6 +12,7 @@ mod booklet;
 mod centres;
 mod circle;
 mod compose;
+mod controlling;
 mod coriolis;
 mod cycle;
 mod detail;
@@ -59,6 +60,7 @@ pub use compose::{
     figure_names, film, paper, question, question_card, single, single_of_question, solution, stack,
     step_by_step,
 };
+pub use controlling::controlling_force;
 pub use figure::Figure;
 pub use overlay::{Fault, HandedIn, overlay};
 pub use remark::{left_out, unconfirmed, unnamed};
@@ -79,6 +81,19 @@ pub fn image_names(
     };
     let pairs = printed.images.iter().zip(&drawn.images);
     pairs.map(|(name, image)| (notation.image_name(name.label, kind), image.label)).collect()
+}
+
+/// The scales at which a sheet draws the forces and the turning-moment diagram of a solution.
+#[must_use]
+pub fn force_paper(
+    scene: &crate::scene::Scene,
+    construction: &crate::graphical::construction::Construction,
+) -> crate::graphical::Paper {
+    let notation = notation::Notation::new(scene, Language::English.words());
+    crate::graphical::Paper {
+        force: construction.forces.as_ref().and_then(|sheet| forces::of_polygons(sheet, &notation)),
+        cycle: construction.cycle.as_ref().and_then(|sheet| cycle::paper(sheet, &notation)),
+    }
 }
 
 /// The name of a polygon's point as plain characters: o, b, a4, b'1.

@@ -17,6 +17,7 @@
 mod bounds;
 mod course;
 mod curve;
+pub mod governor;
 mod positions;
 mod prepare;
 

@@ -38,6 +38,9 @@ const HALVINGS: usize = 40;
 /// A balance that comes to no end even with this part of its friction fails for another reason.
 const HARDLY: f64 = 1e-6;
 
+/// The longer leg by which an angle of friction is drawn is 64 mm, long enough for a hand: one over that.
+const LEG: f64 = 1.0 / 64.0;
+
 /// Other sides are tried of so many guides at most.
 const MOST_GUIDES: usize = 6;
 
@@ -272,6 +275,7 @@ impl Draughtsman<'_> {
                         }
                     };
                     let radius = self.board.in_sense_of(radius, turning, reason);
+                    let radius = self.circle_as_drawn(pin, radius);
                     senses.push((pair, radius));
                     all.push(Rubbed::Pin { pin, carrier, link, radius });
                 }
@@ -295,6 +299,7 @@ impl Draughtsman<'_> {
                             }
                         };
                         let tangent = self.board.in_sense_of(tangent, sliding, reason);
+                        let tangent = self.leaning_as_drawn(slide, tangent);
                         senses.push((pair, tangent));
                         tangent
                     });
@@ -323,7 +328,7 @@ impl Draughtsman<'_> {
                 let pole = self.board.origin();
                 let right = self.board.rightward();
                 let up = self.board.quarter_turn(right);
-                let scale = Scale { si_per_mm: 1.0 };
+                let scale = Scale { si_per_mm: LEG };
                 let legs = [Given::exact(1.0), f].map(|leg| {
                     let leg = self.board.amount(leg);
                     self.board.to_paper(leg, scale)
@@ -463,7 +468,7 @@ impl Draughtsman<'_> {
                     };
                     // Against the sliding: the leg along the guide is laid off backwards.
                     let back = self.board.opposite(sense);
-                    let scale = Scale { si_per_mm: 1.0 };
+                    let scale = Scale { si_per_mm: LEG };
                     let unit = self.board.amount(Given::exact(1.0));
                     let unit = self.board.to_paper(unit, scale);
                     let leg = self.board.to_paper(back, scale);
@@ -542,7 +547,8 @@ impl Draughtsman<'_> {
         at: Point,
     ) -> (Direction, Direction) {
         let (along, normal) = self.guide_at(slide, at);
-        (along, balance.leaning.leans.get(&slide).copied().unwrap_or(normal))
+        let line = balance.leaning.leans.get(&slide).copied().unwrap_or(normal);
+        (along, self.guide_force_as_drawn(slide, line))
     }
 
     /// Whether forces pass a pin at a distance.

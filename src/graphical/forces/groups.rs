@@ -164,6 +164,7 @@ impl Draughtsman<'_> {
 
     /// Notes the force of a pin on a link of the group, and lays it off on whoever holds the pin.
     pub(super) fn note_pin(&mut self, balance: &mut Balance, pin: PointId, link: LinkId, on_link: Pull) {
+        let on_link = self.pin_force_as_used(pin, link, on_link);
         balance.of_pins.insert((pin.0, link.0), on_link);
         let at = self.touch_at(balance, pin, link);
         balance.push_on_pin(self, pin, Item { pull: Some(Self::opposite(on_link)), at, couple: None });
@@ -309,6 +310,7 @@ fn rrr(
     parts.push(normal);
     let head = d.chained(&parts);
     let on_b_at_pin = Pull { tail: d.board.origin(), head };
+    let on_b_at_pin = d.pin_force_as_used(pin, b, on_b_at_pin);
     let on_a_at_pin = Draughtsman::opposite(on_b_at_pin);
     d.note_inner_pin(balance, pin, [(a, on_a_at_pin), (b, on_b_at_pin)]);
     for (link, base, items, at_pin) in [(b, base_b, on_b, on_b_at_pin), (a, base_a, on_a, on_a_at_pin)] {
@@ -357,6 +359,7 @@ fn rrp(
         balance.taken.push(Taken { links, about: About::Point(base), found: TakenFor::Slide(slide) });
         d.pull_along(normal, size)
     };
+    let of_guide = d.slide_force_as_used(slide, sliding.inner, of_guide);
     let couple = match sliding.inner {
         Some(_) if rubs => {
             let mut all = on_rider.clone();
@@ -375,6 +378,7 @@ fn rrp(
         all.push(of_guide);
         let on_rider_at_pin = d.closing(&all);
         let on_rod_at_pin = Draughtsman::opposite(on_rider_at_pin);
+        let on_rod_at_pin = d.pin_force_as_used(pin, rod, on_rod_at_pin);
         d.note_inner_pin(balance, pin, [(rod, on_rod_at_pin), (rider, on_rider_at_pin)]);
         on_rod_forces.push(on_rod_at_pin);
     } else {
@@ -410,6 +414,8 @@ fn rpr(
     balance.taken.push(Taken { links: vec![lever], about: About::Point(base), found: TakenFor::Slot(slide) });
     let on_lever_force = d.pull_along(normal, size);
     let on_inner_force = Draughtsman::opposite(on_lever_force);
+    let on_inner_force = d.slide_force_as_used(slide, sliding.inner, on_inner_force);
+    let on_lever_force = Draughtsman::opposite(on_inner_force);
     let couple = if rubs {
         let mut all = on_inner.clone();
         let mut forces = pulls(&on_inner);

@@ -10,7 +10,8 @@ use crate::mechanism::structure::{Closing, Drive, Group, Joint, Trial, TrialDriv
 
 use super::super::construction::GroupTrial;
 use super::super::draughtsman::Draughtsman;
-use super::{About, Balance, Item, Pull, SlideForce, TRIAL, Taken, TakenFor, pulls};
+use super::sought::TRIAL;
+use super::{About, Balance, Item, Pull, SlideForce, Taken, TakenFor, pulls};
 
 /// The balance of a group of higher class.
 pub(super) fn higher(d: &mut Draughtsman<'_>, group: &Group, index: usize, balance: &mut Balance) {

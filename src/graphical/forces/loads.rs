@@ -90,7 +90,7 @@ pub(super) fn lay_off(d: &mut Draughtsman<'_>, plan: &Plan, share: Share, balanc
             balance.known[mass.link.0].push(item);
         }
         if share != Share::Static {
-            let (pull, couple) = (d.inertia_force(mass), d.inertia_torque(mass));
+            let (pull, couple) = (d.inertia_force(mass), d.inertia_couple(mass));
             if pull.is_some() || couple.is_some() {
                 let item = d.part_of_shared(mass.link, Item { pull, at, couple });
                 balance.known[mass.link.0].push(item);
@@ -144,6 +144,7 @@ impl Draughtsman<'_> {
             }
             Heaviness::None => return None,
         };
+        let size = self.weight_as_laid_off(mass.link, size);
         let angle = self.board.angle(gravity.direction);
         let down = self.board.protractor(angle);
         Some(self.pull_along(down, size))
@@ -164,7 +165,8 @@ impl Draughtsman<'_> {
             let part = self.board.product(part, kilograms);
             self.board.to_paper(part, to)
         });
-        Some(Pull { tail: pole, head: self.board.moved(pole, by) })
+        let pull = Pull { tail: pole, head: self.board.moved(pole, by) };
+        Some(self.inertia_as_laid_off(mass.link, pull))
     }
 
     /// The moment of inertia about the mass centre; none of a point mass.
@@ -203,7 +205,8 @@ impl Draughtsman<'_> {
         let inertia = self.central_inertia(mass)?;
         let alpha = self.rate(Order::Acceleration, mass.link);
         let torque = self.board.product(inertia, alpha);
-        Some(self.board.opposite(torque))
+        let torque = self.board.opposite(torque);
+        Some(self.torque_as_reckoned(mass.link, torque))
     }
 
     fn size(&mut self, size: Size, assumed: Option<Amount>) -> Amount {

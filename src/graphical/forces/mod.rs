@@ -4,6 +4,7 @@
 //! size, as a quotient of moments by a measured arm; a polygon with two lines gives two. What is left closes a
 //! polygon. A force is a stroke of the force paper from its tail to its head; its place is a point of the skeleton.
 
+mod departing;
 mod driven;
 mod friction;
 mod groups;
@@ -310,6 +311,12 @@ impl Draughtsman<'_> {
     }
 }
 
+/// What was found by two trials and proportion, where it is something.
+pub(super) fn found_by_trial(d: &Draughtsman<'_>) -> Vec<(Share, f64)> {
+    let found = d.balances.iter().filter_map(|(share, balance)| Some((*share, balance.trial?.size)));
+    found.filter(|(_, size)| *size != 0.0 && size.is_finite()).collect()
+}
+
 /// Draws the balance of what the plan needs.
 pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
     for &share in &plan.forces.shares {
@@ -346,7 +353,8 @@ fn one(
         share,
         ..Balance::default()
     };
-    loads::lay_off(d, plan, share, &mut balance);
+    loads::lay_off(d, plan, d.share_as_laid_off(share), &mut balance);
+    d.lay_off_beside(&mut balance);
     if balance.refused.is_some() {
         return balance;
     }

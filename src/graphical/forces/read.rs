@@ -245,7 +245,7 @@ impl Draughtsman<'_> {
             return Vec::new();
         }
         let at = self.at(mass.centre);
-        let (pull, couple) = (self.inertia_force(mass), self.inertia_torque(mass));
+        let (pull, couple) = (self.inertia_force(mass), self.inertia_couple(mass));
         if pull.is_none() && couple.is_none() { Vec::new() } else { vec![Item { pull, at, couple }] }
     }
 

@@ -14,7 +14,7 @@ use super::friction::Leaning;
 use super::{Balance, NO_SPEED, one};
 
 /// The unit of what is sought in which trials are made.
-const TRIAL: f64 = 1.0;
+pub(super) const TRIAL: f64 = 1.0;
 
 /// The balance of one share in which this is sought, instead of the efforts.
 pub(super) fn found(
@@ -36,7 +36,10 @@ pub(super) fn found(
     if without.refused.is_some() {
         return without;
     }
-    let unit = d.board.amount(crate::given::Given::exact(TRIAL));
+    // A hand tries one as large as it will be.
+    let found = d.tried_sizes.iter().find(|(of, _)| *of == share).filter(|_| named.len() == 1);
+    let tried = found.map_or(TRIAL, |(_, size)| *size);
+    let unit = d.board.amount(crate::given::Given::exact(tried));
     let Some(first) = efforts(d, &without) else { return without };
     let mut trials = Vec::new();
     for index in 0..named.len() {
@@ -48,14 +51,16 @@ pub(super) fn found(
             None => return without,
         }
     }
-    let Some(sizes) = in_proportion(d, &first, &trials, named) else { return refused(NO_SPEED) };
+    let Some(sizes) = in_proportion(d, (&first, &trials), named, (tried != TRIAL).then_some(unit)) else {
+        return refused(NO_SPEED);
+    };
     let found: Vec<(Sought, Amount)> = named.iter().copied().zip(sizes).collect();
     let mut balance = one(d, plan, (share, leaning), found.clone());
     let values = |efforts: &[Amount]| efforts.iter().map(|effort| effort.value()).collect::<Vec<f64>>();
     match (&found[..], &first[..], &trials[..]) {
         (&[(sought, size)], [none], [all]) => {
             let efforts = [none.value(), all[0].value()];
-            balance.trial = Some(Trial { sought, tried: TRIAL, efforts, size: size.value() });
+            balance.trial = Some(Trial { sought, tried, efforts, size: size.value() });
         }
         _ => {
             balance.trials = Some(Trials {
@@ -79,13 +84,13 @@ fn efforts(d: &Draughtsman<'_>, balance: &Balance) -> Option<Vec<Amount>> {
     (0..d.mechanism.inputs.len()).map(of).collect()
 }
 
-/// The sizes with which no input has an effort, from the efforts without anything sought and with one unit of each;
-/// `None` where a speed would be no number.
+/// The sizes with which no input has an effort, from the efforts without anything sought and with a trial of each, of this
+/// size where it is not one unit; `None` where a speed would be no number.
 fn in_proportion(
     d: &mut Draughtsman<'_>,
-    without: &[Amount],
-    with: &[Vec<Amount>],
+    (without, with): (&[Amount], &[Vec<Amount>]),
     named: &[Sought],
+    tried: Option<Amount>,
 ) -> Option<Vec<Amount>> {
     // For each input: what a unit of each unknown changes, and what is there without them.
     let mut rows: Vec<(Vec<Amount>, Amount)> = Vec::new();
@@ -127,6 +132,7 @@ fn in_proportion(
         }
         let part = d.board.quotient(left, changes[unknown], reason);
         let size = d.board.opposite(part);
+        let size = tried.map_or(size, |tried| d.board.product(size, tried));
         sizes.push(match named[unknown] {
             Sought::Spin => d.square_of_a_speed(size, reason)?,
             _ => size,

@@ -1,0 +1,486 @@
+//! The typical mistakes of a balance of forces and of a turning-moment diagram, as what each changes.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::change::{Change, InputChange, Misreading, Which};
+use super::kind::Kind;
+use super::mistakes::{List, PLAIN, apart, one_of};
+use crate::graphical::construction::{About, Acting, ForceSheet, MomentBalance, Turning};
+use crate::graphical::{Departure, Twist};
+use crate::mechanism::cycle::{CycleQuantity, Sides};
+use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Party, Share};
+use crate::mechanism::friction::{FrictionCircle, RubbingPair};
+use crate::mechanism::quantity::Quantity;
+use crate::mechanism::{LinkId, PointId, Slide};
+
+/// An arm that differs from the distance of the pin by less than this part is that distance.
+const SAME_ARM: f64 = 0.03;
+/// Where somebody takes an arm in centimetres of the drawing for metres, or in its millimetres.
+const UNITS_OF_ARMS: [f64; 3] = [1.0, 100.0, 1000.0];
+
+/// A force as it stands on one body, with the moments in which it has its part.
+struct Standing<'s> {
+    link: LinkId,
+    acting: &'s Acting,
+    balance: Option<&'s MomentBalance>,
+}
+
+impl List<'_, '_> {
+    /// What may be wrong with a balance as it stands.
+    pub(super) fn forces(&mut self, sheet: &ForceSheet) {
+        self.inertia();
+        self.weights_and_masses();
+        self.left_out(sheet);
+        self.handed_on_reversed(sheet);
+        self.arms(sheet);
+        self.arms_of_the_drawing();
+        self.guides(sheet);
+        self.friction();
+        self.shares();
+        self.shaking(sheet);
+    }
+
+    fn force_name(&self, force: Force) -> String {
+        self.name(&Quantity::Force(force, Share::Total))
+    }
+
+    // --- inertia -------------------------------------------------------------------------------
+
+    fn inertia(&mut self) {
+        let masses = self.case.mechanism.forces.masses.clone();
+        let moves = |mass: &&crate::mechanism::force::Mass| !self.case.mechanism.is_fixed(mass.centre);
+        let links: Vec<Option<LinkId>> =
+            masses.iter().filter(moves).map(|mass| Some(mass.link)).chain([None]).collect();
+        let several = links.len() > 2;
+        for link in links.into_iter().filter(|link| link.is_some() || several) {
+            let at = match link {
+                Some(link) => self.force_name(Force::Vector(Action::Inertia(link))),
+                None => "every inertia force".to_owned(),
+            };
+            let price = if link.is_some() { PLAIN } else { 0.5 };
+            let back = Departure::InertiaForce { link, twist: Twist::scaled(-1.0) };
+            self.add(Kind::InertiaAlongAcceleration, &at, None, price, Change::drawn(vec![back]));
+            // With the couple on the side on which it should be of the force that should be.
+            let with_couple = vec![back, Departure::Offset { link, factor: -1.0 }];
+            self.add(Kind::InertiaAlongAcceleration, &at, None, price + 0.5, Change::drawn(with_couple));
+        }
+        let turns = |mass: &&crate::mechanism::force::Mass| mass.inertia != Inertia::Point;
+        let links: Vec<Option<LinkId>> =
+            masses.iter().filter(turns).map(|mass| Some(mass.link)).chain([None]).collect();
+        let several = links.len() > 2;
+        for link in links.into_iter().filter(|link| link.is_some() || several) {
+            let [offset, couple] = match link {
+                Some(link) => [Force::Offset(link), Force::InertiaTorque(link)].map(|of| self.force_name(of)),
+                None => ["every offset", "every inertia torque"].map(str::to_owned),
+            };
+            let price = if link.is_some() { PLAIN } else { 0.5 };
+            let side = vec![Departure::Offset { link, factor: -1.0 }];
+            self.add(Kind::OffsetOtherSide, &offset, None, price, Change::drawn(side));
+            let sense = vec![Departure::InertiaTorque { link, factor: -1.0 }];
+            self.add(Kind::CoupleWithAlpha, &couple, None, price + 0.1, Change::drawn(sense));
+            let none = vec![Departure::Offset { link, factor: 0.0 }];
+            self.add(Kind::ForceLeftOut, &couple, None, price + 1.0, Change::drawn(none));
+        }
+    }
+
+    /// W for M, and M for W.
+    fn weights_and_masses(&mut self) {
+        let forces = &self.case.mechanism.forces;
+        let (g, acts) = (forces.gravity.g.value, forces.gravity.acts);
+        let masses = forces.masses.clone();
+        let heavy = |weight: bool| {
+            let of = masses.iter().filter(move |mass| match mass.heaviness {
+                Heaviness::Weight(_) => weight,
+                Heaviness::Mass(_) => !weight,
+                Heaviness::None => false,
+            });
+            of.copied().collect::<Vec<_>>()
+        };
+        let mut factors = vec![g];
+        let in_own_units = g / self.case.scene.units.length.si;
+        if (in_own_units / g - 1.0).abs() > 1e-6 {
+            factors.push(in_own_units);
+        }
+        for (weight, kind) in [(true, Kind::WeightAsMass), (false, Kind::MassAsWeight)] {
+            let of = heavy(weight);
+            let mut groups: Vec<Vec<_>> = vec![of.clone()];
+            if of.len() > 1 {
+                groups.extend(of.iter().map(|mass| vec![*mass]));
+            }
+            for group in groups.into_iter().filter(|group| !group.is_empty()) {
+                let at = match group[..] {
+                    [only] => format!("the mass of link {}", self.number(only.link)),
+                    _ => "the masses".to_owned(),
+                };
+                let single = if group.len() == 1 && of.len() > 1 { 0.5 } else { PLAIN };
+                for (index, factor) in factors.iter().enumerate() {
+                    let factor = if weight { *factor } else { 1.0 / factor };
+                    let price = single + index as f64;
+                    let inertia: Vec<Departure> = group
+                        .iter()
+                        .flat_map(|mass| {
+                            let link = Some(mass.link);
+                            let force = Departure::InertiaForce { link, twist: Twist::scaled(factor) };
+                            let torque = Departure::InertiaTorque { link, factor };
+                            let gyration = matches!(mass.inertia, Inertia::Gyration(_));
+                            [Some(force), gyration.then_some(torque)].into_iter().flatten()
+                        })
+                        .collect();
+                    let weights: Vec<Departure> = group
+                        .iter()
+                        .map(|mass| Departure::Weight { link: Some(mass.link), factor })
+                        .collect();
+                    self.add(kind, &at, None, price, Change::drawn(inertia.clone()));
+                    if acts {
+                        let both = [&inertia[..], &weights[..]].concat();
+                        self.add(kind, &at, None, price, Change::drawn(weights));
+                        self.add(kind, &at, None, price + 0.5, Change::drawn(both));
+                    }
+                }
+            }
+        }
+    }
+
+    // --- bodies --------------------------------------------------------------------------------
+
+    /// Every force on every body, with the moments that are taken of the body.
+    fn standing<'s>(&self, sheet: &'s ForceSheet) -> Vec<Standing<'s>> {
+        let mut all = Vec::new();
+        for body in &sheet.bodies {
+            let Party::Link(link) = body.of else { continue };
+            let balance = sheet.moments.iter().find(|balance| balance.links.contains(&link));
+            all.extend(body.acting.iter().map(|acting| Standing { link, acting, balance }));
+        }
+        all
+    }
+
+    /// Where a point stands, metres from the skeleton's origin.
+    fn place(&self, point: PointId) -> Option<[f64; 2]> {
+        let space = &self.construction.space;
+        space.places.get(point.0)?.map(|at| at.map(|mm| mm * space.metres_per_mm))
+    }
+
+    /// Where moments are taken, metres from the skeleton's origin.
+    fn place_of(&self, about: About) -> Option<[f64; 2]> {
+        match about {
+            About::Point(point) => self.place(point),
+            About::Meet { at, .. } => Some(at),
+        }
+    }
+
+    /// The link of some bodies on which a couple counts in their moments.
+    fn turning_link(&self, balance: &MomentBalance) -> Option<LinkId> {
+        balance.links.iter().copied().find(|link| !self.case.mechanism.link(*link).block)
+    }
+
+    /// A force that somebody forgot: everywhere, in the polygon, or in the moments.
+    fn left_out(&mut self, sheet: &ForceSheet) {
+        let standing = self.standing(sheet);
+        let price = 0.5 + one_of(standing.len()) / 4.0;
+        for Standing { link, acting, balance } in standing {
+            let known = acting.known == crate::graphical::construction::Knowledge::Full;
+            if !known || acting.force == [0.0; 2] {
+                continue;
+            }
+            let number = self.number(link);
+            let name = acting.action.name(&self.case.mechanism);
+            let at = acting.through;
+            let without = acting.force.map(|part| -part);
+            // What slides feels no couple in the moments that are taken of it with its rod.
+            let turning = balance.and_then(|balance| self.turning_link(balance)).unwrap_or(link);
+            let beside = |force: [f64; 2], couple: f64| {
+                let force = Departure::Beside { link, force, at, couple: 0.0 };
+                let couple = Departure::Beside { link: turning, force: [0.0; 2], at, couple };
+                Change::drawn(vec![force, couple])
+            };
+            let how = format!("left out at link {number}");
+            self.add_so((Kind::ForceLeftOut, how), &name, None, price, beside(without, 0.0));
+            let Some(about) = balance.and_then(|balance| self.place_of(balance.about)) else { continue };
+            let arm = [at[0] - about[0], at[1] - about[1]];
+            let moment = arm[0] * acting.force[1] - arm[1] * acting.force[0];
+            let how = format!("left out of the polygon of link {number}");
+            self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside(without, moment));
+            let how = format!("left out of the moments of link {number}");
+            self.add_so((Kind::ForceLeftOut, how), &name, None, price + 0.5, beside([0.0; 2], -moment));
+        }
+    }
+
+    /// F₂₃ where F₃₂ belongs: on the other body the force has the sense that it has on this one.
+    fn handed_on_reversed(&mut self, sheet: &ForceSheet) {
+        for (place, body) in sheet.bodies.iter().enumerate() {
+            for acting in &body.acting {
+                let Action::Pair { by, on } = acting.action else { continue };
+                let later = sheet.bodies.iter().skip(place + 1).any(|other| other.of == Party::Link(by));
+                if !later {
+                    continue;
+                }
+                let name = acting.action.name(&self.case.mechanism);
+                let force = acting.force.map(|part| 2.0 * part);
+                // Within a group it is found by moments already, and only the polygon has it the wrong way.
+                let group = |link: LinkId| self.case.structure.group_of(link);
+                let within = body.of == Party::Link(on) && group(by) == group(on);
+                let balance = sheet.moments.iter().find(|balance| balance.links.contains(&by));
+                let about = balance.and_then(|balance| self.place_of(balance.about)).filter(|_| within);
+                let couple = about.map_or(0.0, |about| {
+                    let arm = [acting.through[0] - about[0], acting.through[1] - about[1]];
+                    arm[1] * force[0] - arm[0] * force[1]
+                });
+                let beside = Departure::Beside { link: by, force, at: acting.through, couple };
+                let how = format!("with the same sense on link {}", self.number(by));
+                let change = Change::drawn(vec![beside]);
+                self.add_so((Kind::ReactionForAction, how), &name, None, 0.5, change);
+            }
+        }
+    }
+
+    /// The distance of the pin in the place of the arm.
+    fn arms(&mut self, sheet: &ForceSheet) {
+        for balance in &sheet.moments {
+            let (Some(about), Some(link)) = (self.place_of(balance.about), self.turning_link(balance)) else {
+                continue;
+            };
+            let pin = |of: Turning| -> Option<[f64; 2]> {
+                let (Turning::Force(action) | Turning::Along(action)) = of else { return None };
+                let all = sheet.bodies.iter().flat_map(|body| &body.acting);
+                let found = all.into_iter().find(|acting| same(acting.action, action));
+                found.map(|acting| acting.at)
+            };
+            for (term, found) in
+                balance.terms.iter().map(|term| (term, false)).chain([(&balance.found, true)])
+            {
+                let (Some(pin), Some(arm)) = (pin(term.of), term.arm) else { continue };
+                let distance = libm::hypot(pin[0] - about[0], pin[1] - about[1]);
+                if (distance - arm.length).abs() <= SAME_ARM * distance {
+                    continue;
+                }
+                let couple = match found {
+                    false => term.moment * (distance / arm.length - 1.0),
+                    true => -term.moment * (arm.length / distance - 1.0),
+                };
+                let (Turning::Force(action) | Turning::Along(action)) = term.of else { continue };
+                let name = action.name(&self.case.mechanism);
+                let point = match balance.about {
+                    About::Point(point) => self.case.mechanism.point(point).name.as_str(),
+                    About::Meet { .. } => "K",
+                };
+                let how = format!("about {point} to the pin");
+                let beside = Departure::Beside { link, force: [0.0; 2], at: about, couple };
+                self.add_so((Kind::ArmToPin, how), &name, None, 0.25, Change::drawn(vec![beside]));
+            }
+        }
+    }
+
+    /// Arms as they are on paper.
+    fn arms_of_the_drawing(&mut self) {
+        let on_paper = 1e-3 / self.case.scales.length();
+        for quantity in self.observed() {
+            let Quantity::Force(force, _) = quantity else { continue };
+            let torque = matches!(force, Force::Torque(_) | Force::Moment(..));
+            let length = matches!(force, Force::Offset(_) | Force::Arm(..));
+            if !torque && !length {
+                continue;
+            }
+            let name = self.name(&quantity);
+            for (index, unit) in UNITS_OF_ARMS.into_iter().enumerate() {
+                let factor = on_paper * unit;
+                if (factor - 1.0).abs() < SAME_ARM || (length && index > 0) {
+                    continue;
+                }
+                let twist = Twist::scaled(factor);
+                let read = Change::read(Misreading::Twisted { of: Which::One(quantity), twist });
+                self.add(Kind::ArmUnscaled, &name, None, 0.25 + index as f64 / 2.0, read.clone());
+                if let Force::Offset(link) = force {
+                    let followed = Change::drawn(vec![Departure::Offset { link: Some(link), factor }]);
+                    self.add(Kind::ArmUnscaled, &name, None, 0.5, followed);
+                }
+            }
+        }
+        // An offset that was laid off on paper in its true length.
+        for mass in self.case.mechanism.forces.masses.clone() {
+            if mass.inertia != Inertia::Point && (on_paper - 1.0).abs() > SAME_ARM {
+                let name = self.force_name(Force::Offset(mass.link));
+                let factor = 1.0 / on_paper;
+                let drawn = Departure::Offset { link: Some(mass.link), factor };
+                self.add(Kind::ArmUnscaled, &name, None, 1.0, Change::drawn(vec![drawn]));
+            }
+        }
+    }
+
+    // --- guides and friction -------------------------------------------------------------------
+
+    /// The force of a guide along another line than square to it.
+    fn guides(&mut self, sheet: &ForceSheet) {
+        let mechanism = &self.case.mechanism;
+        let mut lines: Vec<(f64, String)> =
+            vec![(FRAC_PI_2, "vertical".to_owned()), (0.0, "horizontal".to_owned())];
+        for link in mechanism.moving() {
+            if let [a, b, ..] = mechanism.link(link).points[..]
+                && let (Some(from), Some(to)) = (self.place(a), self.place(b))
+            {
+                let angle = libm::atan2(to[1] - from[1], to[0] - from[0]);
+                let number = mechanism.link(link).number;
+                lines.push((angle, format!("along link {number}")));
+                lines.push((angle + FRAC_PI_2, format!("square to link {number}")));
+            }
+        }
+        let price = 0.5 + one_of(lines.len()) / 2.0;
+        for (slide, Slide { rider, guide }) in mechanism.slides.clone().into_iter().enumerate() {
+            let Party::Link(rider) = mechanism.party_of(&rider) else { continue };
+            let action = Action::Pair { by: guide.link, on: rider };
+            let all = sheet.bodies.iter().flat_map(|body| &body.acting);
+            let Some(right) = all.into_iter().find(|acting| same(acting.action, action)) else { continue };
+            let name = action.name(&self.case.mechanism);
+            for (along, how) in &lines {
+                let direction = [libm::cos(*along), libm::sin(*along)];
+                let size = libm::hypot(right.force[0], right.force[1]);
+                if size > 0.0 && apart(direction, right.force.map(|part| part / size)) {
+                    let drawn = Departure::GuideForce { slide, along: *along };
+                    let change = Change::drawn(vec![drawn]);
+                    self.add_so((Kind::GuideForceNotSquare, how.clone()), &name, None, price, change);
+                }
+            }
+        }
+    }
+
+    fn friction(&mut self) {
+        let friction = self.case.mechanism.forces.friction.clone();
+        let circles: Vec<Departure> = friction
+            .pins
+            .iter()
+            .filter_map(|rubbing| match rubbing.circle {
+                FrictionCircle::Journal { roughness, .. } => {
+                    let factor = 1.0 / libm::sin(roughness.angle());
+                    Some(Departure::FrictionCircle { pin: rubbing.pin, factor })
+                }
+                FrictionCircle::Radius(_) => None,
+            })
+            .collect();
+        let tangents: Vec<Departure> = friction
+            .pins
+            .iter()
+            .map(|rubbing| Departure::FrictionCircle { pin: rubbing.pin, factor: -1.0 })
+            .collect();
+        let name = |departure: &Departure| match *departure {
+            Departure::FrictionCircle { pin, .. } => {
+                format!("the friction circle at {}", self.case.mechanism.point(pin).name)
+            }
+            _ => String::new(),
+        };
+        let mut found: Vec<(Kind, String, f64, Vec<Departure>)> = Vec::new();
+        for (kind, departures) in [(Kind::CircleIsJournal, circles), (Kind::OtherTangent, tangents)] {
+            let single = if departures.len() > 1 { 0.5 } else { PLAIN };
+            for departure in &departures {
+                found.push((kind, name(departure), single, vec![*departure]));
+            }
+            if departures.len() > 1 {
+                found.push((kind, "every friction circle".to_owned(), PLAIN, departures));
+            }
+        }
+        for pair in self.case.mechanism.rubbing_pairs() {
+            let RubbingPair::Slide(slide) = pair else { continue };
+            let Some(point) = self.case.mechanism.rubbing_point(slide) else { continue };
+            let at = format!("the guide of {}", self.case.mechanism.point(point).name);
+            let back = Departure::FrictionAngle { slide, factor: -1.0 };
+            found.push((Kind::FrictionAngleReversed, at, PLAIN, vec![back]));
+        }
+        for (kind, at, price, departures) in found {
+            self.add(kind, &at, None, price, Change::drawn(departures));
+        }
+    }
+
+    // --- the whole -----------------------------------------------------------------------------
+
+    fn shares(&mut self) {
+        let forces = &self.case.mechanism.forces;
+        let at_rest = !forces.loads.is_empty() || !forces.springs.is_empty() || forces.gravity.acts;
+        if forces.masses.is_empty() || !at_rest {
+            return;
+        }
+        let only = |share| Change::drawn(vec![Departure::OnlyShare(share)]);
+        self.add(Kind::StaticLeftOut, "the whole", None, PLAIN, only(Share::Inertia));
+        self.add(Kind::InertiaLeftOut, "the whole", None, 0.5, only(Share::Static));
+    }
+
+    /// F_S with what acts from outside.
+    fn shaking(&mut self, sheet: &ForceSheet) {
+        let shaking = Quantity::Force(Force::Vector(Action::Shaking), Share::Total);
+        if !self.observed().contains(&shaking) {
+            return;
+        }
+        let mut given: Vec<&Acting> = Vec::new();
+        for acting in sheet.bodies.iter().flat_map(|body| &body.acting) {
+            if given.iter().all(|other| other.action != acting.action) {
+                given.push(acting);
+            }
+        }
+        let sum = |wanted: &dyn Fn(Action) -> bool| {
+            let of = given.iter().filter(|acting| wanted(acting.action));
+            of.fold([0.0, 0.0], |[x, y], acting| [x + acting.force[0], y + acting.force[1]])
+        };
+        let is_load = |action: Action| matches!(action, Action::Load(_));
+        let is_weight = |action: Action| matches!(action, Action::Weight(_));
+        let name = self.name(&shaking);
+        let sums = [sum(&is_load), sum(&|action| is_load(action) || is_weight(action)), sum(&is_weight)];
+        let mut tried: Vec<[f64; 2]> = vec![[0.0; 2]];
+        for by in sums {
+            if !tried.contains(&by) {
+                tried.push(by);
+                let read = Change::read(Misreading::Plus { of: shaking, by });
+                self.add(Kind::LoadsInShaking, &name, None, PLAIN, read);
+            }
+        }
+    }
+
+    // --- the turning-moment diagram ------------------------------------------------------------
+
+    pub(super) fn turning_moments(&mut self) {
+        let Some(cycle) = &self.case.mechanism.forces.cycle else { return };
+        let turn = 2.0 * std::f64::consts::PI;
+        let period = cycle.period.value;
+        let areas = matches!(cycle.sides, Sides::Areas { .. });
+        if (period / turn - 2.0).abs() < 1e-9 {
+            let at = "the period";
+            self.add(Kind::OneTurnForTwo, at, None, PLAIN, Change::of_inputs(InputChange::Period(0.5)));
+            let means = [CycleQuantity::Mean, CycleQuantity::Power].map(|of| Misreading::Twisted {
+                of: Which::One(Quantity::Cycle(of)),
+                twist: Twist::scaled(2.0),
+            });
+            let read = Change { readings: means.to_vec(), ..Change::default() };
+            self.add(Kind::OneTurnForTwo, at, None, 0.5, read);
+        }
+        if cycle.fluctuation.is_some() {
+            let half = Change::of_inputs(InputChange::Fluctuation(0.5));
+            self.add(Kind::HalfFluctuation, "Ks", None, PLAIN, half);
+        }
+        let of_speed = Quantity::Cycle(CycleQuantity::OfSpeed);
+        if self.observed().contains(&of_speed) {
+            let twist = Twist::scaled(0.5);
+            let read = Change::read(Misreading::Twisted { of: Which::One(of_speed), twist });
+            self.add(Kind::HalfFluctuation, "Ks", None, PLAIN, read);
+        }
+        if let Some(sheet) = &self.case.cycle {
+            let largest = sheet.areas.iter().map(|area| area.abs()).fold(0.0, f64::max);
+            let level = |index: usize| sheet.levels.get(index).copied();
+            let highest = sheet.extremes.and_then(|[high, low]| Some(level(high)? - level(low)?));
+            if let Some(fluctuation) = highest.filter(|ef| *ef > 0.0 && largest > 0.0) {
+                let factor = largest / fluctuation;
+                if (factor - 1.0).abs() > 1e-3 {
+                    let taken = Misreading::Fluctuation { factor, inertia: self.case.rotating };
+                    let price = if areas { PLAIN } else { 0.25 };
+                    self.add(Kind::LargestArea, "Ef", None, price, Change::read(taken));
+                }
+            }
+        }
+    }
+}
+
+/// Whether two actions are one force, or a force and its reaction.
+fn same(one: Action, other: Action) -> bool {
+    let key = |action: Action| match action {
+        Action::Pair { by, on } => Action::Pair { by: by.min(on), on: by.max(on) },
+        Action::OnPin(link, pin) => Action::OfPin(pin, link),
+        Action::Spring { index, .. } => Action::Spring { index, end: 0 },
+        other => other,
+    };
+    key(one) == key(other)
+}
