@@ -327,8 +327,13 @@ impl Walker<'_> {
                     let little = seen + A_LITTLE * (next - seen);
                     if !self.view(little, &onward).is_expected(FAR_ASTRAY) {
                         close(begin, seen, &signs, apart);
-                        events.push(self.limit(seen, &signs));
-                        return;
+                        let Some((through, there)) = self.through(&before, next, &signs) else {
+                            events.push(self.limit(seen, &signs));
+                            return;
+                        };
+                        (begin, signs, before) = (seen, through, there);
+                        now = self.view(next, &signs);
+                        continue;
                     }
                 }
                 close(begin, before.at, &signs, apart);
@@ -404,6 +409,16 @@ impl Walker<'_> {
             } else {
                 let (end, _) = halve(size, before.at, next, |x| self.view(x, &signs).closes());
                 close(begin, end, &signs, apart);
+                let at_end = self.view(end, &signs);
+                if let Some((through, there)) = self.through(&at_end, next, &signs) {
+                    self.events_between(&before, &at_end, &signs, events);
+                    now = self.view(next, &through);
+                    if now.closes() && now.is_expected(FAR_ASTRAY) {
+                        self.events_between(&there, &now, &through, events);
+                        (begin, signs, before) = (end, through, now);
+                        continue;
+                    }
+                }
                 events.push(self.limit(end, &signs));
                 inside = false;
                 if self.sweep.input == InputKind::Time || self.sweep.tries() {
@@ -416,6 +431,35 @@ impl Walker<'_> {
         if inside {
             close(begin, before.at, &signs, apart);
         }
+    }
+
+    /// Where the chord of a dyad inside a trial vanishes the trial is at a dead centre of its own, and not the mechanism:
+    /// it goes on with the other meeting point, and its miss changes in the other sense. The signs from there on, and what
+    /// is seen a little farther.
+    fn through(&mut self, end: &View, next: f64, signs: &[f64]) -> Option<(Vec<f64>, View)> {
+        /// These parts of the way to the next look.
+        const FARTHER: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
+        /// The square of a half chord that may vanish here, in square millimetres.
+        const SHORT: f64 = 1e-2;
+        let short = end.chords.iter().filter(|(_, square)| square.value.abs() < SHORT);
+        let short: Vec<usize> = short.map(|(index, _)| *index).collect();
+        for chord in short {
+            for trial in &end.standing {
+                let mut onward = end.expecting(signs);
+                onward[chord] = -onward[chord];
+                // A rate is not known to any digit here.
+                let numbers = onward.get_mut(trial.index + 2..trial.index + 4)?;
+                numbers.copy_from_slice(&[0.0, -trial.sense]);
+                for part in FARTHER {
+                    let there = self.view(end.at + part * (next - end.at), &onward);
+                    if there.closes() && there.is_expected(FAR_ASTRAY) {
+                        let onward = there.expecting(&onward);
+                        return Some((onward, there));
+                    }
+                }
+            }
+        }
+        None
     }
 
     /// What happens between two looks in one assembly.
