@@ -135,6 +135,9 @@ const FAR_ASTRAY: f64 = 0.5;
 /// This part of the way to the next look.
 const A_LITTLE: f64 = 1e-6;
 
+/// Where something is tried, the square of a half chord that may vanish here, in square millimetres.
+const SHORT: f64 = 1e-2;
+
 /// What is tried is expected anew so often between two looks at most.
 const MOST_TRIALS: u32 = 64;
 
@@ -182,6 +185,11 @@ impl View {
     fn is_expected(&self, within: f64) -> bool {
         // Written so that a not-a-number is not.
         self.standing.iter().all(|trial| trial.strayed <= within)
+    }
+
+    /// The chain closes, with what is tried near where it is expected.
+    fn goes_on(&self, within: f64) -> bool {
+        self.closes() && self.is_expected(within)
     }
 
     /// The signs with what is tried expected to move on as it does here.
@@ -313,11 +321,11 @@ impl Walker<'_> {
             // the way.
             let mut from_here = false;
             for _ in 0..MOST_TRIALS {
-                if now.is_expected(if from_here { FAR_ASTRAY } else { ASTRAY }) {
+                if !self.sweep.tries() || now.goes_on(if from_here { FAR_ASTRAY } else { ASTRAY }) {
                     break;
                 }
                 if from_here {
-                    let seen = |x: f64| self.view(x, &signs).is_expected(FAR_ASTRAY);
+                    let seen = |x: f64| self.view(x, &signs).goes_on(FAR_ASTRAY);
                     let (seen, _) = halve(size, before.at, next, seen);
                     let on_the_way = self.view(seen, &signs);
                     self.events_between(&before, &on_the_way, &signs, events);
@@ -325,7 +333,7 @@ impl Walker<'_> {
                     // Where even a little farther nothing is found from there, it is a limit.
                     let onward = before.expecting(&signs);
                     let little = seen + A_LITTLE * (next - seen);
-                    if !self.view(little, &onward).is_expected(FAR_ASTRAY) {
+                    if !self.view(little, &onward).goes_on(FAR_ASTRAY) {
                         close(begin, seen, &signs, apart);
                         let Some((through, there)) = self.through(&before, next, &signs) else {
                             events.push(self.limit(seen, &signs));
@@ -409,16 +417,6 @@ impl Walker<'_> {
             } else {
                 let (end, _) = halve(size, before.at, next, |x| self.view(x, &signs).closes());
                 close(begin, end, &signs, apart);
-                let at_end = self.view(end, &signs);
-                if let Some((through, there)) = self.through(&at_end, next, &signs) {
-                    self.events_between(&before, &at_end, &signs, events);
-                    now = self.view(next, &through);
-                    if now.closes() && now.is_expected(FAR_ASTRAY) {
-                        self.events_between(&there, &now, &through, events);
-                        (begin, signs, before) = (end, through, now);
-                        continue;
-                    }
-                }
                 events.push(self.limit(end, &signs));
                 inside = false;
                 if self.sweep.input == InputKind::Time || self.sweep.tries() {
@@ -439,8 +437,6 @@ impl Walker<'_> {
     fn through(&mut self, end: &View, next: f64, signs: &[f64]) -> Option<(Vec<f64>, View)> {
         /// These parts of the way to the next look.
         const FARTHER: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
-        /// The square of a half chord that may vanish here, in square millimetres.
-        const SHORT: f64 = 1e-2;
         let short = end.chords.iter().filter(|(_, square)| square.value.abs() < SHORT);
         let short: Vec<usize> = short.map(|(index, _)| *index).collect();
         for chord in short {
@@ -452,7 +448,7 @@ impl Walker<'_> {
                 numbers.copy_from_slice(&[0.0, -trial.sense]);
                 for part in FARTHER {
                     let there = self.view(end.at + part * (next - end.at), &onward);
-                    if there.closes() && there.is_expected(FAR_ASTRAY) {
+                    if there.goes_on(FAR_ASTRAY) {
                         let onward = there.expecting(&onward);
                         return Some((onward, there));
                     }
@@ -472,7 +468,8 @@ impl Walker<'_> {
     fn limit(&mut self, at: f64, signs: &[f64]) -> Event {
         let view = self.view(at, signs);
         // Where no two arcs touch it is a trial that finds nothing beyond.
-        if let (true, Some(trial)) = (view.is_clear(), view.standing.first()) {
+        let touch = view.chords.iter().any(|(_, square)| square.value.abs() < SHORT);
+        if let (false, Some(trial)) = (touch, view.standing.first()) {
             return Event { at, kind: EventKind::Limit, reason: trial.reason };
         }
         let nearest = (0..view.chords.len()).min_by(|&a, &b| {
