@@ -680,6 +680,10 @@ fn the_catalogue_under_load() {
     let (mut answered, mut refused) = (0, 0);
     for kind in linkgram::catalogue::KINDS {
         let mut scene: serde_json::Value = serde_json::from_str(kind.scene).unwrap();
+        if ["masses", "cycle"].iter().any(|key| scene.get(key).is_some()) {
+            // Kinds with forces of their own.
+            continue;
+        }
         let joins = |link: &serde_json::Value| -> Vec<String> {
             link["joins"].as_array().unwrap().iter().map(|p| p.as_str().unwrap().to_owned()).collect()
         };

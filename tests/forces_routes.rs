@@ -79,6 +79,10 @@ fn every_kind_of_the_catalogue_is_answered_under_load() {
     let mut forces = 0;
     for kind in linkgram::catalogue::KINDS {
         let mut value: Value = serde_json::from_str(kind.scene).unwrap();
+        if ["masses", "cycle"].iter().any(|key| value.get(key).is_some()) {
+            // Kinds with forces of their own.
+            continue;
+        }
         loaded(&mut value, 1.0);
         let plain = scene::read(&value.to_string(), kind.name).unwrap();
         let mut find: Vec<String> = plain.mechanism.asked.iter().map(|asked| asked.name.clone()).collect();

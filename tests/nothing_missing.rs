@@ -80,6 +80,11 @@ const RIGHT: &[(&str, &str, &str)] = &[
     ("graphical/position.rs", "m + score.unwrap_or(0.0)", "a sum begins at zero"),
     ("graphical/position.rs", "score.unwrap_or(0.0) + m", "a sum begins at zero"),
     ("graphical/position.rs", "let Some(link) = link else { return };", "nothing rides where no link does"),
+    (
+        "graphical/forces/rolling.rs",
+        "None => self.rest(),",
+        "where no force has a moment nothing is to be balanced",
+    ),
     ("graphical/reading.rs", "None if self.translates[link.0] => self.rest(),", "it does not turn"),
     (
         "graphical/trial.rs",

@@ -40,9 +40,9 @@ const HALVINGS: usize = 60;
 const ROOT: f64 = 1e-4;
 /// A tenth of the paper's size, millimetres.
 const TENTH_OF_PAPER: f64 = 10.0;
-/// A miss at the edge of what closes is a root below this, millimetres: there it goes with the root of what is left, and
-/// an angle to its last digit tells it to half of them.
-const AT_EDGE: f64 = 1e-5;
+/// A miss at the edge of what closes is a root below this part of all lengths: there it goes with the root of what is left,
+/// and an angle to its last digit tells it to half of them.
+const AT_EDGE: f64 = 1e-8;
 /// Two roots whose places differ by less are one, millimetres.
 const SAME_PLACE: f64 = 1e-4;
 /// Paper length of a trial vector, millimetres.
@@ -598,6 +598,7 @@ impl<'m> Draughtsman<'m> {
         let (steps, rod) = self.all_steps(trial);
         let choices = choices(trial);
         let reach = self.reach_of_trial(driver);
+        let at_edge = AT_EDGE * self.all_lengths();
         let mut roots: Vec<Root> = Vec::new();
         let mut least = f64::INFINITY;
         let mut sketch = self.sketch();
@@ -623,7 +624,7 @@ impl<'m> Draughtsman<'m> {
             for k in 1..=TRIALS + 1 {
                 let (here, last) = (angle_of(k), angle_of(k - 1));
                 let now = evaluate(here);
-                let at_edge = match (before, now) {
+                let edge = match (before, now) {
                     (None, Some(_)) => {
                         seen.clear();
                         edge(&mut evaluate, last, here)
@@ -632,8 +633,8 @@ impl<'m> Draughtsman<'m> {
                     _ => None,
                 };
                 // A root at the very edge, where a group inside is at its own dead centre, is none that is passed.
-                found.extend(at_edge.filter(|(_, miss)| miss.abs() < AT_EDGE).map(|(angle, _)| angle));
-                seen.extend(at_edge);
+                found.extend(edge.filter(|(_, miss)| miss.abs() < at_edge).map(|(angle, _)| angle));
+                seen.extend(edge);
                 seen.extend(now.map(|f| (here, f)));
                 least = seen.iter().fold(least, |least, (_, f)| least.min(f.abs()));
                 if let &[.., first, middle, end] = seen.as_slice()
@@ -680,19 +681,18 @@ impl<'m> Draughtsman<'m> {
         if self.turns(driver) { 1.0 } else { TENTH_OF_PAPER }
     }
 
+    /// All given lengths, one after the other, paper millimetres.
+    fn all_lengths(&self) -> f64 {
+        let lengths = self.mechanism.links.iter().flat_map(|link| given_lengths(link, &|_| true));
+        lengths.map(f64::abs).sum::<f64>() / self.scales.length()
+    }
+
     /// Half of the range in which a driver is tried: half a turn, or as far along a guide as the mechanism is large.
     fn reach_of_trial(&self, driver: TrialDriver) -> f64 {
         if self.turns(driver) {
             return std::f64::consts::PI;
         }
-        let lengths: f64 = self
-            .mechanism
-            .links
-            .iter()
-            .flat_map(|link| given_lengths(link, &|_| true))
-            .map(f64::abs)
-            .sum::<f64>()
-            / self.scales.length();
+        let lengths = self.all_lengths();
         let places = self.places.iter().flatten().map(|p| libm::hypot(p.value()[0], p.value()[1]));
         let origin = self.origin_of_space().map(|g| g.value);
         let hints = (0..self.mechanism.points.len()).filter_map(|p| self.hint_of(PointId(p)));

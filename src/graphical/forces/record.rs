@@ -95,10 +95,10 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     let governs = d.mechanism.forces.spin.is_some();
     let masses = d.masses_told(|link| !governs && plan.forces.links.contains(&link));
     group_trials.retain_mut(|trial| {
-        let told =
-            bodies.iter().position(|body| matches!(body.of, Party::Link(l) if trial.links.contains(&l)));
-        trial.told = told.unwrap_or_default();
-        told.is_some()
+        let of_group = |body: &FreeBody| matches!(body.of, Party::Link(l) if trial.links.contains(&l));
+        let Some(told) = bodies.iter().position(of_group) else { return false };
+        trial.told = told;
+        true
     });
     let contacts = (0..d.mechanism.rolls.len()).filter(|roll| d.keeps_contact(*roll)).collect();
     let drawn = |link: LinkId| plan.forces.links.contains(&link);
@@ -168,13 +168,14 @@ fn in_order(links: &[LinkId], taken: &[&Taken]) -> Vec<Vec<LinkId>> {
 
 /// The legs of a link are closed once its own polygon, which is laid off first, has given what it exerts on them.
 fn closed_by_the_last(bodies: &mut [FreeBody]) {
-    let Some((middle, legs)) = bodies.split_last_mut() else { return };
-    for leg in legs {
-        for acting in &mut leg.acting {
-            let given = middle.acting.iter().any(|other| same_pair(other.action, acting.action));
-            acting.closes &= !given;
+    if let Some((middle, legs)) = bodies.split_last_mut() {
+        for leg in legs {
+            for acting in &mut leg.acting {
+                let given = middle.acting.iter().any(|other| same_pair(other.action, acting.action));
+                acting.closes &= !given;
+            }
+            leg.acting.sort_by_key(|acting| acting.closes);
         }
-        leg.acting.sort_by_key(|acting| acting.closes);
     }
 }
 
