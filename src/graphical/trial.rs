@@ -45,6 +45,8 @@ const TENTH_OF_PAPER: f64 = 10.0;
 const AT_EDGE: f64 = 1e-8;
 /// Two roots whose places differ by less are one, millimetres.
 const SAME_PLACE: f64 = 1e-4;
+/// Neither is larger than this part of all lengths: a rough place far away makes everything else small on paper.
+const OF_LENGTHS: f64 = 1e-6;
 /// Paper length of a trial vector, millimetres.
 const TRIAL_VECTOR: f64 = 50.0;
 /// Assemblies that are searched for the place of a group, before other ways to try it are given up.
@@ -387,9 +389,10 @@ impl<'m> Draughtsman<'m> {
             .into_iter()
             .filter_map(|p| sketch.places[p.0].map(|at| (p, at.value())))
             .collect();
+        let same_place = self.at_most(SAME_PLACE);
         let same = |other: &Root| {
             let pairs = other.places.iter().zip(&places);
-            pairs.into_iter().all(|((_, a), (_, b))| libm::hypot(a[0] - b[0], a[1] - b[1]) < SAME_PLACE)
+            pairs.into_iter().all(|((_, a), (_, b))| libm::hypot(a[0] - b[0], a[1] - b[1]) < same_place)
         };
         if !roots.iter().any(same) {
             roots.push(Root { angle, sides, places });
@@ -599,6 +602,7 @@ impl<'m> Draughtsman<'m> {
         let choices = choices(trial);
         let reach = self.reach_of_trial(driver);
         let at_edge = AT_EDGE * self.all_lengths();
+        let is_root = self.at_most(ROOT);
         let mut roots: Vec<Root> = Vec::new();
         let mut least = f64::INFINITY;
         let mut sketch = self.sketch();
@@ -640,12 +644,12 @@ impl<'m> Draughtsman<'m> {
                 if let &[.., first, middle, end] = seen.as_slice()
                     && let Some(turn) = turning(&mut evaluate, first, middle, end)
                 {
-                    found.extend(bracketed(&mut evaluate, first, turn));
-                    found.extend(bracketed(&mut evaluate, turn, end));
+                    found.extend(bracketed(&mut evaluate, first, turn, is_root));
+                    found.extend(bracketed(&mut evaluate, turn, end, is_root));
                 }
                 let pairs: Vec<_> = seen.windows(2).map(|w| (w[0], w[1])).collect();
                 for &(a, b) in pairs.iter().rev().take(2) {
-                    found.extend(bracketed(&mut evaluate, a, b));
+                    found.extend(bracketed(&mut evaluate, a, b, is_root));
                 }
                 if now.is_none() {
                     seen.clear();
@@ -679,6 +683,12 @@ impl<'m> Draughtsman<'m> {
     /// How far a driver may go at once: a radian, or a tenth of the paper's size.
     fn unit_of_trial(&self, driver: TrialDriver) -> f64 {
         if self.turns(driver) { 1.0 } else { TENTH_OF_PAPER }
+    }
+
+    /// What is small on paper, beside a mechanism that may be small itself.
+    fn at_most(&self, millimetres: f64) -> f64 {
+        let of_lengths = OF_LENGTHS * self.all_lengths();
+        if of_lengths > 0.0 { millimetres.min(of_lengths) } else { millimetres }
     }
 
     /// All given lengths, one after the other, paper millimetres.
@@ -1165,11 +1175,12 @@ fn bracketed(
     evaluate: &mut impl FnMut(f64) -> Option<f64>,
     low: (f64, f64),
     high: (f64, f64),
+    is_root: f64,
 ) -> Option<f64> {
     if (low.1 <= 0.0) == (high.1 <= 0.0) {
         return None;
     }
-    halve(evaluate, low.0, high.0, low.1)
+    halve(evaluate, low.0, high.0, (low.1, is_root))
 }
 
 /// Halves a bracket down to rounding; `None` where the function jumps instead of passing zero.
@@ -1177,7 +1188,7 @@ fn halve(
     evaluate: &mut impl FnMut(f64) -> Option<f64>,
     mut low: f64,
     mut high: f64,
-    at_low: f64,
+    (at_low, is_root): (f64, f64),
 ) -> Option<f64> {
     let negative = at_low <= 0.0;
     let mut last = f64::INFINITY;
@@ -1187,7 +1198,7 @@ fn halve(
         last = value.abs();
         if (value <= 0.0) == negative { low = middle } else { high = middle }
     }
-    (last < ROOT).then(|| f64::midpoint(low, high))
+    (last < is_root).then(|| f64::midpoint(low, high))
 }
 
 #[cfg(test)]
