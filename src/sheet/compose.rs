@@ -428,7 +428,12 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
     let (skeleton, others) = finished.split_at(1.min(finished.len()));
     let rows: Vec<&[(Group, Rect)]> = [skeleton].into_iter().chain(others.chunks(2)).collect();
     let wide = |row: &[(Group, Rect)]| row.iter().map(|(_, ink)| ink.width()).sum::<f64>();
-    let width = rows.iter().map(|row| wide(row)).fold(0.0, f64::max);
+    let told = steps::by_step(construction, &notation);
+    let heads = told.iter().filter_map(|told| match told.items.first() {
+        Some(Item::Head(text)) => Some(text.set(TEXT).width + 2.0 * EDGE),
+        _ => None,
+    });
+    let width = rows.iter().map(|row| wide(row)).chain(heads).fold(0.0, f64::max);
     let mut corners: Vec<Point> = Vec::new();
     let mut below = 0.0;
     for row in &rows {
@@ -440,7 +445,6 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
         below += row.iter().map(|(_, ink)| ink.height()).fold(0.0, f64::max);
     }
     let head = below + 2.0 * TEXT;
-    let told = steps::by_step(construction, &notation);
     let last = told.len().saturating_sub(1);
     let mut since: Option<Moment> = None;
     let frames = told.iter().enumerate().map(|(i, told)| {

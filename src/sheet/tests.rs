@@ -214,6 +214,8 @@ fn a_question_gives_nothing_away() {
             let mut words = format!("{} {}", figure.title, figure.description);
             let mut leaking = Vec::new();
             told(&figure.root, &mut words, &mut leaking);
+            // A load that is given is drawn and named.
+            leaking.retain(|what| !what.contains("\"load("));
             bad.extend(leaking);
             // The ink is the same in all languages, and so is what a format makes of it.
             let once = language == Language::English;
@@ -355,7 +357,8 @@ fn all_ink_is_on_the_paper() {
     for path in scenes() {
         let Some((scene, construction)) = solved(&path) else { continue };
         for (name, figure) in figures(&scene, &construction) {
-            let ink = figure.root.bounds().unwrap();
+            // A diagram of turning moments alone has no skeleton.
+            let Some(ink) = figure.root.bounds() else { continue };
             let inside = ink.x0 >= 0.0 && ink.y0 >= 0.0 && ink.x1 <= figure.width && ink.y1 <= figure.height;
             assert!(inside, "{} {name}: {ink:?}", path.display());
         }
@@ -772,8 +775,9 @@ fn pictures_of_the_steps_show_few_acts_and_nothing_jumps() {
         let figure = step_by_step(scene, construction, Language::English);
         let mut bad = Vec::new();
         for class in ["velocity polygon", "acceleration polygon", "skeleton"] {
-            // A construction on the skeleton is a figure of its own.
-            if class == "skeleton" && !construction.auxiliary.is_empty() {
+            // A construction on the skeleton is a figure of its own, and so is the skeleton with its loads.
+            let alone = construction.auxiliary.is_empty() && scene.mechanism.forces.is_empty();
+            if class == "skeleton" && !alone {
                 continue;
             }
             let mut before: std::collections::BTreeMap<String, (f64, f64)> = Default::default();
