@@ -1,8 +1,9 @@
 //! What a drawing found by trial, found again for another place: where what is tried misses its open constraint by
 //! nothing, and how the miss changes there.
 //!
-//! The search is Newton's, with differences for slopes, from where the last place leads one to expect the root, and halves
-//! where that leads to and fro. It computes by values alone, so that whoever runs a drawing for one place or for many finds the same doubles.
+//! The search is Newton's, with differences for slopes, from where the last place leads one to expect the root, and
+//! halves where that leads to and fro. It computes by values alone, so that whoever runs a drawing for one place or for
+//! many finds the same doubles.
 
 use crate::given::Given;
 
@@ -101,7 +102,7 @@ pub(super) fn find<const N: usize>(
     Found { at, slope: fine, slope_error: std::array::from_fn(|i| (fine[i] - coarse[i]).abs()) }
 }
 
-/// Where a miss that was found to vanish at `near` vanishes, as [`find`] has it, and how it changes there; neither where it
+/// Where a miss that was found to vanish at `near` vanishes, rounded to 2⁻⁴⁰, and how it changes there; neither where it
 /// does not.
 pub fn found_by_trial(
     near: f64,
