@@ -178,3 +178,58 @@ fn time_leads_a_group_of_higher_class_to_the_same_places() {
         }
     }
 }
+
+/// A four-bar driven by its coupler: the trial turns the crank, which goes to and fro and is at a dead centre of its own on the
+/// way. By the closed form of the crank's angle the coupler turns from the least angle of one assembly, through where
+/// both meet, to the greatest of the other.
+#[test]
+fn a_dead_centre_of_a_trial_limits_nobody() {
+    const LINKS: [f64; 3] = [43.0, 91.0, 105.0];
+    const PIVOT: Place = [189.0, 27.0];
+    let scene = common::read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [189, 27] },
+             "links": { "2": { "joins": ["O2", "A"], "length": 43 }, "3": { "joins": ["A", "B"], "length": 91 },
+                        "4": { "joins": ["O4", "B"], "length": 105 } },
+             "near": { "A": [29.6, 30.9], "B": [102, 86.6] }, "input": { "link": 3, "angle": 37.5, "omega": 1 },
+             "find": ["omega(2)"] }"#,
+    );
+    let coupler = |crank: f64, left: bool| {
+        let (sin, cos) = libm::sincos(crank);
+        let a = [LINKS[0] * cos, LINKS[0] * sin];
+        let b = meet([a, PIVOT], [LINKS[1], LINKS[2]], left)?;
+        Some(libm::atan2(b[1] - a[1], b[0] - a[0]))
+    };
+    let sweep = Sweep::new(&scene.mechanism, None).unwrap();
+    let (mut least, mut greatest, mut compared) = (f64::INFINITY, f64::NEG_INFINITY, 0);
+    for left in [true, false] {
+        for step in 0..40_000 {
+            const BY: f64 = 1e-5;
+            let at = TAU * f64::from(step) / 40_000.0;
+            let [Some(before), Some(here), Some(after)] = [at - BY, at, at + BY].map(|at| coupler(at, left))
+            else {
+                continue;
+            };
+            (least, greatest) = (least.min(here), greatest.max(here));
+            let rate = turned(after, before) / (2.0 * BY);
+            if step % 97 != 0 || rate.abs() < 0.3 || rate.abs() > 3.0 {
+                continue;
+            }
+            let omega = sweep.at(here.rem_euclid(TAU)).unwrap_or_else(|| panic!("{here} is not reached"))[0];
+            let omega = omega.unwrap().value;
+            // One input may belong to two places of the crank; only one of them is reached.
+            if (omega - 1.0 / rate).abs() < 1e-5 {
+                compared += 1;
+            }
+        }
+    }
+    let limits = limits_of(&sweep);
+    assert_eq!(limits.len(), 2, "{limits:?}");
+    assert!(sweep.stretches.windows(2).all(|pair| sweep.is_one_assembly(&pair[0], &pair[1])));
+    for end in [least, greatest] {
+        let nearest = limits.iter().map(|limit| turned(*limit, end).abs()).fold(f64::INFINITY, f64::min);
+        // The extreme of a scan is off by the square of its step.
+        assert!(nearest < 1e-8, "{end}: {limits:?}");
+    }
+    assert!(compared > 60, "{compared}");
+    assert!(confirm_sweep(&sweep).is_ok());
+}

@@ -20,8 +20,8 @@ use std::f64::consts::PI;
 
 use super::bounded::BoundedProgram;
 use super::op::{MOST_OPERANDS, Op};
-use super::tape::{self, Event, Leaf, Reason, Role, Tape};
-use super::trial::find;
+use super::tape::{self, Event, Leaf, Reason, Role, Tape, Trial};
+use super::trial::{CARRIED, Seen, find};
 use crate::given::Given;
 
 /// Positions that are computed together.
@@ -48,16 +48,6 @@ pub(super) enum Node {
     /// What is found by trial, for every place anew.
     Tried,
     Made(Op, Operands),
-}
-
-/// An open constraint that is met by trial; slots.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Trial {
-    pub(super) found: u32,
-    pub(super) miss: u32,
-    pub(super) slope: u32,
-    pub(super) corrected: u32,
-    pub(super) unit: f64,
 }
 
 /// A number that a program is to give.
@@ -353,6 +343,13 @@ impl Transcript {
             chords: Vec::new(),
             turns: Vec::new(),
             trials: Vec::new(),
+            tried_chords: self
+                .again
+                .iter()
+                .enumerate()
+                .filter(|(own, drawn)| own != *drawn)
+                .map(|(_, drawn)| *drawn)
+                .collect(),
             tried_at: self
                 .trials
                 .iter()
@@ -609,17 +606,7 @@ impl Transcript {
             }
         }
         let slot = |mark: u32| self.slots[mark as usize];
-        self.trials = tape
-            .trials
-            .iter()
-            .map(|trial| Trial {
-                found: slot(trial.found),
-                miss: slot(trial.miss),
-                slope: slot(trial.slope),
-                corrected: slot(trial.corrected),
-                unit: trial.unit,
-            })
-            .collect();
+        self.trials = tape.trials.iter().map(|trial| trial.by(slot)).collect();
         self.again = (0..self.chords.len()).collect();
         for trial in &tape.trials {
             let [from, to] = [trial.found, trial.slope].map(|mark| calls_before[mark as usize]);
@@ -838,6 +825,8 @@ pub struct Program {
     turns: Vec<(usize, u32)>,
     /// In the order of drawing.
     trials: Vec<Tried>,
+    /// The chords on whose signs those of a search hang, by their place among the signs.
+    tried_chords: Vec<usize>,
     /// For each trial of the drawing: where what is varied stood, what was found there, and in which sense its miss
     /// changed.
     tried_at: Vec<[f64; 3]>,
@@ -928,6 +917,8 @@ fn lot_of_constant(value: f64) -> u64 {
 #[derive(Debug, Clone)]
 pub struct Block {
     rows: Vec<Lane>,
+    /// How the numbers change with what is tried; empty where nothing is.
+    slopes: Vec<Lane>,
 }
 
 impl Block {
@@ -943,6 +934,9 @@ pub struct Workspace {
     rows: Vec<Row>,
     /// By the trials of the drawing.
     found: Vec<FoundByTrial>,
+    /// What a search works on.
+    values: Vec<[f64; 1]>,
+    slopes: Vec<[f64; 1]>,
     looks: u64,
 }
 
@@ -1015,6 +1009,13 @@ impl Program {
         !self.trials.is_empty()
     }
 
+    /// Whether a chord, by its place among the signs, is one of a dyad inside a trial: where it vanishes the trial may be at
+    /// a dead centre, and not the mechanism.
+    #[must_use]
+    pub fn is_of_trial(&self, chord: usize) -> bool {
+        self.tried_chords.contains(&chord)
+    }
+
     /// Where the numbers of a trial stand among the signs.
     fn numbers_of(&self, trial: &Tried) -> usize {
         self.chord_slots + self.turn_slots + OF_TRIAL * trial.index
@@ -1045,30 +1046,51 @@ impl Program {
         for &(row, value) in &self.constants {
             rows[row as usize] = [value; LANES];
         }
-        Block { rows }
+        let slopes = if self.tries() { vec![[0.0; LANES]; self.rows as usize] } else { Vec::new() };
+        Block { rows, slopes }
     }
 
     /// Computes a block of positions. `signs` has one number, 1 or −1, for each chord: −1 takes the other
     /// meeting point than the drawing that was transcribed; then, for each angle that goes on, the number of half turns
     /// that it is near.
     pub fn run(&self, inputs: &Lane, signs: &[f64], block: &mut Block) {
-        let rows = block.rows.as_mut_slice();
+        let Block { rows, slopes } = block;
         rows[0] = *inputs;
         let mut done = 0;
         for trial in &self.trials {
-            let [from, to] = trial.steps;
+            let from = trial.steps[0];
             self.run_steps(&self.steps[done..from], signs, rows);
             let expected = inputs.map(|input| self.expected(trial, signs, input));
-            let found = find(&expected, &[self.sense(trial, signs); LANES], trial.unit, |at| {
-                rows[trial.found as usize] = *at;
-                self.run_steps(&self.steps[from..to], signs, rows);
-                rows[trial.miss as usize]
-            });
-            rows[trial.found as usize] = found.at;
-            rows[trial.slope as usize] = found.slope;
+            self.search(trial, &expected, signs, rows, slopes);
             done = from;
         }
         self.run_steps(&self.steps[done..], signs, rows);
+    }
+
+    /// Finds where a trial stands, near where it is expected, and how its miss changes there.
+    fn search<const N: usize>(
+        &self,
+        trial: &Tried,
+        expected: &[f64; N],
+        signs: &[f64],
+        rows: &mut [[f64; N]],
+        slopes: &mut [[f64; N]],
+    ) {
+        let [from, to] = trial.steps;
+        let mut look = |at: &[f64; N]| {
+            rows[trial.found as usize] = *at;
+            slopes[trial.found as usize] = [1.0; N];
+            let apart = self.run_with_slopes(&self.steps[from..to], signs, rows, slopes);
+            Seen { miss: [rows[trial.miss as usize], slopes[trial.miss as usize]], apart }
+        };
+        let found = find(expected, &[self.sense(trial, signs); N], trial.unit, &mut look);
+        let [_, slope] = look(&found).miss;
+        rows[trial.slope as usize] = slope;
+        // What was found counts as a number like any other from here on.
+        let made = self.steps[from..to].iter().flat_map(|step| [step.to, step.second]);
+        for row in made.chain([trial.found]) {
+            slopes[row as usize] = [0.0; N];
+        }
     }
 
     /// Computes some of the steps for a block of positions.
@@ -1122,23 +1144,44 @@ impl Program {
         }
     }
 
-    /// Computes some of the steps for one position, by values alone: the doubles that [`Program::run`] comes to.
-    fn run_values(&self, steps: &[Step], signs: &[f64], rows: &mut [Row]) {
+    /// Computes some of the steps with their slopes, to the same doubles. Gives the least square of a half chord that cannot
+    /// be drawn and changes, with its slope; zero where there is none.
+    fn run_with_slopes<const N: usize>(
+        &self,
+        steps: &[Step],
+        signs: &[f64],
+        rows: &mut [[f64; N]],
+        slopes: &mut [[f64; N]],
+    ) -> [[f64; N]; 2] {
+        let mut apart = [[0.0; N]; 2];
         for step in steps {
-            let mut values = [0.0; MOST_OPERANDS];
-            for (value, &row) in values.iter_mut().zip(&step.from[..step.op.operands()]) {
-                *value = rows[row as usize].value;
-            }
             let sign = signs.get(step.from[1] as usize).copied().unwrap_or(1.0);
-            rows[step.to as usize].value = match step.op {
-                Op::Turned => angle_near(self.half_turns(step.from[2], signs), values[0], values[1]),
-                op => signed(op, values, sign),
-            };
-            if step.second != 0 {
-                let other = if step.op == Op::Cosine { Op::Sine } else { Op::Cosine };
-                rows[step.second as usize].value = other.value(values);
+            let other = if step.op == Op::Cosine { Op::Sine } else { Op::Cosine };
+            for i in 0..N {
+                let (mut values, mut moves) = ([0.0; MOST_OPERANDS], [0.0; MOST_OPERANDS]);
+                for (index, &row) in step.from[..step.op.operands()].iter().enumerate() {
+                    (values[index], moves[index]) = (rows[row as usize][i], slopes[row as usize][i]);
+                }
+                if step.op == Op::HalfChord && values[0] < apart[0][i] && moves[0] != 0.0 {
+                    (apart[0][i], apart[1][i]) = (values[0], moves[0]);
+                }
+                let value = match step.op {
+                    Op::Turned => angle_near(self.half_turns(step.from[2], signs), values[0], values[1]),
+                    op => signed(op, values, sign),
+                };
+                let slope = |partials: [f64; MOST_OPERANDS]| {
+                    partials.iter().zip(&moves).fold(0.0, |sum, (partial, by)| sum + partial * by)
+                };
+                rows[step.to as usize][i] = value;
+                slopes[step.to as usize][i] = slope(step.op.partials(values, value));
+                if step.second != 0 {
+                    let value = other.value(values);
+                    rows[step.second as usize][i] = value;
+                    slopes[step.second as usize][i] = slope(other.partials(values, value));
+                }
             }
         }
+        apart
     }
 
     /// Computes one position, with the derivative of every number by the input and its error. The input counts as
@@ -1159,22 +1202,24 @@ impl Program {
         }
         let mut done = 0;
         for trial in &self.trials {
-            let [from, to] = trial.steps;
+            let from = trial.steps[0];
             self.look_at_steps(&self.steps[done..from], signs, rows);
-            let (expected, sense) = (self.expected(trial, signs, input), self.sense(trial, signs));
-            let found = find(&[expected], &[sense], trial.unit, |&[at]| {
-                rows[trial.found as usize].value = at;
-                self.run_values(&self.steps[from..to], signs, rows);
-                [rows[trial.miss as usize].value]
-            });
-            rows[trial.found as usize] = Row { value: found.at[0], ..Row::default() };
-            let mut slope = Row { value: found.slope[0], ..Row::default() };
-            slope.round(found.slope_error[0], lots(LOT_OF_TRIAL));
+            let Workspace { values, slopes, .. } = place;
+            values.clear();
+            values.extend(rows.iter().map(|row| [row.value]));
+            slopes.clear();
+            slopes.resize(rows.len(), [0.0]);
+            let expected = self.expected(trial, signs, input);
+            self.search(trial, &[expected], signs, values, slopes);
+            let [[at], [slope]] = [trial.found, trial.slope].map(|row| values[row as usize]);
+            let slope_error = CARRIED * slope.abs();
+            rows[trial.found as usize] = Row { value: at, ..Row::default() };
+            let mut slope = Row { value: slope, ..Row::default() };
+            slope.round(slope_error, lots(LOT_OF_TRIAL));
             slope.lost = !slope.is_clear();
             rows[trial.slope as usize] = slope;
             place.found.resize(self.tried_at.len(), FoundByTrial::default());
-            place.found[trial.index] =
-                FoundByTrial { at: found.at[0], slope: found.slope[0], slope_error: found.slope_error[0] };
+            place.found[trial.index] = FoundByTrial { at, slope: slope.value, slope_error };
             done = from;
         }
         self.look_at_steps(&self.steps[done..], signs, rows);

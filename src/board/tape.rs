@@ -104,7 +104,7 @@ pub(super) enum Node {
 }
 
 /// An open constraint that was met by trial: what is tried stands where nothing is missed, and one step of false position
-/// with the slope of the miss follows from there as ordinary operations. All are marks.
+/// with the slope of the miss follows from there as ordinary operations. By marks of the tape, or slots of a transcript.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Trial {
     /// Where what is tried was found to stand.
@@ -117,6 +117,19 @@ pub(super) struct Trial {
     pub(super) corrected: u32,
     /// How far what is tried may go at once: one radian, or a length of the paper.
     pub(super) unit: f64,
+}
+
+impl Trial {
+    /// The same by other handles.
+    pub(super) fn by(self, handle: impl Fn(u32) -> u32) -> Self {
+        Self {
+            found: handle(self.found),
+            miss: handle(self.miss),
+            slope: handle(self.slope),
+            corrected: handle(self.corrected),
+            unit: self.unit,
+        }
+    }
 }
 
 /// What happens between two operations.

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use crate::analytic::{self, AnalyticError};
 use crate::mechanism::quantity::{Answer, Indeterminate, Quantity, Stuck};
 use crate::mechanism::{Input, Mechanism};
-use crate::sweep::{EventKind, Sweep};
+use crate::sweep::{EventKind, Stretch, Sweep};
 
 /// A sweep is compared at so many positions at most.
 pub const MOST_POSITIONS: usize = 16;
@@ -78,9 +78,18 @@ fn positions(sweep: &Sweep) -> Vec<f64> {
         // Where the points of a wheel stand elsewhere adds up on the way, which no equation of one position tells.
         return places;
     }
-    for stretch in &sweep.stretches {
+    let mut last: Option<&Stretch> = None;
+    for (index, stretch) in sweep.stretches.iter().enumerate() {
         let inside = (stretch.to - stretch.from) * INSIDE;
-        places.extend([stretch.from + inside, stretch.to - inside]);
+        // Where one goes on from the other nothing ends.
+        let goes_on = |a: &Stretch, b: &Stretch| a.to == b.from && sweep.is_one_assembly(a, b);
+        if !last.is_some_and(|last| goes_on(last, stretch)) {
+            places.push(stretch.from + inside);
+        }
+        if !sweep.stretches.get(index + 1).is_some_and(|next| goes_on(stretch, next)) {
+            places.push(stretch.to - inside);
+        }
+        last = Some(stretch);
     }
     let extremes: Vec<f64> = sweep
         .events

@@ -154,6 +154,18 @@ struct Walker<'s> {
     weights: Vec<Option<(f64, f64)>>,
 }
 
+/// Where a half chord inside a trial passes zero.
+struct Crossing {
+    /// Its place among the signs.
+    index: usize,
+    /// Where, by what is seen on this side.
+    at: f64,
+    /// How fast it changes with its sign.
+    rate: f64,
+    /// The last that was seen on this side, where that is not the last look.
+    seen: Option<View>,
+}
+
 /// What a walker sees at one place.
 struct View {
     at: f64,
@@ -306,6 +318,23 @@ impl Walker<'_> {
             }
         };
         for &next in &nodes[1..] {
+            let step = next - before.at;
+            if self.sweep.tries() && inside {
+                // Another dyad's chord may vanish on the same way.
+                while let Some(crossing) = self.crossing(&before, next, &signs) {
+                    let Some((onward, there)) = self.beyond(&crossing, next, step, &signs) else { break };
+                    if let Some(seen) = &crossing.seen {
+                        self.events_between(&before, seen, &signs, events);
+                    }
+                    close(begin, crossing.at, &signs, apart);
+                    (begin, signs) = (crossing.at, onward);
+                    self.begin(&there);
+                    before = there;
+                }
+                if (next - before.at) * (nodes[nodes.len() - 1] - start) <= 0.0 {
+                    continue;
+                }
+            }
             let mut now = self.view(next, &signs);
             if !inside {
                 if now.closes() {
@@ -335,13 +364,8 @@ impl Walker<'_> {
                     let little = seen + A_LITTLE * (next - seen);
                     if !self.view(little, &onward).goes_on(FAR_ASTRAY) {
                         close(begin, seen, &signs, apart);
-                        let Some((through, there)) = self.through(&before, next, &signs) else {
-                            events.push(self.limit(seen, &signs));
-                            return;
-                        };
-                        (begin, signs, before) = (seen, through, there);
-                        now = self.view(next, &signs);
-                        continue;
+                        events.push(self.limit(seen, &signs));
+                        return;
                     }
                 }
                 close(begin, before.at, &signs, apart);
@@ -355,6 +379,9 @@ impl Walker<'_> {
             let mut touched = false;
             for chord in 0..now.chords.len() {
                 let ((index, a), (_, b)) = (before.chords[chord], now.chords[chord]);
+                if self.sweep.transcribed().program.is_of_trial(index) {
+                    continue;
+                }
                 let falls_and_rises = a.slope * direction < 0.0 && b.slope * direction >= 0.0;
                 if !(falls_and_rises && may_touch(a, b, next - before.at)) {
                     continue;
@@ -431,28 +458,110 @@ impl Walker<'_> {
         }
     }
 
-    /// Where the chord of a dyad inside a trial vanishes the trial is at a dead centre of its own, and not the mechanism:
-    /// it goes on with the other meeting point, and its miss changes in the other sense. The signs from there on, and what
-    /// is seen a little farther.
-    fn through(&mut self, end: &View, next: f64, signs: &[f64]) -> Option<(Vec<f64>, View)> {
+    /// Where the half chord of a dyad inside a trial, seen with its sign, passes zero before the next look.
+    fn crossing(&mut self, before: &View, next: f64, signs: &[f64]) -> Option<Crossing> {
+        let chords: Vec<(usize, usize)> = before.chords.iter().map(|(index, _)| *index).enumerate().collect();
+        let of_trial = |index: usize| self.sweep.transcribed().program.is_of_trial(index);
+        let chords: Vec<(usize, usize)> = chords.into_iter().filter(|(_, index)| of_trial(*index)).collect();
+        chords.into_iter().find_map(|(place, index)| self.crossing_of(before, next, signs, (place, index)))
+    }
+
+    /// The same of one chord, by its place among those that are seen and among the signs. It is followed towards zero as
+    /// long as it changes as it did; from nearby its tangent tells where it passes.
+    fn crossing_of(
+        &mut self,
+        before: &View,
+        next: f64,
+        signs: &[f64],
+        (place, index): (usize, usize),
+    ) -> Option<Crossing> {
+        /// These parts of the way to where it seems to vanish.
+        const TOWARD: [f64; 5] = [0.98, 0.9, 0.7, 0.4, 0.1];
+        /// Looks on the way.
+        const MOST: usize = 12;
+        /// What is left of it where it counts as passing.
+        const LEFT: f64 = 0.05;
+        /// Its rate may change by this part on one part of the way.
+        const STEADY: f64 = 0.5;
+        let step = next - before.at;
+        let half_and_rate = |view: &View| {
+            let (_, square) = view.chords.get(place)?;
+            let half = square.value.sqrt();
+            (square.value > 0.0 && square.slope * step < 0.0).then(|| (half, square.slope / (2.0 * half)))
+        };
+        let (first, mut rate) = half_and_rate(before)?;
+        let (mut half, mut here, mut seen) = (first, before.at, None);
+        let mut own = before.expecting(signs);
+        for _ in 0..MOST {
+            let at = here - half / rate;
+            if !(0.0..=1.0).contains(&((at - before.at) / step)) {
+                return None;
+            }
+            let nearer = TOWARD.into_iter().find_map(|part| {
+                let view = self.view(here + part * (at - here), &own);
+                let (left, now) = half_and_rate(&view).filter(|_| view.goes_on(FAR_ASTRAY))?;
+                // It has changed as its tangents at both ends say, and no other assembly was taken for this one.
+                let expected = half + 0.5 * (rate + now) * (view.at - here);
+                let steady = (now / rate - 1.0).abs() <= STEADY;
+                (steady && (left - expected).abs() <= 0.2 * left.max((1.0 - part) * half))
+                    .then_some((left, now, view))
+            });
+            let Some((left, now, view)) = nearer else { break };
+            (half, rate, here) = (left, now, view.at);
+            own = view.expecting(&own);
+            seen = Some(view);
+            if half <= LEFT * LEFT * first {
+                break;
+            }
+        }
+        let sign = signs.get(index).copied().unwrap_or(1.0);
+        (half <= LEFT * first).then(|| Crossing { index, at: here - half / rate, rate: rate * sign, seen })
+    }
+
+    /// Beyond such a place the mechanism goes on with the other meeting point: what is tried goes on as it did, or back the
+    /// way it came, whichever has the half chord as large as it is expected. The signs from there on, and what is seen.
+    fn beyond(
+        &mut self,
+        crossing: &Crossing,
+        next: f64,
+        step: f64,
+        signs: &[f64],
+    ) -> Option<(Vec<f64>, View)> {
         /// These parts of the way to the next look.
-        const FARTHER: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
-        let short = end.chords.iter().filter(|(_, square)| square.value.abs() < SHORT);
-        let short: Vec<usize> = short.map(|(index, _)| *index).collect();
-        for chord in short {
-            for trial in &end.standing {
-                let mut onward = end.expecting(signs);
-                onward[chord] = -onward[chord];
-                // A rate is not known to any digit here.
-                let numbers = onward.get_mut(trial.index + 2..trial.index + 4)?;
-                numbers.copy_from_slice(&[0.0, -trial.sense]);
-                for part in FARTHER {
-                    let there = self.view(end.at + part * (next - end.at), &onward);
-                    if there.goes_on(FAR_ASTRAY) {
-                        let onward = there.expecting(&onward);
-                        return Some((onward, there));
+        const FARTHER: [f64; 3] = [1.0, 0.3, 0.1];
+        /// So far beside what is expected the half chord may be, and what is tried beside its mirror image.
+        const BESIDE: f64 = 0.3;
+        let Crossing { index, at, rate, ref seen } = *crossing;
+        let near = seen.as_ref().map(|seen| seen.expecting(signs));
+        let own = near.as_deref().unwrap_or(signs);
+        let farthest = if ((next - at) / step) < 0.3 { 0.3 * step } else { next - at };
+        for part in FARTHER {
+            let way = part * farthest;
+            let mirrored = self.view(at - way, own);
+            let expected = rate * way;
+            let mut best: Option<(f64, Vec<f64>, View)> = None;
+            for trial in &mirrored.standing {
+                let onward = trial.at.value + 2.0 * way * trial.at.slope;
+                let ways = [(trial.at.value, -trial.at.slope), (onward, trial.at.slope)];
+                for ((stands, moves), sense) in ways.into_iter().flat_map(|way| [(way, 1.0), (way, -1.0)]) {
+                    let mut other = mirrored.expecting(signs);
+                    other[index] = -other[index];
+                    let numbers = other.get_mut(trial.index..trial.index + 4)?;
+                    numbers.copy_from_slice(&[at + way, stands, moves, sense]);
+                    let there = self.view(at + way, &other);
+                    let Some((_, square)) = there.chords.iter().find(|(of, _)| *of == index) else {
+                        continue;
+                    };
+                    let half = other[index] * square.value.max(0.0).sqrt();
+                    let off = ((half - expected) / expected).abs();
+                    let better = best.as_ref().is_none_or(|(least, ..)| off < *least);
+                    if there.goes_on(FAR_ASTRAY) && off <= BESIDE && better {
+                        best = Some((off, there.expecting(&other), there));
                     }
                 }
+            }
+            if let (true, Some((_, signs, there))) = (mirrored.closes(), best) {
+                return Some((signs, there));
             }
         }
         None
