@@ -483,6 +483,8 @@ impl Walker<'_> {
         const LEFT: f64 = 0.05;
         /// Its rate may change by this part on one part of the way.
         const STEADY: f64 = 0.5;
+        /// So far a tangent may lead, in steps.
+        const FARTHEST: f64 = 1.5;
         let step = next - before.at;
         let half_and_rate = |view: &View| {
             let (_, square) = view.chords.get(place)?;
@@ -490,11 +492,14 @@ impl Walker<'_> {
             (square.value > 0.0 && square.slope * step < 0.0).then(|| (half, square.slope / (2.0 * half)))
         };
         let (first, mut rate) = half_and_rate(before)?;
+        // Where it nearly vanishes already, next to nothing is left to follow.
+        let scale = first.max((rate * step).abs());
         let (mut half, mut here, mut seen) = (first, before.at, None);
         let mut own = before.expecting(signs);
         for _ in 0..MOST {
             let at = here - half / rate;
-            if !(0.0..=1.0).contains(&((at - before.at) / step)) {
+            // It may vanish sooner than a tangent says.
+            if !(0.0..=FARTHEST).contains(&((at - before.at) / step)) {
                 return None;
             }
             let nearer = TOWARD.into_iter().find_map(|part| {
@@ -510,12 +515,18 @@ impl Walker<'_> {
             (half, rate, here) = (left, now, view.at);
             own = view.expecting(&own);
             seen = Some(view);
-            if half <= LEFT * LEFT * first {
+            if half <= LEFT * LEFT * scale {
                 break;
             }
         }
         let sign = signs.get(index).copied().unwrap_or(1.0);
-        (half <= LEFT * first).then(|| Crossing { index, at: here - half / rate, rate: rate * sign, seen })
+        let at = here - half / rate;
+        (half <= LEFT * scale && (at - before.at) / step <= 1.0).then_some(Crossing {
+            index,
+            at,
+            rate: rate * sign,
+            seen,
+        })
     }
 
     /// Beyond such a place the mechanism goes on with the other meeting point: what is tried goes on as it did, or back the
@@ -528,7 +539,7 @@ impl Walker<'_> {
         signs: &[f64],
     ) -> Option<(Vec<f64>, View)> {
         /// These parts of the way to the next look.
-        const FARTHER: [f64; 3] = [1.0, 0.3, 0.1];
+        const FARTHER: [f64; 7] = [1.0, 0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4];
         /// So far beside what is expected the half chord may be, and what is tried beside its mirror image.
         const BESIDE: f64 = 0.3;
         let Crossing { index, at, rate, ref seen } = *crossing;
