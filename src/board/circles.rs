@@ -46,6 +46,11 @@ impl Board {
         self.vanishes(length.0)
     }
 
+    /// Whether an amount is zero as far as its own error tells.
+    pub fn is_no_amount(&mut self, amount: super::Amount) -> bool {
+        self.vanishes(amount.0)
+    }
+
     /// A length of the draughtsman's own choice.
     pub fn millimetres(&mut self, length: f64) -> super::Mm {
         super::Mm(self.exact(length))

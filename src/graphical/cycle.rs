@@ -107,6 +107,10 @@ pub fn draw(
     };
     let mut sheet = drawn.sheet(cycle.period.value, desk.board.tape());
     let mut asked = asked.to_vec();
+    // What an answer is computed from is told before it.
+    for of in asked.clone() {
+        asked.extend_from_slice(of.computed_from());
+    }
     asked.sort_unstable_by_key(|of| of.name());
     asked.dedup();
     let read: Vec<(CycleQuantity, Result<Number, String>)> =

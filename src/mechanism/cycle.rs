@@ -137,6 +137,21 @@ impl CycleQuantity {
         matches!(self, Self::Crossing(_) | Self::Area(_) | Self::Level(_) | Self::AtHighest | Self::AtLowest)
     }
 
+    /// The other numbers of the diagram from which it is computed.
+    #[must_use]
+    pub const fn computed_from(self) -> &'static [Self] {
+        match self {
+            Self::Mean => &[Self::Work],
+            Self::Power => &[Self::Mean, Self::Work],
+            Self::Fluctuation => &[Self::Highest, Self::Lowest],
+            Self::OfEnergy => &[Self::Fluctuation, Self::Highest, Self::Lowest, Self::Work],
+            Self::OfSpeed | Self::Flywheel => {
+                &[Self::Fluctuation, Self::Highest, Self::Lowest, Self::Inertia]
+            }
+            _ => &[],
+        }
+    }
+
     /// As a scene names it.
     #[must_use]
     pub fn name(self) -> String {

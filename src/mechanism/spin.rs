@@ -1,6 +1,6 @@
 //! Governors: a plane that turns about an axis in it, with all that stands in the plane.
 
-use super::force::Share;
+use super::force::{Action, Share};
 use super::{Given, GivenPoint, Input, LinkId, Mechanism};
 
 /// The whole plane turns about an axis in it. Every mass is a point at its mass centre and is driven away from the axis
@@ -69,5 +69,15 @@ impl Mechanism {
     #[must_use]
     pub fn shared_by(&self, link: LinkId) -> f64 {
         self.forces.spin.map_or(1.0, |spin| spin.shared_by(link))
+    }
+
+    /// How many halves share a force: of a load, a weight, inertia.
+    #[must_use]
+    pub fn halves_of(&self, action: Action) -> f64 {
+        match action {
+            Action::Load(index) => self.shared_by(self.forces.loads[index].link),
+            Action::Weight(link) | Action::Inertia(link) | Action::Centrifugal(link) => self.shared_by(link),
+            _ => 1.0,
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The turning-moment diagram: `cycle`, curves over the input's angle, and the names of what may be asked of it.
 
+use super::InputUnits;
 use super::asked::Named;
 use super::diagnostic::{Fault, Res};
 use super::draft::Draft;
@@ -216,7 +217,7 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
 }
 
 /// The mean speed of the input: of a diagram alone `{"omega": …}`.
-fn speed(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<Given> {
+fn speed(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<Given> {
     if !is_alone(scene, draft) {
         return match draft.mechanism.inputs.first() {
             Some(Input::Angle { omega, .. }) => Ok(*omega),
@@ -238,9 +239,11 @@ fn speed(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<Given> {
     let Some(value) = scene.get("input") else { return Ok(Given::exact(0.0)) };
     let fields =
         Fields::of(value, &["omega"], "the speed of a diagram without links: {\"omega\": \"300 rpm\"}")?;
-    fields
-        .get("omega")
-        .map_or(Ok(Given::exact(0.0)), |omega| draft.scales.given(omega, Measure::AngularVelocity))
+    let Some(omega) = fields.get("omega") else { return Ok(Given::exact(0.0)) };
+    let bare = draft.scales.bare(Measure::AngularVelocity);
+    let rate = draft.scales.stated(omega, Measure::AngularVelocity, true, bare)?.scale.unit();
+    draft.input_units.push(InputUnits { rate: Some(rate), ..InputUnits::default() });
+    draft.scales.given(omega, Measure::AngularVelocity)
 }
 
 fn whole_period(value: &Value<'_>, draft: &Draft<'_>) -> Res<Given> {

@@ -185,11 +185,17 @@ fn question_on(
     let words = language.words();
     let notation = Notation::new(scene, words);
     let (skeleton, dimensioned) = asked_skeleton(construction, &notation);
-    let width = width.max(skeleton.width + 2.0 * MARGIN);
-    let height = height.max(skeleton.height + 4.0 * MARGIN);
+    // A turning-moment diagram may have no mechanism.
+    let bare = construction.cycle.is_some() && construction.space.places.is_empty();
+    let mut drawn = if bare { Vec::new() } else { vec![skeleton] };
+    drawn.extend(asked_curves(construction, &notation));
+    let widest = drawn.iter().fold(0.0, |most: f64, block| most.max(block.width));
+    let highest = drawn.iter().fold(0.0, |most: f64, block| most.max(block.height));
+    let width = width.max(widest + 2.0 * MARGIN);
+    let height = height.max(highest + 4.0 * MARGIN);
     let mut pager = Pager::new(width, height, title(scene, words), words);
     pager.heading(&given::paragraph_of_question(&notation, &dimensioned));
-    pager.rows(&[skeleton]);
+    pager.rows(&drawn);
     let mut items = vec![Item::Head(Rich::bold(words.required))];
     items.extend(given::asked(&notation).into_iter().map(Item::Sentence));
     items.extend(positions::asked(&notation).into_iter().map(Item::Sentence));
@@ -215,6 +221,16 @@ pub fn single_of_question(scene: &Scene, construction: &Construction, language: 
     let (block, _) = asked_skeleton(construction, &notation);
     let title = format!("{}: {}", title(scene, words), words.skeleton);
     localised(cut(block.group, title, words.question.to_owned(), words), scene)
+}
+
+/// The given curves of a turning-moment diagram with their caption.
+fn asked_curves(construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
+    let sheet = construction.cycle.as_ref()?;
+    let curves = super::cycle::stated_curves(sheet, notation)?;
+    let panel = CyclePanel::TurningMoment;
+    let scale = Rich::fill(notation.words.scale, &[("scale", panel.scale(sheet, notation))]);
+    let comma = format!("{}\u{2002}", notation.words.comma.trim_end());
+    Some(captioned(curves, &[panel.title(notation).up(&comma).then(&scale)]))
 }
 
 /// The dimensioned skeleton with its caption, and the points whose places it gives.

@@ -1,5 +1,7 @@
 //! The turning-moment diagram as ink: the curves over the angle with the areas between them, and the levels of energy.
 
+use std::cell::RefCell;
+
 use kurbo::{Point, Vec2};
 
 use super::figure::{Dash, Group, Mark, Pen, Shape};
@@ -8,11 +10,13 @@ use super::ink::{FINE, SMALL, THICK, THIN, arrow, dot};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::rich::Rich;
-use super::steps::Item;
+use super::steps::{Figures, Item, Key, in_radians};
+use super::words::Words;
 use crate::graphical::cycle::CycleSheet;
+use crate::mechanism::Input;
 use crate::mechanism::curve::Curve;
 use crate::mechanism::cycle::{Course, CycleQuantity, RotatingInertia, Sides};
-use crate::mechanism::quantity::{Order, Unit};
+use crate::mechanism::quantity::{Answer, Order, Quantity, Unit};
 use crate::mechanism::spin::SpinSpeed;
 
 /// Width and height of the plot, mm.
@@ -61,6 +65,32 @@ pub(super) fn symbol(notation: &Notation<'_>, of: CycleQuantity) -> Rich {
         CycleQuantity::AtMost => Rich::italic("θ").up("(").then(&it(notation.alpha(), "max")).up(")"),
         CycleQuantity::AtLeast => Rich::italic("θ").up("(").then(&it(notation.alpha(), "min")).up(")"),
     }
+}
+
+/// What a number of the diagram is called.
+pub(super) fn in_words(of: CycleQuantity, words: &Words) -> &'static str {
+    let place = match of {
+        CycleQuantity::Mean => 0,
+        CycleQuantity::Work => 1,
+        CycleQuantity::Power => 2,
+        CycleQuantity::Highest => 3,
+        CycleQuantity::Lowest => 4,
+        CycleQuantity::Fluctuation => 5,
+        CycleQuantity::OfEnergy => 6,
+        CycleQuantity::OfSpeed => 7,
+        CycleQuantity::Flywheel => 8,
+        CycleQuantity::Inertia => 9,
+        CycleQuantity::Crossing(_) => 10,
+        CycleQuantity::Area(_) => 11,
+        CycleQuantity::Level(_) => 12,
+        CycleQuantity::AtHighest
+        | CycleQuantity::AtLowest
+        | CycleQuantity::AtMost
+        | CycleQuantity::AtLeast => 13,
+        CycleQuantity::Most => 14,
+        CycleQuantity::Least => 15,
+    };
+    words.cycle_numbers[place]
 }
 
 /// A round number of units for a centimetre, so that this much has room in so many millimetres.
@@ -145,10 +175,32 @@ impl CyclePanel {
     #[must_use]
     pub fn draw(self, sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
         match self {
-            Self::TurningMoment => turning_moment(sheet, notation),
+            Self::TurningMoment => turning_moment(sheet, notation, Shown::Solution),
             Self::Energy => energy(sheet, notation),
         }
     }
+}
+
+/// How much of a turning-moment diagram is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    /// The curves that the scene states.
+    Given,
+    /// Also the mean line, the crossings and the areas.
+    Solution,
+}
+
+/// The curves of a question; none where the mechanism gives them, where several copies are added up, or where only areas
+/// are given.
+pub(super) fn stated_curves(sheet: &CycleSheet, notation: &Notation<'_>) -> Option<Group> {
+    let cycle = notation.mechanism().forces.cycle.as_ref()?;
+    let is_stated = |course: &Course| matches!(course, Course::Curve(_));
+    let stated = match &cycle.sides {
+        Sides::Torque(of) | Sides::Load(of) => is_stated(of),
+        Sides::Both { torque, load } => is_stated(torque) && is_stated(load),
+        Sides::Areas { .. } => false,
+    };
+    (stated && cycle.copies.number == 1).then(|| turning_moment(sheet, notation, Shown::Given))
 }
 
 /// Newton metres and radians for a millimetre of the diagram, where it is drawn.
@@ -219,7 +271,7 @@ fn height(curve: &[[f64; 2]], at: f64) -> f64 {
     }
 }
 
-fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
+fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>, shown: Shown) -> Group {
     let unit = &notation.scene.units.torque;
     let per_mm = CyclePanel::TurningMoment.per_mm(sheet, notation);
     let per_angle = radians_per_mm(sheet);
@@ -248,7 +300,8 @@ fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
         group.group(own);
     };
     let mut requests = Vec::new();
-    for (index, crossing) in sheet.crossings.iter().enumerate() {
+    let crossings = if shown == Shown::Solution { sheet.crossings.as_slice() } else { &[] };
+    for (index, crossing) in crossings.iter().enumerate() {
         let last = index + 1 == sheet.crossings.len();
         let to = match sheet.crossings.get(index + 1) {
             Some(next) => next.at,
@@ -278,6 +331,9 @@ fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
     for side in [1, 0] {
         let points: Vec<Point> = sheet.curves[side].iter().map(|point| at(*point)).collect();
         let constant = sheet.constant == Some(side);
+        if constant && shown == Shown::Given {
+            continue;
+        }
         let pen = match (side, constant) {
             (_, true) => Pen { width: THIN, dash: Dash::Dashed },
             (0, _) => Pen::solid(THICK * 0.8),
@@ -308,7 +364,7 @@ fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
             requests.push(request);
         }
     }
-    for (index, crossing) in sheet.crossings.iter().enumerate() {
+    for (index, crossing) in crossings.iter().enumerate() {
         let place = at([crossing.at, crossing.torque]);
         group.mark(dot(place, 0.55).class("crossing"));
         let [highest, lowest] = sheet.extremes.unwrap_or([usize::MAX; 2]);
@@ -554,7 +610,9 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
         ));
     }
     if notation.mechanism().inputs.is_empty() && cycle.omega.value != 0.0 {
-        parts.push(equals(Rich::italic("ω"), &human::stated_quantity(cycle.omega.value, &rate)));
+        let stated = notation.scene.input_units.first().and_then(|input| input.rate.as_ref());
+        let value = human::stated_quantity(cycle.omega.value, stated.unwrap_or(&rate));
+        parts.push(equals(Rich::italic("ω"), &value));
     }
     if let Some(wanted) = cycle.fluctuation {
         parts.push(equals(symbol(notation, CycleQuantity::OfSpeed), &human::stated(wanted.value)));
@@ -615,7 +673,7 @@ pub(super) fn of_curve(curve: &Curve, unit: &Unit) -> Rich {
 }
 
 /// What is told of a diagram: its areas, its levels, and how far these lie apart.
-pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>) -> Vec<Item> {
+pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Item> {
     let unit = &notation.scene.units.torque;
     let list = |values: &[f64], of: fn(u32) -> CycleQuantity| {
         let told: Vec<Rich> = values
@@ -628,7 +686,10 @@ pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>) -> Vec<Item> {
             .collect();
         Rich::join(&told, &Rich::upright(notation.words.comma)).up(".")
     };
-    let mut items = Vec::new();
+    let teller = Computed { sheet, notation, figures };
+    let (mean, rest) = teller.lines();
+    let mut items = vec![Item::Head(Rich::bold(notation.words.turning_moment_figure))];
+    items.extend(mean.into_iter().map(Item::Sentence));
     if !sheet.areas.is_empty() {
         items.push(Item::Sentence(list(&sheet.areas, CycleQuantity::Area)));
         items.push(Item::Sentence(list(&sheet.levels, CycleQuantity::Level)));
@@ -637,13 +698,144 @@ pub(super) fn items(sheet: &CycleSheet, notation: &Notation<'_>) -> Vec<Item> {
         let of = |k: usize| symbol(notation, CycleQuantity::Level(u32::try_from(k + 1).unwrap_or(u32::MAX)));
         let part =
             |quantity: CycleQuantity, k: usize| symbol(notation, quantity).up("\u{a0}=\u{a0}").then(&of(k));
-        let difference = symbol(notation, CycleQuantity::Fluctuation)
-            .up("\u{a0}=\u{a0}")
-            .then(&symbol(notation, CycleQuantity::Highest))
-            .up(" −\u{a0}")
-            .then(&symbol(notation, CycleQuantity::Lowest));
-        let told = [part(CycleQuantity::Highest, highest), part(CycleQuantity::Lowest, lowest), difference];
+        let told = [part(CycleQuantity::Highest, highest), part(CycleQuantity::Lowest, lowest)];
         items.push(Item::Sentence(Rich::join(&told, &Rich::upright(notation.words.comma)).up(".")));
     }
+    items.extend(rest.into_iter().map(Item::Sentence));
     items
+}
+
+/// The lines in which the numbers of the diagram are computed, each from those before it.
+struct Computed<'a> {
+    sheet: &'a CycleSheet,
+    notation: &'a Notation<'a>,
+    figures: &'a RefCell<Figures>,
+}
+
+/// A number of such a line: its symbol, its key where it stands elsewhere too, its value, SI, and its SI unit.
+type Factor = (Rich, Option<Key>, f64, &'static str);
+
+impl Computed<'_> {
+    fn number(&self, of: CycleQuantity, unit: &'static str) -> Option<Factor> {
+        let Answer::Scalar { value, .. } = self.sheet.answer(of) else { return None };
+        Some((symbol(self.notation, of), Some(Key::Of(Quantity::Cycle(of))), value, unit))
+    }
+
+    /// Those of the mean torque, and those that follow from the levels.
+    fn lines(&self) -> (Vec<Rich>, Vec<Rich>) {
+        let mechanism = self.notation.mechanism();
+        let Some(cycle) = &mechanism.forces.cycle else { return (Vec::new(), Vec::new()) };
+        let asked = |of: CycleQuantity| {
+            mechanism.asked.iter().any(|asked| match asked.quantity {
+                Quantity::Cycle(other) => other == of || other.computed_from().contains(&of),
+                _ => false,
+            })
+        };
+        let period = || Some((Rich::italic("θ").sub("C"), Some(Key::Given("θ_C")), cycle.period.value, ""));
+        let (speed, key) = match mechanism.inputs.first() {
+            Some(Input::Angle { link, .. }) => {
+                let quantity = Quantity::Omega(*link);
+                (self.notation.symbol(quantity, false), Key::Of(quantity))
+            }
+            _ => (Rich::italic("ω"), Key::Given("ω")),
+        };
+        let omega = || Some((speed.clone(), Some(key), cycle.omega.value.abs(), "rad/s"));
+        let wanted = || {
+            let given = cycle.fluctuation?;
+            Some((symbol(self.notation, CycleQuantity::OfSpeed), None, given.value, ""))
+        };
+        let of = |quantity, unit| self.number(quantity, unit);
+        let (minus, over, times) = (" −\u{a0}", "\u{a0}/\u{a0}", "\u{a0}×\u{a0}");
+        let turns = if matches!(key, Key::Given(_)) { self.speed_in_radians() } else { None };
+        let mean = [
+            asked(CycleQuantity::Mean).then(|| {
+                let factors = [of(CycleQuantity::Work, "J")?, period()?];
+                let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
+                self.line(of(CycleQuantity::Mean, "N*m")?, &factors, set, |n| n[0] / n[1])
+            }),
+            asked(CycleQuantity::Power).then(|| {
+                let factors = [of(CycleQuantity::Mean, "N*m")?, omega()?];
+                let set = |n: &[Rich]| n[0].clone().up(times).then(&n[1]);
+                self.line(of(CycleQuantity::Power, "W")?, &factors, set, |n| n[0] * n[1])
+            }),
+        ];
+        let rest = [
+            asked(CycleQuantity::Fluctuation).then(|| {
+                let factors = [of(CycleQuantity::Highest, "J")?, of(CycleQuantity::Lowest, "J")?];
+                let set = |n: &[Rich]| n[0].clone().up(minus).then(&n[1]);
+                self.line(of(CycleQuantity::Fluctuation, "J")?, &factors, set, |n| n[0] - n[1])
+            }),
+            asked(CycleQuantity::OfEnergy).then(|| {
+                let factors = [of(CycleQuantity::Fluctuation, "J")?, of(CycleQuantity::Work, "J")?];
+                let set = |n: &[Rich]| n[0].clone().up(over).then(&n[1]);
+                self.line(of(CycleQuantity::OfEnergy, "")?, &factors, set, |n| n[0] / n[1])
+            }),
+            asked(CycleQuantity::OfSpeed).then(|| {
+                let factors =
+                    [of(CycleQuantity::Fluctuation, "J")?, of(CycleQuantity::Inertia, "kg*m^2")?, omega()?];
+                let set =
+                    |n: &[Rich]| n[0].clone().up(over).up("(").then(&n[1]).up(times).then(&n[2]).up("²)");
+                self.line(of(CycleQuantity::OfSpeed, "")?, &factors, set, |n| n[0] / (n[1] * n[2] * n[2]))
+            }),
+            asked(CycleQuantity::Flywheel).then(|| {
+                let mut factors = vec![of(CycleQuantity::Fluctuation, "J")?, wanted()?, omega()?];
+                factors.extend(of(CycleQuantity::Inertia, "kg*m^2").filter(|(_, _, value, _)| *value != 0.0));
+                let set = |n: &[Rich]| {
+                    let first = n[0].clone().up(over).up("(").then(&n[1]).up(times).then(&n[2]).up("²)");
+                    n.get(3).map_or_else(|| first.clone(), |own| first.clone().up(minus).then(own))
+                };
+                let reckon = |n: &[f64]| {
+                    let needed = n[0] / (n[1] * n[2] * n[2]);
+                    n.get(3).map_or(needed, |own| needed - own)
+                };
+                self.line(of(CycleQuantity::Flywheel, "kg*m^2")?, &factors, set, reckon)
+            }),
+        ];
+        (
+            turns.into_iter().chain(mean.into_iter().flatten().flatten()).collect(),
+            rest.into_iter().flatten().flatten().collect(),
+        )
+    }
+
+    /// ω = 2πn/60, where the scene states it otherwise.
+    fn speed_in_radians(&self) -> Option<Rich> {
+        let omega = self.notation.mechanism().forces.cycle.as_ref()?.omega.value;
+        let stated = self.notation.scene.input_units.first()?.rate.as_ref()?;
+        let name = Rich::italic("ω");
+        in_radians(name, (omega, stated), Key::Given("ω"), self.notation, self.figures, Order::Velocity)
+    }
+
+    /// A line with its formula, its numbers and its result; `None` where a sign would have to be told.
+    fn line(
+        &self,
+        (name, key, value, unit): Factor,
+        factors: &[Factor],
+        set: impl Fn(&[Rich]) -> Rich,
+        reckon: impl Fn(&[f64]) -> f64,
+    ) -> Option<Rich> {
+        let equals = "\u{a0}= ";
+        let symbols: Vec<Rich> = factors.iter().map(|(symbol, ..)| symbol.clone()).collect();
+        let formula = name.up(equals).then(&set(&symbols));
+        let unit_of = |symbol: &str| Unit { symbol: symbol.to_owned(), si: 1.0 };
+        let units: Vec<Unit> = factors.iter().map(|(.., unit)| unit_of(unit)).collect();
+        let told: Vec<(Option<Key>, f64, &Unit)> =
+            factors.iter().zip(&units).map(|((_, key, value, _), unit)| (*key, *value, unit)).collect();
+        let result = unit_of(unit);
+        let signs: Vec<f64> = factors.iter().map(|(_, _, value, _)| value.signum()).collect();
+        let signed = |numbers: &[f64]| {
+            let numbers: Vec<f64> = numbers.iter().zip(&signs).map(|(number, sign)| number * sign).collect();
+            reckon(&numbers)
+        };
+        let (numbers, text, _) = self.figures.borrow_mut().line_of(&told, (key, value, &result), signed);
+        let numbers: Vec<Rich> = numbers
+            .into_iter()
+            .zip(&signs)
+            .map(|(number, sign)| match *sign < 0.0 {
+                true => Rich::upright("(−").then(&number).up(")"),
+                false => number,
+            })
+            .collect();
+        let line = formula.up(equals).then(&set(&numbers)).up(equals);
+        Some(line.then(&human::with_unit(&text, unit)))
+    }
 }

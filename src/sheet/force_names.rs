@@ -4,10 +4,18 @@ use super::font::Face;
 use super::notation::Notation;
 use super::rich::Rich;
 use crate::mechanism::force::{Action, Force, Share, SpringKind};
+use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, Rider};
 
 /// The mark of inertia.
 const INERTIA: &str = "in";
+
+/// The name of a force on the half of a governor that is drawn: of what all halves share it has its part.
+pub(super) fn acting(notation: &Notation<'_>, action: Action) -> Rich {
+    let name = notation.symbol(Quantity::Force(Force::Vector(action), Share::Total), false);
+    let halves = notation.mechanism().halves_of(action);
+    if halves == 1.0 { name } else { name.up("/").then(&super::human::stated(halves)) }
+}
 
 /// The symbol of a part of a force.
 pub(super) fn part(notation: &Notation<'_>, action: Action, mark: &str) -> Rich {

@@ -354,7 +354,7 @@ fn largest(acting: &[Acting]) -> f64 {
 }
 
 pub(super) fn symbol(action: Action, notation: &Notation<'_>) -> Rich {
-    notation.symbol(Quantity::Force(Force::Vector(action), Share::Total), false)
+    super::force_names::acting(notation, action)
 }
 
 /// An arrow at a place, whose length only hints at the size.

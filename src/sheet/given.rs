@@ -184,8 +184,11 @@ impl Teller<'_> {
     }
 
     fn pair(&self, x: f64, y: f64) -> Rich {
+        /// A coordinate that is a smaller part of the other is the rounding of what led to the place.
+        const ROUNDED: f64 = 1e-12;
         let unit = self.n.scene.units.length.si;
-        let number = |si: f64| human::stated(si / unit);
+        let least = ROUNDED * x.abs().max(y.abs());
+        let number = |si: f64| human::stated(if si.abs() < least { 0.0 } else { si / unit });
         Rich::upright("(").then(&number(x)).up(";\u{a0}").then(&number(y)).up(")")
     }
 
@@ -848,14 +851,13 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         words.asked_forces,
         words.asked_torques,
         words.asked_arms,
-        words.asked_cycle,
     ];
     let kind = |quantity: Quantity| match quantity {
         Quantity::Position(_) => 0,
         Quantity::Angle(_) => 1,
         Quantity::Transmission(..) => 2,
         Quantity::Centre(..) => 3,
-        Quantity::Omega(_) | Quantity::RelativeOmega(..) => 5,
+        Quantity::Omega(_) | Quantity::RelativeOmega(..) | Quantity::Force(Force::Spin, _) => 5,
         Quantity::Ratio(..) | Quantity::Advantage(..) => 6,
         Quantity::Rub(..) => 7,
         Quantity::PathRadius(_) => 9,
@@ -863,17 +865,22 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         Quantity::Force(force, _) if force.turns() => 12,
         Quantity::Force(Force::Offset(_) | Force::Arm(..), _) => 13,
         Quantity::Force(..) => 11,
-        Quantity::Cycle(_) => 14,
         other if other.order() == Order::Acceleration => 8,
         _ => 4,
     };
     // A quantity that is asked by several methods is one quantity.
-    let mut lists: [Vec<(Quantity, Vec<&str>)>; 15] = Default::default();
+    let mut lists: [Vec<(Quantity, Vec<&str>)>; 14] = Default::default();
     let all = &notation.mechanism().asked;
     let open: Vec<&Asked> = all.iter().filter(|asked| !is_stated(asked.quantity, notation)).collect();
     // Where nothing else is asked, that is the question.
     let open = if open.is_empty() { all.iter().collect() } else { open };
+    let mut of_cycle: Vec<Rich> = Vec::new();
     for asked in open {
+        if let Quantity::Cycle(of) = asked.quantity {
+            let name = Rich::upright(super::cycle::in_words(of, words));
+            of_cycle.push(name.up("\u{a0}").then(&notation.symbol(asked.quantity, false)));
+            continue;
+        }
         let list = &mut lists[kind(asked.quantity)];
         let method = notation.method(asked.method);
         match list.iter_mut().find(|(quantity, _)| *quantity == asked.quantity) {
@@ -894,5 +901,6 @@ pub fn asked(notation: &Notation<'_>) -> Vec<Rich> {
         let list: Vec<Rich> = list.iter().map(name).collect();
         Rich::fill(words.asked, &[("what", Rich::upright(what)), ("list", notation.list(&list))])
     })
+    .chain((!of_cycle.is_empty()).then(|| notation.list(&of_cycle)))
     .collect()
 }

@@ -143,7 +143,7 @@ impl Teller<'_> {
     }
 
     fn symbol(&self, action: Action) -> Rich {
-        self.n.symbol(Quantity::Force(Force::Vector(action), Share::Total), false)
+        super::force_names::acting(self.n, action)
     }
 
     fn force(&self, newtons: f64) -> Rich {
@@ -1121,6 +1121,9 @@ impl Teller<'_> {
     }
 
     fn short(&self, acting: &Acting) -> Rich {
+        if acting.force == [0.0; 2] {
+            return Rich::fill(self.n.words.force_is_zero, &[("vector", self.symbol(acting.action))]);
+        }
         let size = self.force(libm::hypot(acting.force[0], acting.force[1]));
         Rich::fill(self.n.words.force_as_point, &[("vector", self.symbol(acting.action)), ("value", size)])
     }
@@ -1130,6 +1133,9 @@ impl Teller<'_> {
         let size = libm::hypot(x, y);
         let mm = size / per_mm;
         let vector = self.symbol(acting.action);
+        if size == 0.0 {
+            return Rich::fill(self.n.words.force_is_zero, &[("vector", vector)]);
+        }
         if mm < TOO_SHORT {
             let parts = [("vector", vector), ("value", self.force(size))];
             return Rich::fill(self.n.words.too_short, &parts);

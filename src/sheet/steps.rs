@@ -192,7 +192,13 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
     }
     if let Some(sheet) = &construction.cycle {
         let drawn = Panel::Cycle(super::cycle::CyclePanel::Energy);
-        more(drawn, unnumbered(super::cycle::items(sheet, notation)));
+        let mut items = super::cycle::items(sheet, notation, figures);
+        if let Some(Item::Head(head)) = items.first_mut() {
+            *head = Rich::bold(format!("{}.", notation.count(number + 1))).up("\u{a0}\u{a0}").then(head);
+        }
+        if items.len() > 1 {
+            more(drawn, unnumbered(items));
+        }
     }
     all.retain(|told| !told.items.is_empty());
     all
@@ -350,6 +356,8 @@ pub enum Key {
     Arm(usize),
     /// What a letter says of a link: its mass, weight, moment of inertia.
     OfLink(&'static str, LinkId),
+    /// What a letter says of the whole: the period, the speed of a diagram without links.
+    Given(&'static str),
 }
 
 /// Whether a part of a force is that across the line of a link.
@@ -424,6 +432,8 @@ impl Figures {
 
     /// A magnitude as it was told in the steps; that of a link which turns with another as that one's was told.
     pub fn told(&self, quantity: Quantity, si: f64, unit: &Unit, notation: &Notation<'_>) -> Option<Rich> {
+        /// What differs by a larger part is not the same number.
+        const OTHER: f64 = 0.01;
         let own = si.abs() / unit.si;
         let kind = std::mem::discriminant(&quantity);
         let alike = |(key, print): &(&Key, &Print)| match key {
@@ -432,9 +442,11 @@ impl Figures {
                     && print.unit == *unit
                     && (print.exact - own).abs() <= 1e-9 * own
             }
-            Key::Length(_) | Key::Part(..) | Key::Arm(_) | Key::OfLink(..) => false,
+            Key::Length(_) | Key::Part(..) | Key::Arm(_) | Key::OfLink(..) | Key::Given(_) => false,
         };
         let print = self.printed.get(&Key::of(quantity, notation));
+        // Of what the halves of a governor share the steps tell the part of one.
+        let print = print.filter(|print| (print.exact * print.unit.si - si.abs()).abs() <= OTHER * si.abs());
         // Of several that are one number any tells it, the least first, so that a sheet is always the same.
         let print = print.or_else(|| {
             let all = self.printed.iter().filter(alike).map(|(_, print)| print);
@@ -631,27 +643,40 @@ fn conversions(notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Rich>
             (Quantity::Alpha(*link), alpha.value, &stated.second, Order::Acceleration),
         ];
         for (quantity, value, stated, order) in rates {
-            let unit = notation.angular_unit(order);
-            let Some(stated) = stated.as_ref().filter(|stated| stated.si != unit.si && value != 0.0) else {
-                continue;
-            };
-            let number = human::stated(value.abs() / stated.si);
-            let ratio = stated.si / unit.si;
-            let is = |other: f64| (ratio / other - 1.0).abs() < 1e-9;
-            let line = if is(std::f64::consts::TAU / 60.0) {
-                Rich::upright("2π\u{a0}×\u{a0}").then(&number).up("\u{a0}/\u{a0}60")
-            } else if is(std::f64::consts::PI / 180.0) {
-                Rich::upright("π\u{a0}×\u{a0}").then(&number).up("\u{a0}/\u{a0}180")
-            } else {
-                number.up("\u{a0}×\u{a0}").then(&human::stated(ratio))
-            };
-            let symbol = notation.symbol(quantity, false).up("\u{a0}= ");
-            let told = figures.borrow_mut().tell(Key::Of(quantity), value, &unit);
-            let told = notation.with_sense(human::with_unit(&told, &unit.symbol), value);
-            all.push(symbol.then(&line).up("\u{a0}= ").then(&told));
+            let Some(stated) = stated.as_ref() else { continue };
+            let symbol = notation.symbol(quantity, false);
+            all.extend(in_radians(symbol, (value, stated), Key::Of(quantity), notation, figures, order));
         }
     }
     all
+}
+
+/// A rate in radians, where it is stated otherwise.
+pub(super) fn in_radians(
+    symbol: Rich,
+    (value, stated): (f64, &Unit),
+    key: Key,
+    notation: &Notation<'_>,
+    figures: &RefCell<Figures>,
+    order: Order,
+) -> Option<Rich> {
+    let unit = notation.angular_unit(order);
+    if stated.si == unit.si || value == 0.0 {
+        return None;
+    }
+    let number = human::stated(value.abs() / stated.si);
+    let ratio = stated.si / unit.si;
+    let is = |other: f64| (ratio / other - 1.0).abs() < 1e-9;
+    let line = if is(std::f64::consts::TAU / 60.0) {
+        Rich::upright("2π\u{a0}×\u{a0}").then(&number).up("\u{a0}/\u{a0}60")
+    } else if is(std::f64::consts::PI / 180.0) {
+        Rich::upright("π\u{a0}×\u{a0}").then(&number).up("\u{a0}/\u{a0}180")
+    } else {
+        number.up("\u{a0}×\u{a0}").then(&human::stated(ratio))
+    };
+    let told = human::with_unit(&figures.borrow_mut().tell(key, value, &unit), &unit.symbol);
+    let told = if matches!(key, Key::Of(_)) { notation.with_sense(told, value) } else { told };
+    Some(symbol.up("\u{a0}= ").then(&line).up("\u{a0}= ").then(&told))
 }
 
 fn only_rubs(step: &Step) -> bool {

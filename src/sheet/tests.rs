@@ -33,12 +33,13 @@ fn solved_text(text: &str) -> Option<(Scene, Construction)> {
 }
 
 /// Folders of scenes that have sheets.
-const SCENES: [&str; 8] = [
+const SCENES: [&str; 9] = [
     "examples",
     "examples/centres",
     "examples/constructions",
     "examples/errata",
     "examples/exam",
+    "examples/forces",
     "examples/pairs",
     "src/catalogue",
     "src/sheet/tests",
@@ -1044,4 +1045,40 @@ fn strokes_that_are_one_to_the_eye_are_named_once() {
     let names = lines(&figure);
     assert!(names.iter().any(|name| name == "AD ≈ AtD"), "{names:?}");
     assert!(!names.iter().any(|name| name == "AtD" || name == "AD"), "{names:?}");
+}
+
+#[test]
+fn a_turning_moment_diagram_is_asked_for_with_its_curve_and_computed_line_by_line() {
+    let (scene, construction) = in_repository("src/catalogue/turning-moment.json");
+    let asked = question(&scene, &construction, Language::English);
+    let all = lines(&asked);
+    let told = all.join(" ");
+    assert!(!told.contains("Kinematic skeleton"), "{told}");
+    assert!(told.contains("ω = 300 rpm") && told.contains("the mean torque Tm"), "{told}");
+    assert_eq!(all_of(&asked, "curve torque").len(), 1);
+    // Nothing of the answer.
+    let ink = svg::write(&asked);
+    for part in ["mean-line", "crossing", "hatch"] {
+        assert!(!ink.contains(part), "{part}");
+    }
+    let solved = lines(&solution(&scene, &construction, Language::English)).join(" ");
+    for line in ["2π × 300 / 60", "Tm = E / θC", "P = Tm × ω", "Ef = Emax − Emin", "If = Ef / (Ks × ω²) − I"]
+    {
+        assert!(solved.contains(line), "{line}: {solved}");
+    }
+}
+
+#[test]
+fn a_force_that_is_zero_but_for_rounding_has_no_line_and_the_sleeve_has_the_load_of_all_halves() {
+    let (scene, construction) = in_repository("examples/forces/s000-ch5-3a.json");
+    let figure = solution(&scene, &construction, Language::English);
+    // Bell crank: the spring of both halves is 2 · 25/9.81 · (10π)² · 0.1 · 120/60 N.
+    let whole = 2.0 * 25.0 / 9.81 * (10.0 * std::f64::consts::PI).powi(2) * 0.1 * 2.0;
+    assert_eq!(format!("{whole:.0}"), "1006");
+    let told = lines(&figure).join(" ");
+    assert!(told.contains("1006 N") && told.contains("Fk/2"), "{told}");
+    assert!(!told.contains("× 10−"), "{told}");
+    let ink = figure.root.bounds().unwrap();
+    assert!(ink.x0 >= 0.0 && ink.y0 >= 0.0 && ink.x1 <= figure.width && ink.y1 <= figure.height, "{ink:?}");
+    assert!(figure.height < 2.1 * 297.0, "{}", figure.height);
 }

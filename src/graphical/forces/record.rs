@@ -236,14 +236,14 @@ impl Draughtsman<'_> {
         let foot = self.foot_of_line(&items)?.value();
         let sum = self.sum_of(&items);
         // Of what all halves of a governor share the half that is drawn has its part.
-        let shared = match action {
-            Action::Load(index) => self.mechanism.shared_by(self.mechanism.forces.loads[index].link),
-            Action::Weight(link) | Action::Inertia(link) | Action::Centrifugal(link) => {
-                self.mechanism.shared_by(link)
-            }
-            _ => 1.0,
+        let shared = self.mechanism.halves_of(action);
+        let parts = self.components_of(sum);
+        // What its own error does not tell from zero has no line.
+        let rests = parts.map(|part| self.board.is_no_amount(part)) == [true; 2];
+        let (foot, force) = match rests {
+            true => (at, [0.0; 2]),
+            false => (foot, parts.map(|part| part.value() / shared)),
         };
-        let force = self.components_of(sum).map(|part| part.value() / shared);
         // Where nothing moves there is no inertia to be drawn.
         if matches!(action, Action::Inertia(_)) && force == [0.0; 2] {
             return None;
