@@ -51,6 +51,20 @@ pub enum Auxiliary {
         /// Where the one input stands then: radians, or metres of a slide.
         to: f64,
     },
+    /// The inertia of a link as that of two masses.
+    TwoMasses {
+        /// The link.
+        link: LinkId,
+        /// Where the first mass stands.
+        first: PointId,
+        /// Where the second one stands, if that is a point of the link.
+        second: Option<PointId>,
+    },
+    /// Zhukovsky's lever: the velocity polygon turned by a quarter, with every force on the image of its point.
+    Lever {
+        /// The input whose effort it gives.
+        input: usize,
+    },
     /// The loci of an instant centre in both its links.
     Centrodes {
         /// The links: in the first the locus is called fixed.
@@ -65,7 +79,11 @@ impl Auxiliary {
         match *self {
             Self::Kennedy { links: [i, j, k] } => vec![chord(i, j), chord(i, k), chord(j, k)],
             Self::Centrodes { links: [i, j] } => vec![chord(i, j)],
-            Self::Klein { .. } | Self::Inflection { .. } | Self::Rotation { .. } => Vec::new(),
+            Self::Klein { .. }
+            | Self::Inflection { .. }
+            | Self::Rotation { .. }
+            | Self::TwoMasses { .. }
+            | Self::Lever { .. } => Vec::new(),
         }
     }
 }
@@ -248,8 +266,15 @@ impl Plan {
         };
         let mut wanted = fresh();
         for asked in mechanism.asked.iter().filter(|a| !a.by_centres()) {
-            match asked.method {
-                Method::Klein => wanted.klein(&asked.quantity),
+            match (asked.method, asked.quantity) {
+                (Method::Klein, _) => wanted.klein(&asked.quantity),
+                (
+                    Method::TwoMasses { first, second },
+                    Quantity::Force(Force::Vector(Action::Inertia(link)), _),
+                ) => wanted.auxiliary(Auxiliary::TwoMasses { link, first, second }),
+                (Method::Lever, Quantity::Force(Force::Torque(input) | Force::Drive(input), _)) => {
+                    wanted.auxiliary(Auxiliary::Lever { input });
+                }
                 _ => wanted.quantity(&asked.quantity),
             }
         }
@@ -649,8 +674,60 @@ impl Wanted<'_> {
                 }
                 self.auxiliary.push(auxiliary);
             }
+            Auxiliary::TwoMasses { link, first, second } => {
+                self.link(link, Order::Acceleration);
+                let centre = self.mechanism.forces.mass(link).map(|mass| mass.centre);
+                for point in [Some(first), second, centre].into_iter().flatten() {
+                    self.point(point, Order::Acceleration);
+                }
+                self.auxiliary.push(auxiliary);
+            }
+            Auxiliary::Lever { input } => {
+                self.lever(input);
+                self.auxiliary.push(auxiliary);
+            }
             // Their centres are planned with the circle diagram.
             Auxiliary::Kennedy { .. } | Auxiliary::Centrodes { .. } => self.auxiliary.push(auxiliary),
+        }
+    }
+
+    /// What does work at the points and links of a mechanism, and how these move.
+    fn lever(&mut self, input: usize) {
+        let mechanism = self.mechanism;
+        for (index, load) in mechanism.forces.loads.iter().enumerate() {
+            self.load(index);
+            match load.at() {
+                Some(at) => self.point(at, Order::Velocity),
+                None => self.link(load.link, Order::Velocity),
+            }
+        }
+        for mass in &mechanism.forces.masses {
+            self.mass(mass, Share::Total);
+            self.point(mass.centre, Order::Velocity);
+            if mass.inertia != Inertia::Point {
+                self.link(mass.link, Order::Velocity);
+            }
+        }
+        for (index, spring) in mechanism.forces.springs.iter().enumerate() {
+            self.spring(index);
+            match spring.kind {
+                SpringKind::Pull(ends) => {
+                    for (_, point) in ends {
+                        self.point(point, Order::Velocity);
+                    }
+                }
+                SpringKind::Torsion(links) => {
+                    for link in links.into_iter().filter(|link| *link != LinkId::FRAME) {
+                        self.link(link, Order::Velocity);
+                    }
+                }
+            }
+        }
+        if let Some(link) = mechanism.driven_link(input) {
+            self.link(link, Order::Velocity);
+        }
+        if let Some(pin) = mechanism.driven_point(input) {
+            self.point(pin, Order::Velocity);
         }
     }
 

@@ -9,6 +9,7 @@ use crate::graphical::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, PointName};
 use crate::graphical::construction::{
     Calculation, Construction, OtherPosition, Spot, Transfer, TransferAct, TransferInk,
 };
+use crate::mechanism::force::{Action, Force, Share};
 use crate::mechanism::quantity::{Answer, Quantity};
 use crate::mechanism::statement::Locus;
 use crate::mechanism::{LinkId, Mechanism, PointId};
@@ -221,6 +222,14 @@ fn of_drawing(
             AuxiliaryAct::AccelerationCentre { link, omega, alpha, .. } => {
                 all.push(Told::Number(Quantity::Omega(link), omega));
                 all.push(Told::Number(Quantity::Alpha(link), alpha));
+            }
+            AuxiliaryAct::LineOfInertia { link, size, arm } => {
+                let force = Force::Vector(Action::Inertia(link));
+                all.push(Told::Size(Quantity::Force(force, Share::Total), size));
+                all.push(Told::Number(Quantity::Force(Force::Offset(link), Share::Total), arm));
+            }
+            AuxiliaryAct::EffortOfLever { of, effort, .. } => {
+                all.push(Told::Number(Quantity::Force(of, Share::Total), effort));
             }
             _ => {}
         }

@@ -12,7 +12,9 @@ use crate::mechanism::structure::{Hold, Structure, Target, Trial, TrialDriver, U
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 use crate::plan::{Auxiliary, home};
 
-use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, Klein, NamedPoint, Stroke, StrokeRole, StrokeShape};
+use super::auxiliary::{
+    AuxiliaryAct, AuxiliaryDrawing, ByLever, ByTwoMasses, Klein, NamedPoint, Stroke, StrokeRole, StrokeShape,
+};
 use super::centres::{Centres, FromCentres, Why};
 use super::construction::{
     Act, Axes, Calculation, Centre, CircleDiagram, Claim, Construction, ConstructionLine, Diagram, Equation,
@@ -94,6 +96,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) balances: Vec<(Share, Balance)>,
     /// Millimetres of the skeleton here for one of the page, for what is drawn to be looked at.
     pub(super) per_page: f64,
+    /// The same on the velocity polygon.
+    pub(super) per_page_of_velocities: f64,
     /// Places on the skeleton, by point.
     pub(super) places: Vec<Option<Point>>,
     /// Given places of fixed and placed points, pricked once, by point.
@@ -122,6 +126,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) centres: Centres,
     /// Klein's constructions drawn so far.
     pub(super) kleins: Vec<Klein>,
+    pub(super) by_two_masses: Vec<ByTwoMasses>,
+    pub(super) by_lever: Vec<ByLever>,
     /// What the methods of centres led to, by index of the asked quantity.
     pub(super) transferred: Vec<(usize, Result<FromCentres, Why>)>,
     /// Why the velocity diagram could not be laid off from centres, where it should have been.
@@ -234,6 +240,7 @@ impl<'m> Draughtsman<'m> {
             per_newton: scales.paper().force.unwrap_or_else(|| newtons_per_mm(mechanism)),
             balances: Vec::new(),
             per_page: 1.0,
+            per_page_of_velocities: 1.0,
             places: vec![None; points],
             pricked: vec![None; points],
             stated_hints: vec![None; points],
@@ -253,6 +260,8 @@ impl<'m> Draughtsman<'m> {
             rolling_speeds: vec![None; mechanism.rolls.len()],
             centres: Centres::default(),
             kleins: Vec::new(),
+            by_two_masses: Vec::new(),
+            by_lever: Vec::new(),
             transferred: Vec::new(),
             fed: Ok(()),
             parts: Vec::new(),

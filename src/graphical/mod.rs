@@ -50,7 +50,7 @@ use std::collections::HashSet;
 
 use crate::board::{Arithmetic, Board, Real, Scale, Tape};
 use crate::given::Given;
-use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::quantity::{Dimension, Order, Quantity};
 use crate::mechanism::structure::{Drive, GroupKind, Structure};
 use crate::mechanism::{Input, LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
@@ -327,6 +327,7 @@ pub fn solution(
     let extents = measure(drawn.record(), mechanism, board);
     let mut page = choose(extents.clone());
     drawn.per_page = page.length() / board.length();
+    drawn.per_page_of_velocities = page.of(Dimension::Velocity) / board.of(Dimension::Velocity);
     let mut solution = finish(drawn, plan, extent);
     if let Some(quiet) = solution.without_noise(&extents) {
         page = choose(quiet);

@@ -2,6 +2,7 @@
 //! page shows the same figures at round ones. Between the two lies a similarity for each diagram.
 
 use crate::mechanism::quantity::{Asked, Dimension};
+use crate::plan::Auxiliary;
 
 use super::Scales;
 use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, InflectionBy, StrokeShape};
@@ -33,7 +34,12 @@ impl Construction {
             circle(drawn, by, page.of(Dimension::Velocity));
         }
         for drawing in &mut self.auxiliary {
-            auxiliary(drawing, by.length());
+            // The lever is a velocity polygon.
+            let dimension = match drawing.kind {
+                Auxiliary::Lever { .. } => Dimension::Velocity,
+                _ => Dimension::Length,
+            };
+            auxiliary(drawing, by.of(dimension));
         }
         for step in &mut self.steps {
             for act in &mut step.acts {
@@ -194,7 +200,8 @@ fn auxiliary(drawing: &mut AuxiliaryDrawing, by: f64) {
                 *velocity /= by;
                 *acceleration = acceleration.map(|per_mm| per_mm / by);
             }
-            AuxiliaryAct::ReadImage { mm, si_per_mm, .. } => {
+            AuxiliaryAct::ReadImage { mm, si_per_mm, .. }
+            | AuxiliaryAct::MomentOnLever { mm, si_per_mm, .. } => {
                 *mm *= by;
                 *si_per_mm /= by;
             }
@@ -215,6 +222,18 @@ fn auxiliary(drawing: &mut AuxiliaryDrawing, by: f64) {
             | AuxiliaryAct::OneLine { .. }
             | AuxiliaryAct::OtherPosition { .. }
             | AuxiliaryAct::Bisectors { .. }
+            | AuxiliaryAct::SecondMass { .. }
+            | AuxiliaryAct::MassesAtPins { .. }
+            | AuxiliaryAct::ImageOfSecond { .. }
+            | AuxiliaryAct::LinesOfMasses { .. }
+            | AuxiliaryAct::OneMassRests { .. }
+            | AuxiliaryAct::LinesApart { .. }
+            | AuxiliaryAct::CorrectingCouple { .. }
+            | AuxiliaryAct::LineOfInertia { .. }
+            | AuxiliaryAct::TurnedPolygon
+            | AuxiliaryAct::NoArmOnLever { .. }
+            | AuxiliaryAct::CoupleOnLever { .. }
+            | AuxiliaryAct::EffortOfLever { .. }
             | AuxiliaryAct::Rotation { .. } => {}
         }
     }

@@ -4,7 +4,7 @@ use crate::board::{
     Amount, Angle, Arithmetic, Direction, Judged, Line, Location, Point, Real, TOO_LARGE, Tape,
 };
 use crate::double_double::DoubleDouble;
-use crate::mechanism::force::Force;
+use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Method, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::{Auxiliary, chord, home, transmission_points};
@@ -120,12 +120,17 @@ pub(super) fn read_all(d: &mut Draughtsman<'_>) -> Vec<ReadOff> {
 
 impl Draughtsman<'_> {
     fn read_off(&mut self, index: usize, asked: &Asked) -> ReadOff {
-        let read = if asked.method == Method::Klein {
-            self.read_klein(&asked.quantity)
-        } else if asked.by_centres() {
-            self.read_from_centres(index)
-        } else {
-            self.read_quantity(&asked.quantity)
+        let read = match (asked.method, asked.quantity) {
+            (Method::Klein, _) => self.read_klein(&asked.quantity),
+            (
+                Method::TwoMasses { first, second },
+                Quantity::Force(Force::Vector(Action::Inertia(link)), _),
+            ) => return self.read_by_two_masses(link, (first, second)),
+            (Method::Lever, Quantity::Force(Force::Torque(input) | Force::Drive(input), _)) => {
+                self.effort_by_lever(input).map_or_else(Read::Undefined, Read::Scalar)
+            }
+            _ if asked.by_centres() => self.read_from_centres(index),
+            _ => self.read_quantity(&asked.quantity),
         };
         let of_polygon = asked.method != Method::Klein;
         let drawn_mm = of_polygon.then(|| self.drawn_length(&asked.quantity)).flatten();
@@ -135,6 +140,18 @@ impl Draughtsman<'_> {
             _ => (None, None),
         };
         ReadOff { numbers, toward, drawn_mm, through, couple }
+    }
+
+    /// The inertia force of a link, with the line that two masses gave it.
+    fn read_by_two_masses(&mut self, link: LinkId, masses: (PointId, Option<PointId>)) -> ReadOff {
+        let found = self.force_by_two_masses(link, masses);
+        let through = found.ok().map(|found| self.in_the_world(found.through));
+        let read = match found {
+            Ok(found) => Read::Vector(self.components_of(found.pull)),
+            Err(why) => Read::Undefined(why),
+        };
+        let (numbers, toward) = read.numbers();
+        ReadOff { numbers, toward, drawn_mm: None, through, couple: None }
     }
 
     /// What stands on the paper for a quantity.

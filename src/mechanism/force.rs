@@ -510,6 +510,41 @@ impl Mechanism {
         format!("no equilibrium: links {one} and {other} roll on each other and would have to pull")
     }
 
+    /// The point that an input drives along a guide: the pin that rides, or the first joint of the link that does.
+    #[must_use]
+    pub fn driven_point(&self, input: usize) -> Option<PointId> {
+        let Input::Slide { slide, .. } = self.inputs.get(input)? else { return None };
+        match self.slides[*slide].rider {
+            Rider::Pin { point, .. } => Some(point),
+            Rider::Link { link, .. } => self.link(link).points.first().copied(),
+        }
+    }
+
+    /// Why Zhukovsky's lever says nothing of the effort at an input, as a clause in plain English.
+    #[must_use]
+    pub fn lever_refused(&self, input: usize) -> Option<&'static str> {
+        let slides = |slide: usize| self.slides[slide].guide.link != LinkId::FRAME;
+        if !self.forces.friction.is_empty() {
+            return Some("the lever has no friction: what rubs does work that hangs on how hard it presses");
+        }
+        if self.forces.spin.is_some() {
+            return Some("the lever is of a motion in the plane, and the plane of a governor turns");
+        }
+        if self.inputs.len() > 1 {
+            return Some("the lever is one equation, and more than one input has an effort");
+        }
+        if !self.named_sought().is_empty() {
+            return Some("the lever gives the effort at an input, and something else is sought");
+        }
+        match self.inputs.get(input) {
+            None => Some("nothing drives the mechanism"),
+            Some(Input::Slide { slide, .. }) if slides(*slide) => {
+                Some("the lever gives the drive along a guide of the frame, and this guide moves")
+            }
+            Some(_) => None,
+        }
+    }
+
     /// The link that an input drives by its angle.
     #[must_use]
     pub fn driven_link(&self, input: usize) -> Option<LinkId> {

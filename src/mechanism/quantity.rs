@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::cycle::CycleQuantity;
-use super::force::{Force, Share};
+use super::force::{Action, Force, Share};
 use super::{LinkId, Mechanism, PointId};
 
 /// A quantity by its meaning. "Relative to" reads from the second operand to the first.
@@ -286,10 +286,10 @@ pub struct Unit {
     pub si: f64,
 }
 
-/// By which construction a velocity or an acceleration is found.
+/// By which construction a quantity is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
-    /// The velocity and the acceleration polygon.
+    /// The velocity and the acceleration polygon; of a force the polygons of the bodies.
     #[default]
     Polygon,
     /// Instant centres, by the transfer centre of input and sought link; an acceleration polygon is fed with
@@ -304,12 +304,42 @@ pub enum Method {
     GaugeLine,
     /// Klein's construction on the crank of a slider-crank.
     Klein,
+    /// Inertia by two masses that move as the link does: their lines meet on that of the link.
+    TwoMasses {
+        /// Where the first mass stands, a point of the link.
+        first: PointId,
+        /// Where the second one stands, if that is a point of the link too: then a couple corrects their moment of
+        /// inertia. Otherwise it follows from the first.
+        second: Option<PointId>,
+    },
+    /// Zhukovsky's lever: moments of all forces about the pole of the turned velocity polygon.
+    Lever,
 }
 
 impl Method {
-    /// All methods.
-    pub const ALL: [Self; 6] =
-        [Self::Polygon, Self::Centres, Self::LineOfCentres, Self::LinkToLink, Self::GaugeLine, Self::Klein];
+    /// The methods of which the name says everything.
+    pub const PLAIN: [Self; 7] = [
+        Self::Polygon,
+        Self::Centres,
+        Self::LineOfCentres,
+        Self::LinkToLink,
+        Self::GaugeLine,
+        Self::Klein,
+        Self::Lever,
+    ];
+    /// The name of the method that takes points.
+    pub const TWO_MASSES: &'static str = "two-masses";
+
+    /// The names of all methods in a scene.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        Self::PLAIN.into_iter().map(Self::name).chain([Self::TWO_MASSES])
+    }
+
+    /// The names of those that lead to such a quantity at all.
+    pub fn names_for(quantity: &Quantity) -> impl Iterator<Item = &'static str> {
+        let two_masses = Self::two_masses_answer(quantity).then_some(Self::TWO_MASSES);
+        Self::PLAIN.into_iter().filter(|method| method.answers(quantity)).map(Self::name).chain(two_masses)
+    }
 
     /// Its name in a scene.
     #[must_use]
@@ -321,14 +351,27 @@ impl Method {
             Self::LinkToLink => "link-to-link",
             Self::GaugeLine => "gauge-line",
             Self::Klein => "klein",
+            Self::TwoMasses { .. } => Self::TWO_MASSES,
+            Self::Lever => "lever",
         }
+    }
+
+    /// Whether two masses lead to such a quantity: the inertia force of a link.
+    #[must_use]
+    pub fn two_masses_answer(quantity: &Quantity) -> bool {
+        matches!(quantity, Quantity::Force(Force::Vector(Action::Inertia(_)), Share::Total))
     }
 
     /// Whether the method leads to such a quantity at all.
     #[must_use]
     pub fn answers(self, quantity: &Quantity) -> bool {
         match self {
-            Self::Polygon | Self::Centres => true,
+            Self::Polygon => true,
+            Self::Centres => !matches!(quantity, Quantity::Force(..) | Quantity::Cycle(_)),
+            Self::TwoMasses { .. } => Self::two_masses_answer(quantity),
+            Self::Lever => {
+                matches!(quantity, Quantity::Force(Force::Torque(_) | Force::Drive(_), Share::Total))
+            }
             Self::LineOfCentres | Self::LinkToLink | Self::GaugeLine => {
                 matches!(quantity, Quantity::Velocity(_) | Quantity::Omega(_))
             }

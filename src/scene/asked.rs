@@ -7,7 +7,7 @@ use super::force_names::{self, FORCES};
 use super::json::{Fields, Kind, Value};
 use super::keys;
 use super::units::{Measure, Scale, Scales};
-use crate::mechanism::force::{Force, Share};
+use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Share};
 use crate::mechanism::quantity::{Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::{LinkId, Mechanism, PointId, Rider};
 
@@ -158,7 +158,12 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
                 let mut asked =
                     asked(name.text("the name of a quantity")?, name.at, fields.get("unit"), draft)?;
                 if let Some(value) = fields.get("method") {
-                    asked.method = method(value, &asked)?;
+                    asked.method = method(value, &asked, &fields, draft)?;
+                }
+                if !matches!(asked.method, Method::TwoMasses { .. })
+                    && let Some(value) = fields.get("first").or_else(|| fields.get("second"))
+                {
+                    return Err(Fault::new(value.at, "only the method `two-masses` takes points"));
                 }
                 asked
             }
@@ -167,7 +172,24 @@ pub(super) fn read(value: Option<&Value<'_>>, draft: &mut Draft<'_>) -> Res<()> 
         draft.mechanism.asked.push(asked);
         draft.anchors.asked.push(item.at);
     }
+    beside_the_lever(draft);
     one_acceleration_polygon(draft)
+}
+
+/// The lever is a third number for an effort: that of the polygons stands before it.
+fn beside_the_lever(draft: &mut Draft<'_>) {
+    let mut place = 0;
+    while let Some(asked) = draft.mechanism.asked.get(place) {
+        let alone = Asked { method: Method::Polygon, ..asked.clone() };
+        let plain = |other: &Asked| other.method == Method::Polygon && other.quantity == alone.quantity;
+        if asked.method == Method::Lever && !draft.mechanism.asked.iter().any(plain) {
+            draft.mechanism.asked.insert(place, alone);
+            let at = draft.anchors.asked[place];
+            draft.anchors.asked.insert(place, at);
+            place += 1;
+        }
+        place += 1;
+    }
 }
 
 /// There is one acceleration polygon, fed from one velocity diagram.
@@ -184,18 +206,77 @@ fn one_acceleration_polygon(draft: &Draft<'_>) -> Res<()> {
 }
 
 /// The method by which a quantity is asked.
-fn method(value: &Value<'_>, asked: &Asked) -> Res<Method> {
+fn method(value: &Value<'_>, asked: &Asked, fields: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<Method> {
     let name = value.text("the name of a method")?;
-    let methods = || Method::ALL.into_iter();
-    let method = methods().find(|m| m.name() == name).ok_or_else(|| {
-        Fault::new(value.at, format!("`{name}` is not a method")).known(name, methods().map(Method::name))
-    })?;
-    if method.answers(&asked.quantity) {
-        return Ok(method);
+    if !Method::names().any(|known| known == name) {
+        let fault = Fault::new(value.at, format!("`{name}` is not a method"));
+        return Err(fault.known(name, Method::names()));
     }
-    let fault = Fault::new(value.at, format!("the method `{name}` does not lead to `{}`", asked.name));
-    let fitting: Vec<&str> = methods().filter(|m| m.answers(&asked.quantity)).map(Method::name).collect();
-    Err(fault.mend(format!("choose {}", list(&fitting))))
+    if !Method::names_for(&asked.quantity).any(|fitting| fitting == name) {
+        let fault = Fault::new(value.at, format!("the method `{name}` does not lead to `{}`", asked.name));
+        let fitting: Vec<&str> = Method::names_for(&asked.quantity).collect();
+        return Err(fault.mend(format!("choose {}", list(&fitting))));
+    }
+    let Some(method) = Method::PLAIN.into_iter().find(|method| method.name() == name) else {
+        return two_masses(value, asked, fields, draft);
+    };
+    if let (Method::Lever, Quantity::Force(Force::Torque(input) | Force::Drive(input), _)) =
+        (method, asked.quantity)
+        && let Some(why) = draft.mechanism.lever_refused(input)
+    {
+        return Err(Fault::new(value.at, why).mend(format!("ask for \"{}\" alone", asked.name)));
+    }
+    Ok(method)
+}
+
+/// The points at which two masses stand for a link.
+fn two_masses(
+    value: &Value<'_>,
+    asked: &Asked,
+    fields: &Fields<'_, '_>,
+    draft: &Draft<'_>,
+) -> Res<Method> {
+    let Quantity::Force(Force::Vector(Action::Inertia(link)), _) = asked.quantity else {
+        return Err(Fault::new(value.at, format!("two masses do not stand for `{}`", asked.name)));
+    };
+    let mechanism = &draft.mechanism;
+    let number = mechanism.link(link).number;
+    let Some(mass) = mechanism.forces.mass(link) else {
+        return Err(Fault::new(value.at, format!("link {number} has no mass")));
+    };
+    if mass.heaviness == Heaviness::None || mass.inertia == Inertia::Point {
+        let fault = Fault::new(
+            value.at,
+            format!("two masses stand for a mass and a moment of inertia, and link {number} has but one"),
+        );
+        return Err(fault.mend("give both in `masses`"));
+    }
+    let point = |value: &Value<'_>| -> Res<PointId> {
+        let name = value.text("the name of a point")?;
+        let point = draft.point_named(name, value.at)?;
+        if !mechanism.link(link).points.contains(&point) {
+            let points = mechanism.link(link).points.iter();
+            let fault = Fault::new(value.at, format!("`{name}` is no joint of link {number}"));
+            return Err(fault.known(name, points.map(|point| draft.say_point(*point))));
+        }
+        if point == mass.centre {
+            let what = format!("`{name}` is the mass centre of link {number}: each mass stands beside it");
+            return Err(Fault::new(value.at, what));
+        }
+        Ok(point)
+    };
+    let first = point(fields.need("first", "the point of the first mass, such as \"A\"")?)?;
+    let second = match fields.get("second") {
+        Some(value) => {
+            let second = point(value)?;
+            if second == first {
+                return Err(Fault::new(value.at, "the two masses stand at one point"));
+            }
+            Some(second)
+        }
+        None => None,
+    };
+    Ok(Method::TwoMasses { first, second })
 }
 
 /// One asked quantity in its unit.

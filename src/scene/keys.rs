@@ -48,7 +48,7 @@ pub(super) const ROLL: &[&str] =
     &["links", "centres", "radii", "teeth", "module", "internal", "line", "centre", "radius", "pressure"];
 pub(super) const INPUT: &[&str] =
     &["link", "angle", "omega", "alpha", "speed", "slide", "at", "velocity", "acceleration"];
-pub(super) const FIND: &[&str] = &["name", "unit", "method"];
+pub(super) const FIND: &[&str] = &["name", "unit", "method", "first", "second"];
 pub(super) const PIN: &[&str] = &["radius", "diameter", "f", "circle", "carrier"];
 pub(super) const PUBLISHED: &[&str] = &["value", "within", "why"];
 pub(super) const SPIN: &[&str] = &["axis", "omega", "balls", "sleeve"];

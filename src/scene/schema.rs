@@ -638,9 +638,11 @@ fn results() -> Value {
             "name": described("quantity", "The quantity."),
             "unit": { "type": "string", "description": "Output unit.", "examples": ["mm/s", "rpm"] },
             "method": {
-                "enum": Method::ALL.map(Method::name),
-                "description": "By which construction it is found: the polygons (default), instant centres (direct), one of their three graphical transfers for a v(B) or omega(3), or Klein's construction of a slider-crank."
+                "enum": Method::names().collect::<Vec<_>>(),
+                "description": "By which construction it is found: the polygons (default), instant centres (direct), one of their three graphical transfers for a v(B) or omega(3), or Klein's construction of a slider-crank; an inertia force by two masses, an effort by Zhukovsky's lever."
             },
+            "first": { "type": "string", "description": "Of `two-masses`: the point of the link at which the first mass stands." },
+            "second": { "type": "string", "description": "Of `two-masses`: the point at which the second mass stands, where a couple is to correct their moment of inertia." },
         })),
         "pin": pin,
         "published": {

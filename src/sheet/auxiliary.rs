@@ -1,11 +1,12 @@
-//! Constructions on the skeleton as ink and in words: Klein's, the inflection circle.
+//! Constructions on the skeleton as ink and in words: Klein's, the inflection circle, two masses; and the lever.
 
 use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Group, Mark, Pen, Shape, Tone};
+use super::font::Face;
 use super::human;
 use super::ink::{FINE, HEAD, LABEL, SMALL, THICK, THIN, arrow, head, page, right_angle};
-use super::labels::{Request, Site};
+use super::labels::{self, Request, Site};
 use super::notation::Notation;
 use super::overlap::clip;
 use super::rich::Rich;
@@ -15,6 +16,7 @@ use crate::graphical::auxiliary::{
     AuxiliaryAct, AuxiliaryDrawing, InflectionBy, PointName, Proportion, Stroke, StrokeRole, StrokeShape,
 };
 use crate::graphical::construction::{Construction, Label};
+use crate::mechanism::force::{Action, Force, Share};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
@@ -33,6 +35,10 @@ const SQUARE: f64 = 2.2;
 pub(super) const RESULT: f64 = 0.35;
 /// Pieces of a clipped circle.
 const PIECES: usize = 360;
+const TIMES: &str = "\u{a0}×\u{a0}";
+const DOT: &str = "\u{a0}·\u{a0}";
+const OVER: &str = "\u{a0}/\u{a0}";
+const EQUALS: &str = "\u{a0}= ";
 
 /// The title of the figure.
 #[must_use]
@@ -50,12 +56,17 @@ pub fn title(kind: &Auxiliary, notation: &Notation<'_>) -> Rich {
             let centre = super::circle::name(crate::plan::chord(links[0], links[1]), notation);
             Rich::fill(words.centrodes_figure, &[("centre", centre)])
         }
+        Auxiliary::TwoMasses { link: own, .. } => Rich::fill(words.two_masses_figure, &link(own)),
+        Auxiliary::Lever { .. } => Rich::upright(words.lever_figure),
     }
 }
 
-/// The skeleton with the construction over it.
+/// The skeleton with the construction over it; the lever stands by itself.
 #[must_use]
 pub fn draw(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Group {
+    if let Auxiliary::Lever { .. } = drawing.kind {
+        return lever(drawing, notation);
+    }
     // The arcs by which the skeleton was drawn belong to its own figure.
     let mut bare = construction.clone();
     bare.space.lines.clear();
@@ -64,6 +75,21 @@ pub fn draw(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &
         let plate = Plate { drawing, notation: *notation, places, window: window(drawing, ink) };
         Overlay { ink: plate.strokes(), labels: plate.labels() }
     })
+}
+
+/// The turned velocity polygon with the forces on it.
+fn lever(drawing: &AuxiliaryDrawing, notation: &Notation<'_>) -> Group {
+    let lines = drawing.strokes.iter().filter_map(|stroke| match stroke.shape {
+        StrokeShape::Line(from, to) => Some([page(from), page(to)]),
+        _ => None,
+    });
+    let places = lines.flatten().chain(drawing.points.iter().map(|point| page(point.at)));
+    let window = places.fold(Rect::ZERO, |window, at| window.union_pt(at)).inflate(BORDER, BORDER);
+    let plate = Plate { drawing, notation: *notation, places: &[], window };
+    let mut group = plate.strokes();
+    let labels = labels::place(&group, &plate.labels(), None);
+    group.group(labels);
+    group
 }
 
 /// The skeleton's ink with as many named points as find room, the nearest first.
@@ -133,7 +159,7 @@ impl Plate<'_> {
         for point in &self.drawing.points {
             let at = page(point.at);
             // A pin has its own symbol, and a curve or a velocity is named, not marked.
-            let marked = matches!(point.name, PointName::CentrodeIn(_) | PointName::TrialVelocity(_));
+            let marked = !is_place(point.name);
             let on_pin = self.places.iter().flatten().any(|p| p.distance(at) < COINCIDENT);
             if self.window.contains(at) && !on_pin && !marked {
                 let circle = Shape::Circle { centre: at, radius: 0.7 };
@@ -290,6 +316,21 @@ impl Plate<'_> {
     }
 }
 
+/// Whether a name is that of a place, not of a curve, an arrow or a length.
+fn is_place(name: PointName) -> bool {
+    !matches!(
+        name,
+        PointName::CentrodeIn(_)
+            | PointName::TrialVelocity(_)
+            | PointName::InertiaOfMass(_)
+            | PointName::InertiaForce(_)
+            | PointName::OffsetOfInertia(_)
+            | PointName::LeverForce(_)
+            | PointName::LeverEffort(_)
+            | PointName::LeverArm(_)
+    )
+}
+
 /// b′, (13), A with the index w, W, G.
 #[must_use]
 pub fn name(name: PointName, notation: &Notation<'_>) -> Rich {
@@ -306,7 +347,30 @@ pub fn name(name: PointName, notation: &Notation<'_>) -> Rich {
         PointName::CentrodeIn(link) => {
             Rich::fill(notation.words.centrode_in, &[("link", Rich::upright(notation.number(link)))])
         }
+        PointName::SecondMass => letter(SECOND, notation),
+        PointName::ImageOfSecond => {
+            let capital = notation.profile.capital_images;
+            let own = if capital { SECOND.to_owned() } else { SECOND.to_lowercase() };
+            Rich::italic(own).scripts(notation.profile.prime, Face::Italic, "")
+        }
+        PointName::MeetOfMasses => letter("O", notation),
+        PointName::InertiaOfMass(point) => {
+            let of = point.map_or_else(|| SECOND.to_owned(), |point| notation.index(point));
+            Rich::italic("F").sub(&of)
+        }
+        PointName::InertiaForce(link) => force_symbol(Force::Vector(Action::Inertia(link)), notation),
+        PointName::OffsetOfInertia(link) => force_symbol(Force::Offset(link), notation),
+        PointName::LeverForce(action) => force_symbol(Force::Vector(action), notation),
+        PointName::LeverEffort(input) => force_symbol(Force::Drive(input), notation),
+        PointName::LeverArm(number) => Rich::italic("y").sub(&number.to_string()),
     }
+}
+
+/// Where the second of two masses stands.
+const SECOND: &str = "C";
+
+fn force_symbol(force: Force, notation: &Notation<'_>) -> Rich {
+    notation.symbol(Quantity::Force(force, Share::Total), false)
 }
 
 /// A letter of the construction; with a star where the scene has a point of that name.
@@ -549,8 +613,230 @@ impl Teller<'_> {
                 ];
                 Rich::fill(words.centrodes_loci, &parts)
             }
+            AuxiliaryAct::SecondMass { .. }
+            | AuxiliaryAct::MassesAtPins { .. }
+            | AuxiliaryAct::ImageOfSecond { .. }
+            | AuxiliaryAct::LinesOfMasses { .. }
+            | AuxiliaryAct::OneMassRests { .. }
+            | AuxiliaryAct::LinesApart { .. }
+            | AuxiliaryAct::CorrectingCouple { .. }
+            | AuxiliaryAct::LineOfInertia { .. } => return self.of_masses(act),
+            AuxiliaryAct::TurnedPolygon
+            | AuxiliaryAct::MomentOnLever { .. }
+            | AuxiliaryAct::NoArmOnLever { .. }
+            | AuxiliaryAct::CoupleOnLever { .. }
+            | AuxiliaryAct::EffortOfLever { .. } => return Some(self.of_lever(act)),
         };
         Some(text)
+    }
+
+    /// What is done with two masses in the place of a link.
+    fn of_masses(&self, act: &AuxiliaryAct) -> Option<Rich> {
+        let n = self.notation;
+        let words = n.words;
+        let centre = |link: LinkId| n.mechanism().forces.mass(link).map(|mass| mass.centre);
+        let own = |letter: &str, link: LinkId| Rich::italic(letter).sub(&n.number(link));
+        let second = |point: Option<PointId>| {
+            point.map_or_else(|| name(PointName::SecondMass, n), |point| n.point(point))
+        };
+        let length = |metres: f64| human::quantity(metres, &n.scene.units.length);
+        let h = |number: &str| Rich::italic("h").sub(number);
+        Some(match *act {
+            AuxiliaryAct::SecondMass { link, first, mass, inertia, arms: [near, beyond] } => {
+                let parts = [
+                    ("link", Rich::upright(n.number(link))),
+                    ("first", n.point(first)),
+                    ("second", second(None)),
+                    ("centre", n.point(centre(link)?)),
+                    ("h2", h("2")),
+                    ("near", h("1").up(EQUALS).then(&length(near))),
+                ];
+                let formula = own("I", link).up(OVER).up("(").then(&own("M", link)).up(DOT).then(&h("1")).up(")");
+                let written = human::closing([inertia, mass, near], beyond, |[i, m, x]| i / (m * x));
+                let [i, m, x] = written;
+                let numbers = i.up(OVER).up("(").then(&m).up(TIMES).then(&x).up(")");
+                let line = h("2").up(EQUALS).then(&formula).up(EQUALS).then(&numbers).up(EQUALS);
+                let line = line.then(&human::with_unit(&human::number(beyond), "m"));
+                let own_unit = &n.scene.units.length;
+                let line = match (own_unit.si - 1.0).abs() < 1e-12 {
+                    true => line,
+                    false => line.up(EQUALS).then(&length(beyond)),
+                };
+                Rich::fill(words.masses_second, &parts).up(" ").then(&line.up("."))
+            }
+            AuxiliaryAct::MassesAtPins { link, pins: [a, b], arms } => {
+                let parts = [
+                    ("link", Rich::upright(n.number(link))),
+                    ("first", n.point(a)),
+                    ("second", n.point(b)),
+                    ("centre", n.point(centre(link)?)),
+                    ("a", Rich::italic("a").up(EQUALS).then(&length(arms[0]))),
+                    ("b", Rich::italic("b").up(EQUALS).then(&length(arms[1]))),
+                ];
+                Rich::fill(words.masses_at_pins, &parts)
+            }
+            AuxiliaryAct::ImageOfSecond { link, first } => {
+                let label = |point| Label::Image { point, link: None };
+                let line = n.image_line(label(first), label(centre(link)?), DiagramKind::Acceleration);
+                let parts = [
+                    ("line", line),
+                    ("image", name(PointName::ImageOfSecond, n)),
+                    ("second", second(None)),
+                    ("ratio", h("2").up("\u{a0}:\u{a0}").then(&h("1"))),
+                ];
+                Rich::fill(words.masses_image, &parts)
+            }
+            AuxiliaryAct::LinesOfMasses { link, first, second: other, crossing } => {
+                let parts = [
+                    ("first", n.point(first)),
+                    ("second", second(other)),
+                    ("meet", name(PointName::MeetOfMasses, n)),
+                    ("force", name(PointName::InertiaForce(link), n)),
+                    ("acceleration", n.symbol(Quantity::Acceleration(centre(link)?), false)),
+                ];
+                steps::warned(Rich::fill(words.masses_lines, &parts), crossing, n)
+            }
+            AuxiliaryAct::OneMassRests { link, rests, acts } => {
+                let parts = [
+                    ("rests", second(rests)),
+                    ("acts", second(acts)),
+                    ("force", name(PointName::InertiaForce(link), n)),
+                    ("acceleration", n.symbol(Quantity::Acceleration(centre(link)?), false)),
+                ];
+                Rich::fill(words.mass_rests, &parts)
+            }
+            AuxiliaryAct::LinesApart { link } => {
+                let torque = force_symbol(Force::InertiaTorque(link), n);
+                let force = name(PointName::InertiaForce(link), n);
+                let ratio = name(PointName::OffsetOfInertia(link), n).up(EQUALS).then(&torque).up(OVER).then(&force);
+                let parts =
+                    [("force", name(PointName::InertiaForce(link), n)), ("ratio", ratio), ("centre", n.point(centre(link)?))];
+                Rich::fill(words.masses_apart, &parts)
+            }
+            AuxiliaryAct::CorrectingCouple { link, pins, mass, inertia, arms: [a, b], alpha, couple } => {
+                let couple_symbol = Rich::italic("T").sub("c");
+                let rate = n.symbol(Quantity::Alpha(link), false);
+                let formula = Rich::upright("(")
+                    .then(&own("M", link))
+                    .up(DOT)
+                    .it("a")
+                    .up(DOT)
+                    .it("b")
+                    .up(" − ")
+                    .then(&own("I", link))
+                    .up(")")
+                    .up(DOT)
+                    .then(&rate);
+                let factors = [mass, a, b, inertia, alpha.abs()];
+                let written = human::closing_all(&factors, couple.abs(), |x| {
+                    ((x[0] * x[1] * x[2] - x[3]) * x[4]).abs()
+                });
+                let numbers = Rich::upright("(")
+                    .then(&written[0])
+                    .up(TIMES)
+                    .then(&written[1])
+                    .up(TIMES)
+                    .then(&written[2])
+                    .up(" − ")
+                    .then(&written[3])
+                    .up(")")
+                    .up(TIMES)
+                    .then(&written[4]);
+                let against = mass * a * b < inertia;
+                let value = human::number(if against { -couple.abs() } else { couple.abs() });
+                let line = couple_symbol
+                    .up(EQUALS)
+                    .then(&formula)
+                    .up(EQUALS)
+                    .then(&numbers)
+                    .up(EQUALS)
+                    .then(&human::with_unit(&value, "N·m"));
+                let parts = [
+                    ("first", n.point(pins[0])),
+                    ("second", n.point(pins[1])),
+                    ("force", name(PointName::InertiaForce(link), n)),
+                    ("rotation", rate),
+                ];
+                let template = if against { words.masses_couple_against } else { words.masses_couple_with };
+                Rich::fill(template, &parts).up(" ").then(&line.up("."))
+            }
+            AuxiliaryAct::LineOfInertia { link, size, arm } => {
+                let offset = name(PointName::OffsetOfInertia(link), n);
+                let parts = [
+                    (
+                        "force",
+                        name(PointName::InertiaForce(link), n)
+                            .up(EQUALS)
+                            .then(&human::quantity(size, &n.scene.units.force)),
+                    ),
+                    ("acceleration", n.symbol(Quantity::Acceleration(centre(link)?), false)),
+                    ("centre", n.point(centre(link)?)),
+                    ("arm", offset.up(EQUALS).then(&length(arm))),
+                ];
+                Rich::fill(words.masses_through, &parts)
+            }
+            _ => return None,
+        })
+    }
+
+    /// What is done with the lever; moments are powers, and powers are told in watts.
+    fn of_lever(&self, act: &AuxiliaryAct) -> Rich {
+        let n = self.notation;
+        let words = n.words;
+        let watts = |value: f64| human::with_unit(&human::number(value), "W");
+        let omega = |link: LinkId| n.symbol(Quantity::Omega(link), false);
+        let pole = || n.image(Label::Pole, DiagramKind::Velocity);
+        match *act {
+            AuxiliaryAct::MomentOnLever { action, number, size, mm, si_per_mm, moment } => {
+                let arm = name(PointName::LeverArm(number), n);
+                let force = force_symbol(Force::Vector(action), n);
+                let (factor, written) = human::factor(si_per_mm);
+                let [reading, amount] = human::reading(mm, written, mm * si_per_mm);
+                let read = arm.clone().up(EQUALS).then(&reading).up(TIMES).then(&factor).up(EQUALS);
+                let read = read.then(&human::with_unit(&amount, "m/s"));
+                let [f, y] = human::closing([size, mm * si_per_mm], moment.abs(), |[f, y]| f * y);
+                let product = force.up(DOT).then(&arm).up(EQUALS).then(&f).up(TIMES).then(&y).up(EQUALS);
+                let product = product.then(&watts(moment.abs())).word(n.sense(moment));
+                Rich::fill(words.lever_moment, &[("arm", read), ("moment", product)])
+            }
+            AuxiliaryAct::NoArmOnLever { action } => {
+                let parts = [("force", force_symbol(Force::Vector(action), n)), ("pole", pole())];
+                Rich::fill(words.lever_no_arm, &parts)
+            }
+            AuxiliaryAct::CoupleOnLever { of, link, torque, omega: rate } => {
+                let moment = torque * rate;
+                let [t, w] = human::closing([torque.abs(), rate.abs()], moment.abs(), |[t, w]| t * w);
+                let line = force_symbol(of, n).up(DOT).then(&omega(link)).up(EQUALS);
+                let line = line.then(&t).up(TIMES).then(&w).up(EQUALS).then(&watts(moment.abs()));
+                let parts =
+                    [("link", Rich::upright(n.number(link))), ("moment", line.word(n.sense(moment)))];
+                Rich::fill(words.lever_couple, &parts)
+            }
+            AuxiliaryAct::EffortOfLever { of, moments, speed, effort } => {
+                let symbol = force_symbol(of, n);
+                let input = match of {
+                    Force::Torque(input) | Force::Drive(input) => input,
+                    _ => 0,
+                };
+                let driven = n.mechanism().driven_link(input);
+                let point = n.mechanism().driven_point(input);
+                let rate = match (driven, point) {
+                    (Some(link), _) => omega(link),
+                    (None, Some(pin)) => n.symbol(Quantity::Velocity(pin), false),
+                    (None, None) => Rich::default(),
+                };
+                let [m, s] = human::closing([moments.abs(), speed.abs()], effort.abs(), |[m, s]| m / s);
+                let unit = if driven.is_some() { "N·m" } else { "N" };
+                let line = symbol.up(EQUALS).up("Σ").it("M").up(OVER).then(&rate).up(EQUALS);
+                let line = line.then(&m).up(OVER).then(&s).up(EQUALS);
+                let line = line.then(&human::with_unit(&human::number(effort.abs()), unit));
+                let line = if driven.is_some() { line.word(n.sense(effort)) } else { line };
+                let sum = Rich::upright("Σ").it("M").up(EQUALS).then(&watts(moments.abs()));
+                let sum = sum.word(n.sense(moments));
+                Rich::fill(words.lever_effort, &[("sum", sum), ("effort", line), ("pole", pole())])
+            }
+            _ => Rich::fill(words.lever_turned, &[("pole", pole())]),
+        }
     }
 
     fn inflection_point(&self, link: LinkId, point: PointId, by: InflectionBy) -> Rich {

@@ -71,6 +71,8 @@ pub const fn figure_names() -> &'static [&'static str] {
         "centrodes",
         "kennedy",
         "rotation-centre",
+        "equivalent",
+        "lever",
         "results",
         "steps",
         "forces",

@@ -154,6 +154,8 @@ impl<'a> Notation<'a> {
             Method::LinkToLink => Some(self.words.method_link_to_link),
             Method::GaugeLine => Some(self.words.method_gauge_line),
             Method::Klein => Some(self.words.method_klein),
+            Method::TwoMasses { .. } => Some(self.words.method_two_masses),
+            Method::Lever => Some(self.words.method_lever),
         }
     }
 

@@ -15,6 +15,7 @@ use super::{auxiliary, centres, circle, polygon, positions, skeleton, transfer};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::{Construction, Diagram};
 use crate::mechanism::quantity::{DiagramKind, Dimension};
+use crate::plan::Auxiliary;
 
 /// The lines of a legend below a drawing may be as wide as this.
 const LEGEND: f64 = 80.0;
@@ -160,7 +161,14 @@ impl Panel {
                 (transfer::title(&same, notation), scale)
             }
             Self::Auxiliary(index) => {
-                (auxiliary::title(&construction.auxiliary.get(index)?.kind, notation), skeleton())
+                let kind = &construction.auxiliary.get(index)?.kind;
+                let scale = match (kind, construction.diagram(DiagramKind::Velocity)) {
+                    (Auxiliary::Lever { .. }, Some(polygon)) => {
+                        notation.scale(polygon.si_per_mm, Dimension::Velocity)
+                    }
+                    _ => skeleton(),
+                };
+                (auxiliary::title(kind, notation), scale)
             }
             Self::Force(panel) => {
                 let sheet = construction.forces.as_ref()?;

@@ -515,6 +515,9 @@ fn too_near(points: &[[f64; 2]], least: f64) -> usize {
 pub fn for_auxiliary(construction: &Construction, drawing: &AuxiliaryDrawing) -> Option<f64> {
     /// The skeleton is not shrunk by more than this.
     const MOST: f64 = 4.0;
+    if let crate::plan::Auxiliary::Lever { .. } = drawing.kind {
+        return None;
+    }
     let named = drawing.points.iter().map(|p| p.at);
     let all: Vec<[f64; 2]> = named.chain(construction.space.places.iter().flatten().copied()).collect();
     let extent = |axis: usize| {

@@ -375,7 +375,9 @@ fn method(method: Method, notation: &Notation<'_>) -> &'static str {
         Method::LineOfCentres => notation.words.by_line_of_centres,
         Method::LinkToLink => notation.words.by_link_to_link,
         Method::GaugeLine => notation.words.by_gauge_line,
-        Method::Centres | Method::Polygon | Method::Klein => notation.words.by_direct_method,
+        Method::Centres | Method::Polygon | Method::Klein | Method::TwoMasses { .. } | Method::Lever => {
+            notation.words.by_direct_method
+        }
     }
 }
 

@@ -3,17 +3,19 @@
 use crate::mechanism::engine::Engine;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::structure::Structure;
-use crate::mechanism::{Input, LinkId, Mechanism, Rider};
+use crate::mechanism::{Input, LinkId, Mechanism, PointId, Rider};
 use crate::plan::Auxiliary;
 use crate::scene::Scene;
 use crate::scene::units::short;
 
 /// The figures of constructions on the skeleton, with the form of their arguments.
-const FORMS: [(&str, &str); 5] = [
+const FORMS: [(&str, &str); 7] = [
     ("klein", "klein or klein(3), with the number of the rod"),
     ("inflection", "inflection or inflection(3), with the number of a link"),
     ("centrodes", "centrodes or centrodes(1,3), with two links"),
     ("kennedy", "kennedy or kennedy(1,2,3), with three links"),
+    ("equivalent", "equivalent(3,A) or equivalent(3,A,B), with a link and where its masses stand"),
+    ("lever", "lever"),
     ("rotation-centre", "rotation-centre(90) or rotation-centre(3,90), with a link and where the input goes"),
 ];
 
@@ -94,6 +96,9 @@ pub fn auxiliary(name: &str, scene: &Scene) -> Result<Option<Auxiliary>, String>
             let links = [asking.link(i)?, asking.link(j)?, asking.link(k)?];
             Ok(Auxiliary::Kennedy { links: asking.different(links)? })
         }
+        ("equivalent", [link, first]) => asking.two_masses(asking.link(link)?, first, None),
+        ("equivalent", [link, first, second]) => asking.two_masses(asking.link(link)?, first, Some(second)),
+        ("lever", []) => asking.lever(),
         ("rotation-centre", [to]) => asking.rotation(None, to, scene),
         ("rotation-centre", [link, to]) => asking.rotation(Some(asking.link(link)?), to, scene),
         _ => return Err(wrong()),
@@ -125,6 +130,37 @@ impl Asking<'_> {
             (Some(crank), _) => Ok(Auxiliary::Klein { crank, order: Order::Acceleration }),
             (None, Some(_)) => self.refuse("the link is not the rod of a slider-crank whose crank is driven"),
             (None, None) => self.refuse("the mechanism has no slider-crank whose crank is driven"),
+        }
+    }
+
+    fn two_masses(&self, link: LinkId, first: &str, second: Option<&str>) -> Result<Auxiliary, String> {
+        let Some(mass) = self.mechanism.forces.mass(link) else {
+            return self.refuse("the link has no mass");
+        };
+        let point = |name: &str| -> Result<PointId, String> {
+            let Some(point) = self.mechanism.point_named(name) else {
+                return self.refuse(&format!("there is no point {name}"));
+            };
+            if !self.mechanism.link(link).points.contains(&point) {
+                return self.refuse(&format!("{name} is no joint of the link"));
+            }
+            if point == mass.centre {
+                return self.refuse(&format!("{name} is the mass centre"));
+            }
+            Ok(point)
+        };
+        let (first, second) = (point(first)?, second.map(point).transpose()?);
+        if second == Some(first) {
+            return self.refuse("the two masses stand at one point");
+        }
+        Ok(Auxiliary::TwoMasses { link, first, second })
+    }
+
+    fn lever(&self) -> Result<Auxiliary, String> {
+        match self.mechanism.lever_refused(0) {
+            Some(why) => self.refuse(why),
+            None if self.mechanism.forces.is_empty() => self.refuse("nothing acts on the links"),
+            None => Ok(Auxiliary::Lever { input: 0 }),
         }
     }
 

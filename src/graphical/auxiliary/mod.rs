@@ -1,5 +1,6 @@
 //! Constructions on the skeleton besides the polygons and the circle diagram: Klein's, the inflection circle,
-//! Kennedy's theorem, the centre of a finite rotation.
+//! Kennedy's theorem, the centre of a finite rotation, two masses in the place of a link; and Zhukovsky's lever on the
+//! velocity polygon.
 //!
 //! Each is drawn on the board like everything else, and told as an [`AuxiliaryDrawing`]: strokes, named points and
 //! the acts in their order.
@@ -7,11 +8,14 @@
 mod inflection;
 mod kennedy;
 mod klein;
+mod lever;
 mod proportion;
 mod rotation;
+mod two_masses;
 
 use crate::board::{Location, Point};
 use crate::mechanism::engine::Engine;
+use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId};
 use crate::plan::{Auxiliary, Plan};
@@ -20,8 +24,10 @@ use super::centrodes::{self, BranchEnd, Fineness};
 use super::construction::{Calculation, Claim, Label, Mm2};
 use super::draughtsman::Draughtsman;
 pub(super) use klein::{Klein, KleinAnswer};
+pub(super) use lever::ByLever;
+pub(super) use two_masses::ByTwoMasses;
 
-/// A construction on the skeleton, coordinates in its frame.
+/// A construction on the skeleton, coordinates in its frame; the lever has the velocity polygon's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AuxiliaryDrawing {
     /// Which it is.
@@ -130,6 +136,24 @@ pub enum PointName {
     TrialVelocity(LinkId),
     /// A curve by the link in which it is fixed.
     CentrodeIn(LinkId),
+    /// C: where the second of two masses stands.
+    SecondMass,
+    /// c′: its image.
+    ImageOfSecond,
+    /// O: where the lines of two masses meet.
+    MeetOfMasses,
+    /// The inertia of a mass at a point, or at C.
+    InertiaOfMass(Option<PointId>),
+    /// The inertia force of a link.
+    InertiaForce(LinkId),
+    /// Its distance from the mass centre.
+    OffsetOfInertia(LinkId),
+    /// A force on the lever.
+    LeverForce(Action),
+    /// The effort at an input, on the lever.
+    LeverEffort(usize),
+    /// The arm of a force on the lever, by its number.
+    LeverArm(usize),
 }
 
 /// An act of the draughtsman in an auxiliary construction. Values are SI, lengths of paper mm.
@@ -277,6 +301,130 @@ pub enum AuxiliaryAct {
         /// The angle, radians, ccw.
         angle: f64,
     },
+    /// The second mass, from the moment of inertia.
+    SecondMass {
+        /// The link.
+        link: LinkId,
+        /// Where the first mass stands.
+        first: PointId,
+        /// Mass of the link, kg.
+        mass: f64,
+        /// Its moment of inertia about the mass centre, kg m².
+        inertia: f64,
+        /// Distances of the masses from the mass centre, m.
+        arms: [f64; 2],
+    },
+    /// Both masses at pins.
+    MassesAtPins {
+        /// The link.
+        link: LinkId,
+        /// The pins.
+        pins: [PointId; 2],
+        /// Distances of the pins from the mass centre, m.
+        arms: [f64; 2],
+    },
+    /// The image of the second mass.
+    ImageOfSecond {
+        /// The link.
+        link: LinkId,
+        /// Where the first mass stands.
+        first: PointId,
+    },
+    /// The lines of the two masses meet.
+    LinesOfMasses {
+        /// The link.
+        link: LinkId,
+        /// Where the first mass stands.
+        first: PointId,
+        /// Where the second one stands, if that is a point of the link.
+        second: Option<PointId>,
+        /// Angle at which they cross, radians, 0 to π/2.
+        crossing: f64,
+    },
+    /// One mass has no acceleration; a point, or none for the second one off the points of the link.
+    OneMassRests {
+        /// The link.
+        link: LinkId,
+        /// Which one.
+        rests: Option<PointId>,
+        /// The other one.
+        acts: Option<PointId>,
+    },
+    /// The lines of the two masses do not meet on the paper: the force is laid off at its distance.
+    LinesApart {
+        /// The link.
+        link: LinkId,
+    },
+    /// The couple by which two masses at pins turn the link more or less than its own inertia does.
+    CorrectingCouple {
+        /// The link.
+        link: LinkId,
+        /// The pins.
+        pins: [PointId; 2],
+        /// Mass of the link, kg.
+        mass: f64,
+        /// Its moment of inertia about the mass centre, kg m².
+        inertia: f64,
+        /// Distances of the pins from the mass centre, m.
+        arms: [f64; 2],
+        /// ε, rad/s², signed.
+        alpha: f64,
+        /// The couple, N m, ccw positive.
+        couple: f64,
+    },
+    /// The inertia force in its line.
+    LineOfInertia {
+        /// The link.
+        link: LinkId,
+        /// Its size, N.
+        size: f64,
+        /// Its distance from the mass centre, m.
+        arm: f64,
+    },
+    /// The velocity polygon is turned.
+    TurnedPolygon,
+    /// A force on the image of its point.
+    MomentOnLever {
+        /// The force.
+        action: Action,
+        /// The number of its arm.
+        number: usize,
+        /// Its size, N.
+        size: f64,
+        /// Its arm, mm.
+        mm: f64,
+        /// m/s per millimetre.
+        si_per_mm: f64,
+        /// Its moment, W, ccw positive.
+        moment: f64,
+    },
+    /// The line of a force passes through the pole.
+    NoArmOnLever {
+        /// The force.
+        action: Action,
+    },
+    /// A couple on the image of its link.
+    CoupleOnLever {
+        /// The couple.
+        of: Force,
+        /// The link.
+        link: LinkId,
+        /// N m, ccw positive.
+        torque: f64,
+        /// ω of the link, rad/s, signed.
+        omega: f64,
+    },
+    /// The effort that balances the lever.
+    EffortOfLever {
+        /// The effort.
+        of: Force,
+        /// Sum of the moments of everything else, W.
+        moments: f64,
+        /// ω of the driven link, rad/s, or the velocity along the guide, m/s, signed.
+        speed: f64,
+        /// The effort, N m or N.
+        effort: f64,
+    },
     /// The loci of an instant centre in both its links.
     Loci {
         /// The links: the first carries the fixed centrode.
@@ -341,6 +489,8 @@ pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
             Auxiliary::Kennedy { links } => d.draw_kennedy(links),
             Auxiliary::Rotation { link, to } => d.draw_rotation(link, to),
             Auxiliary::Centrodes { links } => d.draw_centrodes(links),
+            Auxiliary::TwoMasses { link, first, second } => d.draw_two_masses(link, (first, second)),
+            Auxiliary::Lever { input } => d.draw_lever(input),
         }
     }
 }

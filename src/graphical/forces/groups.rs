@@ -112,7 +112,7 @@ impl Draughtsman<'_> {
     }
 
     /// The direction of a guide under a point, and square to it.
-    pub(super) fn guide_at(&mut self, slide: usize, at: Point) -> (Direction, Direction) {
+    pub(in super::super) fn guide_at(&mut self, slide: usize, at: Point) -> (Direction, Direction) {
         match self.track(slide, None) {
             Track::Straight(line) => {
                 let normal = self.board.quarter_turn(line.along);

@@ -118,7 +118,7 @@ impl Draughtsman<'_> {
     }
 
     /// The mass of a link; none of a flywheel.
-    pub(super) fn kilograms(&mut self, mass: &Mass) -> Option<Amount> {
+    pub(in super::super) fn kilograms(&mut self, mass: &Mass) -> Option<Amount> {
         match mass.heaviness {
             Heaviness::Mass(given) => Some(self.board.amount(given)),
             Heaviness::Weight(weight) => {
@@ -151,7 +151,7 @@ impl Draughtsman<'_> {
     }
 
     /// −M A_G, laid off against o′g′; none where the mass centre is fixed or there is no mass.
-    pub(super) fn inertia_force(&mut self, mass: &Mass) -> Option<Pull> {
+    pub(in super::super) fn inertia_force(&mut self, mass: &Mass) -> Option<Pull> {
         if self.mechanism.is_fixed(mass.centre) {
             return None;
         }
@@ -170,7 +170,7 @@ impl Draughtsman<'_> {
     }
 
     /// The moment of inertia about the mass centre; none of a point mass.
-    pub(super) fn central_inertia(&mut self, mass: &Mass) -> Option<Amount> {
+    pub(in super::super) fn central_inertia(&mut self, mass: &Mass) -> Option<Amount> {
         match mass.inertia {
             Inertia::Point => None,
             Inertia::Central(given) => Some(self.board.amount(given)),
@@ -198,7 +198,7 @@ impl Draughtsman<'_> {
     }
 
     /// −I ε; none where the link cannot turn or has no moment of inertia.
-    pub(super) fn inertia_torque(&mut self, mass: &Mass) -> Option<Amount> {
+    pub(in super::super) fn inertia_torque(&mut self, mass: &Mass) -> Option<Amount> {
         if self.translates[mass.link.0] {
             return None;
         }

@@ -359,19 +359,22 @@ impl Draughtsman<'_> {
         let Ok(items) = self.items_of(action, share) else { return (None, None) };
         let Some(first) = items.first().map(|item| item.at) else { return (None, None) };
         let couple = self.moments(&items, first).map(|moment| moment.value());
+        let through = self.foot_of_line(&items).map(|foot| self.in_the_world(foot));
+        (through, couple)
+    }
+
+    /// A place of the skeleton, metres in the world.
+    pub(in super::super) fn in_the_world(&self, place: Point) -> [f64; 2] {
         let per_mm = self.length_scale().si_per_mm;
         let origin = self.origin_of_space().map(|given| given.value);
-        let through = self.foot_of_line(&items).map(|foot| {
-            let [x, y] = foot.value().map(|mm| mm * per_mm);
-            [origin[0] + x, origin[1] + y]
-        });
-        (through, couple)
+        let [x, y] = place.value().map(|mm| mm * per_mm);
+        [origin[0] + x, origin[1] + y]
     }
 
     /// The point of the line of a resultant that is nearest to where its first force acts: laid off square to the
     /// resultant, as far as their moment about that place divided by it. That place itself of one force alone, and of
     /// what has no size.
-    pub(super) fn foot_of_line(&mut self, items: &[Item]) -> Option<Point> {
+    pub(in super::super) fn foot_of_line(&mut self, items: &[Item]) -> Option<Point> {
         let first = items.first()?;
         if items.len() == 1 && first.couple.is_none() {
             return Some(first.at);
