@@ -18,7 +18,7 @@ use crate::pairs::builder::{build, plan};
 
 /// Gives every moving link a mass with a moment of inertia and every block one without, lets weights act, and loads two
 /// links; the factor is that of the weights.
-fn loaded(scene: &mut Value, heavy: f64) {
+pub fn loaded(scene: &mut Value, heavy: f64) {
     let mut bodies: BTreeMap<u64, Vec<String>> = BTreeMap::new();
     for (number, link) in scene["links"].as_object().unwrap() {
         let joins = link["joins"].as_array().unwrap();

@@ -25,6 +25,7 @@ mod forces;
 mod forces_classroom;
 mod forces_cycle;
 mod forces_loads;
+mod forces_methods;
 mod forces_routes;
 mod forces_spin;
 mod formats;

@@ -223,7 +223,7 @@ fn of_drawing(
                 all.push(Told::Number(Quantity::Omega(link), omega));
                 all.push(Told::Number(Quantity::Alpha(link), alpha));
             }
-            AuxiliaryAct::LineOfInertia { link, size, arm } => {
+            AuxiliaryAct::LineOfInertia { link, size, arm, .. } => {
                 let force = Force::Vector(Action::Inertia(link));
                 all.push(Told::Size(Quantity::Force(force, Share::Total), size));
                 all.push(Told::Number(Quantity::Force(Force::Offset(link), Share::Total), arm));

@@ -2,7 +2,6 @@
 //! page shows the same figures at round ones. Between the two lies a similarity for each diagram.
 
 use crate::mechanism::quantity::{Asked, Dimension};
-use crate::plan::Auxiliary;
 
 use super::Scales;
 use super::auxiliary::{AuxiliaryAct, AuxiliaryDrawing, InflectionBy, StrokeShape};
@@ -35,10 +34,7 @@ impl Construction {
         }
         for drawing in &mut self.auxiliary {
             // The lever is a velocity polygon.
-            let dimension = match drawing.kind {
-                Auxiliary::Lever { .. } => Dimension::Velocity,
-                _ => Dimension::Length,
-            };
+            let dimension = if drawing.is_lever() { Dimension::Velocity } else { Dimension::Length };
             auxiliary(drawing, by.of(dimension));
         }
         for step in &mut self.steps {

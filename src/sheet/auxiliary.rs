@@ -16,7 +16,7 @@ use crate::graphical::auxiliary::{
     AuxiliaryAct, AuxiliaryDrawing, InflectionBy, PointName, Proportion, Stroke, StrokeRole, StrokeShape,
 };
 use crate::graphical::construction::{Construction, Label};
-use crate::mechanism::force::{Action, Force, Share};
+use crate::mechanism::force::{Action, Force, Heaviness, Inertia, Mass, Share};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Auxiliary;
@@ -64,7 +64,7 @@ pub fn title(kind: &Auxiliary, notation: &Notation<'_>) -> Rich {
 /// The skeleton with the construction over it; the lever stands by itself.
 #[must_use]
 pub fn draw(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Group {
-    if let Auxiliary::Lever { .. } = drawing.kind {
+    if drawing.is_lever() {
         return lever(drawing, notation);
     }
     // The arcs by which the skeleton was drawn belong to its own figure.
@@ -355,8 +355,9 @@ pub fn name(name: PointName, notation: &Notation<'_>) -> Rich {
         }
         PointName::MeetOfMasses => letter("O", notation),
         PointName::InertiaOfMass(point) => {
-            let of = point.map_or_else(|| SECOND.to_owned(), |point| notation.index(point));
-            Rich::italic("F").sub(&of)
+            let taken = notation.mechanism().point_named(SECOND).is_some();
+            let second = || if taken { format!("{SECOND}*") } else { SECOND.to_owned() };
+            Rich::italic("F").sub(&point.map_or_else(second, |point| notation.index(point)))
         }
         PointName::InertiaForce(link) => force_symbol(Force::Vector(Action::Inertia(link)), notation),
         PointName::OffsetOfInertia(link) => force_symbol(Force::Offset(link), notation),
@@ -383,18 +384,24 @@ fn letter(own: &str, notation: &Notation<'_>) -> Rich {
 /// The steps in words.
 #[must_use]
 pub fn items(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
-    let teller = Teller { construction, notation };
+    let teller = Teller { drawing, construction, notation };
     let mut all = vec![Item::Head(title(&drawing.kind, notation).bolder())];
-    all.extend(drawing.acts.iter().filter_map(|act| teller.act(act)).map(Item::Sentence));
+    all.extend(drawing.acts.iter().flat_map(|act| teller.sentences(act)).map(Item::Sentence));
     all
 }
 
 struct Teller<'a> {
+    drawing: &'a AuxiliaryDrawing,
     construction: &'a Construction,
     notation: &'a Notation<'a>,
 }
 
 impl Teller<'_> {
+    fn sentences(&self, act: &AuxiliaryAct) -> Vec<Rich> {
+        let of_forces = self.of_masses(act).or_else(|| self.of_lever(act));
+        of_forces.unwrap_or_else(|| self.act(act).into_iter().collect())
+    }
+
     fn act(&self, act: &AuxiliaryAct) -> Option<Rich> {
         let n = self.notation;
         let words = n.words;
@@ -620,18 +627,18 @@ impl Teller<'_> {
             | AuxiliaryAct::OneMassRests { .. }
             | AuxiliaryAct::LinesApart { .. }
             | AuxiliaryAct::CorrectingCouple { .. }
-            | AuxiliaryAct::LineOfInertia { .. } => return self.of_masses(act),
-            AuxiliaryAct::TurnedPolygon
+            | AuxiliaryAct::LineOfInertia { .. }
+            | AuxiliaryAct::TurnedPolygon
             | AuxiliaryAct::MomentOnLever { .. }
             | AuxiliaryAct::NoArmOnLever { .. }
             | AuxiliaryAct::CoupleOnLever { .. }
-            | AuxiliaryAct::EffortOfLever { .. } => return Some(self.of_lever(act)),
+            | AuxiliaryAct::EffortOfLever { .. } => return None,
         };
         Some(text)
     }
 
     /// What is done with two masses in the place of a link.
-    fn of_masses(&self, act: &AuxiliaryAct) -> Option<Rich> {
+    fn of_masses(&self, act: &AuxiliaryAct) -> Option<Vec<Rich>> {
         let n = self.notation;
         let words = n.words;
         let centre = |link: LinkId| n.mechanism().forces.mass(link).map(|mass| mass.centre);
@@ -641,7 +648,7 @@ impl Teller<'_> {
         };
         let length = |metres: f64| human::quantity(metres, &n.scene.units.length);
         let h = |number: &str| Rich::italic("h").sub(number);
-        Some(match *act {
+        Some(vec![match *act {
             AuxiliaryAct::SecondMass { link, first, mass, inertia, arms: [near, beyond] } => {
                 let parts = [
                     ("link", Rich::upright(n.number(link))),
@@ -651,10 +658,23 @@ impl Teller<'_> {
                     ("h2", h("2")),
                     ("near", h("1").up(EQUALS).then(&length(near))),
                 ];
-                let formula = own("I", link).up(OVER).up("(").then(&own("M", link)).up(DOT).then(&h("1")).up(")");
-                let written = human::closing([inertia, mass, near], beyond, |[i, m, x]| i / (m * x));
-                let [i, m, x] = written;
-                let numbers = i.up(OVER).up("(").then(&m).up(TIMES).then(&x).up(")");
+                let stated = n.mechanism().forces.mass(link)?;
+                let (formula, numbers) = match stated.inertia {
+                    Inertia::Gyration(radius) => {
+                        let written = human::closing([radius.value, near], beyond, |[r, x]| r * r / x);
+                        let [r, x] = written;
+                        (own("ρ", link).squared().up(OVER).then(&h("1")), r.up("²").up(OVER).then(&x))
+                    }
+                    _ => {
+                        let written = human::closing([inertia, mass, near], beyond, |[i, m, x]| i / (m * x));
+                        let [i, m, x] = written;
+                        let below = own("M", link).up(DOT).then(&h("1"));
+                        (
+                            own("I", link).up(OVER).up("(").then(&below).up(")"),
+                            i.up(OVER).up("(").then(&m).up(TIMES).then(&x).up(")"),
+                        )
+                    }
+                };
                 let line = h("2").up(EQUALS).then(&formula).up(EQUALS).then(&numbers).up(EQUALS);
                 let line = line.then(&human::with_unit(&human::number(beyond), "m"));
                 let own_unit = &n.scene.units.length;
@@ -662,7 +682,10 @@ impl Teller<'_> {
                     true => line,
                     false => line.up(EQUALS).then(&length(beyond)),
                 };
-                Rich::fill(words.masses_second, &parts).up(" ").then(&line.up("."))
+                let mut lines = vec![Rich::fill(words.masses_second, &parts)];
+                lines.extend(self.mass_of_weight(stated, mass));
+                lines.push(line);
+                return Some(lines);
             }
             AuxiliaryAct::MassesAtPins { link, pins: [a, b], arms } => {
                 let parts = [
@@ -758,17 +781,21 @@ impl Teller<'_> {
                     ("rotation", rate),
                 ];
                 let template = if against { words.masses_couple_against } else { words.masses_couple_with };
-                Rich::fill(template, &parts).up(" ").then(&line.up("."))
+                return Some(vec![Rich::fill(template, &parts), line]);
             }
-            AuxiliaryAct::LineOfInertia { link, size, arm } => {
+            AuxiliaryAct::LineOfInertia { link, mass, size, arm } => {
                 let offset = name(PointName::OffsetOfInertia(link), n);
+                let acceleration = n.symbol(Quantity::Acceleration(centre(link)?), false);
+                let [m, a] = human::closing([mass, size / mass], size, |[m, a]| m * a);
+                let force = name(PointName::InertiaForce(link), n).up(EQUALS).then(&own("M", link)).up(DOT);
+                let force = force.then(&acceleration).up(EQUALS).then(&m).up(TIMES).then(&a).up(EQUALS);
+                let force = force.then(&human::with_unit(&human::number(size), "N"));
+                let force = match (n.scene.units.force.si - 1.0).abs() < 1e-12 {
+                    true => force,
+                    false => force.up(EQUALS).then(&human::quantity(size, &n.scene.units.force)),
+                };
                 let parts = [
-                    (
-                        "force",
-                        name(PointName::InertiaForce(link), n)
-                            .up(EQUALS)
-                            .then(&human::quantity(size, &n.scene.units.force)),
-                    ),
+                    ("force", force),
                     ("acceleration", n.symbol(Quantity::Acceleration(centre(link)?), false)),
                     ("centre", n.point(centre(link)?)),
                     ("arm", offset.up(EQUALS).then(&length(arm))),
@@ -776,28 +803,38 @@ impl Teller<'_> {
                 Rich::fill(words.masses_through, &parts)
             }
             _ => return None,
-        })
+        }])
+    }
+
+    /// The mass of a link of which the weight is stated.
+    fn mass_of_weight(&self, stated: &Mass, mass: f64) -> Option<Rich> {
+        let Heaviness::Weight(weight) = stated.heaviness else { return None };
+        let n = self.notation;
+        let own = |letter: &str| Rich::italic(letter).sub(&n.number(stated.link));
+        let g = n.mechanism().forces.gravity.g.value;
+        let [w, g] = human::closing([weight.value, g], mass, |[w, g]| w / g);
+        let line = own("M").up(EQUALS).then(&own("W")).up(OVER).it("g").up(EQUALS).then(&w).up(OVER).then(&g);
+        Some(line.up(EQUALS).then(&human::with_unit(&human::number(mass), "kg")))
     }
 
     /// What is done with the lever; moments are powers, and powers are told in watts.
-    fn of_lever(&self, act: &AuxiliaryAct) -> Rich {
+    fn of_lever(&self, act: &AuxiliaryAct) -> Option<Vec<Rich>> {
         let n = self.notation;
         let words = n.words;
         let watts = |value: f64| human::with_unit(&human::number(value), "W");
         let omega = |link: LinkId| n.symbol(Quantity::Omega(link), false);
         let pole = || n.image(Label::Pole, DiagramKind::Velocity);
-        match *act {
+        Some(vec![match *act {
+            AuxiliaryAct::TurnedPolygon => Rich::fill(words.lever_turned, &[("pole", pole())]),
             AuxiliaryAct::MomentOnLever { action, number, size, mm, si_per_mm, moment } => {
                 let arm = name(PointName::LeverArm(number), n);
                 let force = force_symbol(Force::Vector(action), n);
+                // By the scale of velocities the arm is the part of the velocity along the force.
                 let (factor, written) = human::factor(si_per_mm);
-                let [reading, amount] = human::reading(mm, written, mm * si_per_mm);
-                let read = arm.clone().up(EQUALS).then(&reading).up(TIMES).then(&factor).up(EQUALS);
-                let read = read.then(&human::with_unit(&amount, "m/s"));
-                let [f, y] = human::closing([size, mm * si_per_mm], moment.abs(), |[f, y]| f * y);
-                let product = force.up(DOT).then(&arm).up(EQUALS).then(&f).up(TIMES).then(&y).up(EQUALS);
-                let product = product.then(&watts(moment.abs())).word(n.sense(moment));
-                Rich::fill(words.lever_moment, &[("arm", read), ("moment", product)])
+                let [f, y] = human::closing([size, mm], moment.abs(), |[f, y]| f * y * written);
+                let product = force.up(DOT).then(&arm).up(EQUALS).then(&f).up(TIMES);
+                let product = product.then(&human::with_unit(&y, "mm")).up(TIMES).then(&factor).up(EQUALS);
+                product.then(&watts(moment.abs())).word(n.sense(moment))
             }
             AuxiliaryAct::NoArmOnLever { action } => {
                 let parts = [("force", force_symbol(Force::Vector(action), n)), ("pole", pole())];
@@ -814,29 +851,52 @@ impl Teller<'_> {
             }
             AuxiliaryAct::EffortOfLever { of, moments, speed, effort } => {
                 let symbol = force_symbol(of, n);
-                let input = match of {
-                    Force::Torque(input) | Force::Drive(input) => input,
-                    _ => 0,
-                };
+                let (Force::Torque(input) | Force::Drive(input)) = of else { return None };
                 let driven = n.mechanism().driven_link(input);
                 let point = n.mechanism().driven_point(input);
-                let rate = match (driven, point) {
-                    (Some(link), _) => omega(link),
-                    (None, Some(pin)) => n.symbol(Quantity::Velocity(pin), false),
-                    (None, None) => Rich::default(),
+                let rate = match driven {
+                    Some(link) => omega(link),
+                    None => n.symbol(Quantity::Velocity(point?), false),
                 };
-                let [m, s] = human::closing([moments.abs(), speed.abs()], effort.abs(), |[m, s]| m / s);
+                let [m, s] = human::closing([-moments, speed], effort, |[m, s]| m / s);
                 let unit = if driven.is_some() { "N·m" } else { "N" };
-                let line = symbol.up(EQUALS).up("Σ").it("M").up(OVER).then(&rate).up(EQUALS);
+                let line = symbol.up(EQUALS).up("−Σ").it("M").up(OVER).then(&rate).up(EQUALS);
                 let line = line.then(&m).up(OVER).then(&s).up(EQUALS);
-                let line = line.then(&human::with_unit(&human::number(effort.abs()), unit));
+                let line = line.then(&human::with_unit(&human::number(effort), unit));
                 let line = if driven.is_some() { line.word(n.sense(effort)) } else { line };
-                let sum = Rich::upright("Σ").it("M").up(EQUALS).then(&watts(moments.abs()));
-                let sum = sum.word(n.sense(moments));
-                Rich::fill(words.lever_effort, &[("sum", sum), ("effort", line), ("pole", pole())])
+                let of = |act: &AuxiliaryAct| match *act {
+                    AuxiliaryAct::MomentOnLever { moment, .. } => Some(moment),
+                    AuxiliaryAct::CoupleOnLever { torque, omega, .. } => Some(torque * omega),
+                    _ => None,
+                };
+                let terms: Vec<f64> = self.drawing.acts.iter().filter_map(of).collect();
+                let sizes: Vec<f64> = terms.iter().map(|term| term.abs()).collect();
+                let total = |sizes: &[f64]| {
+                    sizes.iter().zip(&terms).map(|(size, term)| size.copysign(*term)).sum::<f64>()
+                };
+                let written = human::closing_all(&sizes, moments, total);
+                let mut sum = Rich::upright("Σ").it("M").up(EQUALS);
+                for (place, (text, term)) in written.iter().zip(&terms).enumerate() {
+                    let sign = match (place, *term < 0.0) {
+                        (0, false) => "",
+                        (0, true) => "−",
+                        (_, false) => " + ",
+                        (_, true) => " − ",
+                    };
+                    sum = sum.up(sign).then(text);
+                }
+                let sum = match terms.len() {
+                    0 | 1 => sum,
+                    _ => sum.up(EQUALS).then(&human::number(moments)),
+                };
+                let sum = sum.up("\u{a0}W");
+                return Some(vec![
+                    Rich::fill(words.lever_sum, &[("sum", sum), ("pole", pole())]),
+                    Rich::fill(words.lever_effort, &[("effort", line)]),
+                ]);
             }
-            _ => Rich::fill(words.lever_turned, &[("pole", pole())]),
-        }
+            _ => return None,
+        }])
     }
 
     fn inflection_point(&self, link: LinkId, point: PointId, by: InflectionBy) -> Rich {

@@ -15,7 +15,6 @@ use super::{auxiliary, centres, circle, polygon, positions, skeleton, transfer};
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::{Construction, Diagram};
 use crate::mechanism::quantity::{DiagramKind, Dimension};
-use crate::plan::Auxiliary;
 
 /// The lines of a legend below a drawing may be as wide as this.
 const LEGEND: f64 = 80.0;
@@ -58,10 +57,14 @@ impl Panel {
         }
         let drawn =
             construction.auxiliary.iter().enumerate().filter(|(_, drawing)| drawing.refused.is_none());
-        all.extend(drawn.map(|(index, _)| Self::Auxiliary(index)));
+        // The lever takes up forces that were laid off before.
+        let (levers, drawn): (Vec<_>, Vec<_>) = drawn.partition(|(_, drawing)| drawing.is_lever());
+        let own = |(index, _): (usize, &AuxiliaryDrawing)| Self::Auxiliary(index);
+        all.extend(drawn.into_iter().map(own));
         if let Some(sheet) = &construction.forces {
             all.extend(ForcePanel::all(sheet).into_iter().map(Self::Force));
         }
+        all.extend(levers.into_iter().map(own));
         if let Some(sheet) = &construction.cycle {
             all.extend(CyclePanel::all(sheet).into_iter().map(Self::Cycle));
         }
@@ -161,14 +164,14 @@ impl Panel {
                 (transfer::title(&same, notation), scale)
             }
             Self::Auxiliary(index) => {
-                let kind = &construction.auxiliary.get(index)?.kind;
-                let scale = match (kind, construction.diagram(DiagramKind::Velocity)) {
-                    (Auxiliary::Lever { .. }, Some(polygon)) => {
+                let drawing = construction.auxiliary.get(index)?;
+                let scale = match construction.diagram(DiagramKind::Velocity) {
+                    Some(polygon) if drawing.is_lever() => {
                         notation.scale(polygon.si_per_mm, Dimension::Velocity)
                     }
                     _ => skeleton(),
                 };
-                (auxiliary::title(kind, notation), scale)
+                (auxiliary::title(&drawing.kind, notation), scale)
             }
             Self::Force(panel) => {
                 let sheet = construction.forces.as_ref()?;

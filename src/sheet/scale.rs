@@ -515,7 +515,7 @@ fn too_near(points: &[[f64; 2]], least: f64) -> usize {
 pub fn for_auxiliary(construction: &Construction, drawing: &AuxiliaryDrawing) -> Option<f64> {
     /// The skeleton is not shrunk by more than this.
     const MOST: f64 = 4.0;
-    if let crate::plan::Auxiliary::Lever { .. } = drawing.kind {
+    if drawing.is_lever() {
         return None;
     }
     let named = drawing.points.iter().map(|p| p.at);

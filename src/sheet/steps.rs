@@ -168,11 +168,12 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             more(Panel::Transfer(index), unnumbered(items));
         }
     }
-    for (index, drawing) in construction.auxiliary.iter().enumerate() {
-        if drawing.refused.is_none() {
-            let items = super::auxiliary::items(drawing, construction, notation);
-            more(Panel::Auxiliary(index), unnumbered(items));
-        }
+    let auxiliary = construction.auxiliary.iter().enumerate().filter(|(_, drawing)| drawing.refused.is_none());
+    // The lever takes up forces that were laid off before.
+    let (levers, auxiliary): (Vec<_>, Vec<_>) = auxiliary.partition(|(_, drawing)| drawing.is_lever());
+    for (index, drawing) in auxiliary {
+        let items = super::auxiliary::items(drawing, construction, notation);
+        more(Panel::Auxiliary(index), unnumbered(items));
     }
     if let Some(sheet) = &construction.forces {
         for (panel, mut items) in super::statics::told(sheet, construction, notation, figures) {
@@ -189,6 +190,10 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             let items = super::forces::friction_items(index, sheet, notation);
             more(Panel::Force(super::forces::ForcePanel::Friction(index)), unnumbered(items));
         }
+    }
+    for (index, drawing) in levers {
+        let items = super::auxiliary::items(drawing, construction, notation);
+        more(Panel::Auxiliary(index), unnumbered(items));
     }
     if let Some(sheet) = &construction.cycle {
         let drawn = Panel::Cycle(super::cycle::CyclePanel::Energy);

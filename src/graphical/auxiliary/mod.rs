@@ -42,6 +42,14 @@ pub struct AuxiliaryDrawing {
     pub refused: Option<&'static str>,
 }
 
+impl AuxiliaryDrawing {
+    /// Whether it stands on the velocity polygon and not on the skeleton.
+    #[must_use]
+    pub const fn is_lever(&self) -> bool {
+        matches!(self.kind, Auxiliary::Lever { .. })
+    }
+}
+
 /// A stroke of an auxiliary construction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
@@ -376,6 +384,8 @@ pub enum AuxiliaryAct {
     LineOfInertia {
         /// The link.
         link: LinkId,
+        /// Mass of the link, kg.
+        mass: f64,
         /// Its size, N.
         size: f64,
         /// Its distance from the mass centre, m.

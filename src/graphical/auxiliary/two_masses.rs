@@ -93,7 +93,7 @@ impl Draughtsman<'_> {
         if meet.is_none() {
             self.act_auxiliary(AuxiliaryAct::LinesApart { link });
         }
-        self.draw_line_of_inertia(&mass, (pull, along), through);
+        self.draw_line_of_inertia(&mass, kilograms, (pull, along), through);
         self.draw_accelerations(&mass, (first, second), masses);
         Ok(ByTwoMasses { link, masses: (first, second), pull, through })
     }
@@ -266,7 +266,7 @@ impl Draughtsman<'_> {
     }
 
     /// The inertia force in its line, and how far from the mass centre that is.
-    fn draw_line_of_inertia(&mut self, mass: &Mass, (pull, along): (Pull, Direction), through: Point) {
+    fn draw_line_of_inertia(&mut self, mass: &Mass, kilograms: Amount, (pull, along): (Pull, Direction), through: Point) {
         let centre = self.at(mass.centre);
         let line = Line { through, along };
         let [beside, _] = self.board.square_off(line, centre);
@@ -275,7 +275,7 @@ impl Draughtsman<'_> {
         let back = self.board.reverse(along);
         let tail = self.board.step_off(through, back, length);
         let tip = self.board.step_off(through, along, length);
-        self.aux_line(foot, tail, StrokeRole::Result, None);
+        self.aux_line(foot, through, StrokeRole::Result, None);
         self.aux_line(tail, tip, StrokeRole::Vector, None);
         self.aux_point(PointName::InertiaForce(mass.link), tip);
         let arm = self.arm_of(line, centre).value().abs();
@@ -289,7 +289,12 @@ impl Draughtsman<'_> {
                 at: [half(0), half(1)],
             });
         }
-        self.act_auxiliary(AuxiliaryAct::LineOfInertia { link: mass.link, size: libm::hypot(x, y), arm });
+        self.act_auxiliary(AuxiliaryAct::LineOfInertia {
+            link: mass.link,
+            mass: kilograms.value(),
+            size: libm::hypot(x, y),
+            arm,
+        });
     }
 
     /// The accelerations beside the skeleton, to a size at which their directions are seen.
