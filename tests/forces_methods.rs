@@ -227,9 +227,9 @@ fn two_masses_are_refused_with_the_reason() {
         (json!({ "name": "Fin(3)", "method": "two-masses", "first": "A", "second": "A" }), "at one point"),
         (json!({ "name": "Fin(4)", "method": "two-masses", "first": "B" }), "has but one"),
         (json!({ "name": "T(2)", "method": "two-masses", "first": "A" }), "does not lead to"),
-        (json!({ "name": "Fin(3)", "method": "lever" }), "choose polygon, two-masses"),
+        (json!({ "name": "Fin(3)", "method": "lever" }), "choose `polygon`, `two-masses`"),
         (json!({ "name": "T(2)", "method": "lever", "first": "A" }), "takes points"),
-        (json!({ "name": "T(2)", "method": "klein" }), "choose polygon, lever"),
+        (json!({ "name": "T(2)", "method": "klein" }), "choose `polygon`, `lever`"),
     ] {
         let error = wrong(find.clone());
         assert!(error.contains(told), "{find}: {error}");

@@ -76,6 +76,8 @@ pub struct ForceSheet {
     pub bodies: Vec<FreeBody>,
     /// Moments, each told at one of the bodies.
     pub moments: Vec<MomentBalance>,
+    /// Where three forces on a body meet.
+    pub meets: Vec<MeetOfThree>,
     /// Everything that acts on the mechanism from outside; empty where not all of it was needed.
     pub whole: Vec<Acting>,
     /// The inertia forces, whose sum shakes the frame; empty where not all were needed.
@@ -242,6 +244,17 @@ pub struct MomentBalance {
     pub terms: Vec<MomentTerm>,
     /// What they give.
     pub found: MomentTerm,
+}
+
+/// Three forces on a body meet in a point: what is known, a second one, and a third one that passes through a pin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeetOfThree {
+    /// The body, by its place in the order of solution.
+    pub told: usize,
+    /// The link.
+    pub link: LinkId,
+    /// Metres from the skeleton's origin.
+    pub at: [f64; 2],
 }
 
 /// About what moments are taken.

@@ -129,6 +129,12 @@ impl Draughtsman<'_> {
             (Method::Lever, Quantity::Force(Force::Torque(input) | Force::Drive(input), _)) => {
                 self.effort_by_lever(input).map_or_else(Read::Undefined, Read::Scalar)
             }
+            (Method::ThreeForce | Method::Components, Quantity::Force(force, share)) => {
+                match self.route_refused(force, share) {
+                    Some(why) => Read::Undefined(why),
+                    None => self.read_quantity(&asked.quantity),
+                }
+            }
             _ if asked.by_centres() => self.read_from_centres(index),
             _ => self.read_quantity(&asked.quantity),
         };

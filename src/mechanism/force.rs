@@ -830,6 +830,17 @@ impl Force {
         }
     }
 
+    /// The two links of which it is the force of a pair, or a part of it.
+    #[must_use]
+    pub const fn pair(self) -> Option<[LinkId; 2]> {
+        match self {
+            Self::Vector(Action::Pair { by, on })
+            | Self::Along { by, on, .. }
+            | Self::Across { by, on, .. } => Some([by, on]),
+            _ => None,
+        }
+    }
+
     /// Whether it is a vector.
     #[must_use]
     pub fn is_vector(self) -> bool {

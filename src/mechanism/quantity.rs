@@ -314,11 +314,15 @@ pub enum Method {
     },
     /// Zhukovsky's lever: moments of all forces about the pole of the turned velocity polygon.
     Lever,
+    /// A force of a pair by three forces that meet in a point, and their triangle.
+    ThreeForce,
+    /// A force of a pair by moments about the pins, in parts.
+    Components,
 }
 
 impl Method {
     /// The methods of which the name says everything.
-    pub const PLAIN: [Self; 7] = [
+    pub const PLAIN: [Self; 9] = [
         Self::Polygon,
         Self::Centres,
         Self::LineOfCentres,
@@ -326,6 +330,8 @@ impl Method {
         Self::GaugeLine,
         Self::Klein,
         Self::Lever,
+        Self::ThreeForce,
+        Self::Components,
     ];
     /// The name of the method that takes points.
     pub const TWO_MASSES: &'static str = "two-masses";
@@ -353,6 +359,8 @@ impl Method {
             Self::Klein => "klein",
             Self::TwoMasses { .. } => Self::TWO_MASSES,
             Self::Lever => "lever",
+            Self::ThreeForce => "three-force",
+            Self::Components => "components",
         }
     }
 
@@ -372,6 +380,10 @@ impl Method {
             Self::Lever => {
                 matches!(quantity, Quantity::Force(Force::Torque(_) | Force::Drive(_), Share::Total))
             }
+            Self::ThreeForce | Self::Components => match quantity {
+                Quantity::Force(force, Share::Total) => force.pair().is_some(),
+                _ => false,
+            },
             Self::LineOfCentres | Self::LinkToLink | Self::GaugeLine => {
                 matches!(quantity, Quantity::Velocity(_) | Quantity::Omega(_))
             }

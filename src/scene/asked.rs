@@ -220,6 +220,10 @@ fn method(value: &Value<'_>, asked: &Asked, fields: &Fields<'_, '_>, draft: &Dra
     let Some(method) = Method::PLAIN.into_iter().find(|method| method.name() == name) else {
         return two_masses(value, asked, fields, draft);
     };
+    if method == Method::ThreeForce && !draft.mechanism.forces.friction.is_empty() {
+        let fault = Fault::new(value.at, "three forces meet in a point where nothing rubs");
+        return Err(fault.mend(format!("ask for \"{}\" alone", asked.name)));
+    }
     if let (Method::Lever, Quantity::Force(Force::Torque(input) | Force::Drive(input), _)) =
         (method, asked.quantity)
         && let Some(why) = draft.mechanism.lever_refused(input)

@@ -639,7 +639,7 @@ fn results() -> Value {
             "unit": { "type": "string", "description": "Output unit.", "examples": ["mm/s", "rpm"] },
             "method": {
                 "enum": Method::names().collect::<Vec<_>>(),
-                "description": "By which construction it is found: the polygons (default), instant centres (direct), one of their three graphical transfers for a v(B) or omega(3), or Klein's construction of a slider-crank; an inertia force by two masses, an effort by Zhukovsky's lever."
+                "description": "By which construction it is found: the polygons (default), instant centres (direct), one of their three graphical transfers for a v(B) or omega(3), or Klein's construction of a slider-crank; an inertia force by two masses, an effort by Zhukovsky's lever, a force of a pair by three forces that meet or by its components."
             },
             "first": { "type": "string", "description": "Of `two-masses`: the point of the link at which the first mass stands." },
             "second": { "type": "string", "description": "Of `two-masses`: the point at which the second mass stands, where a couple is to correct their moment of inertia." },

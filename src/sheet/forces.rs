@@ -14,7 +14,7 @@ use super::skeleton::{self, Arrows, Overlay};
 use super::statics::arm_name;
 use super::steps::Item;
 use crate::graphical::construction::{
-    About, Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MomentBalance,
+    About, Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MeetOfThree, MomentBalance,
 };
 use crate::mechanism::force::{Action, Force, Load, LoadKind, Party, Pointing, Share, Size, SpringKind};
 use crate::mechanism::quantity::Quantity;
@@ -578,6 +578,39 @@ fn arms(
     }
 }
 
+/// The point in which three forces meet, and their lines as far as that; no farther than a drawing reaches.
+fn three_forces(
+    group: &mut Group,
+    requests: &mut Vec<Request>,
+    meet: &MeetOfThree,
+    (acting, construction): (&[Acting], &Construction),
+    notation: &Notation<'_>,
+) {
+    /// What lies farther off is off the drawing, mm.
+    const REACH: f64 = 120.0;
+    let at = on_page(meet.at, construction);
+    let mut own = Group::new("meet").data("link", notation.number(meet.link));
+    let mut reached = false;
+    for acting in acting {
+        let from = on_page(acting.through, construction);
+        let away = from.distance(at);
+        if away < SHORTEST {
+            continue;
+        }
+        let end = if away > REACH { from + (at - from) * (REACH / 2.0 / away) } else { at };
+        reached |= end == at;
+        own.mark(Mark::stroke(Shape::Line(from, end), Pen { width: FINE, dash: Dash::Dashed }).precise());
+    }
+    if reached {
+        own.mark(
+            Mark::outlined(Shape::Circle { centre: at, radius: 0.6 }, Pen::solid(FINE), Tone::Ink).precise(),
+        );
+        let site = Site::Around { at, radius: 0.8, toward: None };
+        requests.push(Request::new(meet_name(meet.link, notation), LABEL, site, "label meet-name"));
+    }
+    group.group(own);
+}
+
 /// The name of the point in which the lines of two forces on a link meet.
 pub fn meet_name(on: LinkId, notation: &Notation<'_>) -> Rich {
     Rich::italic("K").sub(&notation.number(on))
@@ -670,6 +703,10 @@ impl Free<'_> {
         }
         for moments in self.moments {
             arms(&mut group, &mut requests, moments, sheet, construction, notation);
+        }
+        let of_link = |link: LinkId| self.of.contains(&Party::Link(link));
+        for meet in sheet.meets.iter().filter(|meet| of_link(meet.link)) {
+            three_forces(&mut group, &mut requests, meet, (self.acting, construction), notation);
         }
         let everything: Vec<Acting> = sheet.bodies.iter().flat_map(|body| body.acting.clone()).collect();
         let most = largest(&everything);

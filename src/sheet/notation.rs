@@ -156,6 +156,8 @@ impl<'a> Notation<'a> {
             Method::Klein => Some(self.words.method_klein),
             Method::TwoMasses { .. } => Some(self.words.method_two_masses),
             Method::Lever => Some(self.words.method_lever),
+            Method::ThreeForce => Some(self.words.method_three_force),
+            Method::Components => Some(self.words.method_components),
         }
     }
 

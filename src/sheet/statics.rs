@@ -572,6 +572,7 @@ impl Teller<'_> {
             }
         }
         items.extend(self.contacts(body).into_iter().map(Item::Sentence));
+        items.extend(self.three_forces(index).map(Item::Sentence));
         let trials = self.sheet.group_trials.iter().filter(|trial| trial.told == index);
         items.extend(trials.map(|trial| Item::Sentence(self.group_trial(trial))));
         // What hangs on forces that only the polygon gives comes after it.
@@ -625,6 +626,28 @@ impl Teller<'_> {
             items.extend(self.trials(trials).into_iter().map(Item::Sentence));
         }
         items
+    }
+
+    /// Three forces that meet in a point.
+    fn three_forces(&self, index: usize) -> Option<Rich> {
+        let meet = self.sheet.meets.iter().find(|meet| meet.told == index)?;
+        let body = self.sheet.bodies.get(index)?;
+        let (found, known): (Vec<&Acting>, Vec<&Acting>) =
+            body.acting.iter().partition(|acting| acting.closes);
+        let names = |list: &[&Acting]| {
+            let names: Vec<Rich> = list.iter().map(|acting| self.symbol(acting.action)).collect();
+            self.n.list(&names)
+        };
+        let parts = [
+            ("known", names(&known)),
+            ("found", names(&found)),
+            ("point", super::forces::meet_name(meet.link, self.n)),
+        ];
+        let template = match known.len() {
+            0 | 1 => self.n.words.three_forces,
+            _ => self.n.words.three_forces_resultant,
+        };
+        Some(Rich::fill(template, &parts))
     }
 
     /// How the forces of rolling pairs point that are not known yet.

@@ -375,9 +375,13 @@ fn method(method: Method, notation: &Notation<'_>) -> &'static str {
         Method::LineOfCentres => notation.words.by_line_of_centres,
         Method::LinkToLink => notation.words.by_link_to_link,
         Method::GaugeLine => notation.words.by_gauge_line,
-        Method::Centres | Method::Polygon | Method::Klein | Method::TwoMasses { .. } | Method::Lever => {
-            notation.words.by_direct_method
-        }
+        Method::Centres
+        | Method::Polygon
+        | Method::Klein
+        | Method::TwoMasses { .. }
+        | Method::Lever
+        | Method::ThreeForce
+        | Method::Components => notation.words.by_direct_method,
     }
 }
 

@@ -16,6 +16,7 @@ pub(super) fn into_balance(d: &mut Draughtsman<'_>, group: &Group, balance: &mut
         return;
     }
     let before = d.board.purpose("balance of a group");
+    d.one_route_only(group, balance);
     match group.kind {
         GroupKind::Driver { base, input } => driver(d, group, base, input, balance),
         GroupKind::DrivenSlide { slide, input } => driven_slide(d, slide, input, balance),
@@ -279,37 +280,42 @@ fn rrr(
     let at = d.inner_touch(balance, pin, [a, b]);
     let reason = d.reason(&[a, b]);
     let (along, _) = d.board.toward(at_b, at, reason);
-    let across = d.board.quarter_turn(along);
-    // Moments of one link about its base give the part across it.
-    let moments = d.moments(&on_b, at_b);
-    let tangential = moments.map(|moments| {
-        let line = Line { through: at, along: across };
-        let found = TakenFor::Across { pin, by: a, on: b, from: base_b };
-        balance.taken.push(Taken { links: vec![b], about: About::Point(base_b), found });
-        d.balancing(Some(moments), line, at_b, &[b])
-    });
-    let whole = tangential.is_none();
-    let found = TakenFor::Along { pin, by: b, on: a, from: base_b, whole };
-    balance.taken.push(Taken { links: vec![a], about: About::Point(base_a), found });
-    // Moments of the other one about its base give the part along the first.
-    let mut turning = d.moments(&on_a, at_a);
-    if let Some(size) = tangential {
-        let arm = d.arm_of(Line { through: at, along: across }, at_a);
-        let moment = d.board.product(size, arm);
-        let back = d.board.opposite(moment);
-        turning = d.both(turning, Some(back));
-    }
     let line = Line { through: at, along };
-    let size = d.balancing(turning, line, at_a, &[a, b]);
-    let normal = d.board.opposite(size);
-    let normal = d.pull_along(along, normal);
-    let mut parts = Vec::new();
-    if let Some(size) = tangential {
-        parts.push(d.pull_along(across, size));
-    }
-    parts.push(normal);
-    let head = d.chained(&parts);
-    let on_b_at_pin = Pull { tail: d.board.origin(), head };
+    let on_b_at_pin = match d.by_three_forces(balance, a, (&on_a, &on_b), line, at_a) {
+        Some(on_a_at_pin) => Draughtsman::opposite(on_a_at_pin),
+        None => {
+            let across = d.board.quarter_turn(along);
+            // Moments of one link about its base give the part across it.
+            let moments = d.moments(&on_b, at_b);
+            let tangential = moments.map(|moments| {
+                let line = Line { through: at, along: across };
+                let found = TakenFor::Across { pin, by: a, on: b, from: base_b };
+                balance.taken.push(Taken { links: vec![b], about: About::Point(base_b), found });
+                d.balancing(Some(moments), line, at_b, &[b])
+            });
+            let whole = tangential.is_none();
+            let found = TakenFor::Along { pin, by: b, on: a, from: base_b, whole };
+            balance.taken.push(Taken { links: vec![a], about: About::Point(base_a), found });
+            // Moments of the other one about its base give the part along the first.
+            let mut turning = d.moments(&on_a, at_a);
+            if let Some(size) = tangential {
+                let arm = d.arm_of(Line { through: at, along: across }, at_a);
+                let moment = d.board.product(size, arm);
+                let back = d.board.opposite(moment);
+                turning = d.both(turning, Some(back));
+            }
+            let size = d.balancing(turning, line, at_a, &[a, b]);
+            let normal = d.board.opposite(size);
+            let normal = d.pull_along(along, normal);
+            let mut parts = Vec::new();
+            if let Some(size) = tangential {
+                parts.push(d.pull_along(across, size));
+            }
+            parts.push(normal);
+            let head = d.chained(&parts);
+            Pull { tail: d.board.origin(), head }
+        }
+    };
     let on_b_at_pin = d.pin_force_as_used(pin, b, on_b_at_pin);
     let on_a_at_pin = Draughtsman::opposite(on_b_at_pin);
     d.note_inner_pin(balance, pin, [(a, on_a_at_pin), (b, on_b_at_pin)]);
@@ -339,7 +345,15 @@ fn rrp(
     let rubs = Draughtsman::rubs_at(balance, pin);
     let couple = if rubs { None } else { d.keeping(&on_rider, at) };
     let rod_moments = d.moments(&on_rod, at_base);
-    let of_guide = if rod_moments.is_none() && sliding.inner.is_some() {
+    let polygon = rod_moments.is_none() && sliding.inner.is_some();
+    let line = Line { through: touch, along: normal };
+    let three = match polygon {
+        true => None,
+        false => d.by_three_forces(balance, rod, (&on_rod, &on_rider), line, at_base),
+    };
+    let of_guide = if let Some(of_guide) = three {
+        of_guide
+    } else if polygon && !d.asks_components(rod) {
         // A member of two forces: its line is that of its pins.
         let reason = d.reason(&[rod]);
         let (along, _) = d.board.toward(at_base, touch, reason);
@@ -354,7 +368,7 @@ fn rrp(
             let of_rider = d.moment_of(Pull { tail, head }, touch, at_base);
             moments = d.both(moments, Some(of_rider));
         }
-        let size = d.balancing(moments, Line { through: touch, along: normal }, at_base, &[rod]);
+        let size = d.balancing(moments, line, at_base, &[rod]);
         let links = [rod].into_iter().chain(sliding.inner).collect();
         balance.taken.push(Taken { links, about: About::Point(base), found: TakenFor::Slide(slide) });
         d.pull_along(normal, size)
@@ -408,11 +422,18 @@ fn rpr(
     // What would turn the inner body is kept by the lever, which feels it.
     let couple = d.keeping(&on_inner, at);
     let turned = if rubs { d.moments(&on_inner, touch) } else { d.moments(&on_inner, at) };
-    let moments = d.moments(&on_lever, at_base);
-    let moments = d.both(moments, turned);
-    let size = d.balancing(moments, Line { through: touch, along: normal }, at_base, &[lever]);
-    balance.taken.push(Taken { links: vec![lever], about: About::Point(base), found: TakenFor::Slot(slide) });
-    let on_lever_force = d.pull_along(normal, size);
+    let line = Line { through: touch, along: normal };
+    let on_lever_force = match d.by_three_forces(balance, lever, (&on_lever, &on_inner), line, at_base) {
+        Some(on_lever_force) => on_lever_force,
+        None => {
+            let moments = d.moments(&on_lever, at_base);
+            let moments = d.both(moments, turned);
+            let size = d.balancing(moments, line, at_base, &[lever]);
+            let found = TakenFor::Slot(slide);
+            balance.taken.push(Taken { links: vec![lever], about: About::Point(base), found });
+            d.pull_along(normal, size)
+        }
+    };
     let on_inner_force = Draughtsman::opposite(on_lever_force);
     let on_inner_force = d.slide_force_as_used(slide, sliding.inner, on_inner_force);
     let on_lever_force = Draughtsman::opposite(on_inner_force);

@@ -14,6 +14,7 @@ mod moments;
 mod read;
 mod record;
 mod rolling;
+mod routes;
 mod sought;
 mod spin;
 mod triad;
@@ -99,12 +100,24 @@ pub(super) struct Balance {
     pub(super) trial: Option<Trial>,
     /// The same of several.
     pub(super) trials: Option<Trials>,
+    /// Where three forces on a link meet.
+    pub(super) meets: Vec<ThreeForces>,
+    /// Why the route that was asked for a group does not exist, by its index.
+    no_route: BTreeMap<usize, &'static str>,
     /// Moments that gave a size, in the order in which they were taken.
     pub(super) taken: Vec<Taken>,
     /// What could not be drawn, and why.
     pub(super) refused: Option<&'static str>,
     /// Where forces touch friction circles, and how they lean.
     leaning: Leaning,
+}
+
+/// Three forces on a link, of which one is known, meet in a point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ThreeForces {
+    pub(super) link: LinkId,
+    /// On the skeleton.
+    pub(super) at: Point,
 }
 
 /// Moments of bodies about a point through which all unknowns pass but one.

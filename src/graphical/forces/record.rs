@@ -8,10 +8,10 @@ use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
-use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge, LoadSize, SpringTwist, Touch};
+use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, SpringTwist, Touch};
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
-use super::{About, Taken, TakenFor};
+use super::{About, Taken, TakenFor, ThreeForces};
 
 /// A line of inertia farther off than this part of the skeleton's size has no room on the paper.
 const REACH: f64 = 0.6;
@@ -25,6 +25,7 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     if balance.refused.is_some() {
         return None;
     }
+    let three = balance.meets.clone();
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
     let (trial, trials, mut group_trials) =
         (balance.trial, balance.trials.clone(), balance.group_trials.clone());
@@ -48,7 +49,12 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         let chunks = match tried {
             // One after the other, once what is left open is found.
             Some(trial) => trial.links.iter().map(|link| vec![*link]).collect(),
-            None => in_order(&links, &own),
+            None => {
+                let mut all = in_order(&links, &own);
+                // The other one gives the line of the second force.
+                all.sort_by_key(|chunk| three.iter().any(|meet| chunk.contains(&meet.link)));
+                all
+            }
         };
         for chunk in chunks {
             found.by_moments = own.iter().filter_map(|taken| d.given_by_moments(taken)).collect();
@@ -90,6 +96,7 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         return None;
     }
     let moments = d.moments_told(&taken, &bodies);
+    let meets = three.iter().filter_map(|meet| d.meet_told(meet, &mut bodies)).collect();
     let shaking = if inertia.is_empty() { None } else { d.shaking_told(&inertia) };
     // A governor rests in its own plane.
     let governs = d.mechanism.forces.spin.is_some();
@@ -107,6 +114,7 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         masses,
         bodies,
         moments,
+        meets,
         whole,
         inertia,
         shaking,
@@ -199,6 +207,16 @@ pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
 }
 
 impl Draughtsman<'_> {
+    /// Where three forces meet, told at their body, of which all lines are known then.
+    fn meet_told(&self, meet: &ThreeForces, bodies: &mut [FreeBody]) -> Option<MeetOfThree> {
+        let told = bodies.iter().position(|body| body.of == Party::Link(meet.link))?;
+        for acting in bodies[told].acting.iter_mut().filter(|acting| acting.known == Knowledge::Nothing) {
+            acting.known = Knowledge::Line;
+        }
+        let per_mm = self.length_scale().si_per_mm;
+        Some(MeetOfThree { told, link: meet.link, at: meet.at.value().map(|mm| mm * per_mm) })
+    }
+
     /// Whether a load or a spring has no direction here: then nothing that it balances is a stroke.
     fn acts_without_direction(&mut self) -> bool {
         let forces = self.mechanism.forces.clone();
