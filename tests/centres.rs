@@ -310,8 +310,10 @@ fn a_velocity_has_no_jump_where_its_centre_goes_through_infinity() {
             scene.mechanism.asked.truncate(1);
             let b = scene.mechanism.point_named("B").unwrap();
             scene.mechanism.asked[0].quantity = Quantity::Velocity(b);
-            scene.mechanism.asked[0].method =
-                linkgram::mechanism::quantity::Method::PLAIN.into_iter().find(|m| m.name() == method).unwrap();
+            scene.mechanism.asked[0].method = linkgram::mechanism::quantity::Method::PLAIN
+                .into_iter()
+                .find(|m| m.name() == method)
+                .unwrap();
             let solved = solve(&scene, Extent::Asked, scale::for_scene).unwrap();
             let agreement = agreement(&scene, &solved, &solve_analytically(&scene));
             assert!(agreement.ok(), "{method}, {step}: {:?}", agreement.compared);

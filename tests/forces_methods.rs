@@ -1,4 +1,4 @@
-//! Other constructions of a force than the usual one: inertia by two masses, Zhukovsky's lever.
+//! Other constructions of a force than the usual one: inertia by two masses, Zhukovsky's lever, three forces that meet.
 //!
 //! The truth of a line of inertia is its moment about the mass centre, −I ε, by kinematics of the test's own; that of an
 //! effort is the power of everything else, by closed forms and by the independent solver.
@@ -51,10 +51,7 @@ fn motion(theta: f64) -> Motion {
     let a = [
         [RADIUS * c, RADIUS * s],
         [-RADIUS * OMEGA * s, RADIUS * OMEGA * c],
-        [
-            RADIUS * (-EPSILON * s - OMEGA * OMEGA * c),
-            RADIUS * (EPSILON * c - OMEGA * OMEGA * s),
-        ],
+        [RADIUS * (-EPSILON * s - OMEGA * OMEGA * c), RADIUS * (EPSILON * c - OMEGA * OMEGA * s)],
     ];
     // l sin φ = e − y_A, twice differentiated.
     let phi = ((0.01 - a[0][1]) / ROD).asin();
@@ -187,10 +184,8 @@ fn a_mass_that_rests_and_lines_that_do_not_meet() {
         let (s, c) = 0.7_f64.sin_cos();
         let place = [0.02 * c, 0.02 * s];
         let force = vector(&found.answer);
-        let wanted = [
-            1.5 * 0.02 * (epsilon * s + OMEGA * OMEGA * c),
-            1.5 * 0.02 * (-epsilon * c + OMEGA * OMEGA * s),
-        ];
+        let wanted =
+            [1.5 * 0.02 * (epsilon * s + OMEGA * OMEGA * c), 1.5 * 0.02 * (-epsilon * c + OMEGA * OMEGA * s)];
         assert!(norm(minus(force, wanted)) < 1e-10, "{force:?} {wanted:?}");
         let moment = cross(minus(found.through.unwrap(), place), force);
         assert!((moment + 0.003 * epsilon).abs() < 1e-11, "{first} {steady}: {moment}");
@@ -212,7 +207,8 @@ fn two_masses_are_refused_with_the_reason() {
     assert!(why.contains("does not lie on the line of the two pins"), "{why}");
     let why = refused(&common::read(&slider_crank(0.9, [0.3, 0.0], &off).to_string()), by_two_masses);
     assert!(why.contains("does not lie between"), "{why}");
-    let mut still = slider_crank(0.9, [0.07, 0.02], &json!([{ "name": "Fin(3)", "method": "two-masses", "first": "A" }]));
+    let mut still =
+        slider_crank(0.9, [0.07, 0.02], &json!([{ "name": "Fin(3)", "method": "two-masses", "first": "A" }]));
     still["input"]["omega"] = json!(0);
     still["input"]["alpha"] = json!(0);
     let why = refused(&common::read(&still.to_string()), by_two_masses);
@@ -322,7 +318,10 @@ fn the_lever_of_every_kind_of_the_catalogue() {
     println!("{answered} levers; {told:#?}");
     assert!(answered >= 20, "{answered} {told:#?}");
     for why in &told {
-        assert!(["one equation", "this guide moves", "nothing moves"].iter().any(|known| why.contains(known)), "{why}");
+        assert!(
+            ["one equation", "this guide moves", "nothing moves"].iter().any(|known| why.contains(known)),
+            "{why}"
+        );
     }
 }
 
@@ -371,14 +370,9 @@ fn the_figures_are_legible() {
     ] {
         let scene = common::read(&slider_crank(0.9, centre, &json!(["T(2)", "Fin(3)"])).to_string());
         let auxiliary = sheet::auxiliary(figure, &scene).unwrap().unwrap();
-        let solved = solve_with(
-            &scene,
-            Extent::WholeSkeleton,
-            &[auxiliary],
-            Settings::default(),
-            scale::for_scene,
-        )
-        .unwrap();
+        let solved =
+            solve_with(&scene, Extent::WholeSkeleton, &[auxiliary], Settings::default(), scale::for_scene)
+                .unwrap();
         check::confirm(&scene, &solved).unwrap();
         for language in [Language::English, Language::Arabic, Language::Persian] {
             let drawn = sheet::single(&scene, &solved.solution.construction, figure, language).unwrap();
@@ -399,4 +393,123 @@ fn the_figures_are_legible() {
         let error = sheet::auxiliary(figure, &scene).unwrap_err();
         assert!(error.contains(told), "{figure}: {error}");
     }
+}
+
+/// A four-bar of which one rod is loaded, or a slider-crank with a loaded rod, or a slotted lever: both routes give the
+/// forces that the independent solver has, and their lines meet.
+#[test]
+fn both_routes_give_the_same_forces() {
+    let four_bar = json!({
+        "fixed": { "O2": [0, 0], "O4": [0.13, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 0.05 }, "3": { "joins": ["A", "B"], "length": 0.12 },
+                   "4": { "joins": ["O4", "B", "C"], "sides": [0.09, 0.07, 0.06], "turn": "ccw" } },
+        "near": { "B": [0.16, 0.09] }, "input": { "link": 2, "angle": 65, "omega": 20 },
+        "loads": [ { "name": "P", "on": 4, "at": "C", "force": [30, -70] } ],
+        "find": ["F(2,3)", "F(1,4)", "T(2)"]
+    });
+    let mut loaded_coupler = four_bar.clone();
+    loaded_coupler["loads"] =
+        json!([ { "name": "P", "on": 3, "at": "B", "force": [30, -70] }, { "on": 3, "torque": 2 } ]);
+    let mut rod = slider_crank(0.9, [0.07, 0.02], &json!(["F(2,3)", "F(3,4)", "T(2)"]));
+    rod["masses"].as_object_mut().unwrap().remove("4");
+    rod["loads"] =
+        json!([ { "name": "P", "on": 3, "at": "B", "force": [-50, 35] }, { "on": 3, "torque": 4 } ]);
+    let slotted = json!({
+        "fixed": { "O2": [0, 0], "O4": [0, -0.2] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 0.06 }, "4": { "joins": ["O4", "D"], "length": 0.35 } },
+        "slides": [ { "pin": "A", "block": 3, "on": { "link": 4, "through": "O4", "toward": "D" } } ],
+        "near": { "D": [0.05, 0.14] }, "input": { "link": 2, "angle": 30, "omega": 8 },
+        "masses": { "4": { "mass": 5, "at": [0.15, 0.02], "inertia": 0.05 } },
+        "loads": [ { "name": "P", "on": 4, "at": "D", "force": [-40, 5] } ],
+        "find": ["F(1,4)", "T(2)"]
+    });
+    for (value, name) in
+        [(four_bar, "F(3,4)"), (loaded_coupler, "F(3,4)"), (rod, "F(1,4)"), (slotted, "F(3,4)")]
+    {
+        let mut told: Vec<Vec<Answer>> = Vec::new();
+        for method in ["polygon", "components", "three-force"] {
+            let mut value = value.clone();
+            value["find"].as_array_mut().unwrap().push(json!({ "name": name, "method": method }));
+            let scene = common::read(&value.to_string());
+            let solved = solved(&scene);
+            let construction = &solved.solution.construction;
+            told.push(construction.answers.iter().map(|reading| reading.answer.clone()).collect());
+            let meets = &construction.forces.as_ref().unwrap().meets;
+            assert_eq!(meets.len(), usize::from(method == "three-force"), "{name} {method}");
+            let Some(meet) = meets.first() else { continue };
+            // Every force that the triangle gives passes through the meet.
+            let body = &construction.forces.as_ref().unwrap().bodies[meet.told];
+            let found: Vec<_> = body.acting.iter().filter(|acting| acting.closes).collect();
+            assert_eq!(found.len(), 2, "{name}");
+            for acting in found {
+                let off = cross(minus(acting.through, meet.at), acting.force);
+                assert!(off.abs() < 1e-9 * norm(acting.force), "{name}: {off}");
+            }
+            for figure in ["bodies", "polygons"] {
+                let drawn = sheet::single(&scene, construction, figure, Language::English).unwrap();
+                let overlaps = overlap::overlaps(&drawn);
+                assert!(overlaps.is_empty(), "{name} {figure}: {overlaps:?}");
+            }
+        }
+        for other in &told[1..] {
+            for (one, other) in told[0].iter().zip(other) {
+                let apart = match (one, other) {
+                    (Answer::Vector { value: a, .. }, Answer::Vector { value: b, .. }) => norm(minus(*a, *b)),
+                    (Answer::Scalar { value: a, .. }, Answer::Scalar { value: b, .. }) => (a - b).abs(),
+                    other => panic!("{other:?}"),
+                };
+                assert!(apart < 1e-9, "{name}: {apart}");
+            }
+        }
+    }
+}
+
+/// Where there is but one route, the reason is said, and everything else is answered.
+#[test]
+fn a_route_that_does_not_exist_is_refused_with_the_reason() {
+    let of = |name: &str, method: &str, change: &dyn Fn(&mut Value)| {
+        let mut value = json!({
+            "fixed": { "O2": [0, 0], "O4": [0.13, 0] },
+            "links": { "2": { "joins": ["O2", "A"], "length": 0.05 }, "3": { "joins": ["A", "B"], "length": 0.12 },
+                       "4": { "joins": ["O4", "B"], "length": 0.09 } },
+            "near": { "B": [0.16, 0.09] }, "input": { "link": 2, "angle": 65, "omega": 20 },
+            "loads": [ { "name": "P", "on": 4, "at": "B", "force": [30, -70] } ],
+            "find": ["T(2)", { "name": name, "method": method }]
+        });
+        change(&mut value);
+        let scene = common::read(&value.to_string());
+        let solved = solve(&scene, Extent::Asked, scale::for_scene).unwrap();
+        let answers = &solved.solution.construction.answers;
+        assert!(matches!(answers[0].answer, Answer::Scalar { .. }));
+        match &answers[1].answer {
+            Answer::Indeterminate(Indeterminate::Undefined { why }) => why.clone(),
+            other => panic!("{other:?}"),
+        }
+    };
+    let two = |value: &mut Value| value["masses"] = json!({ "3": { "mass": 1, "at": [0.05, 0] } });
+    let couple = |value: &mut Value| value["loads"] = json!([{ "on": 4, "torque": 3 }]);
+    let parallel = |value: &mut Value| {
+        value["loads"] =
+            json!([{ "on": 4, "at": "O4", "force": 9, "direction": { "from": "A", "to": "B" } }]);
+    };
+    let same = |_: &mut Value| {};
+    for (why, told) in [
+        (of("F(3,4)", "three-force", &two), "something acts on both links"),
+        (of("F(3,4)", "three-force", &couple), "a couple alone"),
+        (of("F(3,4)", "three-force", &parallel), "parallel"),
+        (of("F(1,2)", "three-force", &same), "one route alone"),
+        (of("F(1,2)", "components", &same), "one route alone"),
+    ] {
+        assert!(why.contains(told), "{why}");
+    }
+    let rubs = json!({
+        "fixed": { "O": [0, 0] },
+        "links": { "2": { "joins": ["O", "A"], "length": 0.05 }, "3": { "joins": ["A", "B"], "length": 0.2 } },
+        "slides": [ { "pin": "B", "block": 4, "on": { "link": 1, "through": "O" }, "f": 0.1 } ],
+        "near": { "B": [0.2, 0] }, "input": { "link": 2, "angle": 50, "omega": 3 },
+        "loads": [ { "on": 4, "at": "B", "force": [-9, 0] } ],
+        "find": [ { "name": "F(1,4)", "method": "three-force" } ]
+    });
+    let error = scene::read(&rubs.to_string(), "rubs").unwrap_err().to_string();
+    assert!(error.contains("where nothing rubs"), "{error}");
 }

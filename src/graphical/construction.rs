@@ -255,6 +255,8 @@ pub struct MeetOfThree {
     pub link: LinkId,
     /// Metres from the skeleton's origin.
     pub at: [f64; 2],
+    /// A point of the line of what is known, metres from the skeleton's origin.
+    pub through: [f64; 2],
 }
 
 /// About what moments are taken.

@@ -234,12 +234,7 @@ fn method(value: &Value<'_>, asked: &Asked, fields: &Fields<'_, '_>, draft: &Dra
 }
 
 /// The points at which two masses stand for a link.
-fn two_masses(
-    value: &Value<'_>,
-    asked: &Asked,
-    fields: &Fields<'_, '_>,
-    draft: &Draft<'_>,
-) -> Res<Method> {
+fn two_masses(value: &Value<'_>, asked: &Asked, fields: &Fields<'_, '_>, draft: &Draft<'_>) -> Res<Method> {
     let Quantity::Force(Force::Vector(Action::Inertia(link)), _) = asked.quantity else {
         return Err(Fault::new(value.at, format!("two masses do not stand for `{}`", asked.name)));
     };

@@ -731,9 +731,13 @@ impl Teller<'_> {
             AuxiliaryAct::LinesApart { link } => {
                 let torque = force_symbol(Force::InertiaTorque(link), n);
                 let force = name(PointName::InertiaForce(link), n);
-                let ratio = name(PointName::OffsetOfInertia(link), n).up(EQUALS).then(&torque).up(OVER).then(&force);
-                let parts =
-                    [("force", name(PointName::InertiaForce(link), n)), ("ratio", ratio), ("centre", n.point(centre(link)?))];
+                let ratio =
+                    name(PointName::OffsetOfInertia(link), n).up(EQUALS).then(&torque).up(OVER).then(&force);
+                let parts = [
+                    ("force", name(PointName::InertiaForce(link), n)),
+                    ("ratio", ratio),
+                    ("centre", n.point(centre(link)?)),
+                ];
                 Rich::fill(words.masses_apart, &parts)
             }
             AuxiliaryAct::CorrectingCouple { link, pins, mass, inertia, arms: [a, b], alpha, couple } => {
@@ -845,8 +849,7 @@ impl Teller<'_> {
                 let [t, w] = human::closing([torque.abs(), rate.abs()], moment.abs(), |[t, w]| t * w);
                 let line = force_symbol(of, n).up(DOT).then(&omega(link)).up(EQUALS);
                 let line = line.then(&t).up(TIMES).then(&w).up(EQUALS).then(&watts(moment.abs()));
-                let parts =
-                    [("link", Rich::upright(n.number(link))), ("moment", line.word(n.sense(moment)))];
+                let parts = [("link", Rich::upright(n.number(link))), ("moment", line.word(n.sense(moment)))];
                 Rich::fill(words.lever_couple, &parts)
             }
             AuxiliaryAct::EffortOfLever { of, moments, speed, effort } => {

@@ -591,8 +591,17 @@ fn three_forces(
     let at = on_page(meet.at, construction);
     let mut own = Group::new("meet").data("link", notation.number(meet.link));
     let mut reached = false;
-    for acting in acting {
-        let from = on_page(acting.through, construction);
+    let known: Vec<&Acting> = acting.iter().filter(|acting| !acting.closes).collect();
+    let resultant = on_page(meet.through, construction);
+    let found = acting.iter().filter(|acting| acting.closes);
+    let lines = found.map(|acting| on_page(acting.through, construction)).chain([resultant]);
+    if known.len() > 1 {
+        let site = Site::Along { from: resultant, to: at };
+        let mut request = Request::new(resultant_name(meet.link, notation), LABEL, site, "label force-name");
+        request.leader = true;
+        requests.push(request);
+    }
+    for from in lines {
         let away = from.distance(at);
         if away < SHORTEST {
             continue;
@@ -609,6 +618,11 @@ fn three_forces(
         requests.push(Request::new(meet_name(meet.link, notation), LABEL, site, "label meet-name"));
     }
     group.group(own);
+}
+
+/// The name of the resultant of what is known to act on a link.
+pub fn resultant_name(on: LinkId, notation: &Notation<'_>) -> Rich {
+    Rich::italic("R").sub(&notation.number(on))
 }
 
 /// The name of the point in which the lines of two forces on a link meet.

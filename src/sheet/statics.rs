@@ -642,6 +642,7 @@ impl Teller<'_> {
             ("known", names(&known)),
             ("found", names(&found)),
             ("point", super::forces::meet_name(meet.link, self.n)),
+            ("resultant", super::forces::resultant_name(meet.link, self.n)),
         ];
         let template = match known.len() {
             0 | 1 => self.n.words.three_forces,

@@ -168,7 +168,8 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             more(Panel::Transfer(index), unnumbered(items));
         }
     }
-    let auxiliary = construction.auxiliary.iter().enumerate().filter(|(_, drawing)| drawing.refused.is_none());
+    let auxiliary =
+        construction.auxiliary.iter().enumerate().filter(|(_, drawing)| drawing.refused.is_none());
     // The lever takes up forces that were laid off before.
     let (levers, auxiliary): (Vec<_>, Vec<_>) = auxiliary.partition(|(_, drawing)| drawing.is_lever());
     for (index, drawing) in auxiliary {

@@ -117,7 +117,8 @@ impl Draughtsman<'_> {
     fn lever_link(&mut self, link: LinkId) {
         let points = self.mechanism.link(link).points.clone();
         let moving = points.into_iter().filter(|point| !self.mechanism.is_fixed(*point));
-        if let Some(pin) = moving.into_iter().find(|point| self.motion(Order::Velocity).images[point.0].is_some())
+        if let Some(pin) =
+            moving.into_iter().find(|point| self.motion(Order::Velocity).images[point.0].is_some())
         {
             let at = self.turned_image(pin);
             self.lever_point(pin, at);

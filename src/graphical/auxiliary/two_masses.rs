@@ -62,7 +62,11 @@ impl Draughtsman<'_> {
         self.board.purpose(before);
     }
 
-    fn two_masses(&mut self, link: LinkId, (first, second): (PointId, Option<PointId>)) -> Found<ByTwoMasses> {
+    fn two_masses(
+        &mut self,
+        link: LinkId,
+        (first, second): (PointId, Option<PointId>),
+    ) -> Found<ByTwoMasses> {
         let mass = *self.mechanism.forces.mass(link).ok_or("the link has no mass")?;
         let kilograms = self.kilograms(&mass).ok_or("the link has a moment of inertia and no mass")?;
         let inertia = self.central_inertia(&mass).ok_or("the link has no moment of inertia")?;
@@ -143,11 +147,7 @@ impl Draughtsman<'_> {
     }
 
     /// Both masses at pins, with the mass centre between them.
-    fn masses_at_pins(
-        &mut self,
-        mass: &Mass,
-        pins: [PointId; 2],
-    ) -> Found<[Particle; 2]> {
+    fn masses_at_pins(&mut self, mass: &Mass, pins: [PointId; 2]) -> Found<[Particle; 2]> {
         let scale = self.length_scale();
         let reason = self.reason(&[mass.link]);
         let ([a, b], centre) = (pins.map(|pin| self.at(pin)), self.at(mass.centre));
@@ -266,7 +266,13 @@ impl Draughtsman<'_> {
     }
 
     /// The inertia force in its line, and how far from the mass centre that is.
-    fn draw_line_of_inertia(&mut self, mass: &Mass, kilograms: Amount, (pull, along): (Pull, Direction), through: Point) {
+    fn draw_line_of_inertia(
+        &mut self,
+        mass: &Mass,
+        kilograms: Amount,
+        (pull, along): (Pull, Direction),
+        through: Point,
+    ) {
         let centre = self.at(mass.centre);
         let line = Line { through, along };
         let [beside, _] = self.board.square_off(line, centre);
@@ -305,7 +311,8 @@ impl Draughtsman<'_> {
         [one, other]: [Particle; 2],
     ) {
         let middle = self.image_of_centre(mass);
-        let label = |point: PointId| PointName::Image(Label::Image { point, link: None }, Order::Acceleration);
+        let label =
+            |point: PointId| PointName::Image(Label::Image { point, link: None }, Order::Acceleration);
         let named = [
             (one.image.value(), label(first)),
             (middle.value(), label(mass.centre)),
@@ -320,7 +327,8 @@ impl Draughtsman<'_> {
             named.iter().map(|(at, _)| at.map(|mm| mm * grown)).chain([[0.0; 2]]).collect();
         let places: Vec<[f64; 2]> = self.places.iter().flatten().map(Point::value).collect();
         let least = |of: &[[f64; 2]], axis: usize| of.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
-        let most = |of: &[[f64; 2]], axis: usize| of.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
+        let most =
+            |of: &[[f64; 2]], axis: usize| of.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
         let pole = [
             most(&places, 0) + self.on_the_page(APART) - least(&all, 0),
             f64::midpoint(least(&places, 1), most(&places, 1)) - f64::midpoint(least(&all, 1), most(&all, 1)),

@@ -118,6 +118,8 @@ pub(super) struct ThreeForces {
     pub(super) link: LinkId,
     /// On the skeleton.
     pub(super) at: Point,
+    /// A point of the line of the known one.
+    pub(super) through: Point,
 }
 
 /// Moments of bodies about a point through which all unknowns pass but one.

@@ -8,7 +8,9 @@ use crate::mechanism::quantity::Quantity;
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
-use super::super::construction::{Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, SpringTwist, Touch};
+use super::super::construction::{
+    Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, SpringTwist, Touch,
+};
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
 use super::{About, Taken, TakenFor, ThreeForces};
@@ -207,14 +209,32 @@ pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
 }
 
 impl Draughtsman<'_> {
-    /// Where three forces meet, told at their body, of which all lines are known then.
+    /// Where three forces meet, told at their body: the lines of all of them are known then, and the polygon gives the sizes
+    /// of those that the other link of the group and the pin exert.
     fn meet_told(&self, meet: &ThreeForces, bodies: &mut [FreeBody]) -> Option<MeetOfThree> {
         let told = bodies.iter().position(|body| body.of == Party::Link(meet.link))?;
-        for acting in bodies[told].acting.iter_mut().filter(|acting| acting.known == Knowledge::Nothing) {
-            acting.known = Knowledge::Line;
+        let group = self.structure.group_of(meet.link)?;
+        let links = &self.structure.groups[group].links;
+        let of_group =
+            |body: &FreeBody| matches!(body.of, Party::Link(l) if l != meet.link && links.contains(&l));
+        let mut given: Vec<Action> = Vec::new();
+        for body in bodies.iter_mut().filter(|body| of_group(body)) {
+            given.extend(body.acting.iter().map(|acting| acting.action));
+            if body.acting.len() == 2 {
+                body.acting.iter_mut().for_each(|acting| acting.known = acting.known.min(Knowledge::Line));
+            }
         }
+        let own = &mut bodies[told].acting;
+        for acting in &mut *own {
+            let found = acting.closes || given.iter().any(|other| same_pair(*other, acting.action));
+            if found {
+                (acting.known, acting.closes) = (Knowledge::Line, true);
+            }
+        }
+        own.sort_by_key(|acting| acting.closes);
         let per_mm = self.length_scale().si_per_mm;
-        Some(MeetOfThree { told, link: meet.link, at: meet.at.value().map(|mm| mm * per_mm) })
+        let [at, through] = [meet.at, meet.through].map(|place| place.value().map(|mm| mm * per_mm));
+        Some(MeetOfThree { told, link: meet.link, at, through })
     }
 
     /// Whether a load or a spring has no direction here: then nothing that it balances is a stroke.

@@ -17,9 +17,11 @@ const TOO_NEAR: f64 = 1e-3;
 
 const ONE_ROUTE: &str = "the group that finds this force has one route alone";
 const BOTH_ROUTES: &str = "the group that finds this force is asked for by three forces and by components";
-const TWO_LOADED: &str = "more than three forces: something acts on both links of the group that finds this force";
+const TWO_LOADED: &str =
+    "more than three forces: something acts on both links of the group that finds this force";
 const NOTHING_ACTS: &str = "fewer than three forces: nothing acts on the link, or a couple alone";
-const NO_MEET: &str = "the lines of the known force and of the second one are parallel: three forces do not meet on paper";
+const NO_MEET: &str =
+    "the lines of the known force and of the second one are parallel: three forces do not meet on paper";
 const IN_THE_PIN: &str = "the three forces meet in the pin itself, which gives the third one no line";
 
 impl Draughtsman<'_> {
@@ -78,8 +80,8 @@ impl Draughtsman<'_> {
             return None;
         }
         match self.three_forces(link, (on_link, on_other), second, pin) {
-            Ok((pull, at)) => {
-                balance.meets.push(ThreeForces { link, at });
+            Ok((pull, meet)) => {
+                balance.meets.push(meet);
                 Some(pull)
             }
             Err(why) => {
@@ -95,7 +97,7 @@ impl Draughtsman<'_> {
         (on_link, on_other): (&[Item], &[Item]),
         second: Line,
         pin: Point,
-    ) -> Result<(Pull, Point), &'static str> {
+    ) -> Result<(Pull, ThreeForces), &'static str> {
         if !on_other.is_empty() {
             return Err(TWO_LOADED);
         }
@@ -115,7 +117,7 @@ impl Draughtsman<'_> {
         }
         let (third, _) = self.board.toward(meet.at, pin, reason);
         let [found, _] = self.two_lines(&[sum], [second.along, third], &[link]);
-        Ok((found, meet.at))
+        Ok((found, ThreeForces { link, at: meet.at, through }))
     }
 
     /// Why the route that is asked for a force does not exist.
