@@ -353,8 +353,8 @@ fn a_sweep_reads_the_polygons() {
     let solved = solved(&scene);
     let effort = scalar(&reading(&scene, &solved, |method| *method == Method::Lever).answer);
     // T(2) of the polygons, T(2) of the lever, Fin(3).
-    for column in 0..2 {
-        let found = here[column].unwrap().value;
+    for column in &here[..2] {
+        let found = column.unwrap().value;
         assert!((found - effort).abs() < 1e-9 * effort.abs(), "{found} is not {effort}");
     }
 }

@@ -47,21 +47,22 @@ impl Draughtsman<'_> {
 
     /// Notes why a group has no second route.
     pub(super) fn one_route_only(&self, group: &Group, balance: &mut Balance) {
-        let Some(index) = group.links.first().and_then(|link| self.structure.group_of(*link)) else { return };
-        let routes = [Method::ThreeForce, Method::Components].map(|method| self.asks(index, method));
+        if let Some(index) = group.links.first().and_then(|link| self.structure.group_of(*link))
+            && let Some(why) = self.no_second_route(index)
+        {
+            balance.no_route.insert(index, why);
+        }
+    }
+
+    fn no_second_route(&self, group: usize) -> Option<&'static str> {
         let two = matches!(
-            self.structure.groups[index].kind,
+            self.structure.groups[group].kind,
             GroupKind::Rrr { .. } | GroupKind::Rrp { .. } | GroupKind::Rpr { .. }
         );
-        match routes {
-            [false, false] => {}
-            [true, true] => {
-                balance.no_route.insert(index, BOTH_ROUTES);
-            }
-            _ if !two => {
-                balance.no_route.insert(index, ONE_ROUTE);
-            }
-            _ => {}
+        match [Method::ThreeForce, Method::Components].map(|method| self.asks(group, method)) {
+            [false, false] => None,
+            [true, true] => Some(BOTH_ROUTES),
+            _ => (!two).then_some(ONE_ROUTE),
         }
     }
 
