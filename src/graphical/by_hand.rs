@@ -9,6 +9,7 @@ use crate::mechanism::quantity::Quantity;
 use crate::mechanism::structure::Structure;
 use crate::plan::Plan;
 
+use super::auxiliary::draw_for_forces;
 use super::reading::{Marked, Numbers, numbers, read_all};
 use super::{DrawError, Scales, draw};
 
@@ -68,11 +69,13 @@ pub fn by_hand(
     let hand = draughtsmen.hand;
     let board = Board::new(Tape::by_hand(hand));
     let mut perfect = draw(board, mechanism, structure, plan, scales)?;
+    draw_for_forces(&mut perfect, plan);
     let readings: Vec<_> = read_all(&mut perfect).into_iter().map(|read| read.numbers).collect();
     let mut errors: Vec<Vec<f64>> = vec![Vec::new(); readings.len()];
     for seed in 0..draughtsmen.number {
         let board = Board::new(Tape::trembling(hand, seed));
         let Ok(mut drawn) = draw(board, mechanism, structure, plan, scales) else { continue };
+        draw_for_forces(&mut drawn, plan);
         for (index, read) in read_all(&mut drawn).into_iter().enumerate() {
             let turns = matches!(mechanism.asked[index].quantity, Quantity::Angle(_));
             errors[index].extend(apart(&read.numbers, &readings[index], turns));
@@ -109,6 +112,7 @@ pub fn by_one_hand(
 ) -> Result<Vec<Option<Numbers<f64>>>, DrawError> {
     let board = Board::new(Tape::trembling(hand, seed));
     let mut drawn = draw(board, mechanism, structure, plan, scales)?;
+    draw_for_forces(&mut drawn, plan);
     Ok(numbers(&mut drawn, |_, _| Some(None)))
 }
 

@@ -274,6 +274,7 @@ pub fn unrecorded<R: Real>(
 ) -> Result<Vec<Option<Numbers<R>>>, DrawError> {
     let board = Board::new(Tape::scratch(R::ARITHMETIC));
     let mut drawn = draw(board, mechanism, structure, plan, scales)?;
+    auxiliary::draw_for_forces(&mut drawn, plan);
     Ok(reading::numbers(&mut drawn, |_, _| Some(None)))
 }
 
@@ -290,6 +291,7 @@ pub fn recorded<R: Real>(
 ) -> Result<Vec<Option<Numbers<R>>>, DrawError> {
     let board = Board::new(Tape::of(R::ARITHMETIC));
     let mut drawn = draw(board, mechanism, structure, plan, scales)?;
+    auxiliary::draw_for_forces(&mut drawn, plan);
     Ok(reading::numbers(&mut drawn, |tape, mark| {
         if tape.weakness(mark).is_some() { None } else { Some(Some(tape.bound(mark))) }
     }))

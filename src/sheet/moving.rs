@@ -240,7 +240,9 @@ impl<'a> Draughts<'a> {
                 all.push(self.transfers(&own));
             }
         }
-        let drawings = self.construction.auxiliary.iter().filter(|drawing| drawing.refused.is_none());
+        // The lever does not stand on the skeleton.
+        let drawings = self.construction.auxiliary.iter();
+        let drawings = drawings.filter(|drawing| drawing.refused.is_none() && !drawing.is_lever());
         all.extend(drawings.map(|drawing| self.auxiliary(drawing)));
         all
     }

@@ -1062,7 +1062,7 @@ const ARABIC: Words = Words {
     klein_along: "من {foot} نرسم عموديا على {rod}، ومن {pole} خطا على امتداد {guide}، فيتقاطعان في {image}.",
     klein_turned: "تقرأ السرعات بعد تدويرها بزاوية 90° باتجاه {omega}.",
     klein_reversed: "تقرأ التسارعات بالاتجاه المعاكس: {acceleration} من {image} إلى {pole}.",
-    two_masses_figure: "الوصلة {link} ككتلتين",
+    two_masses_figure: "الوصلة {link} كجملة مكافئة من كتلتين",
     masses_second: "نستبدل بالوصلة {link} كتلتين: إحداهما في {first} على البعد {near} من {centre}، والأخرى في {second} خلف {centre} على البعد {h2}.",
     masses_at_pins: "نستبدل بالوصلة {link} كتلتين في {first} و {second} على البعدين {a} و {b} من {centre}.",
     masses_image: "على امتداد {line} بنسبة {ratio} تقع {image} صورة {second}.",

@@ -491,7 +491,18 @@ const CURVE_REACH: f64 = 600.0;
 
 /// Draws the planned auxiliary constructions.
 pub(super) fn draw(d: &mut Draughtsman<'_>, plan: &Plan) {
-    for &auxiliary in &plan.auxiliary {
+    draw_all(d, &plan.auxiliary);
+}
+
+/// Draws those among them that lead to forces: whoever reads forces off a board reads them there.
+pub(super) fn draw_for_forces(d: &mut Draughtsman<'_>, plan: &Plan) {
+    let leads = |kind: &&Auxiliary| matches!(kind, Auxiliary::TwoMasses { .. } | Auxiliary::Lever { .. });
+    let wanted: Vec<Auxiliary> = plan.auxiliary.iter().filter(leads).copied().collect();
+    draw_all(d, &wanted);
+}
+
+fn draw_all(d: &mut Draughtsman<'_>, wanted: &[Auxiliary]) {
+    for &auxiliary in wanted {
         d.open_auxiliary(auxiliary);
         match auxiliary {
             Auxiliary::Klein { crank, order } => d.draw_klein(crank, order),

@@ -153,8 +153,9 @@ impl Draughtsman<'_> {
         let ([a, b], centre) = (pins.map(|pin| self.at(pin)), self.at(mass.centre));
         let (along, length) = self.board.toward(a, b, reason);
         let [beside, across] = self.board.square_off(Line { through: a, along }, centre);
-        // In the link's own figure they lie in one line, as exactly as it is given.
-        if across.value().abs() > STRAIGHT * length.value() {
+        // In the link's own figure they lie in one line, as exactly as it is given; a hand is not that exact.
+        let drawn_freely = self.board.tape().trembles();
+        if across.value().abs() > STRAIGHT * length.value() && !drawn_freely {
             return Err("the mass centre does not lie on the line of the two pins");
         }
         if !(beside.value() > 0.0 && beside.value() < length.value()) {
