@@ -142,6 +142,65 @@ fn copies_add_up() {
 }
 
 /// A period of two turns; half orders; a load that varies as well is what the torque is above or below.
+/// A constant torque that drives clockwise from 30° to 120° of turning, and nothing else: the diagram runs down from
+/// angle 0, so it begins with the mean taken off for 30°.
+#[test]
+fn a_clockwise_crank_runs_its_diagram_backwards() {
+    let scene = read(
+        r#"{ "fixed": { "O2": [0, 0] }, "links": { "2": { "joins": ["O2", "A"], "length": 1 } },
+             "input": { "link": 2, "angle": 0, "omega": "10 rad/s cw" },
+             "loads": [ { "on": 2, "torque": { "table": [[0, 0], [240, 0], [240, -100], [330, -100], [330, 0]] } } ],
+             "cycle": { "torque": { "of": 2 }, "rotating": [ { "inertia": 2 } ] },
+             "find": ["Tmean", "Emax", "Emin", "Ef", "angle(Emax)", "angle(Emin)", "crossing(1)", "crossing(2)",
+                      "level(1)", "level(2)", "area(1)", "area(2)", "alpha(max)", "angle(alpha_max)", "alpha(min)"] }"#,
+    );
+    let found = answers(&scene);
+    let degrees = PI / 180.0;
+    let mean = 100.0 * 90.0 / 360.0;
+    near(found["Tmean"], mean);
+    near(found["crossing(1)"], 330.0 * degrees);
+    near(found["level(1)"], -mean * 30.0 * degrees);
+    near(found["area(1)"], (100.0 - mean) * 90.0 * degrees);
+    near(found["crossing(2)"], 240.0 * degrees);
+    near(found["level(2)"], (-mean * 30.0 + (100.0 - mean) * 90.0) * degrees);
+    near(found["area(2)"], -(100.0 - mean) * 90.0 * degrees);
+    near(found["Emax"], found["level(2)"]);
+    near(found["Emin"], found["level(1)"]);
+    near(found["angle(Emax)"], 240.0 * degrees);
+    near(found["angle(Emin)"], 330.0 * degrees);
+    near(found["alpha(max)"], (100.0 - mean) / 2.0);
+    near(found["alpha(min)"], -mean / 2.0);
+    near(found["angle(alpha_max)"], 330.0 * degrees);
+}
+
+/// A mechanism and its mirror image have one diagram, but for the angles, which are less of a turn; with copies that
+/// follow unevenly, and harmonics on the other side, too.
+#[test]
+fn a_mirrored_mechanism_has_the_mirrored_diagram() {
+    let asked = r#""Tmean", "E", "power", "Emax", "Emin", "Ef", "Ke", "Ks", "crossing(1)", "level(1)", "area(1)",
+        "crossing(2)", "level(2)", "area(2)", "angle(Emax)", "angle(Emin)", "alpha(max)", "alpha(min)",
+        "angle(alpha_max)", "angle(alpha_min)""#;
+    let found = [("ccw", -20, "[[0, 2000], [90, 0], [180, 0], [270, 500]]"), ("cw", 20, "[[0, 2000], [90, 500], [180, 0], [270, 0]]")]
+        .map(|(sense, guide, table)| {
+            let scene = read(&format!(
+                r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+                  "links": {{ "2": {{ "joins": ["O2", "A"], "length": 50 }}, "3": {{ "joins": ["A", "B"], "length": 150 }} }},
+                  "slides": [ {{ "pin": "B", "block": 4, "on": {{ "link": 1, "through": [0, {guide}] }} }} ],
+                  "near": {{ "B": [190, {guide}] }}, "input": {{ "link": 2, "angle": 0, "omega": "60 rad/s {sense}" }},
+                  "masses": {{ "4": {{ "mass": 1.5 }} }},
+                  "loads": [ {{ "name": "P", "on": 4, "force": {{ "table": {table} }}, "direction": 180 }} ],
+                  "cycle": {{ "torque": {{ "of": 2 }}, "copies": {{ "number": 2, "shift": 75 }}, "rotating": [ {{ "inertia": 2 }} ] }},
+                  "find": [{asked}] }}"#
+            ));
+            answers(&scene)
+        });
+    let [ccw, cw] = found;
+    for (name, value) in &ccw {
+        let angle = name.starts_with("angle") || name.starts_with("crossing");
+        near(if angle { TAU - cw[name] } else { cw[name] }, *value);
+    }
+}
+
 #[test]
 fn two_turns_and_a_varying_load() {
     let found = answers(&diagram(

@@ -31,6 +31,8 @@ const TOUCH: f64 = 1e3;
 pub struct Turning {
     period: f64,
     omega: f64,
+    /// The angle of the input falls as time goes on.
+    falling: bool,
     fluctuation: Option<f64>,
     inertia: Option<f64>,
     mean: Known,
@@ -206,6 +208,8 @@ impl<'a> Torque<'a> {
 struct Curves<'a> {
     sides: [Option<Torque<'a>>; 2],
     copies: (u32, f64),
+    /// 1, or −1 where the angle of the input falls: everything is a function of what has been turned since angle 0.
+    way: f64,
     means: [f64; 2],
     scale: f64,
     period: f64,
@@ -215,7 +219,8 @@ impl Curves<'_> {
     fn side(&self, side: usize, at: f64, after: bool) -> Told<f64> {
         let Some(torque) = &self.sides[side] else { return Ok(self.means[1 - side]) };
         let (number, shift) = self.copies;
-        (0..number).map(|copy| torque.value(at - f64::from(copy) * shift, after)).sum()
+        let after = after == (self.way > 0.0);
+        (0..number).map(|copy| torque.value(self.way * (at - f64::from(copy) * shift), after)).sum()
     }
 
     /// How far the difference may be off where a mechanism gives one of the torques.
@@ -224,7 +229,7 @@ impl Curves<'_> {
         let mut sum = 0.0;
         for torque in self.sides.iter().flatten() {
             for copy in 0..number {
-                sum += torque.loose(at - f64::from(copy) * shift)?;
+                sum += torque.loose(self.way * (at - f64::from(copy) * shift))?;
             }
         }
         Ok(sum)
@@ -236,7 +241,7 @@ impl Curves<'_> {
         for torque in self.sides.iter().flatten() {
             for copy in 0..number {
                 let by = f64::from(copy) * shift;
-                sum += torque.loose_work(at - by)? + torque.loose_work(-by)?;
+                sum += torque.loose_work(self.way * (at - by))? + torque.loose_work(-self.way * by)?;
             }
         }
         Ok(sum)
@@ -258,7 +263,7 @@ impl Curves<'_> {
         (0..number)
             .map(|copy| {
                 let by = f64::from(copy) * shift;
-                Ok(torque.integral(at - by)? - torque.integral(-by)?)
+                Ok(self.way * (torque.integral(self.way * (at - by))? - torque.integral(-self.way * by)?))
             })
             .sum()
     }
@@ -267,7 +272,7 @@ impl Curves<'_> {
         Ok(self.work(0, at)? - self.work(1, at)?)
     }
 
-    /// Angles at which a table bends, ascending within the period, with both ends.
+    /// Where a table bends, in the order of the motion within the period, with both ends.
     fn knots(&self) -> Vec<f64> {
         let (number, shift) = self.copies;
         let room = 64.0 * U * self.period;
@@ -280,7 +285,7 @@ impl Curves<'_> {
             };
             for copy in 0..number {
                 for [knot, period] in &own {
-                    let angle = knot + f64::from(copy) * shift;
+                    let angle = self.way * knot + f64::from(copy) * shift;
                     let mut at = angle - libm::floor(angle / period) * period;
                     while at < self.period {
                         knots.push(at);
@@ -322,6 +327,7 @@ pub(super) fn turning(
     let mut turning = Turning {
         period: cycle.period.value,
         omega: cycle.omega.value,
+        falling: cycle.falling,
         fluctuation: cycle.fluctuation.map(|given| given.value),
         inertia,
         mean: Known { value: 0.0, bound: 0.0 },
@@ -351,6 +357,7 @@ pub(super) fn turning(
     let mut curves = Curves {
         sides,
         copies: (number, cycle.copies.shift.value),
+        way: if cycle.falling { -1.0 } else { 1.0 },
         means: [0.0; 2],
         scale: sizes * f64::from(number),
         period: cycle.period.value,
@@ -738,6 +745,14 @@ impl Turning {
         }
     }
 
+    /// The angle of the input where so much has been turned since angle 0.
+    fn angle_told(&self, turned: Known) -> Known {
+        if !self.falling || turned.value == 0.0 {
+            return turned;
+        }
+        Known { value: self.period - turned.value, bound: turned.bound + 2.0 * U * self.period }
+    }
+
     /// A number of the diagram.
     pub(super) fn answer(&self, of: CycleQuantity) -> Answer {
         self.told(of)
@@ -804,11 +819,11 @@ impl Turning {
             {
                 Err(unplaced.to_owned())
             }
-            CycleQuantity::Crossing(k) => at(k, &self.crossings),
+            CycleQuantity::Crossing(k) => Ok(self.angle_told(at(k, &self.crossings)?)),
             CycleQuantity::Area(k) => at(k, &self.areas),
             CycleQuantity::Level(k) => at(k, &self.levels),
-            CycleQuantity::AtHighest => Ok(self.crossings[extreme(0)?]),
-            CycleQuantity::AtLowest => Ok(self.crossings[extreme(1)?]),
+            CycleQuantity::AtHighest => Ok(self.angle_told(self.crossings[extreme(0)?])),
+            CycleQuantity::AtLowest => Ok(self.angle_told(self.crossings[extreme(1)?])),
             CycleQuantity::Most | CycleQuantity::Least => {
                 let steepest = self.steepest.ok_or(unplaced)?;
                 let (_, net) = steepest[usize::from(of == CycleQuantity::Least)];
@@ -816,7 +831,7 @@ impl Turning {
             }
             CycleQuantity::AtMost | CycleQuantity::AtLeast => {
                 let steepest = self.steepest.ok_or(unplaced)?;
-                Ok(steepest[usize::from(of == CycleQuantity::AtLeast)].0)
+                Ok(self.angle_told(steepest[usize::from(of == CycleQuantity::AtLeast)].0))
             }
         }
     }

@@ -1,10 +1,11 @@
 //! The turning-moment diagram on the board: the curves over the angle, the mean line, their meets, the areas between as
 //! sums of trapezia and parabolic pieces, and the running levels.
 //!
-//! Angles run to the right from 0, torques upwards. A harmonic is the height of a turning arrow, read off when it stands
-//! at its angle. Where both curves are straight an area is a trapezium and a crossing the meet of two lines; elsewhere
-//! pieces are so short that a parabola through three heights misses less than is told in the bound, and a crossing is
-//! found by false position.
+//! Angles run to the right from 0, torques upwards. Where the angle of the input falls everything is drawn over what has
+//! been turned since angle 0, and told by the angle of the input. A harmonic is the height of a turning arrow, read off
+//! when it stands at its angle. Where both curves are straight an area is a trapezium and a crossing the meet of two lines;
+//! elsewhere pieces are so short that a parabola through three heights misses less than is told in the bound, and a
+//! crossing is found by false position.
 
 use crate::board::{Amount, Arithmetic, Board, Line, Mm, Point, Reason, Scale, Tape};
 use crate::given::Given;
@@ -52,7 +53,9 @@ pub struct CycleSheet {
     pub curves: [Vec<[f64; 2]>; 2],
     /// Which of the two is a line at the mean of the other.
     pub constant: Option<usize>,
-    /// Where the curves cross, ascending.
+    /// The angle of the input falls as time goes on.
+    pub falling: bool,
+    /// Where the curves cross, in the order of the motion from angle 0: with a falling angle one at 0, then descending.
     pub crossings: Vec<CycleCrossing>,
     /// Areas between them: from each crossing to the next, or as they were given.
     pub areas: Vec<f64>,
@@ -71,7 +74,7 @@ pub struct CycleCrossing {
     pub at: f64,
     /// The torque there; of a leap the mean torque.
     pub torque: f64,
-    /// The driving torque comes from below: speed is least here.
+    /// The driving torque comes from below as the motion goes on: speed is least here.
     pub rises: bool,
 }
 
@@ -105,7 +108,7 @@ pub fn draw(
         Sides::Areas { areas, torque, angle, total } => desk.by_areas(areas, *torque, *angle, *total)?,
         _ => desk.by_curves()?,
     };
-    let mut sheet = drawn.sheet(cycle.period.value, desk.board.tape());
+    let mut sheet = drawn.sheet(cycle, desk.board.tape());
     let mut asked = asked.to_vec();
     // What an answer is computed from is told before it.
     for of in asked.clone() {
@@ -276,7 +279,8 @@ struct Crossing {
 }
 
 impl Diagram {
-    fn sheet(&self, period: f64, tape: &mut Tape) -> CycleSheet {
+    fn sheet(&self, cycle: &Cycle, tape: &mut Tape) -> CycleSheet {
+        let period = cycle.period.value;
         // What its bound cannot tell from zero is zero: the level at the end of a period is its beginning.
         let mut told = |amounts: &[Amount]| -> Vec<f64> {
             let settled = |amount: &Amount| {
@@ -297,14 +301,27 @@ impl Diagram {
                 }
             }
         }
+        // What has been turned is less of the period for an angle that falls.
+        let placed = |turned: f64| if cycle.falling && turned > 0.0 { period - turned } else { turned };
+        if cycle.falling {
+            for curve in &mut curves {
+                curve.reverse();
+                curve.iter_mut().for_each(|[at, _]| *at = period - *at);
+            }
+        }
         let crossings = self.crossings.iter().map(|crossing| {
             let node = &self.nodes[crossing.node];
-            CycleCrossing { at: crossing.at.value(), torque: node.after[1].value(), rises: crossing.rises }
+            CycleCrossing {
+                at: placed(crossing.at.value()),
+                torque: node.after[1].value(),
+                rises: crossing.rises,
+            }
         });
         CycleSheet {
             period,
             curves,
             constant: self.constant,
+            falling: cycle.falling,
             crossings: crossings.collect(),
             areas,
             levels,
@@ -368,11 +385,23 @@ impl Desk<'_> {
         Angle { at, place: angle.place - f64::from(copy) * self.cycle.copies.shift.value }
     }
 
-    /// The height of a curve at an angle, all copies together.
+    /// The angle of the input where this has been turned since angle 0, and the side from which one comes to it.
+    fn of_input(&mut self, turned: Angle, limit: Limit) -> (Angle, Limit) {
+        if !self.cycle.falling {
+            return (turned, limit);
+        }
+        let zero = self.exact(0.0);
+        let at = self.board.difference(zero, turned.at);
+        let limit = if limit == Limit::Before { Limit::After } else { Limit::Before };
+        (Angle { at, place: -turned.place }, limit)
+    }
+
+    /// The height of a curve where so much has been turned since angle 0, all copies together.
     fn height(&mut self, course: &Drawn, at: Angle, limit: Limit) -> Result<Amount, String> {
         let mut sum: Option<Amount> = None;
         for copy in 0..self.cycle.copies.number {
             let angle = self.shifted(at, copy);
+            let (angle, limit) = self.of_input(angle, limit);
             let height = match course {
                 Drawn::Curve(curve) => {
                     let turn = match curve {
@@ -429,7 +458,7 @@ impl Desk<'_> {
         Ok(heights)
     }
 
-    /// The angles at which a table bends, and both ends of the period.
+    /// Where a table bends, in the order of the motion, and both ends of the period.
     fn breaks(&mut self, courses: &[Option<Drawn>; 2]) -> Vec<Angle> {
         let period = self.cycle.period.value;
         let room = SAME * period;
@@ -443,8 +472,9 @@ impl Desk<'_> {
                     let shift = self.board.amount(self.cycle.copies.shift);
                     let by = self.exact(f64::from(copy));
                     let by = self.board.product(by, shift);
-                    let angle = self.board.sum(knot.at, by);
-                    let seen = knot.place + f64::from(copy) * self.cycle.copies.shift.value;
+                    let (knot_at, _) = self.of_input(Angle { at: knot.at, place: knot.place }, Limit::After);
+                    let angle = self.board.sum(knot_at.at, by);
+                    let seen = knot_at.place + f64::from(copy) * self.cycle.copies.shift.value;
                     let down = libm::floor((seen + room) / knot.turn);
                     for nth in 0..again {
                         let turns = f64::from(nth) - down;
@@ -1117,6 +1147,7 @@ impl Desk<'_> {
 
     /// How far the mechanism's torque may be off.
     fn noise_at(&self, at: f64) -> f64 {
+        let at = if self.cycle.falling { -at } else { at };
         match self.of.and_then(|of| (of.at)(at)) {
             Some((_, error)) => error,
             // A curve that is given has no other noise than its rounding.
@@ -1315,8 +1346,8 @@ impl Desk<'_> {
             CycleQuantity::Crossing(k) => {
                 let angles: Vec<Amount> = drawn.crossings.iter().map(|crossing| crossing.at).collect();
                 let at = numbered(k, &angles, "crossings")?;
-                let beside = drawn.crossings[k as usize - 1].beside;
-                Ok(Number { amount: at, beside: beside + self.shifted_by_mean(drawn, k) })
+                let beside = drawn.crossings[k as usize - 1].beside + self.shifted_by_mean(drawn, k);
+                Ok(Number { amount: self.angle_told(at), beside })
             }
             CycleQuantity::Area(k) => with_area(numbered(k, &drawn.areas, "areas")?, 2.0),
             CycleQuantity::Level(k) => with_area(numbered(k, &drawn.levels, "levels")?, 2.0),
@@ -1325,7 +1356,7 @@ impl Desk<'_> {
                 let index = if of == CycleQuantity::AtHighest { highest } else { lowest };
                 let crossing = drawn.crossings[index];
                 let beside = crossing.beside + self.shifted_by_mean(drawn, index as u32 + 1);
-                Ok(Number { amount: crossing.at, beside })
+                Ok(Number { amount: self.angle_told(crossing.at), beside })
             }
             CycleQuantity::Most | CycleQuantity::Least | CycleQuantity::AtMost | CycleQuantity::AtLeast => {
                 let [most, least] = drawn.steepest.ok_or_else(unplaced)?;
@@ -1334,7 +1365,7 @@ impl Desk<'_> {
                     _ => least,
                 };
                 if matches!(of, CycleQuantity::AtMost | CycleQuantity::AtLeast) {
-                    return Ok(Number { amount: at, beside: room });
+                    return Ok(Number { amount: self.angle_told(at), beside: room });
                 }
                 let turning = self.turning(drawn, g)?;
                 let alpha = self.board.quotient(net, turning, REASON);
@@ -1349,6 +1380,15 @@ impl Desk<'_> {
                 with_area(alpha, (of_mean + of_flywheel.abs()) / turning.value())
             }
         }
+    }
+
+    /// The angle of the input, within a period from 0, where so much has been turned.
+    fn angle_told(&mut self, turned: Amount) -> Amount {
+        if !self.cycle.falling || turned.value() == 0.0 {
+            return turned;
+        }
+        let period = self.board.amount(self.cycle.period);
+        self.board.difference(period, turned)
     }
 
     /// By how much a crossing lies elsewhere where parabolas miss the mean.

@@ -19,6 +19,10 @@ pub struct Cycle {
     pub fluctuation: Option<Given>,
     /// Mean speed of the input, rad/s, ccw positive.
     pub omega: Given,
+    /// The angle of the input falls as time goes on: a mechanism's input that turns clockwise. The diagram then begins at
+    /// angle 0 and runs down from there, as its mirror image runs up: crossings, areas and levels stand in the order and
+    /// with the signs of the motion. Never of a diagram without a mechanism, whose angle is what has been turned.
+    pub falling: bool,
 }
 
 /// The driving and the resisting torque, both referred to the first input and ccw positive in the sense in which they
@@ -63,7 +67,7 @@ pub enum Course {
 pub struct Copies {
     /// How many there are in all, at least one.
     pub number: u32,
-    /// By which angle each follows the one before, radians.
+    /// By which angle each follows the one before in the sense of the motion, radians.
     pub shift: Given,
 }
 
@@ -96,7 +100,7 @@ pub enum CycleQuantity {
     Work,
     /// `power`: mean torque times mean speed, W.
     Power,
-    /// `Emax`: the highest level of energy, from angle 0, J.
+    /// `Emax`: the highest level of energy, from angle 0 in the sense of the motion, J.
     Highest,
     /// `Emin`: the lowest level, J.
     Lowest,
@@ -110,7 +114,7 @@ pub enum CycleQuantity {
     Flywheel,
     /// `I`: what turns already, referred to the input, kg m².
     Inertia,
-    /// `crossing(k)`: angle of the k-th crossing from 0, rad.
+    /// `crossing(k)`: angle of the k-th crossing from 0 in the sense of the motion, rad.
     Crossing(u32),
     /// `area(k)`: work from crossing k to the next, J.
     Area(u32),

@@ -212,7 +212,9 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
                 .mend("±1 % of the mean speed is 0.02"))
         })
         .transpose()?;
-    draft.mechanism.forces.cycle = Some(Cycle { sides, period, copies, rotating, fluctuation, omega });
+    let falling = omega.value < 0.0 && !is_alone(scene, draft);
+    draft.mechanism.forces.cycle =
+        Some(Cycle { sides, period, copies, rotating, fluctuation, omega, falling });
     Ok(())
 }
 

@@ -302,18 +302,13 @@ fn turning_moment(sheet: &CycleSheet, notation: &Notation<'_>, shown: Shown) -> 
     let mut requests = Vec::new();
     let crossings = if shown == Shown::Solution { sheet.crossings.as_slice() } else { &[] };
     for (index, crossing) in crossings.iter().enumerate() {
-        let last = index + 1 == sheet.crossings.len();
-        let to = match sheet.crossings.get(index + 1) {
-            Some(next) => next.at,
-            None => sheet.crossings[0].at + sheet.period,
-        };
-        inside(crossing.at, to, crossing.rises, &mut group);
+        let next = sheet.crossings.get(index + 1).unwrap_or(&sheet.crossings[0]).at;
+        // From left to right, whichever way the motion goes.
+        let [from, to] = if sheet.falling { [next, crossing.at] } else { [crossing.at, next] };
+        let over = to <= from;
+        inside(from, if over { to + sheet.period } else { to }, crossing.rises, &mut group);
         // The widest part of an area that goes over the end of the period has its number.
-        let parts = if last {
-            vec![[crossing.at, sheet.period], [0.0, to - sheet.period]]
-        } else {
-            vec![[crossing.at, to]]
-        };
+        let parts = if over { vec![[from, sheet.period], [0.0, to]] } else { vec![[from, to]] };
         let widest = parts.into_iter().max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
         if let Some([from, to]) = widest.filter(|[from, to]| x(*to) - x(*from) > NARROW) {
             let middle = f64::midpoint(from, to);
@@ -471,10 +466,11 @@ fn energy(sheet: &CycleSheet, notation: &Notation<'_>) -> Group {
     if by_angle {
         // From angle 0, and on to the end of the period.
         let whole: f64 = sheet.areas.iter().sum();
+        let [start, end] = if sheet.falling { [width, 0.0] } else { [0.0, width] };
         if points.first().is_some_and(|first| first.x > 1e-9) {
-            points.insert(0, Point::ORIGIN);
+            points.insert(0, Point::new(start, 0.0));
         }
-        points.push(Point::new(width, y(whole)));
+        points.push(Point::new(end, y(whole)));
     } else {
         points.insert(0, Point::ORIGIN);
     }
