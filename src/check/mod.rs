@@ -13,6 +13,7 @@ pub use confirm::{Disagreement, NotConfirmed, Unconfirmed, confirm, confirm_by, 
 
 use crate::analytic::AnalyticError;
 use crate::graphical::construction::Reading;
+use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Answer, Asked, Indeterminate, Quantity, Stuck};
 use crate::scene::{Published, Refusal, Scene};
 use crate::solve::{Settings, SolveError, Solved};
@@ -83,6 +84,8 @@ pub struct Agreement {
     pub compared: Vec<Compared>,
     /// A point that the two solvers see in different places: another assembly.
     pub elsewhere: Option<Disagreement>,
+    /// Forces that act along different lines by the two solvers, each as its moment about a place.
+    pub lines: Vec<Disagreement>,
     /// The analytic solver's refusal, if it refused.
     pub refused: Option<String>,
     /// The balance of powers, where a force was asked and it is determined here.
@@ -101,14 +104,16 @@ impl Agreement {
     pub fn ok(&self) -> bool {
         self.refused.is_none()
             && self.elsewhere.is_none()
+            && self.lines.is_empty()
             && self.compared.iter().all(Compared::agrees)
             && self.power.is_none_or(|power| power.balances())
     }
 
-    /// The quantities on which they do not agree, in the order in which they were asked.
+    /// The quantities on which they do not agree, in the order in which they were asked; then the lines of forces.
     #[must_use]
     pub fn disagreements(&self) -> Vec<Disagreement> {
-        self.compared.iter().filter(|c| !c.agrees()).map(Compared::disagreement).collect()
+        let apart = self.compared.iter().filter(|c| !c.agrees()).map(Compared::disagreement);
+        apart.chain(self.lines.iter().cloned()).collect()
     }
 }
 
@@ -167,7 +172,8 @@ pub fn agreement(
                     difference: None,
                 })
                 .collect();
-            Agreement { compared, elsewhere: None, refused: Some(error.to_string()), power: None }
+            let lines = Vec::new();
+            Agreement { compared, elsewhere: None, lines, refused: Some(error.to_string()), power: None }
         }
     }
 }
@@ -187,7 +193,41 @@ fn agreement_by(scene: &Scene, solved: &Solved, state: &crate::analytic::State) 
             Compared { asked: asked.clone(), graphical: reading.clone(), analytic, difference }
         })
         .collect();
-    Agreement { compared, elsewhere: elsewhere(scene, solved, state), refused: None, power: state.power() }
+    Agreement {
+        compared,
+        elsewhere: elsewhere(scene, solved, state),
+        lines: other_lines(scene, solved, state),
+        refused: None,
+        power: state.power(),
+    }
+}
+
+/// The forces that act along another line by the one solver than by the other. The bound of a drawn moment costs a sweep
+/// through the tape, and is not needed where the analytic bound suffices.
+fn other_lines(scene: &Scene, solved: &Solved, state: &crate::analytic::State) -> Vec<Disagreement> {
+    let mut tape = None;
+    let mut apart_from = |line: &crate::graphical::Shown| {
+        let Quantity::Force(Force::Moment(action, _), share) = line.quantity else { return None };
+        // What is no force has no line.
+        if !matches!(state.answer(&Quantity::Force(Force::Vector(action), share)), Answer::Vector { .. }) {
+            return None;
+        }
+        let analytic = state.answer(&line.quantity);
+        let (distance, bounds) = apart(&line.as_read(), &analytic)?;
+        if distance <= bounds {
+            return None;
+        }
+        let graphical = line.answer(tape.get_or_insert_with(|| solved.solution.tape.clone()));
+        let (distance, bounds) = apart(&graphical, &analytic)?;
+        (distance > bounds).then(|| Disagreement {
+            name: line.quantity.name(&scene.mechanism),
+            unit: crate::scene::unit_of(&line.quantity, scene),
+            graphical,
+            analytic,
+            apart: Some((distance, bounds)),
+        })
+    };
+    solved.solution.lines.iter().filter_map(&mut apart_from).collect()
 }
 
 /// The first point that stands in another place by the one solver than by the other. What the independent solver was

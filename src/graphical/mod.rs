@@ -69,6 +69,8 @@ pub struct Solution {
     pub slots: Vec<Vec<u32>>,
     /// Everything that stands on the paper, asked or not.
     pub shown: Vec<Shown>,
+    /// The lines of the forces among these and of the asked ones, each as its moment about one place.
+    pub lines: Vec<Shown>,
 }
 
 impl Solution {
@@ -345,12 +347,13 @@ fn finish(mut draughtsman: Draughtsman<'_>, plan: &Plan, extent: Extent) -> Solu
     let sheet = forces::record(&mut draughtsman, plan);
     draughtsman.note_forces(sheet);
     let shown = shown::all(&mut draughtsman);
+    let lines = shown::lines(&mut draughtsman);
     let asked: HashSet<Quantity> = draughtsman.mechanism.asked.iter().map(|asked| asked.quantity).collect();
     let is_told = |quantity: &Quantity| extent != Extent::Asked || asked.contains(quantity);
     let (mut construction, mut tape) = draughtsman.finish(answers);
     let zeros = settle::zeros(&shown, &mut tape, &construction, is_told);
     settle::settle(&mut construction, &zeros);
-    Solution { construction, tape, slots, shown }
+    Solution { construction, tape, slots, shown, lines }
 }
 
 /// Draws once at a provisional scale and without a tape, to see how large everything is.

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use crate::board::{Judged, Tape};
+use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Answer, Indeterminate, Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 
@@ -114,6 +115,31 @@ pub(super) fn all(d: &mut Draughtsman<'_>) -> Vec<Shown> {
         }
     }
     shown
+}
+
+/// Reads the lines of all forces that were asked or stand on the paper: what each turns about one place of the skeleton,
+/// N m. A force that has size and direction right and acts along another line has another moment.
+pub(super) fn lines(d: &mut Draughtsman<'_>) -> Vec<Shown> {
+    d.silent = true;
+    let Some(about) = (0..d.places.len()).map(PointId).find(|point| d.places[point.0].is_some()) else {
+        return Vec::new();
+    };
+    let asked = d.mechanism.asked.iter().map(|asked| asked.quantity);
+    let mut moments: Vec<Quantity> = Vec::new();
+    for quantity in asked.chain(d.record().forces.iter().flat_map(forces::quantities)) {
+        let Quantity::Force(Force::Vector(action), share) = quantity else { continue };
+        let moment = Quantity::Force(Force::Moment(action, about), share);
+        if !moments.contains(&moment) {
+            moments.push(moment);
+        }
+    }
+    let mut lines = Vec::new();
+    for moment in moments {
+        if let (Ok(numbers), toward) = d.read_standing(&moment) {
+            lines.push(of(moment, toward, &numbers));
+        }
+    }
+    lines
 }
 
 fn of(quantity: Quantity, toward: Option<[f64; 2]>, numbers: &[(u32, f64)]) -> Shown {

@@ -89,8 +89,9 @@ fn finite(answer: &Answer) -> bool {
 
 fn agree(scene: &Scene, solved: &Solved) -> bool {
     let state = solve::solve_analytically(scene);
-    let Agreement { compared, elsewhere, refused, power: _ } = check::agreement(scene, solved, &state);
+    let Agreement { compared, elsewhere, lines, refused, power: _ } = check::agreement(scene, solved, &state);
     assert!(elsewhere.is_none(), "DISAGREE: another assembly, seen at {elsewhere:?}");
+    assert!(lines.is_empty(), "DISAGREE: lines of forces: {lines:?}");
     for c in &compared {
         assert!(finite(&c.graphical.answer), "{}: {:?}", c.asked.name, c.graphical.answer);
         assert!(finite(&c.analytic), "{}: {:?}", c.asked.name, c.analytic);

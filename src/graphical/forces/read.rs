@@ -215,7 +215,7 @@ impl Draughtsman<'_> {
                 let balance = self.balance_of(share)?;
                 let mut items = Vec::new();
                 for pair in self.mechanism.pairs_between(by, on) {
-                    items.push(self.through(&balance, pair, by, on)?);
+                    items.extend(self.through(&balance, pair, by, on)?);
                 }
                 Ok(items)
             }
@@ -231,7 +231,7 @@ impl Draughtsman<'_> {
             Action::Rolling { roll, on } => {
                 let balance = self.balance_of(share)?;
                 let [by, on] = self.mechanism.bodies_rolling(roll, on);
-                Ok(vec![self.through(&balance, Through::Roll(roll), by, on)?])
+                self.through(&balance, Through::Roll(roll), by, on)
             }
             Action::OnFrame => {
                 let balance = self.balance_of(share)?;
@@ -257,36 +257,45 @@ impl Draughtsman<'_> {
         }
     }
 
-    /// The force of one link on another through a pair.
-    fn through(&mut self, balance: &Balance, pair: Through, by: LinkId, on: LinkId) -> Found<Item> {
+    /// What one link exerts on another through a pair: its force, and beside it what drags in a guide, each where it acts.
+    fn through(&mut self, balance: &Balance, pair: Through, by: LinkId, on: LinkId) -> Found<Vec<Item>> {
         match pair {
             Through::Pin(pin) => {
                 if self.mechanism.parties_at(pin).len() > 2 {
                     let carrier = self.mechanism.carrier(pin);
                     if carrier == Some(by) {
-                        return self.of_pin(balance, pin, on);
+                        return Ok(vec![self.of_pin(balance, pin, on)?]);
                     }
                     if carrier != Some(on) {
                         return Err(NO_CARRIER);
                     }
                     let item = self.of_pin(balance, pin, by)?;
-                    return Ok(self.reversed(item));
+                    return Ok(vec![self.reversed(item)]);
                 }
-                self.of_pin(balance, pin, on)
+                Ok(vec![self.of_pin(balance, pin, on)?])
             }
             Through::Slide(index) => {
-                let force = balance.slides.get(&index).ok_or(NOT_DRAWN)?;
-                let (force, guide) = (*force, self.mechanism.slides[index].guide.link);
-                let pull = self.with_drag(balance, index, force.pull);
-                let item = Item { pull: Some(pull), at: force.at, couple: force.couple };
-                Ok(if on == guide { self.reversed(item) } else { item })
+                let items = self.on_rider(balance, index)?;
+                let by_rider = on == self.mechanism.slides[index].guide.link;
+                Ok(if by_rider { items.into_iter().map(|item| self.reversed(item)).collect() } else { items })
             }
             Through::Roll(roll) => {
                 let item = balance.rolls.get(&roll).ok_or(NOT_DRAWN)?.item();
                 let [_, second] = self.mechanism.rolls[roll].bodies();
-                Ok(if on == second { item } else { self.reversed(item) })
+                Ok(vec![if on == second { item } else { self.reversed(item) }])
             }
         }
+    }
+
+    /// The force of a guide on what rides, and what drags beside it.
+    fn on_rider(&mut self, balance: &Balance, slide: usize) -> Found<Vec<Item>> {
+        let force = balance.slides.get(&slide).ok_or(NOT_DRAWN)?.item();
+        let mut items = vec![force];
+        if let (Some(drag), Some(point)) = (balance.leaning.drag(slide), self.mechanism.rubbing_point(slide))
+        {
+            items.push(Item { pull: Some(drag), at: self.at(point), couple: None });
+        }
+        Ok(items)
     }
 
     /// The force of a pin on a link: as it was found, or what all others at the pin leave.
@@ -329,21 +338,18 @@ impl Draughtsman<'_> {
             let block =
                 matches!(self.mechanism.party_of(&slide.rider), crate::mechanism::force::Party::Link(_));
             if block && slide.guide.link == frame {
-                let force = *balance.slides.get(&index).ok_or(NOT_DRAWN)?;
-                let pull = self.with_drag(balance, index, force.pull);
-                let item = Item { pull: Some(pull), at: force.at, couple: force.couple };
-                items.push(self.reversed(item));
+                for item in self.on_rider(balance, index)? {
+                    items.push(self.reversed(item));
+                }
             } else if self.mechanism.party_of(&slide.rider) == crate::mechanism::force::Party::Link(frame) {
-                let force = *balance.slides.get(&index).ok_or(NOT_DRAWN)?;
-                let pull = self.with_drag(balance, index, force.pull);
-                items.push(Item { pull: Some(pull), at: force.at, couple: force.couple });
+                items.extend(self.on_rider(balance, index)?);
             }
         }
         for (roll, pair) in self.mechanism.rolls.clone().into_iter().enumerate() {
             let [first, second] = pair.bodies();
             if [first, second].contains(&frame) {
                 let by = if first == frame { second } else { first };
-                items.push(self.through(balance, Through::Roll(roll), by, frame)?);
+                items.extend(self.through(balance, Through::Roll(roll), by, frame)?);
             }
         }
         Ok(items)
