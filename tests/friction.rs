@@ -474,3 +474,110 @@ fn the_independently_computed_case_holds() {
     let checked = check::check(&common::example("forces/friction-slider-crank"), 0.05);
     assert!(checked.ok, "{:?}", checked.outcome);
 }
+
+/// A link rides with one guide square to the crank and with another, which drags, in the link 4, on which else a couple
+/// acts: the whole force between the two has the moment of that couple about O4. Nothing presses it otherwise, so that
+/// its line stands off by couple over drag. An answer along another line is not confirmed.
+#[test]
+fn a_drag_has_a_line_and_the_line_is_checked() {
+    let scene = |couple: f64| {
+        scene::read(
+            &format!(
+                r#"{{ "fixed": {{ "O2": [0, 0], "O4": [0.06, 0.02] }},
+              "links": {{ "2": {{ "joins": ["O2", "A"], "length": 0.1 }}, "3": {{ "joins": ["C"] }}, "4": {{ "joins": ["O4"] }} }},
+              "slides": [ {{ "link": 3, "turned": 90, "on": {{ "link": 2, "through": "O2", "angle": 0 }} }},
+                          {{ "link": 3, "on": {{ "link": 4, "through": [0.01, 0], "angle": 90 }}, "drag": 200 }} ],
+              "near": {{ "C": [0.07, 0] }}, "input": {{ "link": 2, "angle": 0, "omega": "10 rad/s cw" }},
+              "loads": [ {{ "on": 4, "torque": "{couple} N*m ccw" }} ],
+              "find": ["F(3,4)", "moment(F(3,4),O4)", "F(2,3)", "T(2)"] }}"#
+            ),
+            "drag.json",
+        )
+        .unwrap()
+    };
+    let given = scene(5.0);
+    let solved = solve(&given, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    let agreement = check::agreement(&given, &solved, &linkgram::solve::solve_analytically(&given));
+    assert!(agreement.ok(), "{:?}", agreement.disagreements());
+    let answers = &solved.solution.construction.answers;
+    let Answer::Vector { value, .. } = answers[0].answer else { panic!("{:?}", answers[0]) };
+    assert!(libm::hypot(value[0], value[1] + 200.0) < 1e-9, "{value:?}");
+    let [x, _] = answers[0].through.unwrap();
+    assert!((x - (0.06 + 5.0 / 200.0)).abs() < 1e-12, "{x}");
+    let Answer::Scalar { value, .. } = answers[1].answer else { panic!("{:?}", answers[1]) };
+    assert!((value + 5.0).abs() < 1e-9, "{value}");
+    // The same forces, but for their lines.
+    let mut plain = scene(5.0);
+    plain.mechanism.asked.truncate(1);
+    let mut other = scene(5.001);
+    other.mechanism.asked.truncate(1);
+    let solved = solve(&plain, Extent::Asked, linkgram::sheet::scale::for_scene).unwrap();
+    assert!(check::agreement(&plain, &solved, &linkgram::solve::solve_analytically(&plain)).ok());
+    let told = check::agreement(&plain, &solved, &linkgram::solve::solve_analytically(&other));
+    assert!(!told.ok() && told.compared.iter().all(check::Compared::agrees));
+    assert!(told.disagreements()[0].name.starts_with("moment(F(3,4),"), "{:?}", told.disagreements());
+}
+
+/// One link about O2, with a friction circle r, an upward load P at the arm p and an upward sought load Q at the arm q: the
+/// pin holds −(P + Q), and turning ccw P p + Q q − r |P + Q| = 0. Either side of the bars is a line of its own: where
+/// q < r and p > q both hold, Q = P (p − r)/(r − q) and Q = −P (p + r)/(q + r).
+#[test]
+fn pins_alone_may_leave_two_balances() {
+    let scene = |circle: f64, expect: &str| {
+        read(&format!(
+            r#"{{ "fixed": {{ "O2": [0, 0] }}, "links": {{ "2": {{ "joins": ["O2", "A", "B"], "line": [0, 1, 3] }} }},
+                 "input": {{ "link": 2, "angle": 0, "omega": 1 }}, "pins": {{ "O2": {{ "circle": {circle} }} }},
+                 "loads": [ {{ "name": "P", "on": 2, "at": "B", "force": 100, "direction": 90 }},
+                            {{ "name": "Q", "on": 2, "at": "A", "force": "?", "direction": 90 }} ],
+                 {expect} "find": ["load(Q)", "F(1,2)"] }}"#
+        ))
+    };
+    let found = answers(&scene(0.5, ""));
+    near(found["load(Q)"][1], -100.0 * 3.5 / 1.5);
+    let several = scene(2.0, r#""expect": "ambiguous","#);
+    assert!(check::check(&several, 0.0).ok, "{:?}", check::check(&several, 0.0).outcome);
+    let state = linkgram::solve::solve_analytically(&several).unwrap();
+    let told = format!("{:?}", state.answer(&several.mechanism.asked[0].quantity));
+    assert!(told.contains("Ambiguous"), "{told}");
+}
+
+/// A rack that rides to the right under a wheel that turns ccw: what drags it is more than what pulls it, so that the wheel
+/// drives it, though without the drag it would drive the wheel. Teeth push apart by tan 20° of what they drive.
+#[test]
+fn friction_turns_the_flank_of_teeth_round() {
+    let scene = read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+             "links": { "2": { "joins": ["O2"] }, "3": { "joins": ["B", "E"] } },
+             "slides": [ { "link": 3, "on": { "link": 1, "through": [0, -30], "angle": 0 }, "drag": 20 } ],
+             "rolls": [ { "links": [2, 3], "line": { "link": 3, "through": "B", "toward": "E" }, "centre": "O2",
+                          "radius": 30, "pressure": 20 } ],
+             "placed": { "B": [-20, -30], "E": [100, -30] }, "input": { "link": 2, "omega": "10 rad/s ccw" },
+             "loads": [ { "on": 3, "at": "E", "force": 10, "direction": "with" } ],
+             "find": ["F(2,3)", "T(2)"] }"#,
+    );
+    let found = answers(&scene);
+    near(found["F(2,3)"][0], 20.0 - 10.0);
+    near(found["F(2,3)"][1], -10.0 * libm::tan(20.0_f64.to_radians()));
+    near(found["T(2)"][0], 10.0 * 0.03);
+}
+
+/// Two wheels, the driving one with a friction circle at its pin; what the driven one can hold is sought. The pin holds
+/// what teeth drive and what they push apart: 30 t − 6000 = 4 √((t tan 20°)² + (100 + t)²), newtons and millimetres.
+#[test]
+fn what_is_sought_behind_teeth_leans_as_the_teeth_will() {
+    let found = answers(&read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O3": [90, 0] },
+             "links": { "2": { "joins": ["O2"] }, "3": { "joins": ["O3"] } },
+             "rolls": [ { "links": [2, 3], "centres": ["O2", "O3"], "radii": [30, 60], "pressure": 20 } ],
+             "input": { "link": 2, "omega": "10 rad/s ccw" }, "pins": { "O2": { "circle": 4 } },
+             "loads": [ { "on": 2, "torque": "6 N*m cw" }, { "on": 2, "at": "O2", "force": 100, "direction": 90 },
+                        { "name": "Q", "on": 3, "torque": "?" } ],
+             "find": ["F(2,3)", "load(Q)"] }"#,
+    ));
+    let tan = libm::tan(20.0_f64.to_radians());
+    let (a, b, c) = (900.0 - 16.0 * (tan * tan + 1.0), -2.0 * (180_000.0 + 1600.0), 3.6e7 - 160_000.0);
+    let t = (-b + libm::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
+    near(found["F(2,3)"][1], -t);
+    near(found["F(2,3)"][0], t * tan);
+    near(found["load(Q)"][0], -0.06 * t);
+}

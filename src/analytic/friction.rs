@@ -21,6 +21,10 @@ const MOST_PATTERNS: usize = 8;
 
 /// The least step by which friction grows before the pairs count as locked.
 const LEAST_STEP: f64 = 1.0 / 16_777_216.0;
+/// The least step by which friction circles grow where another balance is looked for.
+const LEAST_STEP_OF_CIRCLES: f64 = 1.0 / 1024.0;
+/// So many times larger than a balance is where another one is looked for.
+const BEYOND: f64 = 1e6;
 /// The step with which it begins to grow.
 const FIRST_STEP: f64 = 0.125;
 /// Iterations of one step.
@@ -72,9 +76,12 @@ pub(super) struct Strength {
     pub(super) senses: Vec<f64>,
     /// From 0, nothing rubs, to 1.
     pub(super) part: f64,
+    /// How much of their radius friction circles lack, from 0, nothing, to 1, all of it.
+    pub(super) shrunk: f64,
     /// Senses that the normal forces of the first sliding pairs are taken to have, whatever they have.
     pub(super) pushed: Vec<f64>,
-    /// In which sense teeth drive that push their wheels apart, +1 or −1; none where they do not push.
+    /// In which sense teeth drive that push their wheels apart, +1 or −1, or 0 where their force itself tells it; none where
+    /// they do not push.
     pub(super) meshes: Vec<f64>,
 }
 
@@ -239,7 +246,8 @@ impl<'t> Acting<'t> {
                         sum = [sum[0] + x, sum[1] + y];
                     }
                 }
-                self.circle(circle) * self.size(sum)
+                let left = tape.constant(1.0 - self.strength.shrunk);
+                self.circle(circle) * self.size(sum) * left
             }
             Place::Slide { rider, track, normal, rough, drag } => {
                 let force = self.unknown(normal);
@@ -366,7 +374,9 @@ struct Search<'a> {
     balancing: &'a Balancing<'a>,
     ordering: Ordering,
     undetermined: Vec<bool>,
-    /// In which sense teeth drive.
+    /// Without friction: where friction begins to grow.
+    smooth: Vec<f64>,
+    /// The senses of teeth, which their own forces tell: friction may turn one round.
     meshes: Vec<f64>,
 }
 
@@ -407,11 +417,11 @@ impl Search<'_> {
         let at = |part: f64| Strength {
             senses: senses.to_vec(),
             part,
+            shrunk: 0.0,
             pushed: Vec::new(),
             meshes: self.meshes.clone(),
         };
-        let nothing = vec![0.0; self.undetermined.len()];
-        let Some((mut x, sense)) = self.newton(&nothing, &at(0.0))? else { return Ok(Err(0.0)) };
+        let Some((mut x, sense)) = self.newton(&self.smooth, &at(0.0))? else { return Ok(Err(0.0)) };
         let (mut part, mut step) = (0.0, FIRST_STEP);
         while part < 1.0 {
             let next = (part + step).min(1.0);
@@ -435,20 +445,57 @@ impl Search<'_> {
         for pattern in 0..1_u32 << normals.len() {
             let pushed: Vec<f64> =
                 (0..normals.len()).map(|i| if pattern >> i & 1 == 0 { 1.0 } else { -1.0 }).collect();
-            let strength = Strength {
+            let strength = |shrunk: f64| Strength {
                 senses: senses.to_vec(),
                 part: 1.0,
+                shrunk,
                 pushed: pushed.clone(),
                 meshes: self.meshes.clone(),
             };
-            let Some((found, _)) = self.newton(than, &strength)? else { continue };
-            let fits = normals.iter().zip(&pushed).all(|(at, sense)| found[*at] * sense >= 0.0);
-            let apart: Vec<f64> = found.iter().zip(than).map(|(a, b)| a - b).collect();
-            if fits && largest(&apart) > SAME * largest(&found).max(largest(than)) {
+            let other = |found: &[f64]| {
+                let fits = normals.iter().zip(&pushed).all(|(at, sense)| found[*at] * sense >= 0.0);
+                let apart: Vec<f64> = found.iter().zip(than).map(|(a, b)| a - b).collect();
+                fits && largest(&apart) > SAME * largest(found).max(largest(than))
+            };
+            // From the known balance, and from where all forces of pairs and efforts are turned round and far larger:
+            // that is how pins whose circles reach past the arms of their forces find their other balance.
+            let beyond = [1.0, -1.0].map(|sign| than.iter().map(|x| sign * BEYOND * x).collect::<Vec<f64>>());
+            for from in [than, &beyond[0], &beyond[1]] {
+                if let Some((found, _)) = self.newton(from, &strength(0.0))?
+                    && other(&found)
+                {
+                    return Ok(true);
+                }
+            }
+            if self.swollen(than, strength)?.is_some_and(|found| other(&found)) {
                 return Ok(true);
             }
         }
         Ok(false)
+    }
+
+    /// A balance with given senses of normal forces. With points in the place of friction circles it is linear; from there
+    /// the circles grow to their size. None where the way ends before.
+    fn swollen(
+        &self,
+        from: &[f64],
+        strength: impl Fn(f64) -> Strength,
+    ) -> Result<Option<Vec<f64>>, AnalyticError> {
+        let Some((mut x, _)) = self.newton(from, &strength(1.0))? else { return Ok(None) };
+        let (mut shrunk, mut step) = (1.0, FIRST_STEP);
+        while shrunk > 0.0 {
+            let next = (shrunk - step).max(0.0);
+            match self.newton(&x, &strength(next))? {
+                Some((found, _)) => (x, shrunk) = (found, next),
+                None => {
+                    step *= 0.5;
+                    if step < LEAST_STEP_OF_CIRCLES {
+                        return Ok(None);
+                    }
+                }
+            }
+        }
+        Ok(Some(x))
     }
 
     fn found(&self, senses: &[f64]) -> Result<Found, AnalyticError> {
@@ -491,8 +538,7 @@ pub(super) fn balance(
 ) -> Result<(Found, Balance), AnalyticError> {
     let burden: &Burden = balancing.burden;
     let n = burden.unknowns();
-    let meshes = super::statics::balance(balancing)?.strength.meshes;
-    let strength = Strength { senses, part: 1.0, pushed: Vec::new(), meshes: meshes.clone() };
+    let Balance { x: smooth, strength: Strength { meshes, .. }, .. } = super::statics::balance(balancing)?;
     let without = Strength { meshes: meshes.clone(), ..Strength::default() };
     let (_, mut known) = balancing.linear(&vec![0.0; n], &without)?;
     // Every balance of a body that rubs hangs on the forces of the pair, whatever their size is now.
@@ -513,12 +559,15 @@ pub(super) fn balance(
     for column in &ordering.free {
         undetermined[*column] = true;
     }
-    let search = Search { balancing, ordering, undetermined, meshes };
-    let found = search.found(&strength.senses)?;
+    let told = vec![0.0; meshes.len()];
+    let search = Search { balancing, ordering, undetermined, smooth, meshes: told };
+    let found = search.found(&senses)?;
     let x = match &found {
         Found::One(x) => x.clone(),
         Found::Locked(..) | Found::Several | Found::Singular => vec![0.0; n],
     };
+    let meshes = if matches!(found, Found::One(_)) { burden.driven(&x) } else { meshes };
+    let strength = Strength { senses, part: 1.0, shrunk: 0.0, pushed: Vec::new(), meshes };
     let rows: Vec<Linear> = balancing.evaluate(&x, &strength, None)?;
     let Search { ordering, mut undetermined, .. } = search;
     let mut system = System::new(ordering.groups, &rows, n, multiplier);

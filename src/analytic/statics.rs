@@ -320,6 +320,9 @@ impl<'t> Acting<'t> {
         };
         match self.strength.meshes.get(place) {
             Some(sense) if mesh.distance.hangs_on(column / 3) => {
+                // With friction teeth may drive by the other flank than without.
+                let own = if self.x[index] < 0.0 { -1.0 } else { 1.0 };
+                let sense = if *sense == 0.0 { own } else { *sense };
                 let [cos, sin] = self.real.num(mesh.pressure).v.cos_sin();
                 let apart = self.virtually(column).row(&mesh.distance).d;
                 slope + sin / cos * self.tape().constant(sense * mesh.sign) * apart
@@ -947,7 +950,7 @@ impl Burden {
     }
 
     /// The senses in which teeth drive, by the multipliers of a balance.
-    fn driven(&self, x: &[f64]) -> Vec<f64> {
+    pub(super) fn driven(&self, x: &[f64]) -> Vec<f64> {
         self.meshes.iter().map(|(place, _)| if x[*place] < 0.0 { -1.0 } else { 1.0 }).collect()
     }
 

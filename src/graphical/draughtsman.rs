@@ -155,6 +155,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) tried_sizes: Vec<(Share, f64)>,
     /// On which side rough guides press, in a trial: by sliding pair, left of their direction or right.
     pub(super) pressed: Vec<(usize, bool)>,
+    /// How its passes begin.
+    pub(super) begun: super::forces::Begun,
     /// Where points stood when wheels began to roll.
     pub(super) starts: &'m Starts,
     /// How far wheels have rolled since, by link.
@@ -275,6 +277,7 @@ impl<'m> Draughtsman<'m> {
             redrawn: Vec::new(),
             tried_sizes: Vec::new(),
             pressed: Vec::new(),
+            begun: super::forces::Begun::default(),
             starts: &[],
             turned_by: vec![None; links],
             missing: None,

@@ -41,6 +41,25 @@ const HARDLY: f64 = 1e-6;
 /// The longer leg by which an angle of friction is drawn is 64 mm, long enough for a hand: one over that.
 const LEG: f64 = 1.0 / 64.0;
 
+/// Where circles grow from nothing, they have their size after so many passes.
+const GROWING: usize = 24;
+
+/// Two balances are one where no force of a rubbing pair differs by more than this part of the largest.
+const ONE: f64 = 1e-5;
+
+/// How passes on scratch paper begin that look for another balance.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(in super::super) enum Begun {
+    /// With circles of their size, from forces without friction.
+    #[default]
+    Plainly,
+    /// With points for circles, which grow pass by pass: forces lean by their guides first, and then find their circles.
+    WithPoints,
+    /// With circles of their size, which forces touch first on the side where they would with the opposite sense: circles
+    /// that reach past the arms of their forces have a balance there.
+    TurnedRound,
+}
+
 /// Other sides are tried of so many guides at most.
 const MOST_GUIDES: usize = 6;
 
@@ -76,6 +95,9 @@ pub(super) struct Leaning {
     drags: BTreeMap<usize, Pull>,
     /// How often the forces were drawn again.
     passes: usize,
+    /// How teeth drive: the force along the tangent on the second body, newtons; by rolling pair. None where nothing
+    /// drives.
+    flanks: BTreeMap<usize, Amount>,
     /// What rubs, for the record.
     rubs: Vec<Rub>,
     /// What the pass went by, by the place of the pair.
@@ -107,6 +129,11 @@ impl Leaning {
     /// Whether the force of a guide leans.
     pub(super) fn leans(&self, slide: usize) -> bool {
         self.leans.contains_key(&slide)
+    }
+
+    /// In which sense the teeth of a rolling pair drove the second body when the forces were drawn before.
+    pub(super) fn flank(&self, roll: usize) -> Option<Amount> {
+        self.flanks.get(&roll).copied()
     }
 
     pub(super) fn drag(&self, slide: usize) -> Option<Pull> {
@@ -176,12 +203,13 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         }
     }
     // Nobody knows the friction of a pair that does not move: what hangs on it leads nowhere.
-    let (rests, rubbed): (Vec<Rubbed>, Vec<Rubbed>) =
+    let (rests, mut rubbed): (Vec<Rubbed>, Vec<Rubbed>) =
         rubbed.into_iter().partition(|rub| resting.contains(&rub.pair()));
     for (rub, pair) in rests.iter().map(|rub| (rub, rub.pair())) {
         leaning = d.nowhere(std::slice::from_ref(rub), leaning, Missing::Sense(pair));
     }
     let fresh = leaning.clone();
+    let circles = rubbed.clone();
     if rubbed.is_empty() {
         return super::whole(d, plan, share, &leaning);
     }
@@ -203,6 +231,8 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         let look = d.look_at(&balance, &rubbed);
         let turns = before.as_ref().map(|before| look.turned_since(before));
         let is_settled = turns.as_ref().is_some_and(|turns| look.moved(turns) <= settled);
+        let grown = d.begun != Begun::WithPoints || pass > GROWING;
+        let is_settled = is_settled && grown;
         let last = match told {
             Some(passes) => pass == passes,
             None => (is_settled && more == 0) || (runs && pass == MOST_PASSES),
@@ -210,6 +240,7 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
         more -= usize::from(is_settled && more > 0);
         let gone_by = std::mem::take(&mut leaning.seen);
         leaning = Leaning { passes: pass, ..fresh.clone() };
+        d.swell(&mut rubbed, &circles, pass);
         d.lean(&mut leaning, &balance, &rubbed, (&look, turns.as_deref().filter(|_| last)), &gone_by);
         balance = super::whole(d, plan, share, &leaning);
         if last {
@@ -222,6 +253,22 @@ pub(super) fn balance(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Bal
 }
 
 impl Draughtsman<'_> {
+    /// The circles of a pass, where they are not those of the scene from the beginning on.
+    fn swell(&mut self, rubbed: &mut [Rubbed], circles: &[Rubbed], pass: usize) {
+        let part = match self.begun {
+            Begun::Plainly => return,
+            Begun::WithPoints if pass <= GROWING => (pass - 1) as f64 / GROWING as f64,
+            Begun::TurnedRound if pass == 1 => -1.0,
+            Begun::WithPoints | Begun::TurnedRound => 1.0,
+        };
+        for (rub, of) in rubbed.iter_mut().zip(circles) {
+            if let (Rubbed::Pin { radius, .. }, Rubbed::Pin { radius: whole, .. }) = (rub, of) {
+                let part = self.board.amount(Given::exact(part));
+                *radius = self.board.product(*whole, part);
+            }
+        }
+    }
+
     /// Every pin of several links at which something rubs is held by its carrier.
     fn rubbing_pins_are_held(&self) -> bool {
         let m = self.mechanism;
@@ -402,6 +449,7 @@ impl Draughtsman<'_> {
         (look, turns): (&Look, Option<&[f64]>),
         gone_by: &BTreeMap<usize, Seen>,
     ) {
+        self.note_flanks(leaning, balance, look.largest);
         let guards = turns.is_some() && self.board.tape().will_be_run();
         for (index, rub) in rubbed.iter().enumerate() {
             let Some([x, y]) = look.forces[index] else { continue };
@@ -481,6 +529,25 @@ impl Draughtsman<'_> {
                     let by = RubbedBy::Angle(libm::atan(tangent.value().abs()));
                     leaning.rubs.push(Rub { pair, by, forward: tangent.value() > 0.0 });
                 }
+            }
+        }
+    }
+
+    /// Notes by which flank teeth drive. Where something is sought by trials a trial must lean as the whole will: what
+    /// teeth push apart is in proportion to what they drive only on one flank.
+    fn note_flanks(&mut self, leaning: &mut Leaning, balance: &Balance, largest: f64) {
+        if balance.assumed.is_empty() {
+            return;
+        }
+        for roll in balance.rolls.keys().copied().collect::<Vec<usize>>() {
+            if !self.leans_by_teeth(roll) {
+                continue;
+            }
+            let parts = self.components_of(balance.rolls[&roll].pull);
+            let contact = self.contact_at(roll);
+            let along = self.part_along(parts, contact.tangent);
+            if along.value().abs() > FAINT * largest * self.force_scale().si_per_mm {
+                leaning.flanks.insert(roll, along);
             }
         }
     }
@@ -591,24 +658,50 @@ struct Tried {
     ends: bool,
     /// How hard rough guides press then, and on which side, as parts of the largest force.
     pressing: BTreeMap<usize, f64>,
+    /// The forces of the pairs that rub, on paper.
+    forces: Vec<[f64; 2]>,
+}
+
+impl Tried {
+    /// Whether its forces are those of another one.
+    fn is_one_with(&self, other: &Self) -> bool {
+        let size = |[x, y]: &[f64; 2]| libm::hypot(*x, *y);
+        let largest = self.forces.iter().chain(&other.forces).map(size).fold(0.0, f64::max);
+        let pairs = self.forces.iter().zip(&other.forces);
+        pairs.map(|(a, b)| size(&[a[0] - b[0], a[1] - b[1]])).all(|apart| apart <= ONE * largest)
+    }
 }
 
 /// A mechanism, what its links make of it, and what is drawn of it.
 type Drawn<'a> = (&'a Mechanism, &'a Structure, &'a Plan);
 
 /// Draws the balance on scratch paper, with guides that press on these sides: left of their direction, or right.
-fn try_out((mechanism, structure, plan): Drawn<'_>, pressed: &[(usize, bool)]) -> Option<Tried> {
+fn try_out(
+    (mechanism, structure, plan): Drawn<'_>,
+    pressed: &[(usize, bool)],
+    begun: Begun,
+) -> Option<Tried> {
     let scales = super::super::planned_scales(mechanism, structure, plan);
     let on = |board: Board| {
         let mut d = Draughtsman::new(board, mechanism, structure, scales);
         d.pressed = pressed.to_vec();
+        d.begun = begun;
         super::super::drawn_by(d, plan).ok()
     };
     // Only a tape tells a tangency from a miss.
     let d = on(Board::scratch()).or_else(|| on(Board::default()))?;
     let (_, balance) = d.balances.first()?;
     let leaning = &balance.leaning;
-    Some(Tried { ends: balance.refused.is_none() && !leaning.endless, pressing: leaning.pressing.clone() })
+    let of_pins = balance.of_pins.values().copied();
+    let forces = of_pins.chain(balance.slides.values().map(|force| force.pull)).map(|pull| {
+        let ([x, y], [from_x, from_y]) = (pull.head.value(), pull.tail.value());
+        [x - from_x, y - from_y]
+    });
+    Some(Tried {
+        ends: balance.refused.is_none() && !leaning.endless,
+        pressing: leaning.pressing.clone(),
+        forces: forces.collect(),
+    })
 }
 
 /// The mechanism with a part of its friction, and with none in one of its pairs.
@@ -642,9 +735,9 @@ fn with_less(mechanism: &Mechanism, part: f64, without: Option<RubbingPair>) -> 
 pub(crate) fn holds((mechanism, structure, plan): Drawn<'_>) -> Option<(Stuck, String)> {
     let ends = |part: f64, without: Option<RubbingPair>| {
         let less = with_less(mechanism, part, without);
-        try_out((&less, structure, plan), &[]).is_some_and(|tried| tried.ends)
+        try_out((&less, structure, plan), &[], Begun::Plainly).is_some_and(|tried| tried.ends)
     };
-    let own = try_out((mechanism, structure, plan), &[])?;
+    let own = try_out((mechanism, structure, plan), &[], Begun::Plainly)?;
     let pairs = mechanism.rubbing_pairs();
     if !own.ends {
         if !ends(HARDLY, None) {
@@ -665,18 +758,26 @@ pub(crate) fn holds((mechanism, structure, plan): Drawn<'_>) -> Option<(Stuck, S
         let sides = guides.iter().enumerate();
         sides.map(|(place, slide)| (*slide, pattern >> place & 1 == 0)).collect::<Vec<(usize, bool)>>()
     });
-    let another = |sides: &Vec<(usize, bool)>| {
-        if sides.iter().all(|(slide, left)| (own.pressing[slide] > 0.0) == *left) {
+    let begins: &[Begun] = match mechanism.forces.friction.pins.is_empty() {
+        true => &[Begun::Plainly],
+        false => &[Begun::Plainly, Begun::WithPoints, Begun::TurnedRound],
+    };
+    let another = |(sides, begun): (&Vec<(usize, bool)>, Begun)| {
+        let own_sides = sides.iter().all(|(slide, left)| (own.pressing[slide] > 0.0) == *left);
+        if own_sides && begun != Begun::TurnedRound {
             return false;
         }
-        let Some(tried) = try_out((mechanism, structure, plan), sides) else { return false };
+        let Some(tried) = try_out((mechanism, structure, plan), sides, begun) else { return false };
         let presses = |(slide, left): &(usize, bool)| {
             let pressing = tried.pressing.get(slide);
             pressing.is_some_and(|pressing| (if *left { *pressing } else { -pressing }) > FAINT)
         };
-        tried.ends && sides.iter().all(presses)
+        tried.ends && sides.iter().all(presses) && !tried.is_one_with(&own)
     };
-    others.into_iter().any(|sides| another(&sides)).then(|| (Stuck::Ambiguous, mechanism.say_several(&pairs)))
+    let mut others = others.flat_map(|sides| begins.iter().map(move |begun| (sides.clone(), *begun)));
+    others
+        .any(|(sides, begun)| another((&sides, begun)))
+        .then(|| (Stuck::Ambiguous, mechanism.say_several(&pairs)))
 }
 
 /// Whether anything rubs.

@@ -221,7 +221,7 @@ fn close(d: &mut Draughtsman<'_>, closing: Closing, size: Amount, balance: &mut 
         Closing::Roll { roll } => {
             let [_, second] = d.mechanism.rolls[roll].bodies();
             let contact = d.contact_at(roll);
-            let pull = d.rolling_pull(roll, second, &contact, size);
+            let pull = d.rolling_pull(balance, (roll, second), &contact, size);
             d.rolls_between(balance, roll, (second, pull), contact.at);
         }
     }

@@ -77,7 +77,13 @@ impl Draughtsman<'_> {
 
     /// The whole force of a rolling pair on one of its bodies, of which the part along the tangent is known: teeth whose
     /// distance is held lean by the angle of pressure, so that both wheels are pushed apart, whichever way they drive.
-    pub(super) fn rolling_pull(&mut self, roll: usize, on: LinkId, contact: &Contact, size: Amount) -> Pull {
+    pub(super) fn rolling_pull(
+        &mut self,
+        balance: &Balance,
+        (roll, on): (usize, LinkId),
+        contact: &Contact,
+        size: Amount,
+    ) -> Pull {
         let along = self.pull_along(contact.tangent, size);
         let Some(pressure) = self.mechanism.forces.pressure(roll).filter(|_| !self.keeps_contact(roll))
         else {
@@ -89,13 +95,28 @@ impl Draughtsman<'_> {
         let [cosine, sine] = self.board.components(leaning, unit);
         let reason = self.reason(&[on]);
         let tangent = self.board.quotient(sine, cosine, reason);
-        let size = self.board.magnitude(size);
-        let apart = self.board.product(size, tangent);
+        let apart = match self.flank_on(balance, roll, on) {
+            Some(flank) => {
+                let tangent = self.board.in_sense_of(tangent, flank, reason);
+                self.board.product(size, tangent)
+            }
+            None => {
+                let size = self.board.magnitude(size);
+                self.board.product(size, tangent)
+            }
+        };
         let [_, second] = self.mechanism.rolls[roll].bodies();
         let outward = if on == second { contact.push } else { self.board.reverse(contact.push) };
         let apart = self.pull_along(outward, apart);
         let head = self.chained(&[along, apart]);
         Pull { tail: self.board.origin(), head }
+    }
+
+    /// In which sense teeth drove one of their bodies when the forces were drawn before, where that counts.
+    fn flank_on(&mut self, balance: &Balance, roll: usize, on: LinkId) -> Option<Amount> {
+        let flank = balance.leaning.flank(roll)?;
+        let [_, second] = self.mechanism.rolls[roll].bodies();
+        Some(if on == second { flank } else { self.board.opposite(flank) })
     }
 
     /// Whether teeth of a rolling pair push its bodies apart.
@@ -104,7 +125,13 @@ impl Draughtsman<'_> {
     }
 
     /// The line of the whole force of teeth on one of two bodies, which drive in the sense of a force along the tangent.
-    pub(super) fn line_of_teeth(&mut self, roll: usize, on: LinkId, contact: &Contact, size: Amount) -> Line {
+    pub(super) fn line_of_teeth(
+        &mut self,
+        balance: &Balance,
+        (roll, on): (usize, LinkId),
+        contact: &Contact,
+        size: Amount,
+    ) -> Line {
         let Some(pressure) = self.mechanism.forces.pressure(roll).filter(|_| self.leans_by_teeth(roll))
         else {
             return Line { through: contact.at, along: contact.tangent };
@@ -114,7 +141,8 @@ impl Draughtsman<'_> {
         let unit = self.board.amount(Given::exact(1.0));
         let [cosine, sine] = self.board.components(leaning, unit);
         let reason = self.reason(&[on]);
-        let apart = self.board.in_sense_of(sine, size, reason);
+        let driven = self.flank_on(balance, roll, on).unwrap_or(size);
+        let apart = self.board.in_sense_of(sine, driven, reason);
         let [_, second] = self.mechanism.rolls[roll].bodies();
         let outward = if on == second { contact.push } else { self.board.reverse(contact.push) };
         let scale = self.force_scale();
@@ -278,11 +306,11 @@ pub(super) fn wheel(
     let pull = match moments {
         // What pushes apart passes by the point where the pin touches its circle.
         Some(moments) if rubs && d.leans_by_teeth(roll) => {
-            let line = d.line_of_teeth(roll, wheel, &contact, size);
+            let line = d.line_of_teeth(balance, (roll, wheel), &contact, size);
             let size = d.balancing(Some(moments), line, about, &[wheel]);
             d.pull_along(line.along, size)
         }
-        _ => d.rolling_pull(roll, wheel, &contact, size),
+        _ => d.rolling_pull(balance, (roll, wheel), &contact, size),
     };
     d.rolls_on(balance, roll, (wheel, pull), contact.at);
     balance.taken.push(Taken {
@@ -316,11 +344,11 @@ pub(super) fn rack(
     let size = d.part_along(parts, contact.tangent);
     let pull = if balance.leaning.leans(ride) && d.leans_by_teeth(roll) && !items.is_empty() {
         // What pushes apart makes the guide rub.
-        let line = d.line_of_teeth(roll, link, &contact, size);
+        let line = d.line_of_teeth(balance, (roll, link), &contact, size);
         let [_, whole] = d.two_lines(&pulls(&items), [normal, line.along], &[link]);
         whole
     } else {
-        d.rolling_pull(roll, link, &contact, size)
+        d.rolling_pull(balance, (roll, link), &contact, size)
     };
     d.rolls_on(balance, roll, (link, pull), contact.at);
     let mut all = pulls(&items);
@@ -370,7 +398,7 @@ pub(super) fn driven_wheel(
             let [_, along] = d.two_lines(&all, [normal, contact.tangent], &[wheel]);
             let parts = d.components_of(along);
             let size = d.part_along(parts, contact.tangent);
-            let pull = d.rolling_pull(roll, wheel, &contact, size);
+            let pull = d.rolling_pull(balance, (roll, wheel), &contact, size);
             d.rolls_on(balance, roll, (wheel, pull), contact.at);
             all.push(pull);
             let of_guide = d.closing(&all);

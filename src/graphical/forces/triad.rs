@@ -164,12 +164,12 @@ impl Draughtsman<'_> {
     }
 
     /// What a rolling leg exerts on the middle link, with what teeth push apart; none of other legs.
-    fn leaning_leg_of(&mut self, middle: LinkId, leg: Leg, along: Pull) -> Option<Pull> {
+    fn leaning_leg_of(&mut self, balance: &Balance, middle: LinkId, leg: Leg, along: Pull) -> Option<Pull> {
         let Leg::Rolls { roll } = leg else { return None };
         let contact = self.contact_at(roll);
         let parts = self.components_of(along);
         let size = self.part_along(parts, contact.tangent);
-        Some(self.rolling_pull(roll, middle, &contact, size))
+        Some(self.rolling_pull(balance, (roll, middle), &contact, size))
     }
 
     /// Notes what a leg exerts on the middle link along its line, and balances the leg.
@@ -318,7 +318,7 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
                 let contact = d.contact_at(roll);
                 let parts = d.components_of(solved.on_middle[k]);
                 let size = d.part_along(parts, contact.tangent);
-                lines[k] = d.line_of_teeth(roll, middle, &contact, size);
+                lines[k] = d.line_of_teeth(balance, (roll, middle), &contact, size);
             }
         }
         let Some(again) = across_the_meet(d, middle, &items, lines) else { return false };
@@ -347,8 +347,8 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
     let bars = bars.collect();
     balance.taken.push(Taken { links, about: About::Meet { of, at: meet, bars }, found });
     // What teeth push apart the others hold, at whose distance it does no work: the sizes along the tangents stand.
-    let leaning =
-        [0, 1, 2].map(|k| if inclined { None } else { d.leaning_leg_of(middle, legs[k], on_middle[k]) });
+    let leaning = [0, 1, 2]
+        .map(|k| if inclined { None } else { d.leaning_leg_of(balance, middle, legs[k], on_middle[k]) });
     let others: Vec<usize> = (0..3).filter(|k| leaning[*k].is_none()).collect();
     if others.len() < 3 {
         let mut all = pulls(&items);
