@@ -20,7 +20,7 @@ mod spin;
 mod triad;
 
 pub(crate) use friction::holds;
-pub(super) use friction::redrawn;
+pub(super) use friction::{Begun, redrawn};
 pub(super) use read::ForceRead;
 pub(super) use record::{quantities, record};
 pub(super) use rolling::PULLS;
