@@ -84,14 +84,13 @@ impl Draughtsman<'_> {
             Some(second) => self.masses_at_pins(&mass, [first, second])?,
         };
         let meet = self.lines_of_masses(&mass, (first, second), masses)?;
-        let torque = match (meet, second) {
-            (None, _) => self.inertia_torque(&mass),
-            (Some(_), None) => None,
-            (Some(_), Some(second)) => {
-                self.correcting_couple(&mass, [first, second], masses, [kilograms, inertia])
+        let (from, torque) = match (meet, second) {
+            (None, _) => (centre, self.inertia_torque(&mass)),
+            (Some(at), None) => (at, None),
+            (Some(at), Some(second)) => {
+                (at, self.correcting_couple(&mass, [first, second], masses, [kilograms, inertia]))
             }
         };
-        let from = meet.unwrap_or(centre);
         let item = Item { pull: Some(pull), at: from, couple: torque };
         let through = self.foot_of_line(&[item]).ok_or("the force has no line")?;
         if meet.is_none() {
