@@ -581,3 +581,26 @@ fn what_is_sought_behind_teeth_leans_as_the_teeth_will() {
     near(found["F(2,3)"][0], t * tan);
     near(found["load(Q)"][0], -0.06 * t);
 }
+
+/// A cylinder that swings about O4 and drives a crank by its piston, whose pin rubs. The piston rod is a member of two
+/// forces but for the couple of its pin, which the cylinder keeps: with the line A–O4 at the distance l and the circle r,
+/// the lever feels r √(N² + D²) = N l, square to the rod N and along it D; moments of the crank about O2 give D.
+#[test]
+fn a_driven_cylinder_rubs_at_its_pin() {
+    let found = answers(&read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [180, 0] },
+             "links": { "2": { "joins": ["O2", "A"], "length": 90 }, "3": { "joins": ["A"] }, "4": { "joins": ["O4"] } },
+             "slides": [ { "link": 3, "on": { "link": 4, "through": "O4", "angle": 0 } } ],
+             "near": { "A": [20, 85] }, "pins": { "A": { "circle": 3 } },
+             "input": { "slide": 3, "at": 190, "velocity": 100 },
+             "loads": [ { "on": 2, "torque": "5 N*m ccw" } ],
+             "find": ["F(3,4)", "drive(3)", "F(1,2)", "x(A)"] }"#,
+    ));
+    let [n, d] = [libm::hypot(found["F(3,4)"][0], found["F(3,4)"][1]), found["drive(3)"][0].abs()];
+    near(n * 0.19, 0.003 * libm::hypot(n, d));
+    // The crank: its pin O2 holds what the piston pushes, whose line passes A by the circle.
+    let ([x, y], [fx, fy]) = ([found["x(A)"][0], found["x(A)"][1]], [found["F(1,2)"][0], found["F(1,2)"][1]]);
+    let [along, size] = [5.0 - (x * fy - y * fx), libm::hypot(fx, fy)];
+    near(along.abs(), 0.003 * size);
+    near(size, libm::hypot(n, d));
+}

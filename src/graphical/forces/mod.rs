@@ -319,10 +319,10 @@ impl Draughtsman<'_> {
         let m = self.mechanism;
         m.forces.friction.circle(pin)?;
         let carrier = m.rubbing_carrier(pin)?;
-        let of = self.structure.group_of(carrier)?;
-        let groups = m.point(pin).links.iter().filter_map(|link| self.structure.group_of(*link));
-        let found = self.structure.groups.iter().position(|group| group.points.contains(&pin));
-        (groups.min() == Some(of) && found.is_none_or(|found| found >= of)).then_some(carrier)
+        let of = self.order_of(carrier)?;
+        let orders = m.point(pin).links.iter().filter_map(|link| self.order_of(*link));
+        let found = self.order_of_point(pin);
+        (orders.min() == Some(of) && found.is_none_or(|found| found >= of)).then_some(carrier)
     }
 }
 
