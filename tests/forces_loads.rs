@@ -483,3 +483,49 @@ fn own_coordinates_of_a_block() {
         }
     }
 }
+
+/// A block has its pin as its default place also where something else on it has own coordinates: a load off its pin has
+/// the same torque at the crank, and the block's mass is at its pin.
+#[test]
+fn a_block_with_own_coordinates_keeps_its_pin() {
+    let torque =
+        |more: &str| answers(&crank(r#""angle": 60,"#, &format!(r#"{more}, "find": ["T(2)"]"#)))["T(2)"][0];
+    let off = r#"{ "name": "P", "on": 4, "at": [10, 5], "force": 100 }"#;
+    let (at, none) = (r#", "at": "B""#, "");
+    let masses = [at, none]
+        .map(|at| torque(&format!(r#""masses": {{ "4": {{ "mass": 2{at} }} }}, "loads": [ {off} ]"#)));
+    near(masses[0], masses[1]);
+    let loads = [at, none]
+        .map(|at| torque(&format!(r#""loads": [ {off}, {{ "name": "Q", "on": 4, "force": 50{at} }} ]"#)));
+    near(loads[0], loads[1]);
+    // Off its pin or at it: a block does not turn.
+    near(torque(&format!(r#""loads": [ {off} ]"#)), torque(r#""loads": [ { "on": 4, "force": 100 } ]"#));
+}
+
+/// A yoke has one joint and a guide, and own coordinates along it: a load on it works as at its joint, and its guide keeps
+/// the couple. A cylinder that swings has them along its bore, towards its driven piston.
+#[test]
+fn a_link_of_one_joint_has_own_coordinates_along_its_guide() {
+    let found = answers(&read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+             "links": { "2": { "joins": ["O2", "A"], "length": 50 }, "4": { "joins": ["C"] } },
+             "slides": [ { "link": 4, "on": { "link": 1, "through": "O2", "angle": 0 } },
+                         { "pin": "A", "block": 3, "on": { "link": 4, "through": "C", "angle": 90 } } ],
+             "input": { "link": 2, "angle": 55, "omega": "10 rad/s ccw" },
+             "loads": [ { "on": 4, "at": [40, 10], "force": 200, "direction": 180 } ], "find": ["T(2)", "moment(F(1,4),C)"] }"#,
+    ));
+    let sine = libm::sin(55.0_f64.to_radians());
+    near(found["T(2)"][0], -200.0 * 0.05 * sine);
+    // The crank pushes back at the height of its pin, the load stands 10 mm above the guide.
+    near(found["moment(F(1,4),C)"][0], 200.0 * 0.05 * sine - 200.0 * 0.01);
+    let found = answers(&read(
+        r#"{ "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [180, 0] },
+             "links": { "2": { "joins": ["O2", "A"], "length": 90 }, "3": { "joins": ["A"] }, "4": { "joins": ["O4"] } },
+             "slides": [ { "link": 3, "on": { "link": 4, "through": "O4", "angle": 0 } } ],
+             "near": { "A": [20, 85] }, "input": { "slide": 3, "at": 190, "velocity": 100 },
+             "masses": { "4": { "mass": 2, "at": [30, 40] } }, "find": ["x(A)", "x(G4)", "drive(3)"] }"#,
+    ));
+    let (x, y) = (found["x(A)"][0] - 0.18, found["x(A)"][1]);
+    near(found["x(G4)"][0], 0.18 + (0.03 * x - 0.04 * y) / 0.19);
+    near(found["x(G4)"][1], (0.03 * y + 0.04 * x) / 0.19);
+}

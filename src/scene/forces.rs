@@ -52,9 +52,9 @@ pub(super) fn not_yet(scene: &Fields<'_, '_>) -> Res<()> {
 /// Gives a point of its link to every pair of own coordinates in `masses`, `loads` and `springs`.
 pub(super) fn spots(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     draft.loads_count_turns = has_curves(scene);
-    let blocks = blocks(scene, draft);
+    let (blocks, sliding) = (blocks(scene, draft), in_guides(scene, draft));
     let spot = |value: Option<&Value<'_>>, link: LinkId, name: &str, draft: &mut Draft<'_>| {
-        spot(value, link, (name, &blocks), draft)
+        spot(value, link, (name, &blocks, &sliding), draft)
     };
     if let Some(masses) = scene.get("masses") {
         for Entry { key, value, .. } in masses.object("masses, by number of the link")? {
@@ -109,12 +109,56 @@ fn blocks(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
     all.iter().copied().filter(once).collect()
 }
 
+/// The links that slide themselves, or carry the guide of a driven slide, and do not roll: in which directions their own
+/// coordinates lie is told by their guides, whatever joints they have. On which side of its carrier something rides that
+/// nobody drives is left to the assembly.
+fn in_guides(scene: &Fields<'_, '_>, draft: &Draft<'_>) -> Vec<LinkId> {
+    let items = |key: &str| match scene.get(key).map(|list| &list.kind) {
+        Some(Kind::List(items)) => &items[..],
+        _ => &[],
+    };
+    let text = |value: &Value<'_>| match &value.kind {
+        Kind::Number(digits) => Some((*digits).to_owned()),
+        Kind::Text(text) => Some(text.clone()),
+        _ => None,
+    };
+    let inputs = scene.get("input").into_iter().chain(items("inputs"));
+    let driven: Vec<String> = inputs
+        .filter_map(|input| match &input.kind {
+            Kind::Object(entries) => entries.iter().find(|entry| entry.key == "slide"),
+            _ => None,
+        })
+        .filter_map(|entry| text(&entry.value))
+        .collect();
+    let mut all = Vec::new();
+    for item in items("slides") {
+        let Ok(fields) = Fields::of(item, keys::SLIDE, "a sliding pair") else { continue };
+        let guide = fields.get("on").and_then(|on| match &on.kind {
+            Kind::Object(entries) => {
+                entries.iter().find(|entry| entry.key == "link").map(|entry| &entry.value)
+            }
+            _ => None,
+        });
+        let names = ["link", "block", "pin"].into_iter().filter_map(|key| fields.get(key));
+        let is_driven = names.filter_map(text).any(|name| driven.contains(&name));
+        let links = [fields.get("link"), guide.filter(|_| is_driven)].into_iter().flatten();
+        all.extend(links.filter_map(|link| draft.link_at(link).ok()));
+    }
+    for item in items("rolls") {
+        let Kind::Object(entries) = &item.kind else { continue };
+        let bodies = entries.iter().find(|entry| entry.key == "links").map(|entry| &entry.value.kind);
+        let Some(Kind::List(bodies)) = bodies else { continue };
+        all.retain(|link| !bodies.iter().any(|body| draft.link_at(body).ok() == Some(*link)));
+    }
+    all
+}
+
 /// A point for own coordinates, by this name where nobody has it. A block that gets one slides as a link does from then
 /// on, its x-axis along its guide: it is the same body in the same pairs.
 fn spot(
     value: Option<&Value<'_>>,
     link: LinkId,
-    (name, blocks): (&str, &[LinkId]),
+    (name, blocks, sliding): (&str, &[LinkId], &[LinkId]),
     draft: &mut Draft<'_>,
 ) -> Res<()> {
     let Some(value) = value.filter(|value| matches!(value.kind, Kind::List(_))) else { return Ok(()) };
@@ -127,14 +171,15 @@ fn spot(
             draft.spots.insert(value.at, only);
             return Ok(());
         }
-        if !blocks.contains(&link) {
+        if blocks.contains(&link) {
+            draft.wide_blocks.push(link);
+        } else if !sliding.contains(&link) {
             let what = format!(
                 "this version does not do own coordinates of {}, which has one joint",
                 draft.say(link)
             );
             return Err(Fault::new(value.at, what).mend(format!("name its joint, {}", draft.say_point(only))));
         }
-        draft.wide_blocks.push(link);
         draft.mechanism.links[link.0].form = Form::Shape(vec![[Given::exact(0.0); 2]]);
     }
     let mut free = name.to_owned();
@@ -278,6 +323,7 @@ fn mass(value: &Value<'_>, link: LinkId, draft: &Draft<'_>) -> Res<Mass> {
     let centre = match (fields.get("at"), &points[..]) {
         (Some(at), _) => place(at, link, draft)?,
         (None, [only]) => *only,
+        (None, [pin, ..]) if draft.wide_blocks.contains(&link) => *pin,
         // A flywheel turns about whatever point it likes.
         (None, [first, ..]) if heaviness == Heaviness::None => *first,
         _ => {
@@ -428,6 +474,7 @@ fn load(
         Some(at) => place(at, link, draft)?,
         None => match draft.link(link).points[..] {
             [only] => only,
+            [pin, ..] if draft.wide_blocks.contains(&link) => pin,
             _ => {
                 return Err(Fault::new(
                     fields.at,
