@@ -201,6 +201,29 @@ fn a_mirrored_mechanism_has_the_mirrored_diagram() {
     }
 }
 
+/// Levels are sums of the areas, whatever the mean is: 52 − 124 + … in squares of 500 N m by 6°.
+#[test]
+fn areas_need_their_total_for_the_mean_alone() {
+    let areas = r#""torque": { "areas": [52, -124, 92, -140, 85, -72, 107], "scale": { "torque": "500 N*m", "angle": "6 deg" } },
+        "fluctuation": 0.02"#;
+    let found = answers(&diagram(areas, r#""Ef", "If", "level(2)", "area(3)", "Emax""#));
+    let square = 500.0 * 6.0 * PI / 180.0;
+    near(found["level(2)"], (52.0 - 124.0) * square);
+    near(found["area(3)"], 92.0 * square);
+    near(found["Emax"], 52.0 * square);
+    near(found["Ef"], (52.0 + 120.0) * square);
+    near(found["If"], (52.0 + 120.0) * square / (0.02 * 400.0));
+    for name in ["Tmean", "E", "power", "Ke"] {
+        let text = format!(
+            r#"{{ "links": {{}}, "input": {{ "omega": 20 }}, "cycle": {{ {areas} }}, "find": ["{name}"] }}"#
+        );
+        assert!(refusal(&text).contains("`total`"), "{}", refusal(&text));
+    }
+    // Without `find` nothing is asked that has no answer.
+    let text = format!(r#"{{ "links": {{}}, "input": {{ "omega": 20 }}, "cycle": {{ {areas} }} }}"#);
+    assert!(answers(&read(&text)).contains_key("Ef"));
+}
+
 #[test]
 fn two_turns_and_a_varying_load() {
     let found = answers(&diagram(

@@ -35,7 +35,8 @@ pub struct Turning {
     falling: bool,
     fluctuation: Option<f64>,
     inertia: Option<f64>,
-    mean: Known,
+    /// None of areas alone.
+    mean: Option<Known>,
     crossings: Vec<Known>,
     levels: Vec<Known>,
     areas: Vec<Known>,
@@ -330,7 +331,7 @@ pub(super) fn turning(
         falling: cycle.falling,
         fluctuation: cycle.fluctuation.map(|given| given.value),
         inertia,
-        mean: Known { value: 0.0, bound: 0.0 },
+        mean: None,
         crossings: Vec::new(),
         levels: Vec::new(),
         areas: Vec::new(),
@@ -343,7 +344,7 @@ pub(super) fn turning(
     let sense = if cycle.omega.value < 0.0 { -1.0 } else { 1.0 };
     let sides = match &cycle.sides {
         Sides::Areas { areas, torque, angle, total } => {
-            turning.of_areas(areas, torque.value * angle.value, total.value)?;
+            turning.of_areas(areas, torque.value * angle.value, total.map(|total| total.value))?;
             return Ok(turning);
         }
         Sides::Torque(torque) => [Some(Torque::new(torque, -sense, standing)?), None],
@@ -367,18 +368,20 @@ pub(super) fn turning(
 }
 
 impl Turning {
-    fn of_areas(&mut self, areas: &[Given], unit: f64, total: f64) -> Told<()> {
+    fn of_areas(&mut self, areas: &[Given], unit: f64, total: Option<f64>) -> Told<()> {
         let all: f64 = areas.iter().map(|area| area.value.abs()).sum();
         let sum: f64 = areas.iter().map(|area| area.value).sum();
         if sum.abs() > 1e-3 * all {
             return Err("the areas above and below the mean differ".to_owned());
         }
-        if total == 0.0 {
+        if total == Some(0.0) {
             return Err("the mean torque is zero".to_owned());
         }
         let room = 64.0 * U * all * unit.abs();
-        self.mean =
-            Known { value: total * unit / self.period, bound: 32.0 * U * (total * unit / self.period).abs() };
+        self.mean = total.map(|total| {
+            let mean = total * unit / self.period;
+            Known { value: mean, bound: 32.0 * U * mean.abs() }
+        });
         self.areas = areas.iter().map(|area| Known { value: area.value * unit, bound: room }).collect();
         let mut level = 0.0;
         for area in areas {
@@ -440,7 +443,7 @@ impl Turning {
         let whole = curves.loose_work(period)?;
         let area = many * U * curves.scale * period + whole;
         let height = height + whole / period;
-        self.mean = Known { value: work / period, bound: area / period };
+        self.mean = Some(Known { value: work / period, bound: area / period });
         self.find_crossings(curves, &knots, height)?;
         for at in &self.crossings {
             let loose = curves.loose_work(at.value)?;
@@ -712,7 +715,10 @@ impl Turning {
             let place = if at < 0.0 { at + self.period } else { at };
             found.push((
                 Known { value: place, bound: loose },
-                Known { value: up * value, bound: height + self.mean.bound + curves.loose(place)? },
+                Known {
+                    value: up * value,
+                    bound: height + self.mean.map_or(0.0, |mean| mean.bound) + curves.loose(place)?,
+                },
             ));
         }
         if let [most, least] = found[..] {
@@ -774,22 +780,23 @@ impl Turning {
         };
         let extreme =
             |which: usize| -> Told<usize> { Ok(self.extremes.ok_or("the curves do not cross")?[which]) };
+        let of_mean = || self.mean.ok_or("areas alone do not tell the mean");
         let unplaced = "areas alone do not say at which angle";
         if let Some(why) = self.unnumbered.filter(|_| of.counts_crossings()) {
             return Err(why.to_owned());
         }
         match of {
-            CycleQuantity::Mean => Ok(self.mean),
-            CycleQuantity::Work => Ok(self.mean.times(self.period)),
+            CycleQuantity::Mean => Ok(of_mean()?),
+            CycleQuantity::Work => Ok(of_mean()?.times(self.period)),
             CycleQuantity::Power => {
                 self.square()?;
-                Ok(self.mean.times(self.omega.abs()))
+                Ok(of_mean()?.times(self.omega.abs()))
             }
             CycleQuantity::Highest => Ok(self.levels[extreme(0)?]),
             CycleQuantity::Lowest => Ok(self.levels[extreme(1)?]),
             CycleQuantity::Fluctuation => self.fluctuation_of_energy(),
             CycleQuantity::OfEnergy => {
-                let work = self.mean.times(self.period);
+                let work = of_mean()?.times(self.period);
                 let work = Known { value: work.value.abs(), ..work };
                 Ok(quotient(self.fluctuation_of_energy()?, work))
             }

@@ -255,8 +255,8 @@ type Piece = Option<[Amount; 2]>;
 /// The diagram while it is drawn.
 struct Diagram {
     nodes: Vec<Node>,
-    mean: Amount,
-    work: Amount,
+    /// The mean torque and its work; none where areas alone are given.
+    mean: Option<(Amount, Amount)>,
     constant: Option<usize>,
     crossings: Vec<Crossing>,
     areas: Vec<Amount>,
@@ -1054,8 +1054,7 @@ impl Desk<'_> {
         let steepest = self.steepest(courses, constant, mean, &nodes, &pieces)?;
         Ok(Diagram {
             nodes,
-            mean,
-            work,
+            mean: Some((mean, work)),
             constant,
             crossings,
             areas,
@@ -1160,13 +1159,16 @@ impl Desk<'_> {
         areas: &[Given],
         torque: Given,
         angle: Given,
-        total: Given,
+        total: Option<Given>,
     ) -> Result<Diagram, String> {
-        let [torque, angle, total] = [torque, angle, total].map(|given| self.board.amount(given));
+        let [torque, angle] = [torque, angle].map(|given| self.board.amount(given));
         let unit = self.board.product(torque, angle);
-        let work = self.board.product(total, unit);
-        let period = self.board.amount(self.cycle.period);
-        let mean = self.board.quotient(work, period, REASON);
+        let mean = total.map(|total| {
+            let total = self.board.amount(total);
+            let work = self.board.product(total, unit);
+            let period = self.board.amount(self.cycle.period);
+            (self.board.quotient(work, period, REASON), work)
+        });
         let (sum, all) =
             areas.iter().fold((0.0, 0.0), |(sum, all), area| (sum + area.value, all + area.value.abs()));
         if f64::abs(sum) > ONE_MEAN * all {
@@ -1174,7 +1176,7 @@ impl Desk<'_> {
                 "the areas above and below the mean differ by {sum:.6}: the speed would not come back"
             ));
         }
-        if total.value() == 0.0 {
+        if total.is_some_and(|total| total.value == 0.0) {
             return Err("the mean torque is zero: no work is done in a period".to_owned());
         }
         let mut level = self.exact(0.0);
@@ -1190,7 +1192,6 @@ impl Desk<'_> {
         Ok(Diagram {
             nodes: Vec::new(),
             mean,
-            work,
             constant: Some(1),
             crossings: Vec::new(),
             areas: drawn,
@@ -1282,18 +1283,19 @@ impl Desk<'_> {
                 .copied()
                 .ok_or_else(|| format!("there are {} {what}", of.len()))
         };
+        let of_mean = || drawn.mean.ok_or("areas alone do not tell the mean: give `total`");
         let unplaced = || "areas alone do not say at which angle".to_owned();
         if let Some(why) = drawn.uncounted.filter(|_| of.counts_crossings()) {
             return Err(why.to_owned());
         }
         match of {
-            CycleQuantity::Mean => with_area(drawn.mean, 1.0 / self.cycle.period.value),
-            CycleQuantity::Work => with_area(drawn.work, 1.0),
+            CycleQuantity::Mean => with_area(of_mean()?.0, 1.0 / self.cycle.period.value),
+            CycleQuantity::Work => with_area(of_mean()?.1, 1.0),
             CycleQuantity::Power => {
                 self.speed_squared()?;
                 let omega = self.board.amount(self.cycle.omega);
                 let omega = self.board.magnitude(omega);
-                let power = self.board.product(drawn.mean, omega);
+                let power = self.board.product(of_mean()?.0, omega);
                 with_area(power, omega.value() / self.cycle.period.value)
             }
             CycleQuantity::Highest | CycleQuantity::Lowest => {
@@ -1304,7 +1306,7 @@ impl Desk<'_> {
             CycleQuantity::Fluctuation => with_area(self.fluctuation(drawn)?, 2.0),
             CycleQuantity::OfEnergy => {
                 let fluctuation = self.fluctuation(drawn)?;
-                let work = self.board.magnitude(drawn.work);
+                let work = self.board.magnitude(of_mean()?.1);
                 let part = self.board.quotient(fluctuation, work, REASON);
                 with_area(part, (2.0 + part.value()) / work.value())
             }

@@ -48,8 +48,8 @@ pub enum Sides {
         torque: Given,
         /// Radians for a unit of length of the paper.
         angle: Given,
-        /// The whole area under the curve, of the paper.
-        total: Given,
+        /// The whole area under the curve, of the paper: for the mean and what hangs on it.
+        total: Option<Given>,
     },
 }
 
@@ -156,6 +156,12 @@ impl CycleQuantity {
         }
     }
 
+    /// Whether areas between a curve and its mean tell it only with the whole area under the curve.
+    #[must_use]
+    pub fn hangs_on_mean(self) -> bool {
+        matches!(self, Self::Mean | Self::Work | Self::Power | Self::OfEnergy)
+    }
+
     /// As a scene names it.
     #[must_use]
     pub fn name(self) -> String {
@@ -233,6 +239,12 @@ impl Mechanism {
 }
 
 impl Cycle {
+    /// Whether the mean torque is known: areas alone do not tell it.
+    #[must_use]
+    pub fn has_mean(&self) -> bool {
+        !matches!(self.sides, Sides::Areas { total: None, .. })
+    }
+
     /// The courses of the mechanism among the two torques.
     #[must_use]
     pub fn of(&self) -> Option<LinkId> {

@@ -112,6 +112,10 @@ pub(super) fn parse(name: &str, at: usize, draft: &Draft<'_>) -> Res<Option<Quan
             fault("the scene has no turning-moment diagram").mend("give `cycle` (`linkgram help forces`)")
         );
     };
+    if of.hangs_on_mean() && !cycle.has_mean() {
+        return Err(fault("areas between the curve and its mean do not tell the mean")
+            .mend("give `total`, the whole area under the curve"));
+    }
     if of == CycleQuantity::Flywheel && cycle.fluctuation.is_none() {
         return Err(
             fault("no fluctuation of speed is wanted").mend("give `fluctuation` in `cycle`: 0.02 for ±1 %")
@@ -135,6 +139,7 @@ pub(super) fn everything(cycle: &Cycle) -> Vec<CycleQuantity> {
         CycleQuantity::Fluctuation,
         CycleQuantity::OfEnergy,
     ]);
+    all.retain(|of| cycle.has_mean() || !of.hangs_on_mean());
     if !cycle.rotating.is_empty() {
         all.push(CycleQuantity::Inertia);
     }
@@ -486,8 +491,7 @@ fn areas(value: &Value<'_>, draft: &Draft<'_>) -> Res<Sides> {
     let torque = positive(torque, draft.scales.given(torque, Measure::Torque)?)?;
     let angle = scale.need("angle", "the angle of a unit of length")?;
     let angle = positive(angle, draft.scales.whole_angle(angle)?)?;
-    let total = fields.need("total", "the whole area under the curve")?;
-    let total = draft.scales.given(total, Measure::Number)?;
+    let total = fields.get("total").map(|total| draft.scales.given(total, Measure::Number)).transpose()?;
     Ok(Sides::Areas { areas, torque, angle, total })
 }
 

@@ -527,11 +527,11 @@ fn cycle() -> Value {
     );
     let areas = object(
         "Areas between the driving torque and its mean, off the paper.",
-        &["areas", "scale", "total"],
+        &["areas", "scale"],
         json!({
             "areas": { "type": "array", "items": { "type": "number" }, "description": "From the first crossing on, above the mean positive." },
             "scale": reference("areaScale"),
-            "total": { "type": "number", "description": "The whole area under the curve." },
+            "total": { "type": "number", "description": "The whole area under the curve: for the mean and what hangs on it." },
         }),
     );
     let scale = object(

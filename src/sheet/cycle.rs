@@ -587,7 +587,9 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
         Sides::Areas { areas, torque, angle, total } => {
             let list: Vec<Rich> = areas.iter().take(TOLD).map(|area| human::stated(area.value)).collect();
             parts.push(equals(Rich::italic("A"), &Rich::join(&list, &Rich::upright(";\u{a0}"))));
-            parts.push(equals(Rich::upright("Σ"), &human::stated(total.value)));
+            if let Some(total) = total {
+                parts.push(equals(Rich::upright("Σ"), &human::stated(total.value)));
+            }
             let scale = human::stated_quantity(torque.value, &units.torque);
             parts.push(
                 Rich::upright("1\u{a0}≡\u{a0}")
