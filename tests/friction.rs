@@ -604,3 +604,42 @@ fn a_driven_cylinder_rubs_at_its_pin() {
     near(along.abs(), 0.003 * size);
     near(size, libm::hypot(n, d));
 }
+
+/// What nothing presses rubs no more than rounding does: a crank on which nothing acts, where something else balances the
+/// load; a rack on which a couple acts that its guide keeps, and one on which nothing acts at all.
+#[test]
+fn what_nothing_presses_does_not_rub() {
+    let scene = |pins: &str| {
+        read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0], "O4": [100, 0] }},
+              "links": {{ "2": {{ "joins": ["O2", "A"], "length": 50 }}, "3": {{ "joins": ["A", "B"], "length": 100 }},
+                          "4": {{ "joins": ["O4", "B"], "length": 80 }} }},
+              "near": {{ "B": [110, 80] }}, "input": {{ "link": 2, "angle": 60, "omega": "10 rad/s cw" }}, {pins}
+              "loads": [ {{ "on": 4, "torque": "5 N*m ccw" }},
+                         {{ "name": "Q", "on": 4, "at": "B", "force": "?", "direction": 0 }} ],
+              "find": ["F(2,3)", "F(1,2)", "load(Q)", "x(B)"] }}"#
+        ))
+    };
+    let found = answers(&scene(r#""pins": { "O2": { "circle": 2 } },"#));
+    near(found["load(Q)"][0], 5.0 / found["x(B)"][1]);
+    for name in ["F(2,3)", "F(1,2)"] {
+        near(libm::hypot(found[name][0], found[name][1]), 0.0);
+    }
+    let rack = |teeth: &str, loads: &str| {
+        answers(&read(&format!(
+            r#"{{ "units": {{ "length": "mm" }}, "fixed": {{ "O2": [0, 0] }},
+              "links": {{ "2": {{ "joins": ["O2"] }}, "3": {{ "joins": ["B", "E"] }} }},
+              "slides": [ {{ "link": 3, "on": {{ "link": 1, "through": [9, -30], "angle": 0 }}, "f": 0.1 }} ],
+              "rolls": [ {{ "links": [2, 3], "line": {{ "link": 3, "through": "B", "toward": "E" }}, "centre": "O2", "radius": 30 {teeth} }} ],
+              "placed": {{ "B": [-20, -30], "E": [100, -30] }}, "input": {{ "link": 2, "omega": "10 rad/s ccw" }},
+              "loads": [ {loads} ], "find": ["F(2,3)", "F(1,3)", "T(2)"] }}"#
+        )))
+    };
+    let found =
+        rack("", r#"{ "on": 3, "torque": "5 N*m" }, { "on": 3, "at": "E", "force": 100, "direction": 180 }"#);
+    near(found["F(2,3)"][0], 100.0);
+    near(found["T(2)"][0], 3.0);
+    near(libm::hypot(found["F(1,3)"][0], found["F(1,3)"][1]), 0.0);
+    let found = rack(r#", "pressure": 20"#, r#"{ "on": 2, "torque": "0.2 N*m cw" }"#);
+    near(found["T(2)"][0], 0.2);
+}

@@ -457,6 +457,11 @@ impl Draughtsman<'_> {
                 continue;
             }
             let Some(pull) = self.force_of(balance, rub) else { continue };
+            // A drawing of this one place: there what is no more than rounding rubs no more than that.
+            if look.is_faint([x, y]) && !self.board.tape().will_be_run() {
+                self.rub_faintly(leaning, rub);
+                continue;
+            }
             match rub {
                 Rubbed::Pin { pin, carrier, link, radius } => {
                     let mut turn = match turns {
@@ -490,10 +495,7 @@ impl Draughtsman<'_> {
                 Rubbed::Slide { slide, along, normal, tangent, drag } => {
                     let pair = RubbingPair::Slide(*slide);
                     if let Some(drag) = drag {
-                        let [x, y] = self.components_of(*drag).map(|part| part.value());
-                        let [ax, ay] = along.value();
-                        let by = RubbedBy::Drag(libm::hypot(x, y));
-                        leaning.rubs.push(Rub { pair, by, forward: x * ax + y * ay < 0.0 });
+                        self.note_drag(leaning, pair, (*drag, *along));
                     }
                     let Some(tangent) = *tangent else { continue };
                     let parts = self.components_of(pull);
@@ -514,18 +516,7 @@ impl Draughtsman<'_> {
                             self.board.in_sense_of(tangent, pressing, reason)
                         }
                     };
-                    // Against the sliding: the leg along the guide is laid off backwards.
-                    let back = self.board.opposite(sense);
-                    let scale = Scale { si_per_mm: LEG };
-                    let unit = self.board.amount(Given::exact(1.0));
-                    let unit = self.board.to_paper(unit, scale);
-                    let leg = self.board.to_paper(back, scale);
-                    let pole = self.board.origin();
-                    let foot = self.board.lay_off(pole, *normal, unit);
-                    let tip = self.board.lay_off(foot, *along, leg);
-                    let reason = self.reason(&[]);
-                    let (lean, _) = self.board.toward(pole, tip, reason);
-                    leaning.leans.insert(*slide, lean);
+                    self.lean_by(leaning, *slide, (*along, *normal), sense);
                     let by = RubbedBy::Angle(libm::atan(tangent.value().abs()));
                     leaning.rubs.push(Rub { pair, by, forward: tangent.value() > 0.0 });
                 }
@@ -550,6 +541,69 @@ impl Draughtsman<'_> {
                 leaning.flanks.insert(roll, along);
             }
         }
+    }
+
+    /// A force that is none but for rounding has no direction, and touches its circle, or leans, nobody knows where: at the
+    /// middle, within as much as it may be off.
+    fn rub_faintly(&mut self, leaning: &mut Leaning, rub: &Rubbed) {
+        let either = self.board.amount(Given::within(0.0, 1.0));
+        match rub {
+            Rubbed::Pin { pin, carrier, link, radius } => {
+                let scale = self.length_scale();
+                let off = self.board.product(*radius, either);
+                let mm = self.board.to_paper(off, scale);
+                let right = self.board.rightward();
+                let up = self.board.quarter_turn(right);
+                let centre = self.at(*pin);
+                let beside = self.board.step_off(centre, right, mm);
+                let contact = self.board.step_off(beside, up, mm);
+                self.touch(leaning, *pin, *link, contact);
+                let by = RubbedBy::Circle(radius.value().abs());
+                let pair = RubbingPair::Pin { pin: *pin, carrier: *carrier, link: *link };
+                leaning.rubs.push(Rub { pair, by, forward: radius.value() > 0.0 });
+            }
+            Rubbed::Slide { slide, along, normal, tangent, drag } => {
+                let pair = RubbingPair::Slide(*slide);
+                if let Some(drag) = drag {
+                    self.note_drag(leaning, pair, (*drag, *along));
+                }
+                let Some(tangent) = *tangent else { return };
+                let off = self.board.product(tangent, either);
+                self.lean_by(leaning, *slide, (*along, *normal), off);
+                let by = RubbedBy::Angle(libm::atan(tangent.value().abs()));
+                leaning.rubs.push(Rub { pair, by, forward: tangent.value() > 0.0 });
+            }
+        }
+    }
+
+    /// Notes a constant force against sliding.
+    fn note_drag(&mut self, leaning: &mut Leaning, pair: RubbingPair, (drag, along): (Pull, Direction)) {
+        let [x, y] = self.components_of(drag).map(|part| part.value());
+        let [ax, ay] = along.value();
+        let by = RubbedBy::Drag(libm::hypot(x, y));
+        leaning.rubs.push(Rub { pair, by, forward: x * ax + y * ay < 0.0 });
+    }
+
+    /// Draws the line of a guide's force, which leans backwards from the normal by a leg along the guide.
+    fn lean_by(
+        &mut self,
+        leaning: &mut Leaning,
+        slide: usize,
+        (along, normal): (Direction, Direction),
+        tangent: Amount,
+    ) {
+        // Against the sliding: the leg along the guide is laid off backwards.
+        let back = self.board.opposite(tangent);
+        let scale = Scale { si_per_mm: LEG };
+        let unit = self.board.amount(Given::exact(1.0));
+        let unit = self.board.to_paper(unit, scale);
+        let leg = self.board.to_paper(back, scale);
+        let pole = self.board.origin();
+        let foot = self.board.lay_off(pole, normal, unit);
+        let tip = self.board.lay_off(foot, along, leg);
+        let reason = self.reason(&[]);
+        let (lean, _) = self.board.toward(pole, tip, reason);
+        leaning.leans.insert(slide, lean);
     }
 
     /// An amount where another one is positive; elsewhere whatever is read from it is refused.

@@ -124,17 +124,18 @@ impl Draughtsman<'_> {
         self.mechanism.forces.pressure(roll).is_some() && !self.keeps_contact(roll)
     }
 
-    /// The line of the whole force of teeth on one of two bodies, which drive in the sense of a force along the tangent.
+    /// The line of the whole force of teeth on one of two bodies, which drive in the sense of a force along the tangent. None
+    /// where they drive with no more than rounding: nobody knows by which flank, and they push apart no more than that.
     pub(super) fn line_of_teeth(
         &mut self,
         balance: &Balance,
         (roll, on): (usize, LinkId),
         contact: &Contact,
         size: Amount,
-    ) -> Line {
+    ) -> Option<Line> {
         let Some(pressure) = self.mechanism.forces.pressure(roll).filter(|_| self.leans_by_teeth(roll))
         else {
-            return Line { through: contact.at, along: contact.tangent };
+            return Some(Line { through: contact.at, along: contact.tangent });
         };
         let angle = self.board.angle(pressure);
         let leaning = self.board.protractor(angle);
@@ -143,6 +144,9 @@ impl Draughtsman<'_> {
         let reason = self.reason(&[on]);
         let driven = self.flank_on(balance, roll, on).unwrap_or(size);
         let apart = self.board.in_sense_of(sine, driven, reason);
+        if self.board.is_weak(apart) && !self.board.tape().will_be_run() {
+            return None;
+        }
         let [_, second] = self.mechanism.rolls[roll].bodies();
         let outward = if on == second { contact.push } else { self.board.reverse(contact.push) };
         let scale = self.force_scale();
@@ -151,7 +155,7 @@ impl Draughtsman<'_> {
         let foot = self.board.lay_off(pole, contact.tangent, cosine);
         let tip = self.board.lay_off(foot, outward, apart);
         let (along, _) = self.board.toward(pole, tip, reason);
-        Line { through: contact.at, along }
+        Some(Line { through: contact.at, along })
     }
 
     /// Notes a part of the force of a rolling pair on one of its bodies.
@@ -303,14 +307,17 @@ pub(super) fn wheel(
     let contact = d.contact_at(roll);
     let moments = d.moments(&items, about);
     let size = d.balancing(moments, Line { through: contact.at, along: contact.tangent }, about, &[wheel]);
-    let pull = match moments {
-        // What pushes apart passes by the point where the pin touches its circle.
-        Some(moments) if rubs && d.leans_by_teeth(roll) => {
-            let line = d.line_of_teeth(balance, (roll, wheel), &contact, size);
-            let size = d.balancing(Some(moments), line, about, &[wheel]);
+    // What pushes apart passes by the point where the pin touches its circle.
+    let inclined = match moments {
+        Some(_) if rubs && d.leans_by_teeth(roll) => d.line_of_teeth(balance, (roll, wheel), &contact, size),
+        _ => None,
+    };
+    let pull = match inclined {
+        Some(line) => {
+            let size = d.balancing(moments, line, about, &[wheel]);
             d.pull_along(line.along, size)
         }
-        _ => d.rolling_pull(balance, (roll, wheel), &contact, size),
+        None => d.rolling_pull(balance, (roll, wheel), &contact, size),
     };
     d.rolls_on(balance, roll, (wheel, pull), contact.at);
     balance.taken.push(Taken {
@@ -342,13 +349,18 @@ pub(super) fn rack(
     let [_, along] = d.two_lines(&pulls(&items), [normal, contact.tangent], &[link]);
     let parts = d.components_of(along);
     let size = d.part_along(parts, contact.tangent);
-    let pull = if balance.leaning.leans(ride) && d.leans_by_teeth(roll) && !items.is_empty() {
-        // What pushes apart makes the guide rub.
-        let line = d.line_of_teeth(balance, (roll, link), &contact, size);
-        let [_, whole] = d.two_lines(&pulls(&items), [normal, line.along], &[link]);
-        whole
+    // What pushes apart makes the guide rub.
+    let inclined = if balance.leaning.leans(ride) && d.leans_by_teeth(roll) && !items.is_empty() {
+        d.line_of_teeth(balance, (roll, link), &contact, size)
     } else {
-        d.rolling_pull(balance, (roll, link), &contact, size)
+        None
+    };
+    let pull = match inclined {
+        Some(line) => {
+            let [_, whole] = d.two_lines(&pulls(&items), [normal, line.along], &[link]);
+            whole
+        }
+        None => d.rolling_pull(balance, (roll, link), &contact, size),
     };
     d.rolls_on(balance, roll, (link, pull), contact.at);
     let mut all = pulls(&items);

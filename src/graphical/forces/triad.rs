@@ -318,7 +318,7 @@ pub(super) fn triad(d: &mut Draughtsman<'_>, triad: &Triad, balance: &mut Balanc
                 let contact = d.contact_at(roll);
                 let parts = d.components_of(solved.on_middle[k]);
                 let size = d.part_along(parts, contact.tangent);
-                lines[k] = d.line_of_teeth(balance, (roll, middle), &contact, size);
+                lines[k] = d.line_of_teeth(balance, (roll, middle), &contact, size).unwrap_or(lines[k]);
             }
         }
         let Some(again) = across_the_meet(d, middle, &items, lines) else { return false };
