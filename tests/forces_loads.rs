@@ -529,3 +529,19 @@ fn a_link_of_one_joint_has_own_coordinates_along_its_guide() {
     near(found["x(G4)"][0], 0.18 + (0.03 * x - 0.04 * y) / 0.19);
     near(found["x(G4)"][1], (0.03 * y + 0.04 * x) / 0.19);
 }
+
+/// A torsion spring has N m for a radian unless its unit, or that of the scene, says otherwise.
+#[test]
+fn the_stiffness_of_a_torsion_spring_has_its_unit() {
+    let torque = |units: &str, stiffness: &str| {
+        answers(&read(&format!(
+            r#"{{ "units": {{ "length": "mm" {units} }}, "fixed": {{ "O": [0, 0] }}, "links": {{ "2": {{ "joins": ["O", "A"], "length": 50 }} }},
+              "input": {{ "link": 2, "angle": 30 }}, "find": ["spring(S)"],
+              "springs": [ {{ "name": "S", "links": [1, 2], "stiffness": {stiffness}, "free": 0 }} ] }}"#
+        )))["spring(S)"][0]
+    };
+    let turned = 30.0_f64.to_radians();
+    near(torque(r#", "torque": "N*mm""#, "100"), -100.0 * turned);
+    near(torque("", r#""100 N*mm/rad""#), -0.1 * turned);
+    near(torque(r#", "stiffness": "N*mm/rad""#, "100"), -0.1 * turned);
+}

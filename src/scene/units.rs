@@ -553,6 +553,22 @@ impl Scales {
                 None => Scale::parse(default, 0),
             }
         };
+        // Of a spring that pulls, or of one that turns: whichever the unit measures.
+        let turns = |value: &Value<'_>| -> Res<bool> {
+            let unit = Scale::parse(value.text("the name of a unit")?, value.at)?;
+            Ok(unit.dimension == Measure::TurningStiffness.dimension())
+        };
+        let stiffness = fields.as_ref().and_then(|fields| fields.get("stiffness"));
+        let (stiffness, turning_stiffness) = match stiffness {
+            Some(value) if turns(value)? => {
+                let turning = Scale::parse(value.text("the name of a unit")?, value.at)?;
+                (Scale::parse(default(|u| &u.stiffness, "N/m"), 0)?, turning)
+            }
+            _ => {
+                let pull = compound("stiffness", default(|u| &u.stiffness, "N/m"), Measure::Stiffness)?;
+                (pull, Scale::parse("N*m/rad", 0)?)
+            }
+        };
         let rad = Scale::base("rad").unwrap_or_else(Scale::one);
         let rate = |of: &Scale, order: u8| {
             let mut scale = of.clone();
@@ -574,8 +590,8 @@ impl Scales {
             mass: compound("mass", default(|u| &u.mass, "kg"), Measure::Mass)?,
             torque: compound("torque", default(|u| &u.torque, "N*m"), Measure::Torque)?,
             inertia: compound("inertia", default(|u| &u.inertia, "kg*m^2"), Measure::Inertia)?,
-            stiffness: compound("stiffness", default(|u| &u.stiffness, "N/m"), Measure::Stiffness)?,
-            turning_stiffness: Scale::parse("N*m/rad", 0)?,
+            stiffness,
+            turning_stiffness,
             pressure: compound("pressure", default(|u| &u.pressure, "Pa"), Measure::Pressure)?,
             power: compound("power", default(|u| &u.power, "W"), Measure::Power)?,
             area: Scale::parse("m^2", 0)?,
