@@ -303,6 +303,8 @@ struct Around {
     /// User units.
     font_size: f64,
     anchor: Anchor,
+    /// By `visibility`, which what stands inside may take back.
+    hidden: bool,
 }
 
 /// Where a text begins.
@@ -321,6 +323,7 @@ impl Around {
             layer: layer(node).or(self.layer),
             font_size: font_size(node, self.font_size).unwrap_or(self.font_size),
             anchor: anchor(node).unwrap_or(self.anchor),
+            hidden: style(node, "visibility").map_or(self.hidden, |said| said.trim() != "visible"),
         })
     }
 }
@@ -332,12 +335,19 @@ const NOT_DRAWN: [&str; 9] =
 /// All marks, and the letters that name points.
 fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> {
     let (mut marks, mut letters) = (Marks::default(), Vec::new());
-    let page = Around { onto: to_mm(root)?, layer: None, font_size: FONT_SIZE_PX, anchor: Anchor::Start };
+    let page = Around {
+        onto: to_mm(root)?,
+        layer: None,
+        font_size: FONT_SIZE_PX,
+        anchor: Anchor::Start,
+        hidden: false,
+    };
     // The next is the last: an element before its children, those in their order.
     let mut open = vec![(root, page)];
     while let Some((node, around)) = open.pop() {
         // What stands here is drawn elsewhere, or nowhere.
-        if NOT_DRAWN.contains(&node.tag_name().name()) {
+        let unseen = style(node, "display").is_some_and(|shown| shown.trim() == "none");
+        if unseen || NOT_DRAWN.contains(&node.tag_name().name()) {
             for sheet in node.descendants().filter(|inner| inner.tag_name().name() == "style") {
                 still(sheet)?;
             }
@@ -346,6 +356,7 @@ fn read_all(root: Node<'_, '_>, names: &Names<'_>) -> Res<(Marks, Vec<Letter>)> 
         let around = around.within(node)?;
         match node.tag_name().name() {
             "style" => still(node)?,
+            _ if around.hidden => {}
             "text" => {
                 letters.extend(letter(node, around, names)?);
                 if letters.len() > limits::LETTERS {
