@@ -661,6 +661,11 @@ impl<'s> Case<'s> {
         self.observations.iter().map(|observation| self.seen_of(observation, sketch, change)).collect()
     }
 
+    /// The same of one answer.
+    pub(super) fn seen_at(&self, index: usize, sketch: &Sketch, change: &Change) -> Option<Vec<f64>> {
+        self.seen_of(self.observations.get(index)?, sketch, change)
+    }
+
     fn seen_of(&self, observation: &Observation, sketch: &Sketch, change: &Change) -> Option<Vec<f64>> {
         let mut numbers = match observation.target {
             Target::Asked(index) => sketch.numbers.get(index)?.clone()?,
@@ -1297,5 +1302,14 @@ fn rank_of_label(construction: &Construction, order: Order, label: Label) -> (Or
     let Some(polygon) = polygon(construction, order) else { return (order, usize::MAX, 0) };
     let place = polygon.vectors.iter().position(|v| v.head == label);
     let place = place.or_else(|| polygon.vectors.iter().position(|v| v.tail == label));
-    place.map_or((order, usize::MAX, 0), |index| (order, polygon.vectors[index].step, 0))
+    let Some(index) = place else { return (order, usize::MAX, 0) };
+    // What is laid off in a step comes before the point in which its lines meet.
+    let step = polygon.vectors[index].step;
+    let acts = construction.steps.get(step).map_or(&[][..], |step| &step.acts);
+    let act = acts.iter().position(|act| match *act {
+        Act::LayOffVector { vector, .. } => vector == index,
+        Act::MarkMeet { label: met, .. } => met == label,
+        _ => false,
+    });
+    (order, step, act.unwrap_or(0))
 }

@@ -193,6 +193,11 @@ impl List<'_, '_> {
                 let couple = Departure::Beside { link: turning, force: [0.0; 2], at, couple };
                 Change::drawn(vec![force, couple])
             };
+            // Whoever takes a load in the wrong sense has it twice away from where it is.
+            if matches!(acting.action, Action::Load(_)) {
+                let reversed = beside(without.map(|part| 2.0 * part), 0.0);
+                self.add(Kind::SenseReversed, &name, None, PLAIN, reversed);
+            }
             let how = format!("left out at link {number}");
             self.add_so((Kind::ForceLeftOut, how), &name, None, price, beside(without, 0.0));
             let Some(about) = balance.and_then(|balance| self.place_of(balance.about)) else { continue };

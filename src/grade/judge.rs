@@ -69,6 +69,8 @@ pub(super) struct Fault {
 pub(super) struct Judgement {
     pub(super) verdicts: Vec<Verdict>,
     pub(super) faults: Vec<Fault>,
+    /// Of each answer that follows rightly from a wrong one, the latest fault before it.
+    pub(super) caused: Vec<Option<usize>>,
     /// What the student drew, as far as it is known.
     pub(super) drawn: Change,
 }
@@ -128,14 +130,15 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
         .collect();
     let mut drawn = Change::default();
     let mut faults = Vec::new();
+    let mut caused = vec![None; count];
     while let Some(first) = verdicts.iter().position(Option::is_none) {
         if !faults.is_empty()
             && let Some(base) = case.drawn(&drawn, None)
         {
-            let seen = case.seen(&base, &drawn);
             let allowed = EXPLAINED * case.tolerances[first];
-            if routes::follows(case, &base, &seen, &verdicts, first, allowed) {
+            if routes::follows(case, (&drawn, &base), &verdicts, first, allowed) {
                 verdicts[first] = Some(Verdict::Consistent);
+                caused[first] = faults.len().checked_sub(1);
                 continue;
             }
         }
@@ -153,11 +156,12 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
             let most = seen[index].as_deref().map_or(0.0, |numbers| case.most(index, numbers));
             if verdict.is_none() && case.miss(index, &seen[index]) <= (EXPLAINED * allowed).min(most) {
                 *verdict = Some(Verdict::Consistent);
+                caused[index] = faults.len().checked_sub(1);
             }
         }
     }
     let verdicts = verdicts.into_iter().map(|v| v.unwrap_or(Verdict::NotChecked)).collect();
-    Judgement { verdicts, faults, drawn }
+    Judgement { verdicts, faults, caused, drawn }
 }
 
 struct Judge<'j, 's> {
@@ -414,7 +418,7 @@ fn one_of_many(kind: Kind) -> bool {
 }
 
 /// How a construction can go on from a student's own value.
-fn own_values(
+pub(super) fn own_values(
     case: &Case<'_>,
     base: &Sketch,
     observation: &Observation,

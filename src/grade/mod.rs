@@ -39,6 +39,7 @@ mod report;
 mod routes;
 mod scan;
 mod schema;
+mod steps;
 mod svg;
 mod text;
 mod weight;
@@ -175,6 +176,11 @@ pub fn tolerances(scene: &Scene, settings: &GradeSettings) -> Result<Vec<Graded>
     let answers = Answers::of_asked(scene);
     let case = case::Case::new(scene, &answers, settings)?;
     let verdicts = vec![Verdict::NotChecked; case.observations.len()];
-    let judgement = judge::Judgement { verdicts, faults: Vec::new(), drawn: change::Change::default() };
+    let judgement = judge::Judgement {
+        caused: vec![None; verdicts.len()],
+        verdicts,
+        faults: Vec::new(),
+        drawn: change::Change::default(),
+    };
     Ok(report::report(&case, &answers, &judgement).quantities)
 }

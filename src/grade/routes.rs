@@ -6,10 +6,13 @@
 //! same student of which one at least is wrong.
 
 use super::answers::Given;
-use super::case::{Case, Target, size};
+use super::case::{Case, Target, polygon, size};
+use super::change::Change;
 use super::judge::Verdict;
+use super::steps;
 use crate::graphical::Sketch;
-use crate::graphical::construction::Label;
+use crate::graphical::construction::{Act, Calculation, Label};
+use crate::mechanism::cycle::CycleQuantity;
 use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{Input, LinkId, PointId};
 
@@ -37,35 +40,40 @@ impl<T: Copy> Own<T> {
 }
 
 /// Whether an answer follows rightly, by some way, from the student's other answers that were judged already, a wrong
-/// one among them. `base` is what is known of the drawing; `seen` what an exact reader would answer by it.
+/// one among them. `drawn` is what is known of the drawing, and `base` that drawing.
 pub(super) fn follows(
     case: &Case<'_>,
-    base: &Sketch,
-    seen: &[Option<Vec<f64>>],
+    (drawn, base): (&Change, &Sketch),
     verdicts: &[Option<Verdict>],
     index: usize,
     allowed: f64,
 ) -> bool {
+    let seen = &case.seen(base, drawn);
     let desk = Desk { case, base, seen, verdicts, index };
-    let target = match (case.observations[index].target, case.observations[index].quantity) {
-        (Target::Image(Order::Velocity, Label::Image { point, link: None }), _) => Quantity::Velocity(point),
-        (Target::Image(Order::Acceleration, Label::Image { point, link: None }), _) => {
-            Quantity::Acceleration(point)
-        }
-        (Target::Asked(_), Some(quantity)) => quantity,
-        _ => return false,
-    };
-    let fits = |numbers: Vec<f64>| {
+    let fits = |numbers: &[f64]| {
         let right = case.truth[index].as_deref().map_or(0.0, size);
-        let larger = if right > 0.0 { (size(&numbers) / right).max(1.0) } else { 1.0 };
-        let most = case.most(index, &numbers);
-        case.miss(index, &Some(numbers)) <= (allowed * larger).min(most)
+        let larger = if right > 0.0 { (size(numbers) / right).max(1.0) } else { 1.0 };
+        let most = case.most(index, numbers);
+        case.miss(index, &Some(numbers.to_vec())) <= (allowed * larger).min(most)
     };
-    let vectors =
-        desk.vectors(target).into_iter().filter(|own| own.wrong).any(|own| fits(own.value.to_vec()));
-    vectors || desk.scalars(target).into_iter().filter(|own| own.wrong).any(|own| fits(vec![own.value]))
+    desk.calculates(&fits) || steps::lead_to(case, drawn, verdicts, index, &fits)
 }
 
+/// ω of a link as it stands in a drawing, given or calculated.
+pub(super) fn omega_of(case: &Case<'_>, base: &Sketch, link: LinkId) -> Option<f64> {
+    let given = case.mechanism.inputs.iter().find_map(|input| match *input {
+        Input::Angle { link: of, omega, .. } if of == link => Some(omega.value),
+        _ => None,
+    });
+    let acts = || base.construction.steps.iter().flat_map(|step| &step.acts);
+    given.or_else(|| {
+        acts().find_map(|act| match *act {
+            Act::Calculate(Calculation::Omega { link: of, value, .. }) if of == link => Some(value),
+            Act::Calculate(Calculation::Speed { link: of, omega, .. }) if of == link => Some(omega),
+            _ => None,
+        })
+    })
+}
 struct Desk<'d, 's> {
     case: &'d Case<'s>,
     base: &'d Sketch,
@@ -95,6 +103,23 @@ fn cross(a: Xy, b: Xy) -> f64 {
 }
 
 impl Desk<'_, '_> {
+    /// Whether a calculation from the student's own numbers leads to the answer.
+    fn calculates(&self, fits: &dyn Fn(&[f64]) -> bool) -> bool {
+        let observation = &self.case.observations[self.index];
+        let target = match (observation.target, observation.quantity) {
+            (Target::Image(Order::Velocity, Label::Image { point, link: None }), _) => {
+                Quantity::Velocity(point)
+            }
+            (Target::Image(Order::Acceleration, Label::Image { point, link: None }), _) => {
+                Quantity::Acceleration(point)
+            }
+            (Target::Asked(_), Some(quantity)) => quantity,
+            _ => return false,
+        };
+        let vectors = self.vectors(target).into_iter().filter(|own| own.wrong).any(|own| fits(&own.value));
+        vectors || self.scalars(target).into_iter().filter(|own| own.wrong).any(|own| fits(&[own.value]))
+    }
+
     /// What the student answered to another question, as numbers; a magnitude has the direction that it would have.
     fn numbers(&self, wanted: impl Fn(&Quantity, Target) -> bool) -> Option<Own<Vec<f64>>> {
         let judged = |index: usize| match self.verdicts[index] {
@@ -209,7 +234,10 @@ impl Desk<'_, '_> {
     fn vectors(&self, target: Quantity) -> Vec<Own<Xy>> {
         let mut ways = self.sums(target);
         match target {
-            Quantity::Velocity(p) | Quantity::Acceleration(p) => ways.extend(self.images(target, p)),
+            Quantity::Velocity(p) | Quantity::Acceleration(p) => {
+                ways.extend(self.images(target, p));
+                ways.extend(self.carried(target, p));
+            }
             Quantity::RelativeVelocity(to, from) => {
                 for link in self.links_of(to, from) {
                     let turned = self.scalar(Quantity::Omega(link)).zip(self.arm(from, to));
@@ -250,6 +278,53 @@ impl Desk<'_, '_> {
                 ways.extend(both.map(|(w, slip)| w.with(slip, |w, slip| times(left(slip), 2.0 * w))));
             }
             _ => {}
+        }
+        ways
+    }
+
+    /// What is known of a point: answered, or calculated from what is given alone.
+    fn known(&self, quantity: Quantity, point: PointId) -> Option<Own<Xy>> {
+        self.vector(quantity).or_else(|| {
+            let order = quantity.order();
+            let on_driven = |input: &Input| match *input {
+                Input::Angle { link, .. } => self.case.mechanism.link(link).points.contains(&point),
+                _ => false,
+            };
+            let driven = self.case.mechanism.inputs.iter().any(on_driven);
+            let images = &polygon(&self.base.construction, order).filter(|_| driven)?.images;
+            let own = Label::Image { point, link: None };
+            let at = images.iter().rev().find(|image| image.label == own)?.at;
+            Some(Own::known(times(at, self.case.si_per_mm(order))))
+        })
+    }
+
+    /// V of another point of the link and ω × l; A of it, ε × l and ω² l.
+    fn carried(&self, target: Quantity, point: PointId) -> Vec<Own<Xy>> {
+        let mut ways = Vec::new();
+        for link in self.case.mechanism.moving() {
+            let points = &self.case.mechanism.link(link).points;
+            if !points.contains(&point) {
+                continue;
+            }
+            let in_base = || omega_of(self.case, self.base, link).map(Own::known);
+            let omega = self.scalar(Quantity::Omega(link));
+            for &from in points.iter().filter(|from| **from != point) {
+                let Some(arm) = self.arm(from, point) else { continue };
+                match target {
+                    Quantity::Velocity(_) => {
+                        let both = self.known(Quantity::Velocity(from), from).zip(omega);
+                        ways.extend(both.map(|(v, w)| v.with(w, |v, w| plus(v, times(left(arm), w)))));
+                    }
+                    _ => {
+                        let known = self.known(Quantity::Acceleration(from), from);
+                        let rates = omega.or_else(in_base).zip(self.scalar(Quantity::Alpha(link)));
+                        ways.extend(known.zip(rates).map(|(a, (w, e))| {
+                            let turned = w.with(e, |w, e| plus(times(left(arm), e), times(arm, -w * w)));
+                            a.with(turned, plus)
+                        }));
+                    }
+                }
+            }
         }
         ways
     }
@@ -394,8 +469,50 @@ impl Desk<'_, '_> {
                 let both = two(Quantity::Omega(i), Quantity::Omega(j)).filter(|(_, b)| b.value != 0.0);
                 both.map(|(a, b)| a.with(b, |a, b| a / b)).into_iter().collect()
             }
+            Quantity::Cycle(of) => self.of_cycle(of),
             _ => Vec::new(),
         }
+    }
+
+    /// What is reckoned from other numbers of a turning-moment diagram and what is given of it.
+    fn of_cycle(&self, target: CycleQuantity) -> Vec<Own<f64>> {
+        let Some(cycle) = &self.case.mechanism.forces.cycle else { return Vec::new() };
+        let own = |of: CycleQuantity| self.scalar(Quantity::Cycle(of));
+        let (omega, period) = (cycle.omega.value.abs(), cycle.period.value);
+        let inertia = || own(CycleQuantity::Inertia).unwrap_or(Own::known(self.case.rotating));
+        let work =
+            || own(CycleQuantity::Work).or_else(|| Some(own(CycleQuantity::Mean)?.map(|m| m * period)));
+        let ways = match target {
+            CycleQuantity::Power => vec![
+                own(CycleQuantity::Mean).map(|mean| mean.map(|mean| mean * omega)),
+                own(CycleQuantity::Work).map(|work| work.map(|work| work / period * omega)),
+            ],
+            CycleQuantity::Mean => vec![
+                own(CycleQuantity::Work).map(|work| work.map(|work| work / period)),
+                own(CycleQuantity::Power).map(|power| power.map(|power| power / omega)),
+            ],
+            CycleQuantity::Work => vec![work()],
+            CycleQuantity::Fluctuation => {
+                let levels = own(CycleQuantity::Highest).zip(own(CycleQuantity::Lowest));
+                vec![levels.map(|(high, low)| high.with(low, |high, low| high - low))]
+            }
+            CycleQuantity::OfEnergy => {
+                let both = own(CycleQuantity::Fluctuation).zip(work());
+                vec![both.map(|(ef, work)| ef.with(work, |ef, work| ef / work))]
+            }
+            CycleQuantity::OfSpeed => vec![
+                own(CycleQuantity::Fluctuation)
+                    .map(|ef| ef.with(inertia(), |ef, inertia| ef / (inertia * omega * omega))),
+            ],
+            CycleQuantity::Flywheel => {
+                let both = own(CycleQuantity::Fluctuation).zip(cycle.fluctuation);
+                vec![both.map(|(ef, ks)| {
+                    ef.with(inertia(), |ef, inertia| ef / (ks.value * omega * omega) - inertia)
+                })]
+            }
+            _ => Vec::new(),
+        };
+        ways.into_iter().flatten().filter(|own| own.value.is_finite()).collect()
     }
 
     /// ω = V / l or ε = Aᵗ / l by any two points of the link.

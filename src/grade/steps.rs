@@ -1,0 +1,146 @@
+//! What follows from a student's own answers by the solution's own steps: they take their places in the drawing, alone
+//! and together, and it is seen where the drawing leads.
+
+use super::case::{Case, Target, polygon, size};
+use super::change::Change;
+use super::judge::{Verdict, own_values};
+use super::routes::omega_of;
+use crate::graphical::construction::Label;
+use crate::graphical::{Departure, Sketch};
+use crate::mechanism::quantity::{Order, Quantity};
+use crate::mechanism::{Input, LinkId, PointId};
+
+/// So many drawings are made at most to see whether one answer follows.
+const DRAWINGS: usize = 240;
+
+/// Whether the solution's own steps lead from the student's wrong answers to this one. The right drawing goes on from
+/// them, and the drawing as it is known.
+pub(super) fn lead_to(
+    case: &Case<'_>,
+    drawn: &Change,
+    verdicts: &[Option<Verdict>],
+    index: usize,
+    fits: &dyn Fn(&[f64]) -> bool,
+) -> bool {
+    let judged = |wanted: &[Verdict]| -> Vec<usize> {
+        let is = |verdict: Option<Verdict>| verdict.is_some_and(|verdict| wanted.contains(&verdict));
+        (0..verdicts.len()).filter(|&other| other != index && is(verdicts[other])).collect()
+    };
+    let [wrong, right] = [&[Verdict::Wrong, Verdict::Consistent][..], &[Verdict::Right]].map(judged);
+    if wrong.is_empty() {
+        return false;
+    }
+    let plain = Change::default();
+    let bases: &[&Change] = if drawn.redraws() { &[&plain, drawn] } else { &[&plain] };
+    for &base in bases {
+        let Some(sketch) = case.drawn(base, None) else { continue };
+        let seen = case.seen(&sketch, base);
+        let ways = |of: &[usize]| -> Vec<Vec<Change>> {
+            let of = of.iter().map(|&other| ways_of(case, &sketch, other, seen[other].as_deref()));
+            of.filter(|ways| !ways.is_empty()).collect()
+        };
+        let (wrong, right) = (ways(&wrong), ways(&right));
+        let leads = |change: &Change| {
+            let change = base.and(change);
+            let Some(sketch) = case.drawn(&change, None) else { return false };
+            case.seen_at(index, &sketch, &change).is_some_and(|numbers| fits(&numbers))
+        };
+        if tried(&wrong, &right).iter().take(DRAWINGS).any(leads) {
+            return true;
+        }
+    }
+    false
+}
+
+/// Own answers in the drawing: all of them, with and without those that are right, each alone, and any two.
+fn tried(wrong: &[Vec<Change>], right: &[Vec<Change>]) -> Vec<Change> {
+    let mut tried = Vec::new();
+    let most = wrong.iter().map(Vec::len).max().unwrap_or(0);
+    let nth = |ways: &[Vec<Change>], n: usize| {
+        let each = ways.iter().filter_map(|ways| ways.get(n).or(ways.last()));
+        each.fold(Change::default(), |all, way| all.and(way))
+    };
+    let held = nth(right, 0);
+    for n in 0..most {
+        let all = nth(wrong, n);
+        tried.push(held.and(&all));
+        tried.push(all);
+    }
+    for way in wrong.iter().flatten() {
+        tried.push(way.clone());
+        tried.push(held.and(way));
+    }
+    for (place, one) in wrong.iter().enumerate() {
+        for other in &wrong[place + 1..] {
+            for way in one {
+                tried.extend(other.iter().map(|more| way.and(more)));
+            }
+        }
+    }
+    tried
+}
+
+/// How the drawing goes on from one answer of the student.
+fn ways_of(case: &Case<'_>, sketch: &Sketch, index: usize, before: Option<&[f64]>) -> Vec<Change> {
+    let observation = &case.observations[index];
+    let mut ways = own_values(case, sketch, observation, before);
+    if let (Target::Asked(_), Some(Quantity::Omega(link) | Quantity::Alpha(link)), Some(&[before])) =
+        (observation.target, observation.quantity, before)
+    {
+        let given = match observation.given {
+            super::answers::Given::Signed(value) => Some(value),
+            super::answers::Given::Magnitude(size) => Some(if before < 0.0 { -size } else { size }),
+            _ => None,
+        };
+        let order = observation.quantity.map_or(Order::Velocity, |quantity| quantity.order());
+        ways.extend(given.into_iter().flat_map(|value| carried(case, sketch, order, link, value)));
+    }
+    ways.retain(Change::redraws);
+    ways
+}
+
+/// The images of a link's points by its own rate, from each of its points that is fixed or driven.
+fn carried(case: &Case<'_>, sketch: &Sketch, order: Order, link: LinkId, rate: f64) -> Vec<Change> {
+    let space = &sketch.construction.space;
+    let points = &case.mechanism.link(link).points;
+    let place = |point: PointId| space.places.get(point.0).copied().flatten();
+    let driven = |point: PointId| {
+        let mut inputs = case.mechanism.inputs.iter();
+        inputs.any(|input| match *input {
+            Input::Angle { link, .. } => case.mechanism.link(link).points.contains(&point),
+            _ => false,
+        })
+    };
+    let image = |point: PointId| {
+        if case.mechanism.is_fixed(point) {
+            return Some([0.0; 2]);
+        }
+        let own = Label::Image { point, link: None };
+        let images = &polygon(&sketch.construction, order).filter(|_| driven(point))?.images;
+        Some(images.iter().rev().find(|image| image.label == own)?.at)
+    };
+    let si = case.si_per_mm(order);
+    let centripetal = match order {
+        Order::Acceleration => match omega_of(case, sketch, link) {
+            Some(omega) => omega * omega,
+            None => return Vec::new(),
+        },
+        _ => 0.0,
+    };
+    let mut ways = Vec::new();
+    for &from in points {
+        let (Some(base), Some(start)) = (image(from), place(from)) else { continue };
+        let moved = |&to: &PointId| {
+            let end = place(to).filter(|_| to != from && !case.mechanism.is_fixed(to))?;
+            let arm = [end[0] - start[0], end[1] - start[1]].map(|mm| mm * space.metres_per_mm);
+            let turned = [-rate * arm[1] - centripetal * arm[0], rate * arm[0] - centripetal * arm[1]];
+            let at = [base[0] + turned[0] / si, base[1] + turned[1] / si];
+            (size(&arm) > 0.0).then_some(Departure::Image { order, point: to, at })
+        };
+        let departures: Vec<Departure> = points.iter().filter_map(moved).collect();
+        if !departures.is_empty() {
+            ways.push(Change::drawn(departures));
+        }
+    }
+    ways
+}
