@@ -33,6 +33,7 @@ mod friction;
 #[path = "goldens/main.rs"]
 mod goldens;
 mod grade;
+mod grade_follows;
 mod grade_room;
 mod groups;
 #[path = "hard/main.rs"]

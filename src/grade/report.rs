@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::answers::{Answers, Form, Given};
 use super::case::{Allowance, Basis, Case, Observation, Target, size};
-use super::judge::{Judgement, Mistake, Verdict};
+use super::judge::{Fault, Judgement, Mistake, Verdict};
 use super::mistakes::vector_of;
 use crate::graphical::construction::Label;
 use crate::mechanism::quantity::{Order, Quantity, Unit};
@@ -136,14 +136,17 @@ impl Verdict {
 
 pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) -> Report {
     let worth = worth(case, &judgement.verdicts);
+    let charged = charged(judgement, &worth);
     let quantities: Vec<Graded> = case
         .observations
         .iter()
         .enumerate()
         .map(|(index, _)| {
-            let fault = judgement.faults.iter().find(|fault| fault.first == index);
-            let mistakes = fault.map(|fault| fault.mistakes.clone()).unwrap_or_default();
-            graded(case, index, worth[index], judgement.verdicts[index], mistakes)
+            let charge = charged.iter().find(|(at, _)| *at == index).map(|(_, fault)| *fault);
+            let own = judgement.faults.iter().find(|fault| fault.first == index);
+            let mistakes = own.or(charge).map(|fault| fault.mistakes.clone()).unwrap_or_default();
+            let verdict = if charge.is_some() { Verdict::Wrong } else { judgement.verdicts[index] };
+            graded(case, index, worth[index], verdict, mistakes)
         })
         .collect();
     let missing = missing(case);
@@ -155,6 +158,18 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
         missing,
         marks,
     }
+}
+
+/// The answers at which faults cost their mark that show first in what has none: each costs it at the first answer with
+/// a mark that follows from it, as it would had only that been handed in.
+fn charged<'j>(judgement: &'j Judgement, worth: &[Option<f64>]) -> Vec<(usize, &'j Fault)> {
+    let marked = |index: usize| worth[index].is_some_and(|worth| worth > 0.0);
+    let mut charged: Vec<(usize, &Fault)> = Vec::new();
+    for (number, fault) in judgement.faults.iter().enumerate().filter(|(_, fault)| !marked(fault.first)) {
+        let follows = |index: &usize| judgement.caused[*index] == Some(number) && marked(*index);
+        charged.extend((0..worth.len()).find(follows).map(|index| (index, fault)));
+    }
+    charged
 }
 
 /// What the marks of the scene say of a name; 1 where they say nothing.
@@ -209,8 +224,8 @@ fn bearers(case: &Case<'_>, verdicts: &[Verdict], quantity: Quantity) -> Vec<usi
     }
 }
 
-/// The point of the drawing that shows a quantity: the head of its vector where the tail is drawn as well. Of two
-/// points the wrong one stands for it.
+/// The point of the drawing that shows a quantity: the head of its vector where the tail is drawn as well. A wrong tail
+/// under a head that is right stands for it, unless it stands for a quantity of its own: it costs its mark once.
 fn shown(case: &Case<'_>, verdicts: &[Verdict], quantity: Quantity) -> Option<usize> {
     let at = |target: Target| case.observations.iter().position(|observation| observation.target == target);
     let (order, point) = match quantity {
@@ -224,7 +239,14 @@ fn shown(case: &Case<'_>, verdicts: &[Verdict], quantity: Quantity) -> Option<us
         match (head, tail) {
             (Some(head), None) if vector.tail == Label::Pole => return Some(head),
             (Some(head), Some(tail)) => {
-                return Some(if verdicts[tail] == Verdict::Wrong { tail } else { head });
+                let known = |asked: &Quantity| {
+                    vector_of(&case.right.construction, asked).is_some_and(|own| {
+                        asked.order() == order && own.head == vector.tail && own.tail == Label::Pole
+                    })
+                };
+                let bears = case.scene.mechanism.asked.iter().any(|asked| known(&asked.quantity));
+                let alone = verdicts[tail] == Verdict::Wrong && verdicts[head] == Verdict::Right && !bears;
+                return Some(if alone { tail } else { head });
             }
             _ => {}
         }

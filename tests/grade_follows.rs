@@ -1,0 +1,220 @@
+//! An answer that follows from the student's own earlier answers by any right way has its mark, and a mistake costs one
+//! mark in whatever form it is handed in. The numbers are those of complex-number kinematics of their own, not of the
+//! program: what comes after a mistake is calculated from it.
+
+#![allow(clippy::unwrap_used, reason = "a test says no more than that it failed")]
+
+use linkgram::grade::{GradeSettings, Report, Verdict, grade, read_named};
+use serde_json::{Value, json};
+
+fn graded(scene: &Value, answers: &Value) -> Report {
+    let scene = linkgram::scene::read(&scene.to_string(), "scene.json").unwrap();
+    let answers = read_named("answers.json", &answers.to_string(), &scene).unwrap();
+    grade(&scene, &answers, &GradeSettings::default()).unwrap()
+}
+
+/// The marks of one hand-in, and that nothing but these answers is wrong.
+fn wrong_alone(mechanism: fn(&[&str]) -> Value, values: &Value, wrong: &[&str]) {
+    let names: Vec<&str> = values.as_object().unwrap().keys().map(String::as_str).collect();
+    let report = graded(&mechanism(&names), &json!({ "values": values }));
+    let found: Vec<&str> = report
+        .quantities
+        .iter()
+        .filter(|graded| graded.verdict == Verdict::Wrong)
+        .map(|graded| graded.name.as_str())
+        .collect();
+    assert_eq!(found, wrong, "{}", report.to_text());
+}
+
+fn vector(magnitude: f64, direction: f64) -> Value {
+    json!({ "magnitude": magnitude, "direction": direction })
+}
+
+fn turning(value: f64, sense: &str) -> Value {
+    json!({ "value": value, "sense": sense })
+}
+
+fn shaper(find: &[&str]) -> Value {
+    json!({
+        "units": { "length": "cm" }, "fixed": { "O2": [0, 0], "O4": [0, -32] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 15 }, "4": { "joins": ["O4", "B"], "length": 62 },
+            "5": { "joins": ["B", "C"], "length": 24 }
+        },
+        "slides": [
+            { "pin": "A", "block": 3, "on": { "link": 4, "through": "O4", "toward": "B" } },
+            { "pin": "C", "block": 6, "on": { "link": 1, "through": [0, 28], "angle": 0 } }
+        ],
+        "near": { "B": [20, 25], "C": [-10, 28] },
+        "input": { "link": 2, "angle": 20, "omega": "8 rad/s cw" }, "find": find
+    })
+}
+
+fn six_links(find: &[&str]) -> Value {
+    json!({
+        "units": { "length": "cm" }, "fixed": { "O2": [0, 0], "O4": [60, 0] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 20 }, "3": { "joins": ["A", "B"], "length": 55 },
+            "4": { "joins": ["O4", "B", "C"], "arms": [40, 30, -60] }, "5": { "joins": ["C", "D"], "length": 60 }
+        },
+        "slides": [{ "pin": "D", "block": 6, "on": { "link": 1, "through": [110, 0], "angle": 90 } }],
+        "near": { "B": [70, 40], "D": [110, -20] },
+        "input": { "link": 2, "angle": 70, "omega": "10 rad/s ccw" }, "find": find
+    })
+}
+
+fn coupler(find: &[&str]) -> Value {
+    json!({
+        "units": { "length": "cm" }, "fixed": { "O2": [0, 0], "O4": [25, 0] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 8 }, "3": { "joins": ["A", "B", "C"], "arms": [26, 14, 35] },
+            "4": { "joins": ["O4", "B"], "length": 16 }
+        },
+        "near": { "B": [20, 18] },
+        "input": { "link": 2, "angle": 125, "omega": "12 rad/s cw", "alpha": "40 rad/s^2 ccw" }, "find": find
+    })
+}
+
+fn crank_and_rocker(find: &[&str]) -> Value {
+    json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0], "O4": [180, 0] },
+        "links": {
+            "2": { "joins": ["O2", "A"], "length": 60 }, "3": { "joins": ["A", "B"], "length": 150 },
+            "4": { "joins": ["O4", "B"], "length": 110 }
+        },
+        "near": { "B": [150, 110] },
+        "input": { "link": 2, "angle": 60, "omega": "120 rpm ccw" }, "find": find
+    })
+}
+
+/// 900 N m at 60°, 300 at 120°, nothing from 180° to the end of the turn; 400 kg at 500 mm turn.
+fn turning_moment(find: &[&str]) -> Value {
+    let table = json!([[0, 0], [60, 900], [120, 300], [180, 0], [360, 0]]);
+    json!({
+        "links": {}, "input": { "omega": "300 rpm" },
+        "cycle": { "torque": { "table": table }, "rotating": [{ "mass": 400, "gyration": "500 mm" }] },
+        "find": find
+    })
+}
+
+fn gas_engine(find: &[&str]) -> Value {
+    json!({
+        "units": { "length": "mm" }, "fixed": { "O2": [0, 0] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 80 }, "3": { "joins": ["A", "B"], "length": 300 } },
+        "slides": [{ "pin": "B", "block": 4, "on": { "link": 1, "through": "O2", "angle": 0 } }],
+        "near": { "B": [350, 0] }, "input": { "link": 2, "angle": 45, "omega": "300 rpm ccw" },
+        "loads": [{ "on": 4, "at": "B", "force": 2000, "direction": 180 }], "find": find
+    })
+}
+
+#[test]
+fn the_solutions_own_steps_lead_on_from_own_answers() {
+    // V_B is that of A on the lever; the rod and ε of the rod are drawn rightly from it, A_B is right.
+    let rod = json!({
+        "v(B)": vector(78.39, -20.8), "v(C)": vector(75.66, 0.0), "a(B)": vector(623.5, -178.0),
+        "alpha(5)": turning(1.028, "cw")
+    });
+    wrong_alone(shaper, &rod, &["v(B)"]);
+    // ω₄ from V_BA; V_D, A_D, ε₄ and ε₅ from it.
+    let rocker = json!({
+        "v(D)": vector(68.58, 90.0), "omega(4)": turning(2.104, "ccw"), "a(D)": vector(1233.0, 90.0),
+        "alpha(4)": turning(37.7, "ccw"), "alpha(5)": turning(13.63, "ccw")
+    });
+    wrong_alone(six_links, &rocker, &["omega(4)"]);
+    // V_C by the inverse ratio.
+    let ratio = json!({ "v(C)": vector(207.8, 123.4), "v(D)": vector(225.8, 90.0), "alpha(5)": turning(19.26, "ccw") });
+    wrong_alone(six_links, &ratio, &["v(C)"]);
+}
+
+#[test]
+fn a_point_of_a_link_follows_from_own_rates() {
+    // V_C = V_A + ω₃ × AC with the student's ω₃, in the wrong sense and of the wrong size; V_B is read off the polygon.
+    let [a, b] = [vector(96.0, 35.0), vector(92.46, 18.4)];
+    let sense =
+        json!({ "v(A)": a, "v(B)": b, "omega(3)": turning(1.053, "ccw"), "v(C)": vector(92.17, 43.7) });
+    wrong_alone(coupler, &sense, &["omega(3)"]);
+    let size = json!({ "v(A)": a, "v(B)": b, "omega(3)": turning(3.556, "cw"), "v(C)": vector(121.9, 12.3) });
+    wrong_alone(coupler, &size, &["omega(3)"]);
+    // What follows from nothing stays wrong.
+    let neither =
+        json!({ "v(A)": a, "v(B)": b, "omega(3)": turning(3.556, "cw"), "v(C)": vector(150.0, 70.0) });
+    wrong_alone(coupler, &neither, &["omega(3)", "v(C)"]);
+}
+
+#[test]
+fn numbers_of_a_turning_moment_diagram_follow_from_own_ones() {
+    // P = T·ω, K_s = E_f/(I·ω²).
+    wrong_alone(turning_moment, &json!({ "Tmean": 400.0, "power": 12570.0 }), &["Tmean"]);
+    wrong_alone(turning_moment, &json!({ "Ef": 698.1, "Ks": 0.007074 }), &["Ef"]);
+    wrong_alone(turning_moment, &json!({ "Ef": 698.1, "Ks": 0.0085 }), &["Ef", "Ks"]);
+}
+
+#[test]
+fn a_load_in_the_wrong_sense_costs_one_mark() {
+    // F₃₄ along the rod, N on the guide, T = F₃₂ times its arm: all of them turned about.
+    let (crank, rod) = (80.0_f64, 300.0_f64);
+    let sine = crank * libm::sin(std::f64::consts::FRAC_PI_4) / rod;
+    let tangent = sine / libm::sqrt(1.0 - sine * sine);
+    let along = 2000.0 / libm::sqrt(1.0 - sine * sine);
+    let lean = libm::asin(sine).to_degrees();
+    // The piston is drawn outward: the rod holds it back along itself, from B toward A.
+    let square = 2000.0 * tangent;
+    let height = crank * libm::sin(std::f64::consts::FRAC_PI_4);
+    let reach = crank * libm::cos(std::f64::consts::FRAC_PI_4);
+    // F₃₂ = (2000, −square) at A; T balances its moment.
+    let moment = (reach * -square - height * 2000.0) / 1000.0;
+    let values = json!({
+        "F(3,4)": vector(along, 180.0 - lean), "F(1,4)": vector(square, -90.0),
+        "T(2)": turning(moment.abs(), if moment < 0.0 { "ccw" } else { "cw" })
+    });
+    let names = ["F(3,4)", "F(1,4)", "T(2)"];
+    let report = graded(&gas_engine(&names), &json!({ "values": values }));
+    assert_eq!(report.sum(), (2.0, 3.0), "{}", report.to_text());
+    let fault = report.first_fault().unwrap();
+    assert!(fault.mistakes.iter().any(|mistake| mistake.kind.name() == "sense-reversed"), "{fault:?}");
+}
+
+#[test]
+fn a_step_that_is_not_asked_does_not_pay_for_what_is() {
+    // Aⁿ of the rod points from A to B; A_B is drawn from it.
+    let end = vector(6107.0, -154.1);
+    let scene = crank_and_rocker(&["a(B)"]);
+    let alone = graded(&scene, &json!({ "values": { "a(B)": end } }));
+    let shown = graded(&scene, &json!({ "values": { "an(B/A)": vector(1423.0, 22.5), "a(B)": end } }));
+    assert_eq!((alone.sum(), shown.sum()), ((0.0, 1.0), (0.0, 1.0)), "{}", shown.to_text());
+    let named = |report: &Report| report.quantities.last().unwrap().mistakes[0].kind;
+    assert_eq!(named(&alone), named(&shown));
+}
+
+/// The pole at (100, 100) and the image of A beside it, both with their letters.
+fn drawing(more: &str) -> String {
+    let mark = |x: f64, name: &str| {
+        format!(
+            "<circle cx=\"{x}\" cy=\"100\" r=\"0.4\"/><text x=\"{x}\" y=\"98\" font-size=\"3\">{name}</text>"
+        )
+    };
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\">{}{}{more}</svg>",
+        mark(100.0, "o"),
+        mark(60.0, "a"),
+    )
+}
+
+#[test]
+fn what_a_drawing_hides_is_not_read() {
+    let scene = crank_and_rocker(&["v(A)"]).to_string();
+    let scene = linkgram::scene::read(&scene, "scene.json").unwrap();
+    let names = |more: &str| -> Vec<String> {
+        let answers = read_named("a.svg", &drawing(more), &scene).unwrap();
+        let report = grade(&scene, &answers, &GradeSettings::default()).unwrap();
+        report.quantities.iter().map(|graded| graded.name.clone()).collect()
+    };
+    let own = names("");
+    let b = "<circle cx=\"20\" cy=\"20\" r=\"0.4\"/><text x=\"21\" y=\"20\" font-size=\"3\">b</text>";
+    assert_ne!(names(&format!("<g>{b}</g>")), own);
+    for hidden in ["style=\"display:none\"", "display=\"none\"", "style=\"visibility: hidden\""] {
+        assert_eq!(names(&format!("<g {hidden}>{b}</g>")), own, "{hidden}");
+    }
+    let back = format!("<g visibility=\"hidden\"><g visibility=\"visible\">{b}</g></g>");
+    assert_ne!(names(&back), own);
+}
