@@ -283,7 +283,8 @@ enum Command {
         /// One PDF of all questions, then all solutions, for each language
         #[arg(long)]
         booklet: bool,
-        /// No answer may be off by a larger part of its value; results that a careful hand may miss by more are not asked
+        /// No answer may be off by a larger part of its value; results that a careful hand may miss by more are
+        /// flagged
         #[arg(long, value_name = "PERCENT", default_value = "10%", allow_hyphen_values = true, value_parser = parse_percent)]
         max_tolerance: f64,
         /// The seed: the same seed gives the same variants

@@ -194,7 +194,7 @@ pub(super) fn numbers(
             vec![in_unit(Part::Value, *value, cap, worth.marks.unwrap_or(1.0))]
         }
         Answer::Vector { value: [x, y], .. } => {
-            let whole = worth.marks.unwrap_or(2.0);
+            let whole = worth.marks.unwrap_or(1.0);
             if let Quantity::Position(_) | Quantity::Centre(..) = asked.quantity {
                 // A place has an origin that nobody reads it from.
                 let half = whole / 2.0;

@@ -139,6 +139,8 @@ impl Checked {
     pub fn because(&self) -> Option<String> {
         let changes = self.scene.as_ref()?;
         Some(match &changes[..] {
+            // Where a file of the golden is missing or cannot be read nothing was drawn otherwise.
+            [] if !matches!(self.verdict, Verdict::Differs(_)) => return None,
             [] => "the scene is as it was: the program draws it otherwise".to_owned(),
             [..] => format!("the scene changed: {}", changes.join("; ")),
         })
