@@ -643,3 +643,25 @@ fn what_nothing_presses_does_not_rub() {
     let found = rack(r#", "pressure": 20"#, r#"{ "on": 2, "torque": "0.2 N*m cw" }"#);
     near(found["T(2)"][0], 0.2);
 }
+
+/// A wheel that rolls to the left draws a rod after it, at whose end a slide drags: the rod lifts the wheel by the slope of
+/// its line. Held down with more than that it presses on the ground; with less it would have to pull, and nothing locks.
+#[test]
+fn friction_that_lifts_a_wheel_leaves_no_equilibrium() {
+    let scene = |load: f64, expect: &str| {
+        read(&format!(
+            r#"{{ "fixed": {{}}, "links": {{ "2": {{ "joins": ["C", "E"] }}, "3": {{ "joins": ["C", "D"] }} }},
+              "slides": [ {{ "pin": "D", "block": 4, "on": {{ "link": 1, "through": [0, 2], "angle": 0 }}, "drag": 10 }} ],
+              "rolls": [ {{ "links": [1, 2], "line": {{ "link": 1, "through": [0, 0], "angle": 0 }}, "centre": "C", "radius": 1 }} ],
+              "placed": {{ "C": [0, 1], "E": [0.5, 1], "D": [3, 2] }}, "input": {{ "link": 2, "omega": 1 }},
+              "loads": [ {{ "on": 2, "at": "C", "force": {load}, "direction": -90 }} ], {expect}
+              "find": ["F(1,2)", "T(2)"] }}"#
+        ))
+    };
+    let found = answers(&scene(5.0, ""));
+    near(found["F(1,2)"][1], 5.0 - 10.0 / 3.0);
+    near(found["F(1,2)"][0], -10.0);
+    near(found["T(2)"][0], 10.0);
+    let checked = check::check(&scene(3.0, r#""expect": "no-equilibrium","#), 0.0);
+    assert!(checked.ok, "{:?}", checked.outcome);
+}

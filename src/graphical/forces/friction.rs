@@ -708,6 +708,8 @@ pub(in super::super) fn redrawn(d: &Draughtsman<'_>) -> Vec<(Share, usize)> {
 
 /// What becomes of a balance with friction on scratch paper.
 struct Tried {
+    /// A contact would have to pull.
+    pulls: bool,
     /// The passes come to an end.
     ends: bool,
     /// How hard rough guides press then, and on which side, as parts of the largest force.
@@ -752,6 +754,7 @@ fn try_out(
         [x - from_x, y - from_y]
     });
     Some(Tried {
+        pulls: balance.refused == Some(super::PULLS),
         ends: balance.refused.is_none() && !leaning.endless,
         pressing: leaning.pressing.clone(),
         forces: forces.collect(),
@@ -793,6 +796,10 @@ pub(crate) fn holds((mechanism, structure, plan): Drawn<'_>) -> Option<(Stuck, S
     };
     let own = try_out((mechanism, structure, plan), &[], Begun::Plainly)?;
     let pairs = mechanism.rubbing_pairs();
+    if own.pulls {
+        // The passes come to an end: nothing locks, and the drawing itself says what it lacks.
+        return None;
+    }
     if !own.ends {
         if !ends(HARDLY, None) {
             return None;
