@@ -186,6 +186,57 @@ fn a_step_that_is_not_asked_does_not_pay_for_what_is() {
     assert_eq!(named(&alone), named(&shown));
 }
 
+/// The kind that is named first for a hand-in, and its marks lost.
+fn named(scene: &Value, values: &Value) -> (&'static str, f64) {
+    let report = graded(scene, &json!({ "values": values }));
+    let kind = report.first_fault().unwrap().mistakes.first().map_or("", |mistake| mistake.kind.name());
+    let (reached, of) = report.sum();
+    (kind, of - reached)
+}
+
+#[test]
+fn mistakes_of_a_crank_and_rocker_are_named() {
+    let find = ["v(A)", "v(B)", "v(B/A)", "omega(3)", "omega(4)", "a(B)", "alpha(3)", "alpha(4)"];
+    let scene = crank_and_rocker(&find);
+    let handed_in = |omegas: [f64; 2], end: Value, alphas: [(f64, &str); 2]| {
+        json!({
+            "v(A)": vector(754.0, 150.0), "v(B)": vector(478.7, -174.0), "v(B/A)": vector(462.0, -67.5),
+            "omega(3)": turning(omegas[0], "cw"), "omega(4)": turning(omegas[1], "ccw"), "a(B)": end,
+            "alpha(3)": turning(alphas[0].0, alphas[0].1), "alpha(4)": turning(alphas[1].0, alphas[1].1)
+        })
+    };
+    // V_B/AB for ω₃, and all that follows.
+    let rod = handed_in([3.191, 4.351], vector(9061.0, -160.7), [(41.87, "ccw"), (80.16, "ccw")]);
+    assert_eq!(named(&scene, &rod), ("rate-from-wrong-vector", 1.0));
+    // ω₄ in degrees per second, and nothing follows.
+    let degrees = handed_in([3.08, 249.3], vector(8954.0, -160.6), [(41.67, "ccw"), (79.17, "ccw")]);
+    assert_eq!(named(&scene, &degrees), ("deg-as-rad", 1.0));
+    // Both normal parts that are found point outward: one cause.
+    let outward = handed_in([3.08, 4.351], vector(7282.0, 169.3), [(65.0, "ccw"), (63.44, "ccw")]);
+    assert_eq!(named(&scene, &outward), ("normal-away-from-centre", 1.0));
+    // The direction counted clockwise.
+    let clockwise = handed_in([3.08, 4.351], vector(8954.0, 160.6), [(41.67, "ccw"), (79.17, "ccw")]);
+    assert_eq!(named(&scene, &clockwise), ("direction-measured-otherwise", 1.0));
+}
+
+#[test]
+fn coriolis_with_another_velocity_is_named() {
+    let scene = json!({
+        "units": { "length": "cm" }, "fixed": { "O2": [0, 0], "O4": [0, -26] },
+        "links": { "2": { "joins": ["O2", "A"], "length": 12 }, "4": { "joins": ["O4", "B"], "length": 55 } },
+        "slides": [{ "pin": "A", "block": 3, "on": { "link": 4, "through": "O4", "toward": "B" } }],
+        "near": { "B": [10, 27] }, "input": { "link": 2, "angle": 50, "omega": "5 rad/s ccw" },
+        "find": ["omega(4)", "v(A@4)", "slip(A/4)", "coriolis(A/4)", "aslip(A/4)", "alpha(4)"]
+    });
+    // 2·ω₄·V_A.
+    let values = json!({
+        "omega(4)": turning(1.475, "ccw"), "v(A@4)": vector(53.15, 167.6), "slip(A/4)": vector(27.83, 77.6),
+        "coriolis(A/4)": vector(177.0, 167.6), "aslip(A/4)": vector(187.3, -102.4),
+        "alpha(4)": turning(1.051, "cw")
+    });
+    assert_eq!(named(&scene, &values), ("coriolis-wrong-velocity", 1.0));
+}
+
 /// The pole at (100, 100) and the image of A beside it, both with their letters.
 fn drawing(more: &str) -> String {
     let mark = |x: f64, name: &str| {

@@ -757,6 +757,14 @@ impl<'s> Case<'s> {
             }
             return;
         }
+        if let Misreading::Mirrored { of, from_y } = reading {
+            if of.includes(&quantity)
+                && let [x, y] = numbers
+            {
+                [*x, *y] = if from_y { [*y, *x] } else { [*x, -*y] };
+            }
+            return;
+        }
         let (of, twist) = match reading {
             Misreading::Twisted { of, twist } => (of, twist),
             Misreading::Unscaled { of, factor } | Misreading::Divided { of, factor } => {
@@ -770,6 +778,7 @@ impl<'s> Case<'s> {
                 (of, crate::graphical::Twist::scaled(factor))
             }
             Misreading::Enlarged { .. }
+            | Misreading::Mirrored { .. }
             | Misreading::MeasuredFrom { .. }
             | Misreading::MeasuredTo { .. }
             | Misreading::Backwards { .. }

@@ -52,6 +52,8 @@ pub(super) enum InputChange {
 pub(super) enum Misreading {
     /// Multiplied and turned.
     Twisted { of: Which, twist: Twist },
+    /// The direction was counted clockwise from the x axis, or from the y axis.
+    Mirrored { of: Which, from_y: bool },
     /// The length on paper was written down as a number of the answer's unit, times this.
     Unscaled { of: Which, factor: f64 },
     /// The length on paper was divided by the scale (in units of the answer per millimetre), times this.
@@ -171,6 +173,9 @@ fn drive(mechanism: &mut Mechanism, first: f64, second: f64) {
         };
         *rate = rate.times(first);
         *change = change.times(second);
+    }
+    if let Some(cycle) = &mut mechanism.forces.cycle {
+        cycle.omega = cycle.omega.times(first);
     }
 }
 

@@ -60,6 +60,13 @@ impl List<'_, '_> {
             let price = if link.is_some() { PLAIN } else { 0.5 };
             let back = Departure::InertiaForce { link, twist: Twist::scaled(-1.0) };
             self.add(Kind::InertiaAlongAcceleration, &at, None, price, Change::drawn(vec![back]));
+            // The acceleration in millimetres or centimetres times kilograms.
+            let unit = self.case.scene.units.length.si;
+            if (unit - 1.0).abs() > 1e-9 {
+                let twist = Twist::scaled(1.0 / unit);
+                let force = Departure::InertiaForce { link, twist };
+                self.add(Kind::MetreMixed, &at, None, price + 0.5, Change::drawn(vec![force]));
+            }
             // With the couple on the side on which it should be of the force that should be.
             let with_couple = vec![back, Departure::Offset { link, factor: -1.0 }];
             self.add(Kind::InertiaAlongAcceleration, &at, None, price + 0.5, Change::drawn(with_couple));

@@ -11,7 +11,7 @@ use super::change::{Change, Misreading, Which};
 use super::kind::Kind;
 use super::mistakes::{self, Hypothesis, vector_of};
 use super::routes;
-use crate::graphical::construction::{Act, Calculation, Label};
+use crate::graphical::construction::{Act, Calculation, Label, Vector};
 use crate::graphical::{Departure, Sketch, Twist};
 use crate::mechanism::force::{Action, Force, Share};
 use crate::mechanism::quantity::{Order, Quantity};
@@ -82,7 +82,7 @@ const MOST: f64 = 25.0;
 /// An answer is explained if it misses by no more than this many tolerances.
 const EXPLAINED: f64 = 1.25;
 /// What explains answers well misses them by no more than this, root of the mean square in tolerances.
-const CLOSE: f64 = 0.65;
+pub(super) const CLOSE: f64 = 0.65;
 /// A value of which nothing is known may be anything: that explains it, at this price.
 const UNKNOWN: f64 = 12.0;
 /// How many of the best hypotheses are weighed with tolerances of their own.
@@ -91,6 +91,10 @@ const WEIGHED: usize = 24;
 const FEW: u64 = 24;
 /// Whatever explains an answer brings it nearer by as many tolerances.
 const MOVES: f64 = 0.1;
+/// So many of the closest explanations are asked what follows from them by other ways.
+const CREDITED: usize = 4;
+/// An answer that follows by another way costs an explanation no more than this.
+const FOLLOWING: f64 = 3.0;
 /// How many mistakes are named at one fault.
 const NAMED: usize = 5;
 /// Single mistakes that are tried together with every other one.
@@ -186,7 +190,8 @@ impl Judge<'_, '_> {
         // What leaves the answer where it was does not explain it.
         tried.retain(|t| unmoved - t.moved >= MOVES);
         let mut tried = self.weighed(tried);
-        tried.retain(|t| t.cost < price);
+        self.credit(&mut tried);
+        tried.retain(|t| t.cost < price && !self.contradicts(t));
         // Two mistakes fit any one number: there must be more to be explained.
         let open = self.verdicts.iter().filter(|verdict| verdict.is_none()).count();
         let mut two = false;
@@ -210,6 +215,42 @@ impl Judge<'_, '_> {
             one.also = Some(Box::new(other.clone()));
         }
         (mistakes, change)
+    }
+
+    /// What one of the closest explanations leaves open may follow from what it explains by another way: that is counted
+    /// for it, before one that comes near more answers and meets none.
+    fn credit(&self, tried: &mut [Tried]) {
+        if tried.first().is_none_or(|best| self.mistake(best).residual <= CLOSE) {
+            return;
+        }
+        let close = tried.iter_mut().filter(|one| self.mistake(one).residual <= CLOSE);
+        for one in close.take(CREDITED) {
+            let Some(sketch) = self.case.drawn(&one.change, None) else { continue };
+            let mut verdicts = self.verdicts.to_vec();
+            let open: Vec<usize> = (0..verdicts.len()).filter(|&i| self.verdicts[i].is_none()).collect();
+            for &index in open.iter().filter(|&&i| one.misses[i] <= EXPLAINED) {
+                verdicts[index] = Some(Verdict::Consistent);
+            }
+            verdicts[self.first] = Some(Verdict::Wrong);
+            for &index in open.iter().filter(|&&i| one.misses[i] > EXPLAINED) {
+                let allowed = EXPLAINED * self.case.tolerances[index];
+                if routes::follows(self.case, (&one.change, &sketch), &verdicts, index, allowed) {
+                    verdicts[index] = Some(Verdict::Consistent);
+                    one.cost += FOLLOWING - square(one.misses[index]).min(MOST);
+                }
+            }
+        }
+        tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    }
+
+    /// Whether a factor that is found by fitting, or normal parts of a kind, are at odds with an answer that is right.
+    fn contradicts(&self, tried: &Tried) -> bool {
+        let harmed = |i: usize| self.verdicts[i] == Some(Verdict::Right) && tried.misses[i] > EXPLAINED;
+        let whole = matches!(
+            tried.hypothesis.kind,
+            Kind::ScaleWrong | Kind::NormalAwayFromCentre | Kind::NormalNotSquared
+        );
+        whole && (0..tried.misses.len()).any(harmed)
     }
 
     /// Whether a mistake leads closely to what it explains, and leaves hardly anything of what is open.
@@ -412,9 +453,17 @@ impl Judge<'_, '_> {
     }
 }
 
-/// Whether a mistake takes one of many lines or letters, one of which leads near any value: it must lead to it.
+/// Whether a mistake takes one of many lines, letters, vectors or factors, one of which leads near any value: it must
+/// lead to it.
 fn one_of_many(kind: Kind) -> bool {
-    matches!(kind, Kind::WrongLine | Kind::NeighbourRead)
+    matches!(
+        kind,
+        Kind::WrongLine
+            | Kind::NeighbourRead
+            | Kind::ScaleWrong
+            | Kind::CalculatorInRadians
+            | Kind::RateFromWrongVector
+    )
 }
 
 /// How a construction can go on from a student's own value.
@@ -445,7 +494,10 @@ pub(super) fn own_values(
         (Target::Image(order, label), _) => {
             let si = case.si_per_mm(order);
             match (label, &own[..]) {
-                (Label::Image { point, .. }, &[x, y]) => {
+                (Label::Image { point, link }, &[x, y]) => {
+                    if link.is_some() {
+                        ways.extend(moved_foot(base, order, label, [x / si, y / si]));
+                    }
                     ways.push(Change::drawn(vec![Departure::Image { order, point, at: [x / si, y / si] }]));
                 }
                 (Label::Foot { .. }, &[x, y]) => {
@@ -460,17 +512,22 @@ pub(super) fn own_values(
     ways
 }
 
-/// The vector that leads to a foot, laid off to where the student has it.
-fn moved_foot(base: &Sketch, order: Order, label: Label, at: [f64; 2]) -> Option<Change> {
-    let vectors = &super::case::polygon(&base.construction, order)?.vectors;
-    let vector = vectors.iter().find(|v| v.head == label)?;
-    let old = [vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]];
-    let new = [at[0] - vector.from[0], at[1] - vector.from[1]];
-    let length = size(&old);
-    let turn = libm::atan2(old[0] * new[1] - old[1] * new[0], old[0] * new[0] + old[1] * new[1]);
-    let twist = Twist { factor: size(&new) / length, turn };
-    let departure = Departure::LaidOff { quantity: vector.quantity, twist };
-    (length > 0.0).then(|| Change::drawn(vec![departure]))
+/// The vectors that lead to a foot or from it, laid off to where the student has it: one that is subtracted ends where
+/// the other begins.
+fn moved_foot(base: &Sketch, order: Order, label: Label, at: [f64; 2]) -> Vec<Change> {
+    let Some(polygon) = super::case::polygon(&base.construction, order) else { return Vec::new() };
+    let laid_off = |vector: &Vector| {
+        let old = [vector.to[0] - vector.from[0], vector.to[1] - vector.from[1]];
+        let (from, to) = if vector.head == label { (vector.from, at) } else { (at, vector.to) };
+        let new = [to[0] - from[0], to[1] - from[1]];
+        let length = size(&old);
+        let turn = libm::atan2(old[0] * new[1] - old[1] * new[0], old[0] * new[0] + old[1] * new[1]);
+        let twist = Twist { factor: size(&new) / length, turn };
+        let departure = Departure::LaidOff { quantity: vector.quantity, twist };
+        (length > 0.0).then(|| Change::drawn(vec![departure]))
+    };
+    let touching = polygon.vectors.iter().filter(|v| v.head == label || v.tail == label);
+    touching.filter_map(laid_off).collect()
 }
 
 /// How a balance goes on from a student's own force.

@@ -99,11 +99,23 @@ pub enum Kind {
     OneTurnForTwo,
     /// A fluctuation of ±x % was taken as x %.
     HalfFluctuation,
+    /// A normal part was calculated as ω·l.
+    NormalNotSquared,
+    /// Coriolis with another velocity than that of sliding.
+    CoriolisWrongVelocity,
+    /// A rate was calculated from the velocity of another point or link.
+    RateFromWrongVector,
+    /// A point of a link was divided off from the wrong end.
+    ProportionFromOtherEnd,
+    /// Degrees per second were used for radians per second.
+    DegAsRad,
+    /// A direction was measured clockwise or from the y axis.
+    DirectionMeasured,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 48] = [
+    pub const ALL: [Self; 54] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -152,6 +164,12 @@ impl Kind {
         Self::LargestArea,
         Self::OneTurnForTwo,
         Self::HalfFluctuation,
+        Self::NormalNotSquared,
+        Self::CoriolisWrongVelocity,
+        Self::RateFromWrongVector,
+        Self::ProportionFromOtherEnd,
+        Self::DegAsRad,
+        Self::DirectionMeasured,
     ];
 
     /// Its name in a report.
@@ -206,6 +224,12 @@ impl Kind {
             Self::LargestArea => "largest-area",
             Self::OneTurnForTwo => "one-turn-for-two",
             Self::HalfFluctuation => "half-fluctuation",
+            Self::NormalNotSquared => "normal-not-squared",
+            Self::CoriolisWrongVelocity => "coriolis-wrong-velocity",
+            Self::RateFromWrongVector => "rate-from-wrong-vector",
+            Self::ProportionFromOtherEnd => "proportion-from-other-end",
+            Self::DegAsRad => "deg-as-rad",
+            Self::DirectionMeasured => "direction-measured-otherwise",
         }
     }
 }

@@ -52,6 +52,8 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.poles(so_far);
     list.units();
     list.calculator();
+    list.directions();
+    list.degrees();
     if let Some(sheet) = case.bodies(drawn) {
         // Nobody who answered nothing of the motion shows where its polygons went wrong.
         if ![Order::Velocity, Order::Acceleration].into_iter().any(|order| case.answers(order)) {
@@ -171,6 +173,48 @@ impl<'c> List<'c, '_> {
                     self.add(kind, &name, None, FAR, spoilt(Which::One(quantity)));
                 }
             }
+        }
+    }
+
+    /// Directions counted clockwise or from the y axis: every one, or one alone.
+    fn directions(&mut self) {
+        let quarter = |turn| move |of| Misreading::Twisted { of, twist: Twist { factor: 1.0, turn } };
+        let mirrored = |from_y| move |of| Misreading::Mirrored { of, from_y };
+        let ways: [(&str, f64, &dyn Fn(Which) -> Misreading); 4] = [
+            ("clockwise", 0.0, &mirrored(false)),
+            ("clockwise from the y axis", 0.5, &mirrored(true)),
+            ("from the y axis", 0.0, &quarter(-FRAC_PI_2)),
+            ("from the y axis", 0.5, &quarter(FRAC_PI_2)),
+        ];
+        for (how, price, read) in ways {
+            let kind = || (Kind::DirectionMeasured, how.to_owned());
+            let all = Change::read(read(Which::AllVectors));
+            self.add_so(kind(), "the directions", None, 0.5 + price, all);
+            for quantity in self.observed() {
+                if super::answers::is_vector(&quantity) && !matches!(quantity, Quantity::Position(_)) {
+                    let name = self.name(&quantity);
+                    let one = Change::read(read(Which::One(quantity)));
+                    self.add_so(kind(), &name, None, UNUSUAL + price, one);
+                }
+            }
+        }
+    }
+
+    /// Degrees in the place of radians: in rates that are handed in, and in what follows from them.
+    fn degrees(&mut self) {
+        let degrees = 180.0 / PI;
+        let twisted = |of| Misreading::Twisted { of, twist: Twist::scaled(degrees) };
+        self.add(Kind::DegAsRad, "the answers", None, UNUSUAL, Change::read(twisted(Which::Omegas)));
+        for quantity in self.observed() {
+            let (order, link) = match quantity {
+                Quantity::Omega(link) => (Order::Velocity, link),
+                Quantity::Alpha(link) => (Order::Acceleration, link),
+                _ => continue,
+            };
+            let name = self.name(&quantity);
+            self.add(Kind::DegAsRad, &name, None, UNUSUAL, Change::read(twisted(Which::One(quantity))));
+            let carried = Departure::Rate { order, link, factor: degrees };
+            self.add(Kind::DegAsRad, &name, None, UNUSUAL + 0.5, Change::drawn(vec![carried]));
         }
     }
 
@@ -414,6 +458,7 @@ impl<'c> List<'c, '_> {
     fn laid_off(&mut self) {
         let turning = self.turning();
         let lengths = self.lengths();
+        self.every_normal();
         for (step, act) in self.acts() {
             match *act {
                 Act::Calculate(Calculation::Speed { quantity, .. }) => {
@@ -428,6 +473,10 @@ impl<'c> List<'c, '_> {
                     self.twisted(Kind::NormalMissing, &quantity, step, PLAIN, Twist::scaled(0.0));
                     self.twisted(Kind::NormalAwayFromCentre, &quantity, step, PLAIN, Twist::scaled(-1.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
+                    if value > 0.0 && speed > 0.0 {
+                        let twist = Twist::scaled(length / speed.abs());
+                        self.twisted(Kind::NormalNotSquared, &quantity, step, 0.5, twist);
+                    }
                     if value > 0.0 {
                         self.normals_of_others(&quantity, step, ends, [speed, length, value], &turning);
                     }
@@ -453,7 +502,13 @@ impl<'c> List<'c, '_> {
                     self.twisted(Kind::NormalAwayFromCentre, &quantity, step, PLAIN, Twist::scaled(-1.0));
                     self.quarters(Kind::PerpendicularForParallel, &quantity, step, PLAIN);
                 }
-                Act::Calculate(Calculation::Coriolis { quantity, omega, link, .. }) => {
+                Act::Calculate(Calculation::Coriolis { quantity, omega, link, slip, .. }) => {
+                    for (other, factor) in self.other_speeds(&slip) {
+                        let departure = Departure::LaidOff { quantity, twist: Twist::scaled(factor) };
+                        let kind = (Kind::CoriolisWrongVelocity, format!("with {other}"));
+                        let name = self.name(&quantity);
+                        self.add_so(kind, &name, Some(step), 0.5, Change::drawn(vec![departure]));
+                    }
                     self.twisted(Kind::CoriolisMissing, &quantity, step, PLAIN, Twist::scaled(0.0));
                     self.twisted(Kind::CoriolisWithoutTwo, &quantity, step, PLAIN, Twist::scaled(0.5));
                     self.twisted(Kind::CoriolisWrongTurn, &quantity, step, PLAIN, Twist::scaled(-1.0));
@@ -471,6 +526,49 @@ impl<'c> List<'c, '_> {
                 }
                 _ => {}
             }
+        }
+    }
+
+    /// The velocities of what slides and of what lies under it, against that of sliding.
+    fn other_speeds(&self, slip: &Quantity) -> Vec<(String, f64)> {
+        let Quantity::Slip(point, link) = *slip else { return Vec::new() };
+        let long = |quantity: &Quantity| {
+            vector_of(self.construction, quantity).map(|vector| size(&difference(vector.to, vector.from)))
+        };
+        let Some(own) = long(slip).filter(|own| *own > 0.0) else { return Vec::new() };
+        let others = [Quantity::Velocity(point), Quantity::CoincidentVelocity(point, link)];
+        others.iter().filter_map(|other| Some((self.name(other), long(other)? / own))).collect()
+    }
+
+    /// Several normal parts at once: outward, or ω·l for ω²·l.
+    fn every_normal(&mut self) {
+        let driven = self.driven();
+        let normals: Vec<(Quantity, bool, f64)> = self
+            .acts()
+            .into_iter()
+            .filter_map(|(_, act)| match *act {
+                Act::Calculate(Calculation::Normal { quantity, ends, speed, length, .. }) => {
+                    let given = driven.contains(&self.link_of(&quantity, ends));
+                    Some((quantity, given, if speed == 0.0 { 1.0 } else { length / speed.abs() }))
+                }
+                _ => None,
+            })
+            .collect();
+        let found = normals.iter().filter(|(_, given, _)| !given).count();
+        for (all, at) in [(true, "every normal part"), (false, "every normal part that is found")] {
+            let of = || normals.iter().filter(move |(_, given, _)| all || !given);
+            if of().count() < 2 || (all && found == normals.len()) {
+                continue;
+            }
+            let drawn = |factor: &dyn Fn(f64) -> f64| {
+                let twist = |of: f64| Twist::scaled(factor(of));
+                Change::drawn(
+                    of().map(|&(quantity, _, root)| Departure::LaidOff { quantity, twist: twist(root) })
+                        .collect(),
+                )
+            };
+            self.add(Kind::NormalAwayFromCentre, at, None, 1.0, drawn(&|_| -1.0));
+            self.add(Kind::NormalNotSquared, at, None, 0.5, drawn(&|root| root));
         }
     }
 
@@ -641,7 +739,8 @@ impl<'c> List<'c, '_> {
         let lengths = self.lengths();
         for (step, act) in self.acts() {
             match *act {
-                Act::Calculate(Calculation::Omega { link, quantity, .. }) => {
+                Act::Calculate(Calculation::Omega { link, quantity, length, .. }) => {
+                    self.other_rates(link, &quantity, step, (length, &lengths));
                     let rate = |factor| Departure::Rate { order: Order::Velocity, link, factor };
                     let at = format!("omega({})", self.number(link));
                     self.add(Kind::SenseReversed, &at, Some(step), PLAIN, Change::drawn(vec![rate(-1.0)]));
@@ -673,6 +772,52 @@ impl<'c> List<'c, '_> {
         }
     }
 
+    /// ω from the velocity of another point, or over another length; and the normal parts with that ω.
+    fn other_rates(
+        &mut self,
+        link: LinkId,
+        quantity: &Quantity,
+        step: usize,
+        (length, lengths): (f64, &[f64]),
+    ) {
+        let at = format!("omega({})", self.number(link));
+        let mut ways: Vec<(Kind, Option<String>, f64)> = Vec::new();
+        if let Some(polygon) = polygon(self.construction, Order::Velocity) {
+            let own = vector_of(self.construction, quantity).map(|v| size(&difference(v.to, v.from)));
+            for other in polygon.vectors.iter().filter(|other| other.quantity != *quantity) {
+                let factor = own.map(|own| size(&difference(other.to, other.from)) / own);
+                if let Some(factor) = factor.filter(|factor| factor.is_finite() && *factor > 0.0) {
+                    let how = format!("from {}", self.name(&other.quantity));
+                    ways.push((Kind::RateFromWrongVector, Some(how), factor));
+                }
+            }
+        }
+        let others = lengths.iter().filter(|other| (*other - length).abs() > SAME_LENGTH * length);
+        ways.extend(others.map(|other| (Kind::TangentialWrongLength, None, length / other)));
+        let price = 1.0 + one_of(ways.len()) / 2.0;
+        let normals: Vec<Quantity> = self
+            .acts()
+            .into_iter()
+            .filter_map(|(_, act)| match *act {
+                Act::Calculate(Calculation::Normal { quantity, ends, .. }) => {
+                    (self.link_of(&quantity, ends) == link).then_some(quantity)
+                }
+                _ => None,
+            })
+            .collect();
+        for (kind, how, factor) in ways {
+            let rate = Departure::Rate { order: Order::Velocity, link, factor };
+            let squared = Twist::scaled(factor * factor);
+            let laid = normals.iter().map(|&quantity| Departure::LaidOff { quantity, twist: squared });
+            let followed: Vec<Departure> = [rate].into_iter().chain(laid).collect();
+            for change in [vec![rate], followed] {
+                let change = Change::drawn(change);
+                let (at, step) = (at.clone(), Some(step));
+                self.found.push(Hypothesis { kind, at, step, price, change, how: how.clone() });
+            }
+        }
+    }
+
     /// A relative vector the wrong way round, and what was calculated from it.
     fn taken_back(&mut self, quantity: Quantity, departures: Vec<Departure>, step: usize) {
         let twist = Twist::scaled(-1.0);
@@ -686,7 +831,47 @@ impl<'c> List<'c, '_> {
 
     // --- images --------------------------------------------------------------------------------
 
+    /// A point on the line of two others of its link, divided off from the wrong end.
+    fn divided_off(&mut self) {
+        let mechanism = &self.case.mechanism;
+        let mut found: Vec<(PointId, Vec<Departure>)> = Vec::new();
+        for link in mechanism.moving() {
+            let points = &mechanism.link(link).points;
+            for &point in points {
+                let others: Vec<PointId> = points.iter().copied().filter(|other| *other != point).collect();
+                let [a, b] = others[..] else { continue };
+                let departures: Vec<Departure> = [Order::Velocity, Order::Acceleration]
+                    .into_iter()
+                    .filter_map(|order| {
+                        let images = &polygon(self.construction, order)?.images;
+                        let at = |of: PointId| {
+                            let fixed = mechanism.is_fixed(of).then_some([0.0; 2]);
+                            let own = Label::Image { point: of, link: None };
+                            fixed.or_else(|| Some(images.iter().rev().find(|i| i.label == own)?.at))
+                        };
+                        let [a, b, own] = [at(a)?, at(b)?, at(point)?];
+                        let at = [a[0] + b[0] - own[0], a[1] + b[1] - own[1]];
+                        Some(Departure::Image { order, point, at })
+                    })
+                    .collect();
+                let bent = !matches!(mechanism.link(link).form, crate::mechanism::Form::Line(_));
+                if !bent && !mechanism.is_fixed(point) && !departures.is_empty() {
+                    found.push((point, departures));
+                }
+            }
+        }
+        for (point, departures) in found {
+            let at = self.case.mechanism.point(point).name.clone();
+            for departure in &departures {
+                let change = Change::drawn(vec![*departure]);
+                self.add(Kind::ProportionFromOtherEnd, &at, None, 0.5, change);
+            }
+            self.add(Kind::ProportionFromOtherEnd, &at, None, PLAIN, Change::drawn(departures));
+        }
+    }
+
     fn images(&mut self) {
+        self.divided_off();
         let mut further: Vec<(LinkId, PointId)> = Vec::new();
         let moving = |diagram: &&DiagramPlan| diagram.kind != DiagramKind::Skeleton;
         for step in self.case.plan.diagrams.iter().filter(moving).flat_map(|diagram| &diagram.steps) {

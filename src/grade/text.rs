@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::answers::Form;
-use super::judge::{Mistake, Verdict};
+use super::judge::{CLOSE, Mistake, Verdict};
 use super::report::{Allowed, Graded, Report};
 
 impl Verdict {
@@ -148,7 +148,9 @@ pub(super) fn sentences(graded: &Graded) -> Vec<String> {
     let mut looks: Vec<&str> = mistake.parts().map(Mistake::look).collect();
     looks.dedup();
     let sum = if parts.len() > 1 { "two mistakes at once: " } else { "" };
-    vec![format!("Probably {sum}{}. {}", parts.join("; and "), looks.join(" "))]
+    // What comes near by a value that is no mistake of its own is no more than possible.
+    let likely = if mistake.parts().all(|part| part.residual <= CLOSE) { "Probably" } else { "Perhaps" };
+    vec![format!("{likely} {sum}{}. {}", parts.join("; and "), looks.join(" "))]
 }
 
 fn row(graded: &Graded) -> [String; 3] {

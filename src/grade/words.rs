@@ -65,6 +65,14 @@ impl Mistake {
             Kind::LargestArea => format!("{at}: the largest area"),
             Kind::OneTurnForTwo => format!("{at}: one turn for a cycle of two"),
             Kind::HalfFluctuation => format!("{at}: half of the range"),
+            Kind::NormalNotSquared => format!("{at}: ω·l in the place of ω²·l"),
+            Kind::CoriolisWrongVelocity => format!("{at} with another velocity than that of sliding"),
+            Kind::RateFromWrongVector => format!("{at} calculated from another velocity than its own"),
+            Kind::ProportionFromOtherEnd => format!("{at}: divided off from the other end of its link"),
+            Kind::DegAsRad => format!("{at}: degrees in the place of radians"),
+            Kind::DirectionMeasured => {
+                format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
+            }
         };
         self.how.as_ref().map_or_else(|| text.clone(), |how| format!("{text} ({how})"))
     }
@@ -152,6 +160,16 @@ impl Mistake {
             }
             Kind::OneTurnForTwo => "Four strokes take two turns: the mean is the work over 4π.",
             Kind::HalfFluctuation => "±x % about the mean is a range of 2·x %.",
+            Kind::NormalNotSquared => "A normal part is ω²·l, or V²/l.",
+            Kind::CoriolisWrongVelocity => "2·ω·V: V is the velocity of what slides against its guide.",
+            Kind::RateFromWrongVector => {
+                "ω of a link is the relative velocity of two of its points over the length between them."
+            }
+            Kind::ProportionFromOtherEnd => {
+                "The image divides the image of its link as the point divides the link, from the same end."
+            }
+            Kind::DegAsRad => "180° are π radians; V = ω·l wants ω in rad/s.",
+            Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }
     }
 }
