@@ -65,7 +65,7 @@ struct DrawArguments {
     /// What to draw: the question without its answers, the solution, or its steps one by one
     #[arg(long = "as", value_name = "KIND", value_enum, default_value_t = Kind::Solution)]
     kind: Kind,
-    /// With --as steps: one SVG that plays them, without a script
+    /// With --as steps: one SVG that plays them, without a script; an HTML page plays by itself, without this option
     #[arg(long)]
     play: bool,
     /// Paper: A0 to A6, letter or legal, with " landscape" after it if wanted

@@ -4,7 +4,7 @@ use kurbo::{Point, Rect, Vec2};
 use serde_json::{Value, json};
 
 use super::LiveError;
-use super::moves::{Binder, Frame, Move, Moving, Place, Seen, bind};
+use super::moves::{Binder, Frame, Move, Moving, Place, Seen, bind, marks};
 use super::said::{Paper, Printed};
 use crate::graphical::Scales;
 use crate::graphical::construction::{Construction, ConstructionLine, Diagram, Label};
@@ -75,6 +75,8 @@ struct Placed {
     anchors: Anchors,
     by: Vec<Vec2>,
     step: Option<usize>,
+    /// It stands while the output of this index is known and not zero.
+    output: Option<usize>,
     of: Vec<String>,
     /// It names a point, not a link or a stroke.
     is_of_point: bool,
@@ -396,6 +398,24 @@ type Named<T> = (Vec<T>, Name);
 /// What a name hangs on: a point, or the ends of a stroke, each in its frame.
 type Anchors = Vec<(Frame, Vec2)>;
 
+/// A name that is to be placed along the course.
+#[derive(Debug, Clone)]
+struct Spotted {
+    name: Name,
+    anchors: Anchors,
+    /// The step that draws what it names.
+    step: Option<usize>,
+    /// It stands while the output of this index is known and not zero.
+    output: Option<usize>,
+}
+
+impl Spotted {
+    fn new(name: Name, anchors: Anchors) -> Self {
+        let step = name.life().map(|life| life.born.step);
+        Self { name, anchors, step, output: None }
+    }
+}
+
 /// What only the sheet can say, by polygon.
 #[derive(Debug, Default)]
 struct Names {
@@ -561,6 +581,9 @@ impl Placed {
         if self.is_of_point {
             label["point"] = json!(true);
         }
+        if let Some(output) = self.output {
+            label["output"] = json!(output);
+        }
         label
     }
 }
@@ -621,7 +644,7 @@ fn panel(
         names: Vec::new(),
     };
     let binder = binder(&panel, sweep, &drawn.numbers);
-    let mut spots: Vec<(Name, Anchors)> = Vec::new();
+    let mut spots: Vec<Spotted> = Vec::new();
     if kind == DiagramKind::Skeleton {
         let points = &sketch.points;
         let numbers = (&scene.mechanism, sweep, course, start);
@@ -631,7 +654,7 @@ fn panel(
             // Of an instant of the input only how the links stand and what is drawn over them.
             let same: Vec<&Layer> = drawn.layers.iter().filter_map(|all| all.get(layer)).collect();
             panel.title = same.first().map_or_else(String::new, |layer| layer.title.clone());
-            spots.retain(|(name, _)| matches!(name.class(), "label point-name" | "label link-number"));
+            spots.retain(|spot| matches!(spot.name.class(), "label point-name" | "label link-number"));
             spots.extend(lay_over(&mut panel, index, &same, &binder));
         }
     } else {
@@ -673,7 +696,7 @@ fn shown(panel: &Panel, course: &[Numbers], start: &Numbers) -> Rect {
 }
 
 /// Draws a layer over its skeleton; its names with what they hang on.
-fn lay_over(panel: &mut Panel, index: usize, same: &[&Layer], binder: &Binder) -> Vec<(Name, Anchors)> {
+fn lay_over(panel: &mut Panel, index: usize, same: &[&Layer], binder: &Binder) -> Vec<Spotted> {
     let Some((first, whole)) = same.first().zip(Some(same.len() == binder.seen.len())) else {
         return Vec::new();
     };
@@ -756,7 +779,7 @@ fn lay_over(panel: &mut Panel, index: usize, same: &[&Layer], binder: &Binder) -
             panel.moving.push(Moving { id, by, quantity: None, sense: None, step: None, ink: own });
         }
         if let (Some(name), Some(bound)) = (&point.name, bound) {
-            names.push((name.clone(), vec![bound]));
+            names.push(Spotted::new(name.clone(), vec![bound]));
         }
     }
     panel.ink.group(ink);
@@ -840,6 +863,19 @@ fn skeleton(
                 }
                 continue;
             }
+            if let Some((guide, rest)) = ground_of(item) {
+                // A wheel rolls on ground that stands still: it is drawn as far as the wheel goes.
+                let rests: Vec<Group> =
+                    same.iter().filter_map(|other| ground_of(other)).map(|(_, rest)| rest).collect();
+                let by = bind(binder, &rests.iter().collect::<Vec<_>>());
+                if let Move::Whole(Frame::At(rider)) = by {
+                    for copy in along_the_course(&guide, rider, &course, binder) {
+                        add(&copy, Move::Whole(Frame::Fixed), None);
+                    }
+                    add(&rest, by, None);
+                    continue;
+                }
+            }
             let mut by = bind(binder, &same);
             if by == Move::Still
                 && let Some((rigid, frame)) =
@@ -849,7 +885,13 @@ fn skeleton(
                 continue;
             }
             if class == "frame" {
-                if let Move::Whole(Frame::At(rider)) = by {
+                // The sheet hatches the side where fewer links are, which may change over the course.
+                let rider = match by {
+                    Move::Whole(Frame::At(rider)) => Some(rider),
+                    _ if item.class == "guide" => rider_on(item, binder),
+                    _ => None,
+                };
+                if let Some(rider) = rider {
                     // The frame stands still: its guide is drawn as far as the rider goes.
                     for copy in along_the_course(item, rider, &course, binder) {
                         add(&copy, Move::Whole(Frame::Fixed), None);
@@ -1051,18 +1093,55 @@ fn mirrored(item: &Group) -> Group {
     group
 }
 
-/// A guide as far as its rider goes: copies one beside the other, each as long as it is drawn.
-fn along_the_course(item: &Group, rider: usize, course: &[Seen], binder: &Binder) -> Vec<Group> {
-    let Some(start) = binder.seen.first().and_then(|seen| seen.at(rider)) else {
-        return vec![item.clone()];
-    };
+/// The first straight stroke of some length.
+fn straight(item: &Group) -> Option<(Point, Point)> {
     let mut line = None;
     item.walk(&mut |node| {
         if let Node::Mark(Mark { shape: Shape::Line(a, b), .. }) = node {
             line.get_or_insert((*a, *b));
         }
     });
-    let Some((a, b)) = line.filter(|(a, b)| a.distance(*b) > 1.0) else { return vec![item.clone()] };
+    line.filter(|(a, b)| a.distance(*b) > 1.0)
+}
+
+/// The place that moves and stands across the middle of a straight guide as it is drawn.
+fn rider_on(item: &Group, binder: &Binder) -> Option<usize> {
+    /// A guide lies no farther from the middle of its block, mm.
+    const ACROSS: f64 = 8.0;
+    let (a, b) = straight(item)?;
+    let (middle, along) = (a.midpoint(b), (b - a).normalize());
+    let (home, others) = binder.seen.split_first()?;
+    (0..home.places.len()).find(|place| {
+        let Some(at) = home.at(*place) else { return false };
+        let off = at - middle;
+        let goes = others.iter().filter_map(|seen| seen.at(*place)).any(|now| now.distance(at) > 1e-3);
+        goes && off.dot(along).abs() < 1e-3 && off.cross(along).abs() < ACROSS
+    })
+}
+
+/// The ground that a wheel rolls on with its hatching, and what is not ground: only the frame is hatched.
+fn ground_of(item: &Group) -> Option<(Group, Group)> {
+    let part = |wanted: bool| {
+        let mut own = Group { children: Vec::new(), ..item.clone() };
+        item.walk(&mut |node| {
+            if let Node::Mark(mark) = node
+                && matches!(mark.class, "rack" | "hatch") == wanted
+            {
+                own.mark(mark.clone());
+            }
+        });
+        own
+    };
+    let has = |class: &str| marks(item).iter().any(|mark| mark.class == class);
+    (has("rack") && has("hatch") && straight(&part(true)).is_some()).then(|| (part(true), part(false)))
+}
+
+/// A guide as far as its rider goes: copies one beside the other, each as long as it is drawn.
+fn along_the_course(item: &Group, rider: usize, course: &[Seen], binder: &Binder) -> Vec<Group> {
+    let Some(start) = binder.seen.first().and_then(|seen| seen.at(rider)) else {
+        return vec![item.clone()];
+    };
+    let Some((a, b)) = straight(item) else { return vec![item.clone()] };
     let (length, along) = (a.distance(b), (b - a).normalize());
     let way = |seen: &Seen| seen.at(rider).map(|at| (at - start).dot(along)).filter(|way| way.abs() < 1e3);
     let (low, high) =
@@ -1147,7 +1226,7 @@ fn polygon_ink(
 }
 
 /// The names of a skeleton, each with what it hangs on.
-fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<(Name, Anchors)> {
+fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<Spotted> {
     let arrows: Vec<&Moving> =
         panel.moving.iter().filter(|m| m.sense.is_some() && m.ink.class.starts_with("rotation")).collect();
     let mut arrows = arrows.chunks(2).map(|pair| pair[0]);
@@ -1164,8 +1243,11 @@ fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<(N
         }
         let first = ends(name.spot());
         let is_of_the_frame = name.class() == "label link-number" && name.of().is_empty();
+        let mut output = None;
         let bound: Option<Anchors> = if name.class() == "label rotation-name" {
-            match arrows.next().map(|arrow| &arrow.by) {
+            let arrow = arrows.next();
+            output = arrow.and_then(|arrow| arrow.sense).map(|(output, _)| output);
+            match arrow.map(|arrow| &arrow.by) {
                 Some(Move::Whole(frame)) => first.iter().map(|point| at(*point, *frame)).collect(),
                 _ => None,
             }
@@ -1182,19 +1264,25 @@ fn names_of_skeleton(own: &[&Drawing], binder: &Binder, panel: &Panel) -> Vec<(N
             if same { (0..first.len()).map(bind).collect() } else { None }
         };
         if let Some(bound) = bound {
-            all.push((name.clone(), bound));
+            all.push(Spotted { output, ..Spotted::new(name.clone(), bound) });
         }
     }
     all
 }
 
-fn names_of_polygon(
-    polygon: &Diagram,
-    labels: &[Label],
-    panel: &Panel,
-    names: &Names,
-) -> Vec<(Name, Anchors)> {
+fn names_of_polygon(polygon: &Diagram, labels: &[Label], panel: &Panel, names: &Names) -> Vec<Spotted> {
     let place = |label: Label| labels.iter().position(|own| *own == label);
+    // A name comes with the ink that it names, and the name of the pole with the first ink of all.
+    let born = |wanted: &dyn Fn(char, usize) -> bool| {
+        let is_wanted = |moving: &&Moving| {
+            let own = moving.id.trim_start_matches('d').trim_start_matches(|c: char| c.is_ascii_digit());
+            let mut letters = own.chars();
+            let kind = letters.next();
+            kind.zip(letters.as_str().parse().ok()).is_some_and(|(kind, number)| wanted(kind, number))
+        };
+        panel.moving.iter().filter(is_wanted).filter_map(|moving| moving.step).min()
+    };
+    let pole = born(&|_, _| true);
     let mut all = Vec::new();
     let mut seen: Vec<&Vec<(i8, usize)>> = Vec::new();
     for (labels, name) in of_kind(&names.images, polygon.kind).into_iter().flatten() {
@@ -1203,13 +1291,19 @@ fn names_of_polygon(
         // What is always one point has one name.
         if !seen.contains(&terms) {
             seen.push(terms);
-            all.push((name.clone(), vec![(Frame::At(at), Vec2::ZERO)]));
+            let is_named =
+                |n: usize| polygon.images.get(n).is_some_and(|image| labels.contains(&image.label));
+            let step = born(&|kind, n| kind == 'p' && is_named(n)).or(pole);
+            let anchors = vec![(Frame::At(at), Vec2::ZERO)];
+            all.push(Spotted { name: name.clone(), anchors, step, output: None });
         }
     }
     for (vectors, name) in of_kind(&names.vectors, polygon.kind).into_iter().flatten() {
         let Some(vector) = vectors.first().and_then(|index| polygon.vectors.get(*index)) else { continue };
         let (Some(tail), Some(head)) = (place(vector.tail), place(vector.head)) else { continue };
-        all.push((name.clone(), vec![(Frame::At(tail), Vec2::ZERO), (Frame::At(head), Vec2::ZERO)]));
+        let anchors = vec![(Frame::At(tail), Vec2::ZERO), (Frame::At(head), Vec2::ZERO)];
+        let step = born(&|kind, n| kind == 'v' && vectors.contains(&n));
+        all.push(Spotted { name: name.clone(), anchors, step, output: None });
     }
     all
 }
@@ -1217,7 +1311,7 @@ fn names_of_polygon(
 fn place_names(
     panel: &mut Panel,
     index: usize,
-    spots: Vec<(Name, Anchors)>,
+    spots: Vec<Spotted>,
     course: &[Numbers],
     start: &Numbers,
     cyclic: bool,
@@ -1247,21 +1341,21 @@ fn place_names(
                 _ => None,
             }
         };
-        moving::Frame { ink, spots: spots.iter().map(|(_, anchors)| spot(anchors)).collect() }
+        moving::Frame { ink, spots: spots.iter().map(|own| spot(&own.anchors)).collect() }
     };
     let frames: Vec<moving::Frame> = course.iter().map(frame).collect();
-    let names: Vec<Name> = spots.iter().map(|(name, _)| name.clone()).collect();
+    let names: Vec<Name> = spots.iter().map(|own| own.name.clone()).collect();
     let ways = moving::along(&names, &frames, cyclic);
     let mut labels = Group::new("labels");
     let mut placed = Vec::new();
-    for (number, ((name, anchors), by)) in spots.into_iter().zip(ways).enumerate() {
+    for (number, (spot, by)) in spots.into_iter().zip(ways).enumerate() {
+        let Spotted { name, anchors, step, output } = spot;
         let id = format!("d{index}n{number}");
         let (mut ink, _) = name.ink();
         ink.id = Some(id.clone());
         labels.group(ink);
-        let step = name.life().map(|life| life.born.step);
         let is_of_point = matches!(name.class(), "label point-name" | "label image-name");
-        placed.push(Placed { id, anchors, by, step, of: name.of().to_vec(), is_of_point });
+        placed.push(Placed { id, anchors, by, step, output, of: name.of().to_vec(), is_of_point });
     }
     panel.ink.group(labels);
     panel.names = placed;

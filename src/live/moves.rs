@@ -368,7 +368,8 @@ fn told(mark: &Mark) -> (Vec<Point>, [f64; 2]) {
     }
 }
 
-fn marks(group: &Group) -> Vec<&Mark> {
+/// The marks of a group, in order.
+pub(super) fn marks(group: &Group) -> Vec<&Mark> {
     let mut all = Vec::new();
     group.walk(&mut |node| {
         if let Node::Mark(mark) = node {

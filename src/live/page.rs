@@ -6,7 +6,6 @@ use super::diagrams::{Diagrams, Panel, Shows};
 use super::{Live, LiveError, hash, words};
 use crate::markup::escaped;
 use crate::mechanism::LinkId;
-use crate::mechanism::force::Force;
 use crate::mechanism::quantity::{Asked, Quantity};
 use crate::render::{number::decimal, svg};
 use crate::scene::Scene;
@@ -14,13 +13,15 @@ use crate::sheet::figure::Figure;
 use crate::sheet::moving::{self, Draughts};
 use crate::sheet::{Language, Part, prompt};
 use crate::solve::Solved;
+use crate::sweep::{InputKind, Sweep};
 
 /// The scripts, in the order in which they are joined.
-const SCRIPTS: [&str; 10] = [
+const SCRIPTS: [&str; 11] = [
     include_str!("page/libm.js"),
     include_str!("page/program.js"),
     include_str!("page/numbers.js"),
     include_str!("page/course.js"),
+    ENTRY,
     include_str!("page/text.js"),
     include_str!("page/ink.js"),
     include_str!("page/values.js"),
@@ -31,6 +32,9 @@ const SCRIPTS: [&str; 10] = [
 /// What a drawing needs besides in which something is found by trial.
 const TRIAL: &str = include_str!("page/trial.js");
 const STYLE: &str = include_str!("page/page.css");
+const ENTRY: &str = include_str!("page/entry.js");
+/// Of a page that does not move.
+const SWITCH: &str = include_str!("page/switch.js");
 const QUESTION: &str = include_str!("page/question.js");
 
 /// Characters that numbers may need besides those of the sheet.
@@ -83,7 +87,8 @@ pub fn page(
             let input = super::course::unit(scene, live.sweep()).si;
             diagrams.said(live.sweep(), input, *language)
         });
-        let own = text(scene, &draughts, *language, (panels, steps.unwrap_or_default()));
+        let sweep = moving.as_ref().ok().map(|(live, _)| live.sweep());
+        let own = text(scene, &draughts, *language, (panels, steps.unwrap_or_default()), sweep);
         texts.insert(language.words().tag.to_owned(), own);
     }
     data["texts"] = Value::Object(texts);
@@ -93,16 +98,22 @@ pub fn page(
         data["quantities"] = quantities(scene, live);
     }
     let tries = moving.as_ref().is_ok_and(|(live, _)| live.sweep().tries());
-    let script = if tries { joined(&with_trials()) } else { joined(&SCRIPTS) };
+    let script = match (still.is_some(), tries) {
+        (true, _) => joined(&[SWITCH]),
+        (_, true) => joined(&with_trials()),
+        _ => joined(&SCRIPTS),
+    };
     Ok((document(scene, options, &panels, &script, Some(&data), still.as_deref()), still))
 }
 
 /// The page of a question: what the question sheet shows, and fields for the answers. Nothing of the solution is in it.
 #[must_use]
 pub fn question(scene: &Scene, options: &Options) -> String {
-    let language = options.sheets.first().map_or(Language::English, |(language, _)| *language);
-    let own = words::of(language);
-    let mut fields = format!("<form id=\"answers\"><h2>{}</h2>", escaped(own.answer));
+    let languages: Vec<Language> = options.sheets.iter().map(|(language, _)| *language).collect();
+    let said = |of: &dyn Fn(&words::Words) -> &'static str| {
+        in_each(&languages, |language| escaped(of(words::of(language))))
+    };
+    let mut fields = format!("<form id=\"answers\"><h2>{}</h2>", said(&|own| own.answer));
     for (index, asked) in scene.mechanism.asked.iter().enumerate() {
         fields.push_str("<fieldset>");
         for part in parts(asked.quantity) {
@@ -114,7 +125,7 @@ pub fn question(scene: &Scene, options: &Options) -> String {
             fields.push_str(&format!(
                 "<p><label for=\"{id}\">{}</label> <input id=\"{id}\" inputmode=\"decimal\" autocomplete=\"off\" \
                  data-name=\"{}\" data-part=\"{}\" data-unit=\"{}\"> <span>{}</span></p>",
-                prompt(scene, asked, *part, language),
+                in_each(&languages, |language| prompt(scene, asked, *part, language)),
                 escaped(&asked.name),
                 part.name(),
                 escaped(&asked.unit.symbol),
@@ -124,13 +135,40 @@ pub fn question(scene: &Scene, options: &Options) -> String {
         fields.push_str("</fieldset>");
     }
     fields.push_str(&format!(
-        "<p><button id=\"save\" type=\"submit\">{}</button> <span id=\"told\" role=\"status\"></span></p>\
-         <textarea id=\"out\" hidden readonly rows=\"8\" aria-label=\"{}\"></textarea></form>",
-        escaped(own.save),
-        escaped(own.denied),
+        "<p><button id=\"save\" type=\"submit\">{}</button> <span id=\"told\" role=\"status\">\
+         <span class=\"bad\" hidden>{}</span><span class=\"denied\" hidden>{}</span>\
+         <span class=\"good\" hidden>✓</span></span></p>\
+         <textarea id=\"out\" hidden readonly rows=\"8\" aria-labelledby=\"told\"></textarea></form>",
+        said(&|own| own.save_answers),
+        said(&|own| own.not_read),
+        said(&|own| own.denied),
     ));
-    let script = joined(&[QUESTION]);
+    let script = joined(&[SWITCH, ENTRY, QUESTION]);
     document(scene, options, &fields, &script, None, None)
+}
+
+/// The same in every language of the page; the first is shown at first.
+fn in_each(languages: &[Language], of: impl Fn(Language) -> String) -> String {
+    let one = |(index, language): (usize, &Language)| {
+        let hidden = if index == 0 { "" } else { " hidden" };
+        format!("<span lang=\"{}\"{hidden}>{}</span>", language.words().tag, of(*language))
+    };
+    languages.iter().enumerate().map(one).collect()
+}
+
+/// Of a page that does not move and has several languages: which one is shown.
+fn switch(languages: &[Language]) -> String {
+    let [first, _, ..] = languages else { return String::new() };
+    let option = |language: &Language| {
+        let (tag, name) = (language.words().tag, words::of(*language).own_name);
+        let direction = if language.words().right_to_left { "rtl" } else { "ltr" };
+        format!("<option value=\"{tag}\" lang=\"{tag}\" dir=\"{direction}\">{name}</option>")
+    };
+    let options: String = languages.iter().map(option).collect();
+    format!(
+        "<p><select id=\"language\" aria-label=\"{}\" hidden>{options}</select></p>",
+        escaped(words::of(*first).language)
+    )
 }
 
 /// The numbers that an answer has.
@@ -155,20 +193,19 @@ fn kind(quantity: Quantity) -> &'static str {
         | Quantity::Rub(..)
         | Quantity::PathRadius(_)
         | Quantity::Angle(_)
-        | Quantity::Transmission(..) => "number",
+        | Quantity::Transmission(..)
+        | Quantity::Cycle(_) => "number",
+        Quantity::Force(force, _) if force.turns() => "rotation",
+        Quantity::Force(force, _) if !force.is_vector() => "number",
         _ => "vector",
     }
 }
 
-/// The same of one with so many numbers: what is called a vector may be a torque or an arm.
+/// The same of one with so many numbers: what else is called a vector may have but one.
 fn told(quantity: Quantity, numbers: usize) -> &'static str {
-    match (kind(quantity), quantity) {
-        ("vector", Quantity::Force(force, _)) if numbers == 1 => match force {
-            Force::Offset(_) | Force::Arm(..) => "number",
-            _ => "rotation",
-        },
-        ("vector", _) if numbers == 1 => "number",
-        (kind, _) => kind,
+    match kind(quantity) {
+        "vector" if numbers == 1 => "number",
+        kind => kind,
     }
 }
 
@@ -220,9 +257,41 @@ fn lean(svg: &str) -> String {
         out.push('>');
         out.push_str(text);
     }
+    let out = hatched_at_once(&out.replace(">\n<", "><"));
     let out = out.replace("#000000", "#000").replace("#ffffff", "#fff").replace(" class=\"sentence\"", "");
     let out = out.replace(" class=\"hatch\"", "").replace(" class=\"label vector-name\"", "");
-    without_data(&out.replace(">\n<", "><"))
+    // Said once in the style of the page.
+    let out = out.replace(" fill=\"none\" stroke=\"#000\"", "");
+    without_data(&out)
+}
+
+/// Strokes of a hatch that follow each other and are drawn alike, as one path.
+fn hatched_at_once(markup: &str) -> String {
+    const OPEN: &str = "<path class=\"hatch\" d=\"";
+    let mut out = String::with_capacity(markup.len());
+    let mut last: Option<&str> = None;
+    for (index, piece) in markup.split(OPEN).enumerate() {
+        let parts = piece.split_once('"').and_then(|(d, rest)| rest.split_once("/>").map(|r| (d, r.0, r.1)));
+        let (Some((d, pen, after)), true) = (parts, index > 0) else {
+            out.push_str(piece);
+            continue;
+        };
+        let close = last.filter(|known| *known == pen).map(|known| known.len() + "\"/>".len());
+        match close {
+            Some(close) => {
+                out.truncate(out.len() - close);
+                out.push(' ');
+            }
+            None => out.push_str(OPEN),
+        }
+        out.push_str(d);
+        out.push('"');
+        out.push_str(pen);
+        out.push_str("/>");
+        out.push_str(after);
+        last = after.is_empty().then_some(pen);
+    }
+    out
 }
 
 /// Markup without its `data-` attributes, which are for those who read the moving diagrams.
@@ -261,7 +330,7 @@ fn panels(all: &[Panel]) -> String {
             "<figure class=\"panel\" id=\"figure{index}\"><svg id=\"panel{index}\" role=\"img\" \
              aria-labelledby=\"title{index}\" aria-describedby=\"state\" xmlns=\"http://www.w3.org/2000/svg\" \
              viewBox=\"{} {} {} {}\" width=\"{}mm\" height=\"{}mm\" font-family=\"{}\" stroke-linejoin=\"round\">{}</svg>\
-             <figcaption><span id=\"title{index}\">{}</span> <bdi id=\"scale{index}\" dir=\"ltr\">{}</bdi>\
+             <figcaption dir=\"auto\"><span id=\"title{index}\">{}</span> <bdi id=\"scale{index}\" dir=\"auto\">{}</bdi>\
              <span id=\"beyond{index}\"></span></figcaption>\
              </figure>",
             n(shown.x0),
@@ -271,7 +340,7 @@ fn panels(all: &[Panel]) -> String {
             n(shown.width()),
             n(shown.height()),
             escaped(crate::sheet::font::FAMILIES),
-            svg::fragment(&panel.ink).replace(">\n<", "><"),
+            hatched_at_once(&svg::fragment(&panel.ink).replace(">\n<", "><")),
             panel.title,
             panel.scale_text,
         ));
@@ -300,10 +369,18 @@ fn document(
         hash::source(script),
         hash::source(&style),
     );
+    let languages: Vec<Language> = options.sheets.iter().map(|(language, _)| *language).collect();
     let title = escaped(scene.title.in_language(tag).unwrap_or(language.words().untitled));
+    let is_moving = data.is_some() && still.is_none();
+    let titled = |language: Language| {
+        let words = language.words();
+        escaped(scene.title.in_language(words.tag).unwrap_or(words.untitled)).to_string()
+    };
+    let heading = if is_moving { title.to_string() } else { in_each(&languages, titled) };
+    let choice = if is_moving { String::new() } else { switch(&languages) };
     let direction = if language.words().right_to_left { "rtl" } else { "ltr" };
     // What moves tells itself in every language; the finished sheet is there once.
-    let shown = if data.is_some() && still.is_none() { 1 } else { options.sheets.len() };
+    let shown = if is_moving { 1 } else { options.sheets.len() };
     let sheets: String = options
         .sheets
         .iter()
@@ -320,8 +397,8 @@ fn document(
         })
         .collect();
     let still_text = still.map_or(String::new(), |why| {
-        let why = own.still.replace("{why}", why);
-        format!("<p class=\"still\" id=\"still\">{}</p>", escaped(&why))
+        let said = in_each(&languages, |language| escaped(&words::of(language).still.replace("{why}", why)));
+        format!("<p class=\"still\" id=\"still\">{said}</p>")
     });
     let data = data.map_or(String::new(), |data| {
         format!("<script type=\"application/json\" id=\"linkgram-live\">{}</script>\n", embedded(data))
@@ -329,7 +406,7 @@ fn document(
     let stage = if data.is_empty() {
         format!(
             "<details id=\"sheet\" open><summary>{}</summary>{sheets}</details>{panels}",
-            escaped(own.sheet)
+            in_each(&languages, |language| escaped(words::of(language).question_sheet))
         )
     } else {
         format!(
@@ -343,7 +420,7 @@ fn document(
          <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"referrer\" content=\"no-referrer\">\n<meta name=\"color-scheme\" content=\"light dark\">\n\
-         <title>{title}</title>\n<style>{style}</style>\n</head>\n<body>\n<main>\n<h1 id=\"title\">{title}</h1>\n\
+         <title>{title}</title>\n<style>{style}</style>\n</head>\n<body>\n<main>\n<h1 id=\"title\">{heading}</h1>{choice}\n\
          <noscript><p class=\"still\">{}</p></noscript>{still_text}\n{stage}\n</main>\n{data}<script>{script}</script>\n\
          </body>\n</html>\n",
         escaped(own.no_script),
@@ -355,7 +432,14 @@ fn text(
     draughts: &Draughts<'_>,
     language: Language,
     (panels, steps): (&[Panel], Vec<Value>),
+    sweep: Option<&Sweep>,
 ) -> Value {
+    // What is varied has the symbol of the sheet.
+    let input = sweep.and_then(|sweep| match sweep.input {
+        InputKind::Angle(link) => Some(draughts.symbol(Quantity::Angle(link))),
+        InputKind::Time => Some("<i>t</i>".to_owned()),
+        InputKind::Slide(_) => None,
+    });
     let tag = language.words().tag;
     let layers = draughts.layers();
     let titles: Vec<String> = panels
@@ -370,13 +454,16 @@ fn text(
         .iter()
         .map(|panel| match panel.shows {
             Shows::Circle => String::new(),
-            _ => draughts.scale(panel.kind.dimension(), panel.si_per_mm),
+            _ => isolated(&draughts.scale(panel.kind.dimension(), panel.si_per_mm), language),
         })
         .collect();
     let symbols: Vec<String> =
         scene.mechanism.asked.iter().map(|asked| draughts.symbol(asked.quantity)).collect();
-    let terms: serde_json::Map<String, Value> =
+    let mut terms: serde_json::Map<String, Value> =
         draughts.terms().into_iter().map(|(symbol, name)| (symbol, Value::from(name))).collect();
+    for quantity in scene.mechanism.moving().flat_map(|link| [Quantity::Omega(link), Quantity::Alpha(link)]) {
+        terms.insert(draughts.symbol(quantity), Value::from(draughts.quantity_name(quantity)));
+    }
     let scale = language.words().scale;
     json!({
         "title": scene.title.in_language(tag).unwrap_or(language.words().untitled),
@@ -389,8 +476,20 @@ fn text(
         "senses": draughts.senses(),
         "flat": language.words().flat_crossing,
         "scale": scale,
+        "input": input,
         "words": words::of(language).json(),
     })
+}
+
+/// A scale among words that are read from the right: by itself it is read from the left.
+fn isolated(text: &str, language: Language) -> String {
+    let words = language.words();
+    let ends = words.scale.split_once("{scale}").filter(|_| words.right_to_left);
+    let inner = ends.and_then(|(before, after)| text.strip_prefix(before)?.strip_suffix(after));
+    match (ends, inner) {
+        (Some((before, after)), Some(inner)) => format!("{before}\u{2066}{inner}\u{2069}{after}"),
+        _ => text.to_owned(),
+    }
 }
 
 /// The rows of the table of values: what was asked.

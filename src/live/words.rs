@@ -28,7 +28,8 @@ words! {
     scale, fixed, refit, help, keys_off, theme, language, copy, save, save_table, print, link_here,
     denied, no_script, still, cw, ccw, apart, take_apart, reached_limit, sheet, traces, diagram, beyond, full, close,
     help_keys, moving_page, seconds_a_turn, copied, answer,
-    page_version, not_moving, said_at_start,
+    page_version, not_moving, not_moving_one, said_at_start, said_at_start_one, save_answers, not_read, not_a_number, own_name,
+    question_sheet, taken_apart, begin_over,
 }
 
 /// The words of a language.
@@ -90,7 +91,7 @@ const ENGLISH: Words = Words {
     sheet: "The sheet at the scene's own position",
     traces: "Traces",
     diagram: "Diagram over the input",
-    beyond: "{name} is {length} mm long and leaves the drawing",
+    beyond: "{name} is {length} long and leaves the drawing",
     full: "Full window",
     close: "Close",
     help_keys: "← and →: 1°, with Shift 10°, with Alt 0.1° (of a slide 1/360 of its range). Home: the scene's own \
@@ -104,6 +105,15 @@ const ENGLISH: Words = Words {
     page_version: "This page's script does not know this version of the drawing.",
     not_moving: "{count} strokes are drawn at the scene's own position only",
     said_at_start: "{count} lines (…) are said of the scene's own position only",
+    not_moving_one: "1 stroke is drawn at the scene's own position only",
+    said_at_start_one: "1 line (…) is said of the scene's own position only",
+    save_answers: "Save the answers",
+    not_read: "What is marked cannot be read: write one number, such as 12.5 or −3.4e2, and a vector's magnitude and direction, or both coordinates of a place. A magnitude is not negative.",
+    not_a_number: "“{text}” is not understood. Write a number in {unit}, or such as 30°, 0.5 rad, 1/2.",
+    own_name: "English",
+    question_sheet: "The question",
+    taken_apart: "Taken apart and assembled at {at}.",
+    begin_over: "Assembled again at the scene's own position.",
 };
 
 const ARABIC: Words = Words {
@@ -156,7 +166,7 @@ const ARABIC: Words = Words {
     sheet: "الورقة في الوضع المعطى",
     traces: "المسارات",
     diagram: "منحنى على الدخل",
-    beyond: "طول {name} هو {length} mm ويخرج من الرسم",
+    beyond: "طول {name} هو {length} ويخرج من الرسم",
     full: "ملء النافذة",
     close: "إغلاق",
     help_keys: "← و →: 1°، مع Shift 10°، مع Alt 0.1°. Home: الوضع المعطى. Page Up و Page Down: الحدث التالي. المسافة: \
@@ -168,6 +178,15 @@ const ARABIC: Words = Words {
     page_version: "لا يعرف برنامج هذه الصفحة هذا الإصدار من الرسم.",
     not_moving: "{count} من الخطوط يُرسم في الوضع المعطى فقط",
     said_at_start: "{count} من السطور (…) تخص الوضع المعطى فقط",
+    not_moving_one: "خط واحد يُرسم في الوضع المعطى فقط",
+    said_at_start_one: "سطر واحد (…) يخص الوضع المعطى فقط",
+    save_answers: "حفظ الإجابات",
+    not_read: "تعذّرت قراءة الحقل المعلَّم: اكتب عددًا واحدًا مثل 12.5، وللمتجه مقداره واتجاهه، وللموضع إحداثييه. المقدار ليس سالبًا.",
+    not_a_number: "«{text}» غير مفهوم. اكتب عددًا بوحدة {unit}، أو مثل 30° أو 0.5 rad أو 1/2.",
+    own_name: "العربية",
+    question_sheet: "السؤال",
+    taken_apart: "فُكّت الآلية ورُكّبت عند {at}.",
+    begin_over: "رُكّبت الآلية من جديد في الوضع المعطى.",
 };
 
 const PERSIAN: Words = Words {
@@ -220,7 +239,7 @@ const PERSIAN: Words = Words {
     sheet: "برگه در وضعیت داده‌شده",
     traces: "مسیرها",
     diagram: "نمودار بر حسب ورودی",
-    beyond: "طول {name} برابر {length} mm است و از ترسیم بیرون می‌رود",
+    beyond: "طول {name} برابر {length} است و از ترسیم بیرون می‌رود",
     full: "تمام پنجره",
     close: "بستن",
     help_keys: "← و →: 1°، با Shift 10°، با Alt 0.1°. Home: وضعیت داده‌شده. Page Up و Page Down: رویداد بعدی. فاصله: \
@@ -232,4 +251,13 @@ const PERSIAN: Words = Words {
     page_version: "اسکریپت این صفحه این نسخه از ترسیم را نمی‌شناسد.",
     not_moving: "{count} خط فقط در وضعیت داده‌شده رسم می‌شود",
     said_at_start: "{count} سطر (…) تنها دربارهٔ وضعیت داده‌شده است",
+    not_moving_one: "یک خط فقط در وضعیت داده‌شده رسم می‌شود",
+    said_at_start_one: "یک سطر (…) تنها دربارهٔ وضعیت داده‌شده است",
+    save_answers: "ذخیرهٔ پاسخ‌ها",
+    not_read: "کادر نشان‌دار خوانده نمی‌شود: یک عدد مانند 12.5 بنویسید، برای بردار اندازه و جهت، و برای مکان هر دو مختصات. اندازه منفی نیست.",
+    not_a_number: "«{text}» فهمیده نشد. عددی با یکای {unit} بنویسید، یا مانند 30° یا 0.5 rad یا 1/2.",
+    own_name: "فارسی",
+    question_sheet: "پرسش",
+    taken_apart: "مکانیزم باز و در {at} سوار شد.",
+    begin_over: "مکانیزم در وضعیت داده‌شده دوباره سوار شد.",
 };

@@ -42,12 +42,14 @@ function begin() {
   let message = '';
   /** @type {string | null} */
   let pinned = null;
+  let lastPanel = byId('figure0');
   /** @type {string | null} */
   let hovered = null;
 
   // --- the controls ---
   const controls = byId('controls');
-  const bar = make('div', { class: 'bar' });
+  // Not named as any ink is: print hides it.
+  const bar = make('div', { class: 'hand' });
   const line = make('div', { class: 'row' });
   const slideBox = make('div', { id: 'slide' });
   const slider = /** @type {HTMLInputElement} */ (make('input', { type: 'range', id: 'at', step: 'any', min: String(variable.range[0]), max: String(variable.range[1]), dir: 'ltr' }));
@@ -75,7 +77,7 @@ function begin() {
   for (const tag of languages) languageBox.append(make('option', { value: tag, lang: tag }, NAMES[tag] || tag));
   languageBox.addEventListener('change', () => speak(languageBox.value));
   if (languages.length > 1) tools.append(languageBox);
-  const ownButton = button('own', () => goTo(variable.start));
+  const ownButton = button('own', goHome);
   const scaleButton = button('scale', () => { state.refit = !state.refit; draw(); });
   const themeButton = button('theme', turnTheme);
   const fullButton = button('full', fill);
@@ -101,8 +103,10 @@ function begin() {
   takeApart.addEventListener('click', () => {
     if (wishedApart !== null) {
       state.at = wishedApart;
-      say(filled(words.take_apart, { at: inUnit(state.at) }));
       wishedApart = null;
+      takeApart.hidden = true;
+      stopped(false);
+      say(filled(words.taken_apart, { at: inUnit(state.at) }));
       draw();
     }
   });
@@ -124,6 +128,16 @@ function begin() {
   closeHelp.addEventListener('click', () => help.close());
   help.append(helpTitle, helpText, keyLabel, make('p'), closeHelp);
   controls.append(help);
+  // In print the position stands where on the screen the slider is.
+  const hereLine = make('p', { id: 'here' });
+  byId('stage').before(hereLine);
+  const outButtons = panels.map((/** @type {Panel} */ panel) => {
+    const figure = byId(`figure${panel.index}`), out = make('button', { type: 'button', class: 'out' });
+    out.addEventListener('click', () => figure.classList.remove('whole'));
+    figure.addEventListener('pointerdown', () => { lastPanel = figure; });
+    figure.append(out);
+    return out;
+  });
 
   for (const event of course.events) {
     const kind = event.kind === 'limit' ? 'limit' : event.kind === 'dead position' ? 'dead' : '';
@@ -192,7 +206,7 @@ function begin() {
   let stepTexts = [];
 
   // --- traces and diagram ---
-  const traceHead = make('h2'), traceRow = make('div', { class: 'row traces' });
+  const traceHead = make('h2', { class: 'traces' }), traceRow = make('div', { class: 'row traces' });
   more.append(traceHead, traceRow);
   for (const panel of panels) {
     panel.labels.forEach((/** @type {any} */ label) => {
@@ -216,12 +230,12 @@ function begin() {
       });
     });
   }
-  const diagramHead = make('h2'), diagramRow = make('div', { class: 'row diagrams' });
+  const diagramHead = make('h2', { class: 'idle' }), diagramRow = make('div', { class: 'row diagrams' });
   const diagramBox = /** @type {HTMLSelectElement} */ (make('select', { id: 'diagram', 'aria-labelledby': 'diagramhead' }));
   diagramHead.id = 'diagramhead';
   diagramBox.append(make('option', { value: '' }, '—'));
   live.rows.forEach((/** @type {any} */ quantity, /** @type {number} */ i) => {
-    const name = plainText(live.texts[state.lang].symbols[i]);
+    const name = lineText(live.texts[state.lang].symbols[i]);
     if (quantity.kind === 'vector') diagramBox.append(make('option', { value: `${i} -1` }, `|${name}|`));
     quantity.outputs.forEach((/** @type {number} */ _, /** @type {number} */ axis) => {
       const suffix = quantity.outputs.length === 2 ? ['.x', '.y'][axis] : '';
@@ -230,7 +244,7 @@ function begin() {
   });
   diagramRow.append(diagramBox);
   const diagramSpan = make('p', { dir: 'ltr' });
-  const diagramPlace = make('div');
+  const diagramPlace = make('div', { class: 'plot', dir: 'ltr' });
   more.append(diagramHead, diagramRow, diagramSpan, diagramPlace);
   /** @type {CurveDiagram | null} */
   let diagram = null;
@@ -240,57 +254,92 @@ function begin() {
     const chosen = diagramBox.value;
     diagramPlace.hidden = chosen === '';
     diagramSpan.hidden = chosen === '';
+    diagramHead.classList.toggle('idle', chosen === '');
     if (chosen === '') return;
     if (!diagram) {
       diagram = new CurveDiagram(course, (at) => wish(at));
-      diagramPlace.append(diagram.svg);
+      diagramPlace.append(diagram.svg, diagram.numbers);
     }
     const [index, axis] = chosen.split(' ').map(Number);
     const quantity = live.rows[index];
-    const { low, high } = diagram.draw(quantity, axis);
+    const { low, high } = diagram.draw(quantity, axis, variable);
     const said = [low, high].map((value) => plainText(withPower(value)));
     diagram.svg.setAttribute('aria-label', `${plainText(live.texts[state.lang].symbols[index])}: ${said[0]} … ${said[1]} ${quantity.unit}`);
-    setText(diagramSpan, `${said[0]} … ${said[1]} ${quantity.unit}`);
+    setRich(diagramSpan, `${live.texts[state.lang].symbols[index]}, ${quantity.unit || '1'} · ${inputName()}, ${unitSign()}`);
     diagram.show(state.at);
   }
 
   // --- grips: every joint that moves ---
   const skeleton = panels[0];
+  /** What the hand holds: a point of a frame. @type {{pointer: number, moved: boolean, spot: any, beyond: any[]}} */
+  let held = { pointer: -1, moved: false, spot: null, beyond: [] };
+  const handWay = makeInk('path', { class: 'way' });
   const grips = makeInk('g', { class: 'grips' });
   skeleton.svg.append(grips);
   const stop = makeInk('circle', { class: 'stop', r: '3.2' });
-  skeleton.svg.append(stop);
+  skeleton.svg.append(stop, handWay);
   skeleton.data.places.forEach((/** @type {any} */ _, /** @type {number} */ place) => {
     if (!moves(skeleton, place)) return;
     const grip = makeInk('circle', { class: 'grip', r: '6' });
     grips.append(grip);
     skeleton.grips = [...(skeleton.grips || []), { place, grip }];
-    let held = -1;
-    grip.addEventListener('pointerdown', (/** @type {any} */ event) => {
-      if (event.button !== 0 || held !== -1) return;
-      held = event.pointerId;
-      grip.setPointerCapture(held);
+    hold(grip, () => [[1, place], [0, 0]]);
+  });
+  // A stroke between two places is thin: beside it is as good, and any other ink by itself.
+  for (const ink of skeleton.ink) {
+    if (ink.move !== 'whole') continue;
+    const frame = ink.at, local = (/** @type {any} */ at) => [frame, localOf(frame, at, skeleton.now)];
+    hold(ink.element, local);
+    if (frame[0] !== 2 || !ink.element.querySelector('.bar')) continue;
+    const reach = makeInk('path', { class: 'reach', 'data-link': ink.element.getAttribute('data-link') || '' });
+    skeleton.reaches = [...(skeleton.reaches || []), { frame, reach }];
+    hold(reach, local);
+    grips.before(reach);
+  }
+
+  /** Ink that is held leads the input to where the point that was taken comes nearest to the pointer. */
+  function hold(/** @type {Element} */ element, /** @type {(at: any) => any} */ spotAt) {
+    const here = (/** @type {any} */ event) => {
+      const matrix = skeleton.svg.getScreenCTM();
+      return matrix && new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    };
+    element.addEventListener('pointerdown', (/** @type {any} */ event) => {
+      // A second finger zooms.
+      if (event.button !== 0 || !event.isPrimary || held.pointer !== -1) return;
+      const at = here(event);
+      const spot = at && spotAt(at);
+      if (!spot || !spot[1]) return;
+      held = { pointer: event.pointerId, moved: false, spot, beyond: [] };
+      element.setPointerCapture(event.pointerId);
       halt();
       event.preventDefault();
     });
-    grip.addEventListener('pointermove', (/** @type {any} */ event) => {
-      if (event.pointerId !== held) return;
-      const matrix = skeleton.svg.getScreenCTM();
-      if (!matrix) return;
-      const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    element.addEventListener('pointermove', (/** @type {any} */ event) => {
+      const at = event.pointerId === held.pointer && here(event);
+      if (!at) return;
+      held.moved = true;
       const most = variable.kind === 'angle' ? Math.PI / 6 : (variable.range[1] - variable.range[0]) / 12;
-      const found = seekPlace(course, track, skeleton, place, at, state.at, most);
+      const found = seekSpot(course, track, skeleton, held.spot, at, state.at, most);
       state.at = found.at;
       stopped(found.stopped);
+      // The hand's way beyond a limit, until it comes back.
+      if (found.stopped) held.beyond.push(at);
+      else held.beyond = [];
       queue();
     });
     const release = (/** @type {any} */ event) => {
-      if (event.pointerId === held) held = -1;
+      if (event.pointerId === held.pointer) letGo();
     };
-    grip.addEventListener('pointerup', release);
-    grip.addEventListener('pointercancel', release);
-    grip.addEventListener('lostpointercapture', release);
-  });
+    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) element.addEventListener(end, release);
+  }
+
+  function letGo() {
+    if (held.pointer === -1) return;
+    held = { ...held, pointer: -1, beyond: [] };
+    skeleton.stopped = false;
+    queue();
+  }
+  document.addEventListener('pointerdown', (event) => { if (!event.isPrimary) letGo(); }, true);
 
   /** Whether a place goes anywhere over the course. */
   function moves(/** @type {Panel} */ panel, /** @type {number} */ place) {
@@ -308,6 +357,8 @@ function begin() {
   function listen(/** @type {Element} */ element, /** @type {string} */ quantity) {
     element.addEventListener('pointerenter', () => { hovered = quantity; light(); });
     element.addEventListener('pointerleave', () => { hovered = null; light(); });
+    // Ink that listened for the focus would be a stop of the Tab key.
+    if (element instanceof SVGElement) return;
     element.addEventListener('focusin', () => { hovered = quantity; light(); });
     element.addEventListener('focusout', () => { hovered = null; light(); });
   }
@@ -315,7 +366,7 @@ function begin() {
   for (const element of document.querySelectorAll('#stage [data-quantity]')) {
     const quantity = element.getAttribute('data-quantity') || '';
     listen(element, quantity);
-    element.addEventListener('click', () => pin(quantity));
+    element.addEventListener('click', () => { if (!held.moved) pin(quantity); held.moved = false; });
   }
 
   function pin(/** @type {string} */ quantity) {
@@ -386,7 +437,7 @@ function begin() {
   function stopped(/** @type {boolean} */ isStopped) {
     skeleton.stopped = isStopped;
     if (isStopped && message !== words.reached_limit) say(words.reached_limit);
-    if (!isStopped && message === words.reached_limit) say('');
+    if (!isStopped && message !== '') say('');
   }
 
   function wish(/** @type {number} */ at) {
@@ -406,6 +457,18 @@ function begin() {
     wish(at);
   }
 
+  /** From wherever it is, if need be by taking it apart. */
+  function goHome() {
+    halt();
+    const apart = track.regionAt(state.at) !== track.regionAt(variable.start) && track.nearest(state.at, variable.start).stopped;
+    state.at = variable.start;
+    wishedApart = null;
+    takeApart.hidden = true;
+    stopped(false);
+    if (apart) say(words.begin_over);
+    queue();
+  }
+
   function by(/** @type {number} */ way) {
     halt();
     const found = track.go(state.at, way);
@@ -416,9 +479,13 @@ function begin() {
 
   slider.addEventListener('input', () => { halt(); wish(Number(slider.value)); });
   field.addEventListener('change', () => {
-    const value = Number(field.value.replace(',', '.').replace('\u2212', '-'));
-    if (field.value.trim() !== '' && Number.isFinite(value)) goTo(home(value * variable.si));
-    draw();
+    const value = typedInput(field.value, variable);
+    field.setAttribute('aria-invalid', String(!Number.isFinite(value)));
+    if (Number.isFinite(value)) {
+      goTo(home(value));
+      draw();
+    } else if (field.value.trim() === '') draw();
+    else say(filled(words.not_a_number, { text: field.value.trim(), unit: unitSign() }));
   });
 
   /** An angle beyond the range, where the range is a whole turn. */
@@ -494,11 +561,13 @@ function begin() {
   // --- keys ---
   document.addEventListener('keydown', (event) => {
     const target = /** @type {HTMLElement} */ (event.target);
-    const inField = target.matches('input:not([type=checkbox]), select, textarea');
+    const inField = target.matches('input:not([type=checkbox], #at), select, textarea');
     if (event.key === 'Escape') {
       pinned = null;
       hovered = null;
       light();
+      letGo();
+      if (inField) target.blur();
       document.querySelectorAll('.panel.whole').forEach((panel) => panel.classList.remove('whole'));
       return;
     }
@@ -510,14 +579,18 @@ function begin() {
     const does = {
       ArrowLeft: () => by(-size),
       ArrowRight: () => by(size),
-      Home: () => goTo(variable.start),
+      Home: goHome,
       PageDown: () => nextEvent(1),
       PageUp: () => nextEvent(-1),
       ' ': play,
       '[': () => toStep(state.step - 1),
       ']': () => toStep(state.step + 1),
       s: () => { state.refit = !state.refit; draw(); },
-      d: () => { diagramBox.focus(); },
+      d: () => {
+        if (diagramBox.value === '' && diagramBox.options.length > 1) diagramBox.selectedIndex = 1;
+        showDiagram();
+        diagramPlace.scrollIntoView({ block: 'nearest' });
+      },
       f: fill,
       '?': () => help.showModal(),
     };
@@ -541,7 +614,7 @@ function begin() {
   }
 
   function fill() {
-    const panel = document.querySelector('.panel.whole') || byId('figure0');
+    const panel = document.querySelector('.panel.whole') || lastPanel;
     panel.classList.toggle('whole');
   }
 
@@ -553,28 +626,41 @@ function begin() {
 
   // --- out ---
   function drawings() {
-    return panels.map((/** @type {Panel} */ panel) => {
+    // One drawing, the panels below each other.
+    const all = makeInk('svg', { 'stroke-linejoin': 'round', 'font-family': panels[0].svg.getAttribute('font-family') || '' });
+    let down = 0, across = 0;
+    for (const panel of panels) {
       const copy = /** @type {Element} */ (panel.svg.cloneNode(true));
-      copy.querySelectorAll('.grips, .stop, [visibility=hidden]').forEach((own) => own.remove());
-      copy.removeAttribute('aria-describedby');
-      copy.removeAttribute('aria-labelledby');
-      const group = copy.querySelector('g');
-      if (group) {
-        group.setAttribute('data-si-per-mm', String(panel.siPerMm));
-        group.setAttribute('data-at', String(state.at / variable.si));
+      copy.querySelectorAll('.grips, .reach, .beside, .way, .stop, [visibility=hidden]').forEach((own) => own.remove());
+      copy.querySelectorAll('[class=""]').forEach((own) => own.removeAttribute('class'));
+      const [x, y, width, height] = (copy.getAttribute('viewBox') || '').split(' ').map(Number);
+      const group = makeInk('g', { transform: `translate(${mm(-x)} ${mm(down - y)})` });
+      group.append(...copy.childNodes);
+      const own = group.querySelector('g');
+      if (own) {
+        own.setAttribute('data-si-per-mm', String(panel.siPerMm));
+        own.setAttribute('data-at', String(state.at / variable.si));
       }
-      return new XMLSerializer().serializeToString(copy);
-    }).join('\n');
+      all.append(group);
+      down += height;
+      across = Math.max(across, width);
+    }
+    for (const [name, value] of [['width', `${mm(across)}mm`], ['height', `${mm(down)}mm`], ['viewBox', `0 0 ${mm(across)} ${mm(down)}`]]) all.setAttribute(name, value);
+    return new XMLSerializer().serializeToString(all);
   }
 
   function csv() {
     const quoted = (/** @type {string} */ text) => `"${text.replace(/"/g, '""')}"`;
-    const lines = [['quantity', 'value', 'sense'].join(',')];
-    rows.forEach((/** @type {any} */ row) => {
-      const said = told(row.quantity, course, outputs, words);
-      lines.push([row.quantity.name, plainText(said.value), plainText(said.sense)].map(quoted).join(','));
-    });
-    return `${lines.join('\r\n')}\r\n`;
+    // As `sweep` has it: a column for each number, its unit in the head, the position first; nothing where none is known.
+    const head = [`${variable.kind}${variable.of ? ` ${variable.of}` : ''} [${variable.unit}]`], line = [String(state.at / variable.si)];
+    for (const { quantity } of rows) {
+      quantity.outputs.forEach((/** @type {number} */ output, /** @type {number} */ axis) => {
+        head.push(`${quantity.name}${quantity.outputs.length === 2 ? ['.x', '.y'][axis] : ''}${quantity.unit ? ` [${quantity.unit}]` : ''}`);
+        const value = outputs[output];
+        line.push(value === null ? '' : String(value / quantity.si));
+      });
+    }
+    return `${head.map(quoted).join(',')}\r\n${line.join(',')}\r\n`;
   }
 
   function hereAddress() {
@@ -590,7 +676,7 @@ function begin() {
         say(words.copied);
         return;
       }
-      if (window.origin === 'null' && location.protocol !== 'file:') throw new Error('sandboxed');
+      if (window.origin === 'null' && (location.protocol !== 'file:' || window !== window.parent)) throw new Error('sandboxed');
       const link = /** @type {HTMLAnchorElement} */ (make('a', { download: name }));
       link.href = URL.createObjectURL(new Blob([text], { type: kind }));
       link.click();
@@ -620,7 +706,8 @@ function begin() {
     languageBox.setAttribute('aria-label', words.language);
     slider.setAttribute('aria-label', words.of_input);
     setText(fieldName, words.of_input);
-    setText(unit, variable.unit === 'deg' ? '°' : variable.unit);
+    setText(unit, unitSign());
+    for (const out of outButtons) setText(out, words.close);
     setText(ownButton, words.own_position);
     setText(themeButton, words.theme);
     setText(fullButton, words.full);
@@ -675,7 +762,10 @@ function begin() {
       case 'change point': return words.change_point + links;
       case 'dead position': return words.dead_position + links;
       case 'at infinity': return words.at_infinity;
-      default: return filled(event.kind === 'least' ? words.least : words.greatest, { name: event.name });
+      default: {
+        const [, bar, name, axis] = /^(\|?)(.*?)(\.[xy])?\|?$/.exec(event.name) || [];
+        return filled(event.kind === 'least' ? words.least : words.greatest, { name: `${bar}${lineText(symbolOf(name))}${axis || ''}${bar}` });
+      }
     }
   }
   eventBox.addEventListener('change', () => {
@@ -691,6 +781,7 @@ function begin() {
     stepTexts = [];
     setText(stepNote, '');
     stepSlider.value = String(state.step);
+    stepBox.classList.toggle('idle', state.step > last);
     if (!said || state.step > last) {
       setText(stepTitle, words.all_steps);
       stepSlider.setAttribute('aria-valuetext', words.all_steps);
@@ -729,7 +820,9 @@ function begin() {
         const value = make('td'), sense = make('td');
         value.append(make('bdi'));
         sense.append(make('bdi'));
-        row.append(make('th', { scope: 'row' }, name), value, sense);
+        const named = make('th', { scope: 'row' });
+        setRich(named, symbolOf(name));
+        row.append(named, value, sense);
         own.append(row);
         listen(row, name);
         stepCells.push({ quantity: live.quantities[name], value, sense });
@@ -744,6 +837,13 @@ function begin() {
     stepBody.append(list);
     sayNumbers();
     light();
+  }
+
+  /** A quantity as the sheet calls it. */
+  function symbolOf(/** @type {string} */ name) {
+    const { symbols, terms } = live.texts[state.lang];
+    const asked = live.rows.findIndex((/** @type {any} */ quantity) => quantity.name === name);
+    return asked >= 0 ? symbols[asked] : Object.keys(terms).find((symbol) => terms[symbol] === name) || name;
   }
 
   /** What was last read off the paper of a line, mm, and the scale by which it is multiplied. */
@@ -796,7 +896,7 @@ function begin() {
       if (now !== one.last || one.last === '') setRich(one.element, now);
       one.last = now;
     }
-    setText(stepNote, left > 0 ? filled(words.said_at_start, { count: String(left) }) : '');
+    setText(stepNote, left > 0 ? filled(left === 1 ? words.said_at_start_one : words.said_at_start, { count: String(left) }) : '');
   }
 
   // --- drawing ---
@@ -850,7 +950,7 @@ function begin() {
     const angle = flattest(panel);
     const flat = angle < FLAT ? ` ${filled(live.texts[state.lang].flat, { angle: degrees(angle) })}` : '';
     if (name === '') return flat;
-    const said = filled(words.beyond, { name: name.replace(/[<&]/g, ''), length: plainText(withPower(longest)) });
+    const said = filled(words.beyond, { name: name.replace(/[<&]/g, ''), length: `${plainText(withPower(longest))}\u00a0mm` });
     return ` · ${said}${flat}`;
   }
 
@@ -872,7 +972,7 @@ function begin() {
         setText(scale, filled(live.texts[state.lang].scale, { scale: `${value}\u00a0≡\u00a01\u00a0cm` }));
         setRich(byId(`beyond${panel.index}`), beyond(panel));
       } else if (data.still > 0) {
-        setText(byId(`beyond${panel.index}`), isOwn ? '' : ` · ${filled(words.not_moving, { count: String(data.still) })}`);
+        setText(byId(`beyond${panel.index}`), isOwn ? '' : ` · ${filled(data.still === 1 ? words.not_moving_one : words.not_moving, { count: String(data.still) })}`);
       }
     }
     showBeside();
@@ -882,12 +982,23 @@ function begin() {
       grip.setAttribute('cx', at.x.toFixed(3));
       grip.setAttribute('cy', at.y.toFixed(3));
     }
-    const held = (skeleton.grips || [])[0];
-    visible(stop, Boolean(skeleton.stopped && held));
-    if (held && skeleton.now[held.place]) {
-      stop.setAttribute('cx', skeleton.now[held.place].x.toFixed(3));
-      stop.setAttribute('cy', skeleton.now[held.place].y.toFixed(3));
+    for (const { frame, reach } of skeleton.reaches || []) {
+      const ends = [skeleton.now[frame[1]], skeleton.now[frame[2]]];
+      if (ends.every(Boolean)) reach.setAttribute('d', `M${pair(ends[0])} L${pair(ends[1])}`);
     }
+    // A limit is marked where the hand holds the mechanism, or at a joint.
+    const first = (skeleton.grips || [])[0];
+    const spot = held.pointer !== -1 ? globalOf(held.spot[0], held.spot[1], skeleton.now) : first && skeleton.now[first.place];
+    visible(stop, Boolean(skeleton.stopped && spot));
+    if (spot) {
+      stop.setAttribute('cx', spot.x.toFixed(3));
+      stop.setAttribute('cy', spot.y.toFixed(3));
+    }
+    visible(handWay, Boolean(spot) && held.beyond.length > 0);
+    if (spot && held.beyond.length > 0) handWay.setAttribute('d', `M${[spot, ...held.beyond].map(pair).join(' L')}`);
+    const hereText = `${inputName()} = ${withUnit(fieldText(), unitSign())}`;
+    if (hereText !== hereShown) setRich(hereLine, hereText);
+    hereShown = hereText;
     for (const row of rows) {
       const said = told(row.quantity, course, outputs, words);
       const key = `${said.value}|${said.sense}`;
@@ -903,7 +1014,7 @@ function begin() {
       setRich(value.firstElementChild || value, said.value);
       setRich(sense.firstElementChild || sense, said.sense);
     }
-    if (document.activeElement !== slider) slider.value = String(state.at);
+    slider.value = String(state.at);
     if (document.activeElement !== field) field.value = fieldText();
     slider.setAttribute('aria-valuetext', `${inUnit(state.at)}${pinnedText()}`);
     setText(scaleButton, `${words.scale}: ${state.refit ? words.refit : words.fixed}`);
@@ -919,6 +1030,15 @@ function begin() {
   }
   /** @type {any} */
   let resting = 0;
+  let hereShown = '';
+
+  function unitSign() {
+    return variable.unit === 'deg' ? '°' : variable.unit;
+  }
+
+  function inputName() {
+    return live.texts[state.lang].input || words.of_input;
+  }
 
   function fieldText() {
     const value = state.at / variable.si;

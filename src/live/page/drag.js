@@ -63,20 +63,27 @@ class Track {
   }
 }
 
-/** Leads a place of the skeleton as near to a point as the course allows, by at most so much of the input. */
-function seekPlace(/** @type {any} */ course, /** @type {Track} */ track, /** @type {Panel} */ panel, /** @type {number} */ place,
+/** Leads a point of a frame as near to a point as the course allows, by at most so much of the input. */
+function seekSpot(/** @type {any} */ course, /** @type {Track} */ track, /** @type {Panel} */ panel, /** @type {any} */ spot,
   /** @type {{x: number, y: number}} */ wish, /** @type {number} */ at, /** @type {number} */ most) {
   const { program, live } = course;
-  const term = panel.data.places[place][0];
-  const rows = [0, 1].map((axis) => live.outputs[term[1] + axis].row);
+  const [frame, own] = spot, [kind, one, other] = frame;
+  const places = kind === 2 || kind === 3 ? [one, other] : [one];
+  // A frame is told by places, or by one and outputs.
+  const more = kind === 4 ? [other] : kind === 5 ? [other, other + 1] : [];
+  const outputs = [...places.flatMap((place) => panel.data.places[place].flatMap((/** @type {number[]} */ term) => [term[1], term[1] + 1])), ...more];
+  const rows = outputs.map((output) => live.outputs[output].row);
   const steps = program.behind(rows);
   const cost = (/** @type {number} */ by) => {
     const to = track.go(at, by).at;
     const stretch = course.stretchAt(to);
     if (!stretch) return Infinity;
     program.run(steps, to, stretch.signs);
-    const [x, y] = rows.map((row, axis) => (program.quick[row] - panel.data.origin[axis]) / panel.siPerMm);
-    return Math.hypot(x - wish.x, -y - wish.y);
+    /** @type {any[]} */
+    const numbers = [];
+    outputs.forEach((output, i) => { numbers[output] = program.quick[rows[i]]; });
+    const held = globalOf(frame, own, panel.seen(numbers, places));
+    return held ? Math.hypot(held.x - wish.x, held.y - wish.y) : Infinity;
   };
   // Local descent: from here down, to the first place from which it would go up again.
   let by = 0, best = cost(0), step = most / 8;

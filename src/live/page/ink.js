@@ -43,6 +43,14 @@ function globalOf(/** @type {number[]} */ frame, /** @type {number[]} */ own, /*
   return { x: o.x + x.x * own[0] - x.y * own[1], y: o.y + x.y * own[0] + x.x * own[1] };
 }
 
+/** A point of the page in a frame; nothing where that has none now. */
+function localOf(/** @type {number[]} */ frame, /** @type {any} */ at, /** @type {any[]} */ seen) {
+  const axes = axesOf(frame, seen);
+  if (!axes) return null;
+  const { o, x } = axes, d = { x: at.x - o.x, y: at.y - o.y }, n = x.x * x.x + x.y * x.y;
+  return [(d.x * x.x + d.y * x.y) / n, (d.y * x.x - d.x * x.y) / n];
+}
+
 /** The part of a line from a to b that lies in a box, as parts of the way; nothing where none does. */
 function clipped(/** @type {any} */ a, /** @type {any} */ b, /** @type {number[]} */ box) {
   let from = 0, to = 1;
@@ -96,10 +104,11 @@ class Panel {
     this.range = live.variable.range;
   }
 
-  /** Where the places are, mm of the panel; null where one is not known. @param {(number | null)[]} outputs */
-  seen(outputs) {
+  /** Where the places are, mm of the panel; null where one is not known. @param {(number | null)[]} outputs @param {number[] | null} only */
+  seen(outputs, only = null) {
     const { origin, places } = this.data;
-    const all = places.map((/** @type {number[][]} */ terms) => {
+    const all = places.map((/** @type {number[][]} */ terms, /** @type {number} */ place) => {
+      if (only && !only.includes(place)) return null;
       const at = [0, 0];
       for (const [sign, output] of terms) {
         for (let axis = 0; axis < 2; axis++) {
@@ -148,6 +157,11 @@ class Panel {
       const drawn = wanted && this.move(ink, seen);
       visible(ink.element, drawn);
       ink.element.classList.toggle('fresh', drawn && ink.step === step);
+      // What is read off the ink is that of this position.
+      if (ink.move === 'vector' && ink.element.hasAttribute('data-value')) {
+        const [a, b] = ink.at.map((/** @type {number} */ i) => seen[i]);
+        if (a && b) ink.element.setAttribute('data-value', String(Math.hypot(b.x - a.x, b.y - a.y) * this.siPerMm / this.data.unit));
+      }
     }
     this.place(seen, at, step, outputs);
   }
@@ -309,7 +323,8 @@ class Panel {
     if (this.calm) part = Math.round(part);
     for (const label of this.labels) {
       const ends = label.anchors.map((/** @type {any} */ a) => globalOf(a[0], a[1], seen));
-      let shown = !ends.includes(null) && (label.step === null || label.step <= step);
+      let shown = !ends.includes(null) && (label.step === null || label.step <= step)
+        && (label.output === undefined || Boolean(outputs[label.output]));
       const [x0, y0, x1, y1] = this.data.box;
       if (shown && ends.length === 1) shown = ends[0].x > x0 && ends[0].x < x1 && ends[0].y > y0 && ends[0].y < y1;
       if (shown && ends.length === 2 && this.data.polygon) {

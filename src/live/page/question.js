@@ -4,17 +4,6 @@ const form = /** @type {HTMLFormElement} */ (document.getElementById('answers'))
 const out = /** @type {HTMLTextAreaElement} */ (document.getElementById('out'));
 const said = /** @type {HTMLElement} */ (document.getElementById('told'));
 
-/** A number as people write it, with Persian and Arabic digits and signs as well; NaN where it is none. */
-function read(/** @type {string} */ text) {
-  const plain = text
-    .replace(/[\u200e\u200f\u061c\s\u066c]/g, '')
-    .replace(/[\u0660-\u0669\u06f0-\u06f9]/g, (digit) => String(digit.charCodeAt(0) & 15))
-    .replace(/^\u2212/, '-')
-    .replace(/([eE])\u2212/, '$1-')
-    .replace(/[,\u066b\u060c]/, '.');
-  return /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(plain) ? Number(plain) : NaN;
-}
-
 /** The answers as `linkgram grade` reads them; a field that cannot be read, or that says too little, is marked. */
 function answers() {
   /** @type {Record<string, any>} */
@@ -29,7 +18,7 @@ function answers() {
   };
   for (const field of form.querySelectorAll('input')) {
     const empty = field.value.trim() === '';
-    const value = read(field.value);
+    const value = typed(field.value);
     // A magnitude carries no sign.
     mark(field, !empty && !(Number.isFinite(value) && (value >= 0 || field.dataset.part !== 'magnitude')));
     if (empty || !Number.isFinite(value)) continue;
@@ -59,17 +48,22 @@ function answers() {
   return `${JSON.stringify({ values }, null, 2)}\n`;
 }
 
+/** Says one of the sentences that stand ready. */
+function tell(/** @type {string} */ what) {
+  for (const one of said.children) /** @type {any} */ (one).hidden = !one.classList.contains(what);
+}
+
 form.addEventListener('submit', (event) => {
   event.preventDefault();
-  said.textContent = '';
+  tell('');
   out.hidden = true;
   const text = answers();
   if (text === null) {
-    said.textContent = '✗';
+    tell('bad');
     return;
   }
   try {
-    if (window.origin === 'null' && location.protocol !== 'file:') throw new Error('sandboxed');
+    if (window.origin === 'null' && (location.protocol !== 'file:' || window !== window.parent)) throw new Error('sandboxed');
     const link = document.createElement('a');
     link.download = 'answers.json';
     link.href = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
@@ -80,6 +74,8 @@ form.addEventListener('submit', (event) => {
     out.value = text;
     out.focus();
     out.select();
+    tell('denied');
+    return;
   }
-  said.textContent = '✓';
+  tell('good');
 });

@@ -25,9 +25,16 @@ function plainText(text) {
   return text.replace(/<\/?(?:i|b|sub|sup)>/g, '').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
 }
 
+/** The same in one line, digits set low as such. @param {string} text */
+function lineText(text) {
+  return plainText(text.replace(/<sub>([^<]*)<\/sub>/g, (_, low) => low.replace(/[0-9]/g, (/** @type {string} */ digit) => String.fromCharCode(0x2080 + Number(digit)))));
+}
+
 /** A sentence with its blanks filled. */
 function filled(/** @type {string} */ template, /** @type {Record<string, string>} */ parts) {
-  return template.replace(/\{(\w+)\}/g, (whole, name) => (name in parts ? parts[name] : whole));
+  // Numbers and symbols read from the left among words that do not.
+  const [open, close] = document.documentElement.dir === 'rtl' ? ['\u2066', '\u2069'] : ['', ''];
+  return template.replace(/\{(\w+)\}/g, (whole, name) => (name in parts ? `${open}${parts[name]}${close}` : whole));
 }
 
 /** Writes text only where it changed. */

@@ -30,8 +30,9 @@ function curves(/** @type {any} */ course, /** @type {number[]} */ outputs) {
     if (!stretch) continue;
     program.run(steps, at, stretch.signs);
     const values = rows.map((row, i) => counted(live.outputs[outputs[i]], program.quick[row]));
-    if (values.every(Number.isFinite)) run.push([at, values]);
-    else {
+    const ends = course.events.some((/** @type {any} */ event) => event.kind === 'limit' && event.at === at);
+    if (values.every(Number.isFinite) && !(ends && run.length === 0)) run.push([at, values]);
+    if (ends || !values.every(Number.isFinite)) {
       if (run.length > 1) runs.push(run);
       run = [];
     }
@@ -63,6 +64,12 @@ function tracePath(/** @type {any} */ course, /** @type {Panel} */ panel, /** @t
   return path;
 }
 
+/** The next of 1, 2, 5 and their tenfolds. @param {number} least */
+function roundStep(least) {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * ([1, 2, 5].find((step) => step * power >= least * (1 - 1e-12)) || 10);
+}
+
 /** A diagram of one output over the input, in a box of 1000 by 320. */
 class CurveDiagram {
   constructor(/** @type {any} */ course, /** @type {(at: number) => void} */ seek) {
@@ -86,14 +93,17 @@ class CurveDiagram {
     this.svg.addEventListener('pointermove', (event) => {
       if (event.buttons & 1) go(event);
     });
+    this.numbers = make('div', { class: 'numbers', 'aria-hidden': 'true' });
+    this.grid = makeInk('path', { class: 'grid' });
+    this.svg.prepend(this.grid);
     for (const event of course.events) {
       const x = this.xOf(event.at).toFixed(1);
       if (event.kind !== 'least' && event.kind !== 'greatest') this.marks.append(makeInk('path', { class: 'event', d: `M${x} 0 V320` }));
     }
   }
 
-  /** @param {any} quantity @param {number} axis */
-  draw(quantity, axis) {
+  /** @param {any} quantity @param {number} axis @param {any} variable */
+  draw(quantity, axis, variable) {
     const outputs = axis < 0 ? quantity.outputs : [quantity.outputs[axis]];
     const runs = curves(this.course, outputs).map((run) => run.map(([at, values]) =>
       [at, (axis < 0 && values.length === 2 ? Math.hypot(values[0], values[1]) : values[0]) / quantity.si]));
@@ -108,7 +118,28 @@ class CurveDiagram {
     const y = (/** @type {number} */ value) => Math.min(1000, Math.max(-680, 320 - (value - low) / (high - low) * 320)).toFixed(1);
     this.curve.setAttribute('d', runs.map((run) => run.map((node, i) => `${i ? 'L' : 'M'}${this.xOf(node[0]).toFixed(1)} ${y(node[1])}`).join('')).join(''));
     this.zero.setAttribute('d', `M0 ${y(0)} H1000`);
+    this.tick(low, high, variable);
     return { low: low + room, high: high - room };
+  }
+
+  /** Lines at round numbers, and the numbers beside the box, in the unit of each. */
+  tick(/** @type {number} */ low, /** @type {number} */ high, /** @type {any} */ variable) {
+    const [from, to] = variable.range.map((/** @type {number} */ end) => end / variable.si);
+    this.numbers.replaceChildren();
+    let grid = '';
+    const put = (/** @type {number} */ value, /** @type {number} */ part, /** @type {string} */ axis) => {
+      grid += axis === 'x' ? `M${(1000 * part).toFixed(1)} 0V320` : `M0 ${(320 - 320 * part).toFixed(1)}H1000`;
+      const tick = make('bdi', { class: axis });
+      setRich(tick, stated(value));
+      if (axis === 'x') tick.style.left = `${(100 * part).toFixed(2)}%`;
+      else tick.style.bottom = `${(100 * part).toFixed(2)}%`;
+      this.numbers.append(tick);
+    };
+    const degrees = variable.unit === 'deg' && to - from >= 90 ? (to - from > 400 ? 180 : 45) : 0;
+    for (const [least, most, axis, step] of [[from, to, 'x', degrees || roundStep((to - from) / 6)], [low, high, 'y', roundStep((high - low) / 5)]]) {
+      for (let i = Math.ceil(least / step); i * step <= most; i++) put(Number((i * step).toPrecision(12)), (i * step - least) / (most - least), axis);
+    }
+    this.grid.setAttribute('d', grid);
   }
 
   /** @param {number} at */
