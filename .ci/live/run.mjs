@@ -456,6 +456,91 @@ test('the print is true to scale', async () => {
   return `${found.length} panels`;
 });
 
+/** What a button gives away, instead of a download. */
+const given = (page, id) => page.evaluate(async (button) => {
+  const own = URL.createObjectURL;
+  let blob;
+  URL.createObjectURL = (one) => { blob = one; return own(one); };
+  document.getElementById(button).click();
+  URL.createObjectURL = own;
+  return blob.text();
+}, id);
+
+test('print keeps the bars and tells the position', async () => {
+  const page = await open(fourPage, { hash: '#at=100' });
+  if (!firefox) await page.emulateMediaType('print');
+  const found = await page.evaluate(() => [[...document.querySelectorAll('#stage .bar')].map((bar) => getComputedStyle(bar).display), document.getElementById('here').textContent]);
+  assert.ok(found[0].length > 2 && found[0].every((display) => display !== 'none'), found[0].join());
+  assert.match(found[1], /100°/);
+  await page.close();
+});
+
+test('what is saved is one drawing and a table of numbers', async () => {
+  const page = await open(fourPage, { hash: '#at=100' });
+  const svg = await given(page, 'save');
+  const roots = await page.evaluate((text) => {
+    const read = new DOMParser().parseFromString(text, 'image/svg+xml');
+    return [read.querySelectorAll('parsererror').length, read.querySelectorAll('svg').length];
+  }, svg);
+  assert.deepEqual(roots, [0, 1]);
+  const [head, line] = (await given(page, 'table')).trim().split('\r\n');
+  const numbers = line.split(',').map(Number);
+  assert.equal(numbers.length, head.split('","').length);
+  assert.ok(numbers[0] === 100 && numbers.every(Number.isFinite), line);
+  await page.close();
+});
+
+test('no name comes before its ink', async () => {
+  const page = await open(fourPage, { hash: '#step=1' });
+  const early = await page.evaluate(() => [...document.querySelectorAll('#panel1 .labels > g, #panel2 .labels > g')].filter((name) => {
+    const of = (name.getAttribute('data-of') || '').split(' ');
+    const ink = [...document.querySelectorAll('#stage .vector')].filter((vector) => of.includes(vector.getAttribute('data-quantity')));
+    const hidden = (one) => one.getAttribute('visibility') === 'hidden';
+    return !hidden(name) && ink.length > 0 && ink.every(hidden);
+  }).length);
+  assert.equal(early, 0);
+  await page.close();
+});
+
+test('a guide is as long as its rider goes', async () => {
+  const page = await open(pageOf(slider));
+  const [low, high, from, to] = await page.evaluate(async () => {
+    const slide = document.getElementById('at'), all = [];
+    const block = document.querySelector('#panel0 .slider');
+    for (let i = 0; i <= 24; i++) {
+      slide.value = String(Number(slide.min) + (Number(slide.max) - Number(slide.min)) * i / 24);
+      slide.dispatchEvent(new Event('input'));
+      await new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); });
+      all.push(block.getBoundingClientRect());
+    }
+    const guides = [...document.querySelectorAll('#panel0 .guide')].map((guide) => guide.getBoundingClientRect());
+    return [Math.min(...all.map((b) => b.left)), Math.max(...all.map((b) => b.right)), Math.min(...guides.map((g) => g.left)), Math.max(...guides.map((g) => g.right))];
+  });
+  assert.ok(from <= low && to >= high, `${from} … ${to} for ${low} … ${high}`);
+  await page.close();
+});
+
+test('a bar leads the input, and the field says what it does not understand', async () => {
+  const page = await open(fourPage);
+  const before = await placeOf(page);
+  const [x, y] = await page.evaluate(() => {
+    const bar = document.querySelector('.reach'), at = bar.getPointAtLength(0.4 * bar.getTotalLength()).matrixTransform(bar.getScreenCTM());
+    return [at.x, at.y];
+  });
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 8, y - 3, { steps: 4 });
+  await page.mouse.up();
+  assert.ok(Math.abs(await placeOf(page) - before) > 2);
+  for (const [text, wanted] of [['30°', 30], ['0.5 rad', 90 / Math.PI], ['1/2', 0.5], ['\u06f4\u06f5', 45]]) {
+    await page.evaluate((typed) => { const field = document.getElementById('exact'); field.value = typed; field.dispatchEvent(new Event('change')); }, text);
+    assert.ok(Math.abs(await placeOf(page) - wanted) < 1e-6, text);
+  }
+  await page.evaluate(() => { const field = document.getElementById('exact'); field.value = 'abc'; field.dispatchEvent(new Event('change')); });
+  assert.match(await page.evaluate(() => document.getElementById('message').textContent), /abc/);
+  await page.close();
+});
+
 test('size and speed', async () => {
   const six = pageOf(path.join(root, 'examples/s000-ch3a-1.json')), eight = pageOf(path.join(root, 'examples/eight-link.json'));
   const sizes = [six, eight].map((file) => readFileSync(file).length);
