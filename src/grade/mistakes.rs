@@ -81,6 +81,9 @@ struct Turning {
     angle: f64,
 }
 
+/// How answers were misread, by which they are.
+type Reading<'r> = &'r dyn Fn(Which) -> Misreading;
+
 impl<'c> List<'c, '_> {
     pub(super) fn add(&mut self, kind: Kind, at: &str, step: Option<usize>, price: f64, change: Change) {
         self.found.push(Hypothesis { kind, at: at.to_owned(), step, price, change, how: None });
@@ -180,7 +183,7 @@ impl<'c> List<'c, '_> {
     fn directions(&mut self) {
         let quarter = |turn| move |of| Misreading::Twisted { of, twist: Twist { factor: 1.0, turn } };
         let mirrored = |from_y| move |of| Misreading::Mirrored { of, from_y };
-        let ways: [(&str, f64, &dyn Fn(Which) -> Misreading); 4] = [
+        let ways: [(&str, f64, Reading<'_>); 4] = [
             ("clockwise", 0.0, &mirrored(false)),
             ("clockwise from the y axis", 0.5, &mirrored(true)),
             ("from the y axis", 0.0, &quarter(-FRAC_PI_2)),
