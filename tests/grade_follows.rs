@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 fn graded(scene: &Value, answers: &Value) -> Report {
     let scene = linkgram::scene::read(&scene.to_string(), "scene.json").unwrap();
-    let answers = read_named("answers.json", &answers.to_string(), &scene).unwrap();
+    let answers = read_named(&answers.to_string(), "answers.json", &scene).unwrap();
     grade(&scene, &answers, &GradeSettings::default()).unwrap()
 }
 
@@ -182,8 +182,9 @@ fn a_step_that_is_not_asked_does_not_pay_for_what_is() {
     let alone = graded(&scene, &json!({ "values": { "a(B)": end } }));
     let shown = graded(&scene, &json!({ "values": { "an(B/A)": vector(1423.0, 22.5), "a(B)": end } }));
     assert_eq!((alone.sum(), shown.sum()), ((0.0, 1.0), (0.0, 1.0)), "{}", shown.to_text());
-    let named = |report: &Report| report.quantities.last().unwrap().mistakes[0].kind;
+    let named = |report: &Report| report.first_fault().unwrap().mistakes[0].kind;
     assert_eq!(named(&alone), named(&shown));
+    assert!(shown.to_text().contains("costs its mark here"), "{}", shown.to_text());
 }
 
 /// The kind that is named first for a hand-in, and its marks lost.
@@ -256,7 +257,7 @@ fn what_a_drawing_hides_is_not_read() {
     let scene = crank_and_rocker(&["v(A)"]).to_string();
     let scene = linkgram::scene::read(&scene, "scene.json").unwrap();
     let names = |more: &str| -> Vec<String> {
-        let answers = read_named("a.svg", &drawing(more), &scene).unwrap();
+        let answers = read_named(&drawing(more), "a.svg", &scene).unwrap();
         let report = grade(&scene, &answers, &GradeSettings::default()).unwrap();
         report.quantities.iter().map(|graded| graded.name.clone()).collect()
     };

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::answers::{Answers, Form, Given};
 use super::case::{Allowance, Basis, Case, Observation, Target, size};
-use super::judge::{Fault, Judgement, Mistake, Verdict};
+use super::judge::{Judgement, Mistake, Verdict};
 use super::mistakes::vector_of;
 use crate::graphical::construction::Label;
 use crate::mechanism::quantity::{Order, Quantity, Unit};
@@ -51,6 +51,8 @@ pub struct Graded {
     pub asked: bool,
     /// Which part of its marks it has at most: less than all where a sense or direction is asked and not said.
     pub share: f64,
+    /// Whether it pays for an earlier fault, of which the step itself has no mark.
+    pub charged: bool,
     /// By how much it is off.
     pub off: f64,
     /// Of all these numbers.
@@ -142,11 +144,10 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
         .iter()
         .enumerate()
         .map(|(index, _)| {
-            let charge = charged.iter().find(|(at, _)| *at == index).map(|(_, fault)| *fault);
-            let own = judgement.faults.iter().find(|fault| fault.first == index);
-            let mistakes = own.or(charge).map(|fault| fault.mistakes.clone()).unwrap_or_default();
-            let verdict = if charge.is_some() { Verdict::Wrong } else { judgement.verdicts[index] };
-            graded(case, index, worth[index], verdict, mistakes)
+            let fault = judgement.faults.iter().find(|fault| fault.first == index);
+            let mistakes = fault.map(|fault| fault.mistakes.clone()).unwrap_or_default();
+            let graded = graded(case, index, worth[index], judgement.verdicts[index], mistakes);
+            Graded { charged: charged.contains(&index), ..graded }
         })
         .collect();
     let missing = missing(case);
@@ -162,12 +163,12 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
 
 /// The answers at which faults cost their mark that show first in what has none: each costs it at the first answer with
 /// a mark that follows from it, as it would had only that been handed in.
-fn charged<'j>(judgement: &'j Judgement, worth: &[Option<f64>]) -> Vec<(usize, &'j Fault)> {
+fn charged(judgement: &Judgement, worth: &[Option<f64>]) -> Vec<usize> {
     let marked = |index: usize| worth[index].is_some_and(|worth| worth > 0.0);
-    let mut charged: Vec<(usize, &Fault)> = Vec::new();
-    for (number, fault) in judgement.faults.iter().enumerate().filter(|(_, fault)| !marked(fault.first)) {
+    let mut charged: Vec<usize> = Vec::new();
+    for (number, _) in judgement.faults.iter().enumerate().filter(|(_, fault)| !marked(fault.first)) {
         let follows = |index: &usize| judgement.caused[*index] == Some(number) && marked(*index);
-        charged.extend((0..worth.len()).find(follows).map(|index| (index, fault)));
+        charged.extend((0..worth.len()).find(follows));
     }
     charged
 }
@@ -333,6 +334,7 @@ fn graded(
         weight: worth.unwrap_or(0.0),
         asked: worth.is_some(),
         share,
+        charged: false,
         off: case.miss(index, &case.truth[index]) / si,
         unit: observation.unit.clone(),
         step: observation.rank.1.checked_add(1),
@@ -375,7 +377,7 @@ impl Graded {
     /// Its marks: all of them where it is right or follows rightly, but for what it does not say.
     #[must_use]
     pub fn reached(&self) -> f64 {
-        if matches!(self.verdict, Verdict::Right | Verdict::Consistent) {
+        if matches!(self.verdict, Verdict::Right | Verdict::Consistent) && !self.charged {
             self.weight * self.share
         } else {
             0.0

@@ -163,6 +163,7 @@ fn row(graded: &Graded) -> [String; 3] {
         Verdict::NotChecked => Verdict::NotChecked.told().to_owned(),
     };
     let unasked = match (graded.asked, graded.share < 1.0) {
+        _ if graded.charged => ", which costs its mark here",
         (false, _) => ", no marks",
         (true, true) if graded.reached() > 0.0 => ", but its sense or direction is not told",
         _ => "",
