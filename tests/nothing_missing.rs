@@ -46,6 +46,11 @@ const RIGHT: &[(&str, &str, &str)] = &[
         "hints.first().map_or(0.0",
         "where an iteration starts decides nothing but where it may end",
     ),
+    (
+        "analytic/cycle.rs",
+        "self.mean.map_or(0.0, |mean| mean.bound)",
+        "of two given curves no mean is taken that could be off",
+    ),
     ("analytic/model.rs", ".unwrap_or([0.0; 2]);", "lengths may be counted from anywhere"),
     (
         "graphical/auxiliary/klein.rs",

@@ -100,6 +100,7 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
                 let value_cell = amount(value.abs());
                 vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
             }
+            Quantity::Cycle(_) if *value > 0.0 => vec![symbol, amount(*value), Rich::default()],
             _ => vec![symbol, human::quantity(*value, &asked.unit), Rich::default()],
         },
         Answer::Vector { value: [x, y], bound } => {

@@ -15,7 +15,7 @@ function submitted(rows) {
   }));
   let submit = null;
   const out = { hidden: true, value: '', focus() {}, select() {} };
-  const said = { textContent: '' };
+  const said = { children: [] };
   const form = { querySelectorAll: () => inputs, addEventListener: (_, handler) => { submit = handler; } };
   const page = {
     getElementById: (id) => ({ answers: form, out, told: said })[id],

@@ -567,11 +567,12 @@ impl Draughtsman<'_> {
                 if let Some(drag) = drag {
                     self.note_drag(leaning, pair, (*drag, *along));
                 }
-                let Some(tangent) = *tangent else { return };
-                let off = self.board.product(tangent, either);
-                self.lean_by(leaning, *slide, (*along, *normal), off);
-                let by = RubbedBy::Angle(libm::atan(tangent.value().abs()));
-                leaning.rubs.push(Rub { pair, by, forward: tangent.value() > 0.0 });
+                if let Some(tangent) = *tangent {
+                    let off = self.board.product(tangent, either);
+                    self.lean_by(leaning, *slide, (*along, *normal), off);
+                    let by = RubbedBy::Angle(libm::atan(tangent.value().abs()));
+                    leaning.rubs.push(Rub { pair, by, forward: tangent.value() > 0.0 });
+                }
             }
         }
     }
