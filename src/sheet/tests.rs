@@ -1054,7 +1054,8 @@ fn a_force_that_is_zero_but_for_rounding_has_no_line_and_the_sleeve_has_the_load
     let (scene, construction) = in_repository("examples/forces/s000-ch5-3a.json");
     let figure = solution(&scene, &construction, Language::English);
     // Bell crank: the spring of both halves is 2 · 25/9.81 · (10π)² · 0.1 · 120/60 N.
-    let whole = 2.0 * 25.0 / 9.81 * (10.0 * std::f64::consts::PI).powi(2) * 0.1 * 2.0;
+    let omega = 10.0 * std::f64::consts::PI;
+    let whole = 2.0 * 25.0 / 9.81 * omega * omega * 0.1 * 2.0;
     assert_eq!(format!("{whole:.0}"), "1006");
     let told = lines(&figure).join(" ");
     assert!(told.contains("1006 N") && told.contains("Fk/2"), "{told}");
