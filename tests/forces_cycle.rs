@@ -440,7 +440,7 @@ fn a_diagram_is_asked_for_and_computed() {
     assert!(asked.contains("ω = 300 rpm") && asked.contains("the mean torque Tm"), "{asked}");
     assert!(ink.contains("curve torque"));
     for part in ["mean-line", "crossing", "hatch"] {
-        assert!(!ink.contains(part), "{part}");
+        assert!(!ink.contains(&format!("class=\"{part}\"")), "{part}");
     }
     let (solved, _) = told(Kind::Solution);
     for line in ["2π × 300 / 60", "Tm = E / θC", "P = Tm × ω", "Ef = Emax − Emin", "If = Ef / (Ks × ω²) − I"]
