@@ -168,7 +168,8 @@ fn the_form_of_a_question_reads_or_marks() {
     ]);
     let root = common::root();
     let ran = std::process::Command::new("node")
-        .args([root.join("tests/live/question.js"), root.join("src/live/page/question.js")])
+        .arg(root.join("tests/live/question.js"))
+        .args(["entry.js", "question.js"].map(|name| root.join("src/live/page").join(name)))
         .arg(typed.to_string())
         .output();
     let Ok(ran) = ran else {

@@ -1,7 +1,8 @@
 // The form of a question in a document of stubs: what is typed, what is saved, what is marked.
 'use strict';
 const fs = require('fs');
-const source = fs.readFileSync(process.argv[2], 'utf8');
+// The page has them one after the other.
+const source = process.argv.slice(2, 4).map((file) => fs.readFileSync(file, 'utf8').replace(/^'use strict';/m, '')).join('\n');
 
 function submitted(rows) {
   const inputs = rows.map(([name, part, unit, value]) => ({
@@ -26,4 +27,4 @@ function submitted(rows) {
   return { saved: out.value && JSON.parse(out.value).values, marked: inputs.map((one) => one.marks['aria-invalid'] === 'true') };
 }
 
-console.log(JSON.stringify(JSON.parse(process.argv[3]).map(submitted)));
+console.log(JSON.stringify(JSON.parse(process.argv[4]).map(submitted)));
