@@ -49,6 +49,7 @@ pub use answers::{
     Answers, FigurePoints, Form, Given, Item, StatedScales, Tolerance, read_answers, read_named,
 };
 pub use class::{ClassFault, HandIn, class_csv, class_faults, faults_csv};
+#[cfg(feature = "cli")]
 pub(crate) use digits::with_plain_digits;
 pub use judge::{Mistake, Verdict};
 pub use kind::Kind;
