@@ -1,5 +1,7 @@
 //! A velocity or acceleration polygon as ink.
 
+use std::collections::HashSet;
+
 use kurbo::{Point, Rect, Vec2};
 
 use super::coriolis;
@@ -79,7 +81,8 @@ pub fn draw(polygon: &Diagram, steps: &[Step], notation: &Notation<'_>, births: 
 
 /// The points and vectors that have no name of their own among these: they are named in a detail, or too short for a name.
 fn unnamed(polygon: &Diagram, window: Rect, requests: &[Request], notation: &Notation<'_>) -> Others {
-    let has = |name: &String| requests.iter().any(|request| request.names.contains(name));
+    let names: HashSet<&String> = requests.iter().flat_map(|request| &request.names).collect();
+    let has = |name: &String| names.contains(name);
     let images = polygon.images.iter().filter(|image| !has(&notation.image_name(image.label, polygon.kind)));
     let vectors = polygon.vectors.iter().filter(|v| !v.as_point && !has(&notation.quantity_name(v.quantity)));
     Others {
@@ -442,11 +445,13 @@ fn labels(
     }
     // A vector that is its own normal part is drawn twice and named once: A = Aⁿ.
     let mut named: Vec<Named> = Vec::new();
-    let whole = |v: &&Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
+    let whole = |v: &Vector| matches!(v.kind, VectorKind::Absolute | VectorKind::Relative);
     let vectors = &polygon.vectors;
-    let index_of = |vector: &Vector| vectors.iter().position(|v| std::ptr::eq(v, vector));
-    for vector in vectors.iter().filter(whole).chain(vectors.iter().filter(|v| !whole(v))) {
-        let life = births.zip(index_of(vector)).and_then(|(births, i)| births.vectors.get(i).copied());
+    let points: HashSet<(Label, Label)> =
+        vectors.iter().filter(|v| v.as_point).map(|v| (v.tail, v.head)).collect();
+    let all = || vectors.iter().enumerate();
+    for (index, vector) in all().filter(|(_, v)| whole(v)).chain(all().filter(|(_, v)| !whole(v))) {
+        let life = births.and_then(|births| births.vectors.get(index).copied());
         let (from, to) = (page(vector.from), page(vector.to));
         let name = vector_name(vector, polygon, notation);
         if from.distance(to) < SHORTEST_NAMED || !window.contains(from) || !window.contains(to) {
@@ -458,8 +463,7 @@ fn labels(
         let same = |n: &Named| n.from.distance(from) < COINCIDENT && n.to.distance(to) < COINCIDENT;
         // What differs by a part that is drawn as a point is one stroke to the eye.
         let joined = |one: Label, other: Label| {
-            let ends = |v: &Vector| [(v.tail, v.head), (v.head, v.tail)].contains(&(one, other));
-            one == other || polygon.vectors.iter().any(|v| v.as_point && ends(v))
+            one == other || points.contains(&(one, other)) || points.contains(&(other, one))
         };
         let nearly = |n: &Named| joined(n.ends[0], vector.tail) && joined(n.ends[1], vector.head);
         let of = notation.quantity_name(vector.quantity);
