@@ -293,10 +293,16 @@ impl Shown<'_> {
     }
 
     fn singles(&self, construction: &Construction, names: &[&str]) -> Result<Vec<Figure>, NoFigure> {
-        names.iter().map(|name| self.single(construction, name)).collect()
+        let mut all: Vec<Figure> = Vec::new();
+        for name in names {
+            let before = all.iter().map(sheet::lettered).sum();
+            all.push(self.single(construction, name, before)?);
+        }
+        Ok(all)
     }
 
-    fn single(&self, construction: &Construction, name: &str) -> Result<Figure, NoFigure> {
+    /// A figure by its name, after so many panels with letters.
+    fn single(&self, construction: &Construction, name: &str, before: usize) -> Result<Figure, NoFigure> {
         let scene = self.scene;
         if name == CONTROLLING_FORCE {
             return self.controlling_force();
@@ -318,7 +324,7 @@ impl Shown<'_> {
         });
         let again = again.transpose()?;
         let construction = again.as_ref().map_or(construction, |solved| &solved.solution.construction);
-        sheet::single(scene, construction, name, self.language).ok_or_else(|| {
+        sheet::single_after(before, scene, construction, name, self.language).ok_or_else(|| {
             let why = drawing.and_then(|drawing| drawing.refused);
             let why = why.unwrap_or("nothing asked in this scene needs it, so it is not drawn");
             NoFigure::Wish(format!("figure {name}: {why}"))

@@ -42,7 +42,7 @@ pub(crate) use forces::holds;
 pub use missing::Missing;
 pub use page::is_a_point;
 pub use reading::Numbers;
-pub use scales::{DiagramExtent, Extents, Paper, Scales, Told};
+pub use scales::{DiagramExtent, Extents, Paper, Scales};
 pub use shown::{Shown, is_trial};
 pub use transcribe::{Transcribed, TranscribedWithBounds, Without, transcribe, transcribe_with_bounds};
 
@@ -79,14 +79,16 @@ impl Solution {
     #[must_use]
     pub fn without_noise(&self, extents: &Extents) -> Option<Extents> {
         let mut quiet = extents.clone();
+        let mut found = false;
         for extent in quiet.diagrams.iter_mut().filter(|extent| extent.size != [0.0; 2]) {
             let drawn = self.construction.diagram(extent.kind);
             let vectors = || drawn.iter().flat_map(|diagram| &diagram.vectors).filter(|v| !is_trial(v));
             if vectors().next().is_some() && vectors().all(|v| v.is_zero) {
                 extent.size = [0.0; 2];
+                found = true;
             }
         }
-        (quiet != *extents).then_some(quiet)
+        found.then_some(quiet)
     }
 }
 
@@ -328,7 +330,8 @@ pub fn solution(
         loose = mechanism.loosened(ROUNDED * missed);
         drawn = on_a_board(&loose).map_err(ranged)?.1;
     }
-    let extents = measure(drawn.record(), mechanism, board);
+    let extents =
+        Extents { drawn: Some(drawn.record().clone()), ..measure(drawn.record(), mechanism, board) };
     let mut page = choose(extents.clone());
     drawn.per_page = page.length() / board.length();
     drawn.per_page_of_velocities = page.of(Dimension::Velocity) / board.of(Dimension::Velocity);

@@ -66,7 +66,7 @@ impl Scales {
 }
 
 /// How large the diagrams are in reality, to choose scales by.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Extents {
     /// Width and height of the skeleton, m.
     pub space: [f64; 2],
@@ -80,10 +80,9 @@ pub struct Extents {
     pub diagrams: Vec<DiagramExtent>,
     /// The joints of the skeleton, m, from its origin.
     pub joints: Vec<[f64; 2]>,
-    /// How much there is to be told of the steps.
-    pub told: Told,
-    /// Whether there is a circle diagram.
-    pub circle: bool,
+    /// What is drawn and told so far, at scales that are no page's: how much text stands beside the diagrams. None where
+    /// nobody asks for a page.
+    pub drawn: Option<Construction>,
 }
 
 /// How large a vector diagram is in reality. Of arrows that stand on the skeleton, where there is no such diagram, only
@@ -98,17 +97,6 @@ pub struct DiagramExtent {
     pub points: Vec<[f64; 2]>,
     /// Its vectors from tail to head, SI, without those of trials.
     pub vectors: Vec<[[f64; 2]; 2]>,
-}
-
-/// How much there is to be told of the steps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Told {
-    /// Steps.
-    pub steps: usize,
-    /// Vector equations.
-    pub equations: usize,
-    /// What is done, read and calculated.
-    pub acts: usize,
 }
 
 impl Extents {
@@ -306,12 +294,7 @@ pub(super) fn measure(record: &Construction, mechanism: &Mechanism, scales: Scal
         positions: space,
         diagrams,
         joints: places().map(|at| at.map(|x| x * scales.length())).collect(),
-        told: Told {
-            steps: record.steps.len(),
-            equations: record.steps.iter().map(|step| step.equations.len()).sum(),
-            acts: record.steps.iter().map(|step| step.acts.len()).sum(),
-        },
-        circle: record.circle.is_some(),
+        drawn: None,
     }
 }
 

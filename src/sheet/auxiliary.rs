@@ -1,5 +1,7 @@
 //! Constructions on the skeleton as ink and in words: Klein's, the inflection circle, two masses; and the lever.
 
+use std::cell::RefCell;
+
 use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Group, Mark, Pen, Shape, Tone};
@@ -11,7 +13,7 @@ use super::notation::Notation;
 use super::overlap::clip;
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay, PIN};
-use super::steps::{self, Item};
+use super::steps::{self, Figures, Item, Key};
 use crate::graphical::auxiliary::{
     AuxiliaryAct, AuxiliaryDrawing, InflectionBy, PointName, Proportion, Stroke, StrokeRole, StrokeShape,
 };
@@ -383,10 +385,18 @@ fn letter(own: &str, notation: &Notation<'_>) -> Rich {
 
 /// The steps in words.
 #[must_use]
-pub fn items(drawing: &AuxiliaryDrawing, construction: &Construction, notation: &Notation<'_>) -> Vec<Item> {
-    let teller = Teller { drawing, construction, notation };
+pub fn items(
+    drawing: &AuxiliaryDrawing,
+    construction: &Construction,
+    notation: &Notation<'_>,
+    figures: &RefCell<Figures>,
+) -> Vec<Item> {
+    // A construction has readings of its own: what it says of a quantity is not what a polygon said, but for what drives.
+    let own = RefCell::new(figures.borrow().of_inputs(notation));
+    let teller = Teller { drawing, construction, notation, figures: &own };
     let mut all = vec![Item::Head(title(&drawing.kind, notation).bolder())];
     all.extend(drawing.acts.iter().flat_map(|act| teller.sentences(act)).map(Item::Sentence));
+    figures.borrow_mut().keep_apart(&own.borrow());
     all
 }
 
@@ -394,6 +404,8 @@ struct Teller<'a> {
     drawing: &'a AuxiliaryDrawing,
     construction: &'a Construction,
     notation: &'a Notation<'a>,
+    /// How each number is printed.
+    figures: &'a RefCell<Figures>,
 }
 
 impl Teller<'_> {
@@ -420,7 +432,7 @@ impl Teller<'_> {
                     ("image", image(label(crank.crank_pin), DiagramKind::Velocity)),
                     ("velocity", n.symbol(Quantity::Velocity(crank.crank_pin), false)),
                     ("omega", omega(crank.crank)),
-                    ("rate", n.rotation(rate, &n.angular_unit(Order::Velocity))),
+                    ("rate", self.rate(crank.crank, rate)),
                     ("scale", self.scale(velocity, Dimension::Velocity)),
                 ];
                 let mut text = Rich::fill(words.klein_crank, &parts);
@@ -501,7 +513,9 @@ impl Teller<'_> {
                 let order = quantity.order();
                 let unit = n.unit(order.dimension());
                 let (factor, written) = human::factor(si_per_mm / unit.si);
-                let [reading, amount] = human::reading(mm, written, mm * si_per_mm / unit.si);
+                let exact = mm * si_per_mm / unit.si;
+                let (reading, amount, number) = human::reading_at(mm, written, exact, 0);
+                self.figures.borrow_mut().note(Key::of(quantity, n), &amount, (number, exact), &unit);
                 let reading = reading
                     .up("\u{a0}×\u{a0}")
                     .then(&factor)
@@ -515,7 +529,7 @@ impl Teller<'_> {
                 Rich::fill(words.read_vector, &parts)
             }
             AuxiliaryAct::Calculate(calculation) => {
-                return steps::calculation(&calculation, self.construction, n);
+                return steps::calculation(&calculation, self.construction, n, self.figures);
             }
             AuxiliaryAct::PoleByNormals { link, points, crossing } => {
                 let parts = [
@@ -946,6 +960,14 @@ impl Teller<'_> {
                 Rich::fill(template, &parts)
             }
         }
+    }
+
+    /// What turns, as it was told before.
+    fn rate(&self, link: LinkId, omega: f64) -> Rich {
+        let (n, quantity) = (self.notation, Quantity::Omega(link));
+        let unit = n.angular_unit(Order::Velocity);
+        let told = self.figures.borrow_mut().tell(Key::of(quantity, n), omega, &unit);
+        n.with_sense(human::with_unit(&told, &unit.symbol), omega)
     }
 
     /// A scale that follows from another: 15.7 cm/s ≡ 1 cm.

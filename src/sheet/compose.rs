@@ -1,5 +1,7 @@
 //! The page: panels with captions, tables and steps, on as many A4 pages as they need.
 
+use std::cell::RefCell;
+
 use kurbo::{Point, Rect, Vec2};
 
 use super::cycle::CyclePanel;
@@ -19,6 +21,7 @@ use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::mechanism::PointId;
 use crate::mechanism::quantity::{DiagramKind, Order};
+use crate::plan::Auxiliary;
 use crate::scene::Scene;
 
 /// Blank around the page.
@@ -43,6 +46,8 @@ const LEAST_COLUMN: f64 = 28.0;
 const TALLEST_BESIDE: f64 = 112.0;
 /// Blank below a row of panels.
 const BELOW_ROW: f64 = 6.0;
+/// So many steps at most are held back for a last page.
+const MOST_HELD: usize = 6;
 /// A column of the steps is no narrower, except in a pair.
 const NARROWEST_COLUMN: f64 = 82.0;
 /// Nor is either of a pair narrower than this: equations and their tables would have no room.
@@ -51,6 +56,8 @@ const NARROWEST_OF_PAIR: f64 = 68.0;
 const MOST_SPREAD: f64 = 7.0;
 /// So much blank below the panels of a page is filled with steps.
 const LEAST_FILLED: f64 = 26.0;
+/// Blank between the pictures of steps, and less where that saves a page.
+const BETWEEN_STEPS: [f64; 4] = [8.0, 6.0, 4.0, 2.5];
 /// Everything.
 const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
 /// Blank between panels and between columns.
@@ -108,40 +115,64 @@ pub fn solution(scene: &Scene, construction: &Construction, language: Language) 
     let height = height.max(largest(|b| b.height) + 4.0 * MARGIN);
     let given = given::paragraph(&notation);
     let beside = width - 2.0 * MARGIN - GUTTER - drawn.first().map_or(0.0, |(_, skeleton)| skeleton.width);
-    // All results beside the skeleton, or those of velocity there and the others below the panels.
     let (steps, figures) = steps::items(construction, &notation);
     let of = |orders: &[Order]| results::table(construction, &notation, orders, TEXT, &figures);
     let fits = |table: &Table| {
         !table.rows.is_empty() && table.width() <= beside && table.rows.len() <= table.rows_in(TALLEST_BESIDE)
     };
-    let whole = of(&ORDERS);
-    let (first, rest) = if fits(&whole) {
-        (Some(whole), None)
-    } else {
-        let (slow, fast) = (of(&[Order::Position, Order::Velocity]), of(&[Order::Acceleration]));
-        if fits(&slow) { (Some(slow), Some(fast)) } else { (None, Some(whole)) }
-    };
-    let first = first.map(|table| table.draw("results", 0, table.rows.len()));
-    // Beside the skeleton, which is the first of them.
-    let mut drawn = drawn.into_iter().map(|(_, block)| block);
-    let blocks: Vec<Block> = drawn.next().into_iter().chain(first).chain(drawn).collect();
-    let set = |tight: f64| {
+    // All results beside the skeleton, or those of velocity there and the others below the panels, or all below these.
+    let (whole, slow, fast) =
+        (of(&ORDERS), of(&[Order::Position, Order::Velocity]), of(&[Order::Acceleration]));
+    let mut ways: Vec<(Option<&Table>, Option<&Table>)> = Vec::new();
+    if fits(&whole) {
+        ways.push((Some(&whole), None));
+    } else if fits(&slow) {
+        ways.push((Some(&slow), Some(&fast)));
+    }
+    ways.push((None, Some(&whole)));
+    let drawn: Vec<Block> = drawn.into_iter().map(|(_, block)| block).collect();
+    let set = |(first, rest): (Option<&Table>, Option<&Table>), tight: f64, held: usize| {
+        // Beside the skeleton, which is the first of them.
+        let first = first.map(|table| table.draw("results", 0, table.rows.len()));
+        let mut all = drawn.iter().cloned();
+        let blocks: Vec<Block> = all.next().into_iter().chain(first).chain(all).collect();
         let mut pager = Pager { tight, ..Pager::new(width, height, title(scene, words), words) };
         pager.heading(&given);
         pager.tell(&steps);
         pager.rows(&blocks);
-        if let Some(table) = &rest {
+        if let Some(table) = rest {
             pager.results(table);
         }
-        pager.steps();
+        pager.steps_but(held);
         pager
     };
-    let loose = set(1.0);
-    // Some lines alone on a last page are taken back, the lines of all pages a little nearer to each other.
-    let lost = loose.pages.len() > 1 && loose.y - MARGIN < LEAST_LAST * height;
-    let closer = TIGHTER.iter().filter(|_| lost).map(|tight| set(*tight));
-    let fewer = closer.into_iter().find(|pager| pager.pages.len() < loose.pages.len());
-    let (pages, count) = fewer.unwrap_or(loose).finish();
+    let lost = |pager: &Pager| pager.pages.len() > 1 && pager.y - MARGIN < LEAST_LAST * height;
+    let first = ways[0];
+    let mut best = set(first, 1.0, 0);
+    if lost(&best) {
+        // Some lines alone on a last page are taken back: the lines of all pages stand a little nearer to each other, or the
+        // results elsewhere.
+        let others = ways[1..].iter().map(|way| (*way, 1.0));
+        let closer = TIGHTER.iter().flat_map(|tight| ways.iter().map(|way| (*way, *tight)));
+        for (way, tight) in others.chain(closer) {
+            let other = set(way, tight, 0);
+            if !lost(&other) && other.pages.len() <= best.pages.len() {
+                best = other;
+                break;
+            }
+        }
+        // Or more of the steps stand there, from a head on.
+        for held in 1..=MOST_HELD {
+            if !lost(&best) {
+                break;
+            }
+            let other = set(first, 1.0, held);
+            if !lost(&other) && other.pages.len() == best.pages.len() {
+                best = other;
+            }
+        }
+    }
+    let (pages, count) = best.finish();
     let figure = Figure {
         width,
         height: height * count as f64,
@@ -264,26 +295,54 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
     let (width, height) = paper(scene);
     let told = steps::by_step(construction, &notation);
     let mut board = Blackboard::new(construction, &notation, &births);
-    let drawn: Vec<(Piece, Option<Block>)> = pieces(&told, &births)
+    let pieces = pieces(&told, &births);
+    let untold = untold(&pieces, construction);
+    let drawn: Vec<(Piece, Vec<Block>)> = pieces
         .into_iter()
-        .map(|piece| {
+        .zip(untold)
+        .map(|(piece, [before, after])| {
             let picture = piece.drawn.and_then(|drawn| board.picture(drawn, piece.upto));
-            (piece, picture)
+            let whole = |panels: Vec<Panel>| {
+                panels
+                    .into_iter()
+                    .filter_map(|panel| panel.block(construction, &notation))
+                    .collect::<Vec<_>>()
+            };
+            let pictures = whole(before).into_iter().chain(picture).chain(whole(after)).collect();
+            (piece, pictures)
         })
         .collect();
-    let blocks = || drawn.iter().filter_map(|(_, block)| block.as_ref());
+    let blocks = || drawn.iter().flat_map(|(_, blocks)| blocks);
     let width = width.max(blocks().map(|b| b.width).fold(0.0, f64::max) + 2.0 * MARGIN);
     let height = height.max(blocks().map(|b| b.height).fold(0.0, f64::max) + 4.0 * MARGIN);
-    let mut pager = Pager::new(width, height, title(scene, words), words);
-    pager.heading(&given::paragraph(&notation));
     let last_of_centres = drawn.iter().rposition(|(piece, _)| piece.drawn == Some(Panel::Centres));
-    for (i, (piece, picture)) in drawn.into_iter().enumerate() {
-        pager.step(column(&piece.items, pager.column(), words), picture);
-        if last_of_centres == Some(i) {
-            let circle = Panel::Circle.block(construction, &notation);
-            pager.rows(&circle.into_iter().collect::<Vec<_>>());
+    let set = |gap: f64, break_before: Option<usize>| {
+        let mut pager = Pager { gap, ..Pager::new(width, height, title(scene, words), words) };
+        pager.heading(&given::paragraph(&notation));
+        for (i, (piece, pictures)) in drawn.iter().enumerate() {
+            if break_before == Some(i) {
+                pager.page();
+            }
+            pager.step(column(&piece.items, pager.column(), words), pictures);
+            if last_of_centres == Some(i) {
+                let circle = Panel::Circle.block(construction, &notation);
+                pager.rows(&circle.into_iter().collect::<Vec<_>>());
+            }
         }
-    }
+        pager
+    };
+    // Some steps alone on a last page are taken back, all a little nearer to each other.
+    let lost = |pager: &Pager| pager.pages.len() > 1 && pager.y - MARGIN < LEAST_LAST * height;
+    let loose = set(BETWEEN_STEPS[0], None);
+    let closer = BETWEEN_STEPS[1..].iter().filter(|_| lost(&loose)).map(|gap| set(*gap, None));
+    let fewer = closer.into_iter().find(|pager| pager.pages.len() < loose.pages.len());
+    // Or more of them stand there.
+    let fuller = || {
+        let breaks = (1..drawn.len()).rev().filter(|_| lost(&loose));
+        let even = |pager: &Pager| !lost(pager) && pager.pages.len() == loose.pages.len();
+        breaks.map(|place| set(BETWEEN_STEPS[0], Some(place))).find(even)
+    };
+    let pager = fewer.or_else(fuller).unwrap_or(loose);
     let (pages, count) = pager.finish();
     let figure = Figure {
         width,
@@ -294,6 +353,25 @@ pub fn step_by_step(scene: &Scene, construction: &Construction, language: Langua
         root: pages,
     };
     localised(figure, scene)
+}
+
+/// The panels of a solution with which no act is told, before the piece of the panel that follows them, or after the last
+/// of the panel that goes before: a step sheet shows what the solution shows.
+fn untold(pieces: &[Piece], construction: &Construction) -> Vec<[Vec<Panel>; 2]> {
+    let all = Panel::all(construction);
+    let place = |panel: Panel| all.iter().position(|own| *own == panel);
+    let mut out: Vec<[Vec<Panel>; 2]> = pieces.iter().map(|_| Default::default()).collect();
+    let shown = |panel: &Panel| pieces.iter().any(|piece| piece.drawn == Some(*panel));
+    // The circle diagram follows the centres.
+    for (own, panel) in all.iter().enumerate().filter(|(_, panel)| !shown(panel) && **panel != Panel::Circle)
+    {
+        let earlier = |piece: &Piece| piece.drawn.and_then(place).is_some_and(|other| other < own);
+        match pieces.iter().rposition(earlier) {
+            Some(before) => out[before][1].push(*panel),
+            None => out.iter_mut().take(1).for_each(|first| first[0].push(*panel)),
+        }
+    }
+    out
 }
 
 /// What is said beside one picture.
@@ -495,10 +573,23 @@ pub fn film(scene: &Scene, construction: &Construction, language: Language) -> V
 /// One figure, cut to its ink; `None` for an unknown name, or where the construction has no such figure.
 #[must_use]
 pub fn single(scene: &Scene, construction: &Construction, name: &str, language: Language) -> Option<Figure> {
+    single_after(0, scene, construction, name, language)
+}
+
+/// The same after so many panels, of which it takes the next letters.
+#[must_use]
+pub fn single_after(
+    before: usize,
+    scene: &Scene,
+    construction: &Construction,
+    name: &str,
+    language: Language,
+) -> Option<Figure> {
     let words = language.words();
     let notation = Notation::new(scene, words);
     let construction = &told_apart(construction, &notation);
-    let block = |panel: Panel| panel.block(construction, &notation);
+    let block_at = |place: usize, panel: Panel| panel.block_at(place, construction, &notation);
+    let block = |panel: Panel| block_at(before, panel);
     let (block, heading) = match name {
         "skeleton" => (block(Panel::SKELETON)?, words.skeleton),
         "velocity" => (block(Panel::Diagram(DiagramKind::Velocity))?, words.velocity_diagram),
@@ -507,7 +598,7 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         "circle" => (block(Panel::Circle)?, words.circle_diagram),
         "transfer" => {
             let figures: Vec<Figure> = (0..transfer::by_method(construction.circle.as_ref()?).len())
-                .filter_map(|i| block(Panel::Transfer(i)))
+                .filter_map(|i| block_at(before + i, Panel::Transfer(i)))
                 .map(|block| tight(scene, block, words.transfer_figure, words))
                 .collect();
             return (!figures.is_empty()).then(|| stack(&figures));
@@ -529,7 +620,8 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
             let figures: Vec<Figure> = ForcePanel::all(sheet)
                 .into_iter()
                 .filter(|panel| panel.belongs_to(&name, sheet, &notation))
-                .filter_map(|panel| block(Panel::Force(panel)))
+                .enumerate()
+                .filter_map(|(i, panel)| block_at(before + i, Panel::Force(panel)))
                 .map(|block| tight(scene, block, words.loads_figure, words))
                 .collect();
             return (!figures.is_empty()).then(|| stack(&figures));
@@ -537,10 +629,23 @@ pub fn single(scene: &Scene, construction: &Construction, name: &str, language: 
         _ => {
             let kind = wanted::auxiliary(name, scene).ok()??;
             let drawing = construction.auxiliary.iter().find(|a| a.kind == kind && a.refused.is_none())?;
-            (with_steps(drawing, construction, &notation)?, words.auxiliary_figure)
+            (with_steps(before, drawing, construction, &notation)?, words.auxiliary_figure)
         }
     };
     Some(tight(scene, block, heading, words))
+}
+
+/// How many panels with letters a figure has.
+#[must_use]
+pub fn lettered(figure: &Figure) -> usize {
+    let mut count = 0;
+    figure.root.walk(&mut |node| {
+        let head = |text: &super::figure::Text| {
+            text.class == "caption" && text.runs.iter().any(|run| run.face == Face::Bold)
+        };
+        count += usize::from(matches!(node, Node::Text(text) if head(text)));
+    });
+    count
 }
 
 /// A drawing cut to its ink.
@@ -573,14 +678,21 @@ pub(super) fn cut(mut root: Group, title: String, description: String, words: &W
 
 /// A construction on the skeleton with its steps below.
 fn with_steps(
+    place: usize,
     drawing: &AuxiliaryDrawing,
     construction: &Construction,
     notation: &Notation<'_>,
 ) -> Option<Block> {
-    let mut block = panels::of_auxiliary(drawing, construction)?.apart(construction, notation)?;
-    let items = auxiliary::items(drawing, construction, notation);
+    let mut block = panels::of_auxiliary(drawing, construction)?.block_at(place, construction, notation)?;
+    let figures = RefCell::default();
+    let rates = match drawing.kind {
+        Auxiliary::Klein { .. } => steps::conversions(notation, &figures),
+        _ => Vec::new(),
+    };
+    let items = auxiliary::items(drawing, construction, notation, &figures);
+    let items: Vec<Item> = rates.into_iter().map(Item::Sentence).chain(items.into_iter().skip(1)).collect();
     // The caption says already what the head of the steps would say.
-    let mut steps = column(&items[1.min(items.len())..], block.width.max(120.0), notation.words);
+    let mut steps = column(&items, block.width.max(120.0), notation.words);
     let width = block.width.max(steps.width);
     block.group.translate(Vec2::new((width - block.width) / 2.0, 0.0));
     steps.group.translate(Vec2::new(0.0, block.height + 2.0));
@@ -709,16 +821,30 @@ struct Strip {
     keep: bool,
 }
 
+/// Strips that may not be parted: the blank on top of them, and the height of all.
+#[derive(Debug, Clone, Copy)]
+struct Chunk {
+    blank: f64,
+    height: f64,
+}
+
+impl Chunk {
+    fn of(strips: &[Strip]) -> Self {
+        let blank = strips.first().map_or(0.0, |strip| strip.blank);
+        Self { blank, height: strips.iter().map(|strip| strip.height).sum() }
+    }
+}
+
 /// How many chunks go into each of so many columns of this height; into the first at least one where it must stand here,
 /// so that a chunk too tall for any column does not stop the sheet.
-fn split(chunks: &[Vec<Strip>], height: f64, must: bool, columns: usize) -> Vec<usize> {
+fn split(chunks: &[Chunk], height: f64, must: bool, columns: usize) -> Vec<usize> {
     let mut rest = chunks;
     let fill = |column: usize| {
         let least = usize::from(must && column == 0);
-        let mut used = -rest.first().and_then(|c| c.first()).map_or(0.0, |s| s.blank);
+        let mut used = -rest.first().map_or(0.0, |chunk| chunk.blank);
         let mut count = 0;
         for chunk in rest {
-            used += chunk.iter().map(|s| s.height).sum::<f64>();
+            used += chunk.height;
             if used > height && count >= least {
                 break;
             }
@@ -728,6 +854,24 @@ fn split(chunks: &[Vec<Strip>], height: f64, must: bool, columns: usize) -> Vec<
         count
     };
     (0..columns).map(fill).collect()
+}
+
+/// The same, of the last chunks as low as all fit.
+fn even_split(chunks: &[Chunk], free: f64, must: bool, count: usize) -> Vec<usize> {
+    let mut columns = split(chunks, free, must, count);
+    if columns.iter().sum::<usize>() == chunks.len() {
+        let whole: f64 = chunks.iter().map(|chunk| chunk.height).sum();
+        let mut height = free.min(whole);
+        while height > LEADING {
+            let lower = split(chunks, height - LEADING / 2.0, must, count);
+            if lower.iter().sum::<usize>() < chunks.len() {
+                break;
+            }
+            columns = lower;
+            height -= LEADING / 2.0;
+        }
+    }
+    columns
 }
 
 /// An equation's table in one line, with type a little smaller if need be, or else in as many lines as it takes.
@@ -821,6 +965,126 @@ fn column(items: &[Item], width: f64, words: &Words) -> Block {
     Block { group, width, height: y }
 }
 
+/// Panels in their order, side by side where they fit.
+fn in_rows<T>(blocks: &[T], free: f64, width: impl Fn(&T) -> f64) -> Vec<Vec<&T>> {
+    let mut rows: Vec<Vec<&T>> = Vec::new();
+    for block in blocks {
+        let used = |row: &Vec<&T>| row.iter().map(|b| width(b) + GUTTER).sum::<f64>();
+        match rows.last_mut() {
+            Some(row) if used(row) + width(block) <= free => row.push(block),
+            _ => rows.push(vec![block]),
+        }
+    }
+    rows
+}
+
+/// A sheet of which the text is known, but not yet how large its diagrams are: how they would fill its pages.
+pub(super) struct Draft {
+    pager: Pager,
+    chunks: Vec<Chunk>,
+    /// Results: all of them, and those of the accelerations.
+    results: [usize; 2],
+}
+
+/// How full the pages of a draft are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Filled {
+    pub(super) pages: usize,
+    /// How much of the last page is used, as a part of its height.
+    pub(super) last: f64,
+}
+
+/// Width of the result table, about.
+const RESULTS: f64 = 65.0;
+
+impl Draft {
+    /// The draft of a sheet in the scene's own language, on its own paper.
+    pub(super) fn of(scene: &Scene, drawn: &Construction) -> Self {
+        let words = scene.sheet.language.as_deref().and_then(Language::from_tag).unwrap_or_default().words();
+        let notation = Notation::new(scene, words);
+        let (width, height) = paper(scene);
+        let mut pager = Pager::new(width, height, title(scene, words), words);
+        pager.heading(&given::paragraph(&notation));
+        pager.tell(&steps::items(drawn, &notation).0);
+        let chunks = pager.waiting.iter().map(|strips| Chunk::of(strips)).collect();
+        let results = [results::count(&notation, &ORDERS), results::count(&notation, &[Order::Acceleration])];
+        Self { pager, chunks, results }
+    }
+
+    /// How the pages fill with blocks of these widths and heights, the skeleton first, where the text is so much longer and
+    /// has so much more, and with so much below all, mm.
+    pub(super) fn filled(&self, blocks: &[[f64; 2]], (longer, more): (f64, f64), spare: f64) -> Filled {
+        let pager = &self.pager;
+        let by = |chunk: &Chunk| Chunk { blank: longer * chunk.blank, height: longer * chunk.height };
+        let further = (0..(more / LEADING) as usize).map(|_| Chunk { blank: 0.0, height: LEADING });
+        let chunks: Vec<Chunk> = self.chunks.iter().copied().chain(further).map(|chunk| by(&chunk)).collect();
+        let (bottom, count) = (pager.bottom(), pager.column_count());
+        let table = |rows: usize| (rows as f64 + 1.4) * 1.62 * TEXT;
+        let [all, fast] = self.results;
+        let beside = pager.width() - GUTTER - blocks.first().map_or(0.0, |[width, _]| *width);
+        let fits = |rows: usize| rows > 0 && RESULTS <= beside && table(rows) <= TALLEST_BESIDE;
+        let (first, mut rest) = match () {
+            () if fits(all) => (Some(all), 0),
+            () if fits(all - fast) => (Some(all - fast), fast),
+            () => (None, all),
+        };
+        let first = first.map(|rows| [RESULTS, table(rows)]);
+        let blocks: Vec<[f64; 2]> =
+            blocks.iter().take(1).copied().chain(first).chain(blocks.iter().skip(1).copied()).collect();
+        let (mut pages, mut y, mut next) = (1, pager.y, 0);
+        let begin = |pages: &mut usize, y: &mut f64| {
+            *pages += 1;
+            *y = MARGIN + 7.0;
+        };
+        // As many of the steps as the page still takes; whether any.
+        let columns = |y: &mut f64, next: &mut usize| {
+            let waiting = &chunks[*next..];
+            let mut left = waiting.iter();
+            let columns = even_split(waiting, bottom - *y, *y <= MARGIN + 8.0, count);
+            let heights = columns.iter().map(|own| left.by_ref().take(*own).map(|c| c.height).sum::<f64>());
+            *y += heights.fold(0.0, f64::max);
+            let taken: usize = columns.iter().sum();
+            *next += taken;
+            taken > 0
+        };
+        for row in in_rows(&blocks, pager.width(), |[width, _]| *width) {
+            let height = row.iter().map(|[_, height]| *height).fold(0.0, f64::max);
+            if y + height > bottom && y > MARGIN + 30.0 {
+                if bottom - y >= LEAST_FILLED {
+                    columns(&mut y, &mut next);
+                }
+                begin(&mut pages, &mut y);
+            }
+            y += height + BELOW_ROW;
+        }
+        while rest > 0 {
+            // In two columns.
+            let fit = ((bottom - y) / (1.62 * TEXT) - 1.4).floor().max(0.0) as usize;
+            if fit < 3.min(rest) && y > MARGIN + 30.0 {
+                if bottom - y >= LEAST_FILLED {
+                    columns(&mut y, &mut next);
+                }
+                begin(&mut pages, &mut y);
+                continue;
+            }
+            let here = rest.min(2 * fit.max(1));
+            y += table(here.div_ceil(2)) + 8.0;
+            rest -= here;
+        }
+        while next < chunks.len() {
+            if bottom - y < LEAST_COLUMN || !columns(&mut y, &mut next) {
+                begin(&mut pages, &mut y);
+            }
+        }
+        y += spare;
+        if y > bottom {
+            pages += 1;
+            y += MARGIN + 7.0 - bottom;
+        }
+        Filled { pages, last: (y - MARGIN) / pager.paper.1 }
+    }
+}
+
 struct Pager {
     paper: (f64, f64),
     title: String,
@@ -832,6 +1096,8 @@ struct Pager {
     waiting: Vec<Vec<Strip>>,
     /// How near the lines of the steps stand to each other, 1 as usual.
     tight: f64,
+    /// Blank below the picture of a step.
+    gap: f64,
 }
 
 impl Pager {
@@ -844,6 +1110,7 @@ impl Pager {
             y: MARGIN,
             waiting: Vec::new(),
             tight: 1.0,
+            gap: BETWEEN_STEPS[0],
         }
     }
 
@@ -923,34 +1190,37 @@ impl Pager {
         self.add(block.group, x, y);
     }
 
-    /// What is said of a step, and its drawing beside it, or above it where it is too wide.
-    fn step(&mut self, text: Block, drawing: Option<Block>) {
-        let Some(drawing) = drawing else { return self.block(text) };
+    /// What is said of a step, and its drawings beside it, or above it where they are too wide.
+    fn step(&mut self, text: Block, drawings: &[Block]) {
+        if drawings.is_empty() {
+            return self.block(text);
+        }
         // Pictures of one diagram stand below each other, however wide the words beside them are.
         let words = text.width.max(self.column());
         let beside = self.width() - GUTTER - words;
-        let together = drawing.width <= beside;
-        let height =
-            if together { text.height.max(drawing.height) } else { text.height + drawing.height + GUTTER };
+        let room = self.bottom() - MARGIN - 7.0;
+        let below: f64 = drawings.iter().map(|drawing| drawing.height + BELOW_ROW).sum::<f64>() - BELOW_ROW;
+        let together = drawings.iter().all(|drawing| drawing.width <= beside) && below <= room;
+        if !together {
+            // A long text goes on over the page.
+            self.rows(drawings);
+            return self.block(text);
+        }
+        let height = text.height.max(below);
         if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
             self.page();
         }
         let x = self.indented(MARGIN, text.width);
-        if together {
+        let top = self.y;
+        let mut y = top;
+        for drawing in drawings {
             let free = (beside - drawing.width) / 2.0;
             let far = self.indented(MARGIN + words + GUTTER + free, drawing.width);
-            let y = self.y;
-            self.add(drawing.group, far, y);
-            self.add(text.group, x, y);
-            self.y += height + 8.0;
-        } else {
-            let middle = MARGIN + (self.width() - drawing.width) / 2.0;
-            let y = self.y;
-            self.add(drawing.group, middle, y);
-            self.y += drawing.height + GUTTER;
-            // A long text goes on over the page.
-            self.block(text);
+            self.add(drawing.group.clone(), far, y);
+            y += drawing.height + BELOW_ROW;
         }
+        self.add(text.group, x, top);
+        self.y = top + height + self.gap;
     }
 
     /// Moves the rows of a page apart where the next one does not fit on it: what is left blank is not all below.
@@ -970,14 +1240,7 @@ impl Pager {
 
     /// Panels in their order, side by side where they fit.
     fn rows(&mut self, blocks: &[Block]) {
-        let mut rows: Vec<Vec<&Block>> = Vec::new();
-        for block in blocks {
-            let used = |row: &Vec<&Block>| row.iter().map(|b| b.width + GUTTER).sum::<f64>();
-            match rows.last_mut() {
-                Some(row) if used(row) + block.width <= self.width() => row.push(block),
-                _ => rows.push(vec![block]),
-            }
-        }
+        let rows = in_rows(blocks, self.width(), |block| block.width);
         // Where each row of this page begins among its pieces.
         let mut begins: Vec<usize> = Vec::new();
         for row in rows {
@@ -1088,6 +1351,21 @@ impl Pager {
         }
     }
 
+    /// The same, but for so many of the last ones, which begin on a page of their own.
+    fn steps_but(&mut self, held: usize) {
+        let begins = |chunk: &Vec<Strip>| chunk.first().is_some_and(|strip| strip.group.class == "step-head");
+        let heads: Vec<usize> =
+            (0..self.waiting.len()).filter(|chunk| begins(&self.waiting[*chunk])).collect();
+        let from = held.checked_sub(1).and_then(|before| heads.len().checked_sub(before + 1));
+        let held = from.map(|head| self.waiting.split_off(heads[head]));
+        self.steps();
+        if let Some(held) = held.filter(|held| !held.is_empty()) {
+            self.waiting = held;
+            self.page();
+            self.steps();
+        }
+    }
+
     /// As many of the steps as the page still takes, in columns; of the last ones even ones. Whether any.
     fn columns(&mut self) -> bool {
         let (width, count) = (self.column(), self.column_count());
@@ -1095,27 +1373,15 @@ impl Pager {
         // On an empty page stands even what is too tall for any.
         let empty = self.y <= MARGIN + 8.0;
         let mut waiting = std::mem::take(&mut self.waiting);
-        let mut columns = split(&waiting, free, empty, count);
-        if columns.iter().sum::<usize>() == waiting.len() {
-            // As low as all fit.
-            let whole: f64 = waiting.iter().flatten().map(|strip| strip.height).sum();
-            let mut height = free.min(whole);
-            while height > LEADING {
-                let lower = split(&waiting, height - LEADING / 2.0, empty, count);
-                if lower.iter().sum::<usize>() < waiting.len() {
-                    break;
-                }
-                columns = lower;
-                height -= LEADING / 2.0;
-            }
-        }
+        let chunks: Vec<Chunk> = waiting.iter().map(|strips| Chunk::of(strips)).collect();
+        let columns = even_split(&chunks, free, empty, count);
         self.waiting = waiting.split_off(columns.iter().sum());
         let top = self.y;
-        let mut chunks = waiting.iter();
+        let mut waiting = waiting.iter();
         for (column, own) in columns.iter().enumerate() {
             let x = MARGIN + column as f64 * (width + GUTTER);
             let mut y = top;
-            for strip in chunks.by_ref().take(*own).flatten() {
+            for strip in waiting.by_ref().take(*own).flatten() {
                 let lift = if y == top { strip.blank } else { 0.0 };
                 self.add(strip.group.clone(), self.indented(x, width), y - lift);
                 y += strip.height - lift;

@@ -792,7 +792,7 @@ impl Teller<'_> {
 }
 
 /// Whether the scene itself says what a quantity is: the rates of its inputs, the rotation of what cannot turn.
-fn is_stated(quantity: Quantity, notation: &Notation<'_>) -> bool {
+pub(super) fn is_stated(quantity: Quantity, notation: &Notation<'_>) -> bool {
     let mechanism = notation.mechanism();
     let driven = |input: &Input| match *input {
         Input::Angle { link, .. } => {
@@ -815,7 +815,7 @@ fn is_stated(quantity: Quantity, notation: &Notation<'_>) -> bool {
 }
 
 /// Whether a link cannot turn: it slides along a straight guide of the frame, or of another link that cannot.
-fn only_translates(link: LinkId, mechanism: &Mechanism, depth: usize) -> bool {
+pub(super) fn only_translates(link: LinkId, mechanism: &Mechanism, depth: usize) -> bool {
     if link == LinkId::FRAME {
         return true;
     }

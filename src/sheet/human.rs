@@ -85,6 +85,8 @@ pub fn reading(mm: f64, factor: f64, result: f64) -> [Rich; 2] {
 /// The same with so many figures more, and the number that then stands there.
 pub fn reading_at(mm: f64, factor: f64, result: f64, more: usize) -> (Rich, Rich, f64) {
     let finest = if mm < DECIMETRE { 2 } else { 1 };
+    // Nobody reads five figures.
+    let more = more.min(READ_FIGURES.saturating_sub(usual_figures(result)));
     let read = |decimals: usize| format!("{mm:.decimals$}").parse().unwrap_or(mm) * factor;
     let (wanted, written) = limited(result, more);
     let shown = |decimals: usize| with_unit(&Rich::upright(fixed(mm, decimals)), "mm");
@@ -107,9 +109,11 @@ pub fn readings<const N: usize>(mm: [f64; N], result: f64, reckon: impl Fn([f64;
 /// Readings of a decimetre and more have one decimal, mm.
 const DECIMETRE: f64 = 100.0;
 /// More figures than a drawing can give.
-const MOST_FIGURES: usize = 4;
+const READ_FIGURES: usize = 4;
+/// More figures no line carries on.
+const MOST_FIGURES: usize = 5;
 
-/// A number with so many figures more than usual, of which there are four at most, and the number that then stands there.
+/// A number with so many figures more than usual, of which there are five at most, and the number that then stands there.
 pub fn limited(value: f64, more: usize) -> (Rich, f64) {
     let most = MOST_FIGURES.saturating_sub(usual_figures(value));
     finer(value, more.min(most))

@@ -15,6 +15,7 @@ mod compose;
 mod controlling;
 mod coriolis;
 mod cycle;
+mod derived;
 mod detail;
 pub mod diagrams;
 mod dimensions;
@@ -57,8 +58,8 @@ mod words;
 pub use answers::{Part, prompt};
 pub use booklet::{answer_form, booklet};
 pub use compose::{
-    figure_names, film, paper, question, question_card, single, single_of_question, solution, stack,
-    step_by_step,
+    figure_names, film, lettered, paper, question, question_card, single, single_after, single_of_question,
+    solution, stack, step_by_step,
 };
 pub use controlling::controlling_force;
 pub use figure::Figure;

@@ -90,11 +90,14 @@ impl Panel {
         Some(captioned(self.drawing(construction, notation, None)?, &caption))
     }
 
-    /// The panel of a construction that stands by itself: it is lettered among such constructions only.
+    /// The same among other figures than those of the sheet, after so many of them.
     #[must_use]
-    pub fn apart(self, construction: &Construction, notation: &Notation<'_>) -> Option<Block> {
-        let own = |panel: &Self| matches!(panel, Self::Auxiliary(_));
-        let place = Self::all(construction).into_iter().filter(own).position(|panel| panel == self)?;
+    pub fn block_at(
+        self,
+        place: usize,
+        construction: &Construction,
+        notation: &Notation<'_>,
+    ) -> Option<Block> {
         let caption = self.caption_at(place, construction, notation)?;
         Some(captioned(self.drawing(construction, notation, None)?, &caption))
     }

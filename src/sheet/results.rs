@@ -1,12 +1,12 @@
 //! The result table.
 
-use super::human;
 use super::notation::Notation;
 use super::rich::Rich;
 use super::steps::Figures;
 use super::table::{Align, Flow, Table};
+use super::{given, human};
 use crate::graphical::construction::{Construction, Reading};
-use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Order, Quantity};
+use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Method, Order, Quantity};
 
 /// The asked quantities of these orders with their values, senses and directions; what was told in the steps as it was told.
 #[must_use]
@@ -23,7 +23,7 @@ pub fn table(
         .asked
         .iter()
         .zip(&construction.answers)
-        .filter(|(asked, _)| orders.contains(&polygon_of(asked.quantity)))
+        .filter(|(asked, _)| is_row(asked, notation, orders))
         .map(|(asked, reading)| row(asked, reading, notation, figures))
         .collect();
     Table {
@@ -34,6 +34,18 @@ pub fn table(
         gap: 4.0,
         flow: if words.right_to_left { Flow::Leftward } else { Flow::Rightward },
     }
+}
+
+/// How many rows the table of these orders has.
+pub(super) fn count(notation: &Notation<'_>, orders: &[Order]) -> usize {
+    notation.mechanism().asked.iter().filter(|asked| is_row(asked, notation, orders)).count()
+}
+
+/// Whether a quantity has a row among those of these orders. What the scene states is no result, where anything else is.
+fn is_row(asked: &Asked, notation: &Notation<'_>, orders: &[Order]) -> bool {
+    let open = |asked: &Asked| !given::is_stated(asked.quantity, notation);
+    let any = || notation.mechanism().asked.iter().any(open);
+    orders.contains(&polygon_of(asked.quantity)) && (open(asked) || !any())
 }
 
 /// The scales that the scene states, for a question.
@@ -77,10 +89,12 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
         symbol = symbol.up(",\u{a0}").up(method);
     }
     let amount = |si: f64| {
-        let told = figures.told(asked.quantity, si, &asked.unit, notation);
-        let own = || human::quantity(si, &asked.unit);
-        told.filter(|_| si > 0.0 && asked.method == crate::mechanism::quantity::Method::Polygon)
-            .unwrap_or_else(own)
+        let told = match asked.method {
+            Method::Polygon => figures.told(asked.quantity, si, &asked.unit, notation),
+            Method::Klein => figures.told_apart(asked.quantity, &asked.unit, notation),
+            _ => None,
+        };
+        told.filter(|_| si > 0.0).unwrap_or_else(|| human::quantity(si, &asked.unit))
     };
     match &reading.answer {
         // What is not told from zero reads as zero, here and below.

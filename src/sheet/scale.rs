@@ -5,12 +5,13 @@ use std::collections::HashMap;
 
 use kurbo::{Point, Rect, Vec2};
 
-use super::compose::free_paper;
+use super::compose::{Draft, Filled, free_paper};
 use super::overlap::clip;
+use super::transfer;
 use crate::graphical::auxiliary::AuxiliaryDrawing;
 use crate::graphical::construction::Construction;
 use crate::graphical::{Extents, Scales};
-use crate::mechanism::quantity::Dimension;
+use crate::mechanism::quantity::{Dimension, Method, Quantity};
 use crate::mechanism::{Mechanism, PointId, Roll};
 use crate::scene::Scene;
 
@@ -29,14 +30,8 @@ pub const HALF_POLYGON: (f64, f64) = (73.0, 78.0);
 pub const LONE_POLYGON: (f64, f64) = (150.0, 78.0);
 /// Room for a polygon that has the row to itself.
 pub const POLYGON: (f64, f64) = (150.0, 108.0);
-/// Room for a polygon that has more than half of a page.
-pub const HALF_PAGE_POLYGON: (f64, f64) = (158.0, 150.0);
 /// Room for a polygon that has a page to itself.
 pub const PAGE_POLYGON: (f64, f64) = (158.0, 205.0);
-/// Room for a skeleton that has the row to itself.
-pub const ROW_SKELETON: (f64, f64) = (150.0, 104.0);
-/// Room for a skeleton that has more than half of a page.
-pub const HALF_PAGE_SKELETON: (f64, f64) = (155.0, 138.0);
 /// Room for a skeleton that has a page to itself.
 pub const PAGE_SKELETON: (f64, f64) = (155.0, 180.0);
 /// Points of a polygon that are not one stand so far apart on paper, mm, where the paper suffices.
@@ -53,9 +48,11 @@ const NAMES: f64 = 13.0;
 const AROUND_DRAWN: f64 = 58.0;
 /// Width of a caption.
 const CAPTION: f64 = 70.0;
+/// A diagram that is less than this part of what is large enough is too small.
+const SMALL: f64 = 0.35;
 
 /// Room for the skeleton of a question with its dimension lines, width and height in mm.
-pub const QUESTION: (f64, f64) = (112.0, 96.0);
+pub const QUESTION: (f64, f64) = (138.0, 142.0);
 
 /// The scales of a question: as for a solution, but the skeleton has the row to itself.
 #[must_use]
@@ -132,7 +129,7 @@ pub(super) fn stretch(scene: &Scene) -> (f64, f64) {
 }
 
 /// The scales of a scene: those that it states, else round ones by which the diagrams fill their panels. A diagram whose
-/// points crowd has a row, then a page to itself, and so has one for which the pages have room.
+/// points crowd has a row or a page to itself, and so has one for which the pages have room.
 #[must_use]
 pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
     let skeleton = Choice {
@@ -154,12 +151,13 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
             vectors: &extent.vectors,
         }
     });
+    let drawn = extents.drawn.as_ref();
     let choices = Choices {
         all: [skeleton].into_iter().chain(diagrams).collect(),
         stretch: stretch(scene),
         paper: free_paper(scene),
-        extents: &extents,
-        asked: scene.mechanism.asked.len(),
+        draft: drawn.map(|drawn| Draft::of(scene, drawn)),
+        others: drawn.map_or_else(Others::default, |drawn| Others::of(scene, drawn)),
         known: RefCell::default(),
     };
     let best = choices.best();
@@ -168,19 +166,6 @@ pub fn for_scene(scene: &Scene, extents: Extents) -> Scales {
         let chosen = of.filter_map(|(_, scale)| *scale).reduce(f64::max);
         chosen.or(stated(scene, dimension)).unwrap_or(by_default(scene, dimension))
     })
-}
-
-/// How much room a diagram has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Room {
-    Shared,
-    Row,
-    Half,
-    Page,
-}
-
-impl Room {
-    const ALL: [Self; 4] = [Self::Shared, Self::Row, Self::Half, Self::Page];
 }
 
 /// A diagram whose scale is to be chosen.
@@ -205,96 +190,138 @@ struct Choices<'a> {
     stretch: (f64, f64),
     /// Within the margins, mm.
     paper: (f64, f64),
-    extents: &'a Extents,
-    /// How many results there are.
-    asked: usize,
+    /// The text; none where nobody asks for a page.
+    draft: Option<Draft>,
+    others: Others,
     /// How many names find no room, by diagram and bits of its scale.
     known: RefCell<HashMap<(usize, u64), usize>>,
+}
+
+/// What stands on a sheet besides the skeleton and the polygons.
+#[derive(Debug, Clone, Copy, Default)]
+struct Others {
+    /// Whether the skeleton has a legend.
+    legend: bool,
+    /// How many links the circle diagram has; none where there is none.
+    circle: Option<usize>,
+    /// How many figures carry velocities over.
+    transfers: usize,
+    /// Whether Klein's construction follows.
+    klein: bool,
+    /// Whether other constructions or forces follow, of which nothing is known yet.
+    more: bool,
+}
+
+impl Others {
+    fn of(scene: &Scene, drawn: &Construction) -> Self {
+        let mechanism = &scene.mechanism;
+        let apart = |method: Method| matches!(method, Method::TwoMasses { .. } | Method::Lever);
+        let forces = |quantity: Quantity| matches!(quantity, Quantity::Force(..) | Quantity::Cycle(_));
+        Self {
+            legend: !scene.sheet.positions.is_empty() || scene.sheet.other_assembly,
+            circle: drawn.circle.as_ref().map(|_| mechanism.links.len()),
+            transfers: drawn.circle.as_ref().map_or(0, |circle| transfer::by_method(circle).len()),
+            klein: mechanism.asked.iter().any(|asked| asked.method == Method::Klein),
+            more: mechanism.asked.iter().any(|asked| apart(asked.method) || forces(asked.quantity)),
+        }
+    }
 }
 
 /// Scales of all diagrams, SI per mm; none where nothing has a size.
 type Chosen = Vec<Option<f64>>;
 
 impl Choices<'_> {
-    /// The scales at which what crowds has room, and beyond these the largest for which the sheet needs no further page;
-    /// then larger ones on the same pages where names found no room or a diagram is small.
+    /// The scales by which the sheet is worth most: diagrams as large as its pages allow, none of them crowded or small
+    /// beside the others, no page for some lines.
     fn best(&self) -> Chosen {
-        /// What a name that finds no room, or a diagram that is too small, weighs against millimetres of size.
+        /// What a diagram half as large as is enough costs, in the measure of all that follows.
+        const SIZE: f64 = 55.0;
+        /// What one that is e times larger than enough gains.
+        const LARGER: f64 = 18.0;
+        /// What a name that finds no room, or a diagram that is too small, costs.
         const LACK: f64 = 25.0;
-        /// Estimates of heights err by about so much, mm.
-        const SPARE: f64 = 22.0;
-        /// What cannot be read is worth trying: the lines of steps can stand nearer to each other, where these are few.
-        const TIGHTER: f64 = -8.0;
-        const FEW: usize = 2;
-        let count = self.all.len();
-        let mut rooms = vec![Room::Shared; count];
-        for i in 0..count {
-            let mut least = self.crowding(i, self.scales(&rooms)[i]);
-            for room in [Room::Row, Room::Page] {
-                let mut wider = rooms.clone();
-                wider[i] = room;
-                let crowding = self.crowding(i, self.scales(&wider)[i]);
-                if crowding < least {
-                    (rooms, least) = (wider, crowding);
-                }
+        /// What a point too near to another costs.
+        const CROWDING: f64 = 12.0;
+        /// What a page costs, and a last page with nothing on it.
+        const PAGE: f64 = 80.0;
+        const WASTE: f64 = 100.0;
+        /// A last page so full is no waste.
+        const FULL: f64 = 0.5;
+        /// Heights are told to so much, mm.
+        const SPARE: f64 = 9.0;
+        /// The same sheet in the script that takes most room, and how much that counts.
+        const LONGER: (f64, f64) = (1.12, 0.4);
+        let worth_of = |i: usize, scale: Option<f64>| {
+            let enough = self.enough(i);
+            let size = self.size(i, scale);
+            if size <= 0.0 {
+                return 0.0;
+            }
+            let own =
+                if size < enough { SIZE * (1.0 - enough / size) } else { LARGER * libm::log(size / enough) };
+            let lack = self.nameless(i, scale) + usize::from(size < SMALL * enough);
+            own - LACK * lack as f64 - CROWDING * self.crowding(i, scale) as f64
+        };
+        let waste = |filled: Filled| match filled.pages {
+            1 => 0.0,
+            _ if self.others.more => 0.0,
+            _ => (1.0 - filled.last / FULL).max(0.0),
+        };
+        let mut ways: Vec<(Chosen, f64)> = vec![(Vec::new(), 0.0)];
+        for (i, least) in self.least().into_iter().enumerate() {
+            let own: Vec<(Option<f64>, f64)> =
+                self.around(i, least).into_iter().map(|scale| (scale, worth_of(i, scale))).collect();
+            let longer = |(way, worth): &(Chosen, f64)| {
+                let (way, worth) = (way.clone(), *worth);
+                own.iter()
+                    .map(move |(scale, more)| ([&way[..], &[*scale]].concat(), worth + more))
+                    .collect::<Vec<_>>()
+            };
+            ways = ways.iter().flat_map(longer).collect();
+        }
+        // The best ones first: the others are not paged.
+        ways.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let mut best: Option<(Chosen, f64)> = None;
+        for (way, worth) in ways {
+            if best.as_ref().is_some_and(|(_, most)| worth - PAGE <= *most) {
+                break;
+            }
+            let Some(filled) = self.filled(&way, 1.0, SPARE) else { return way };
+            let longer = self.filled(&way, LONGER.0, SPARE).map_or(0.0, waste);
+            let worth = worth - PAGE * filled.pages as f64 - WASTE * (waste(filled) + LONGER.1 * longer);
+            if best.as_ref().is_none_or(|(_, most)| worth > *most) {
+                best = Some((way, worth));
             }
         }
-        let pages = self.pages(&self.scales(&rooms), 0.0);
-        let size = |scales: &Chosen| (0..count).map(|i| self.gain(i, scales[i])).sum::<f64>();
-        let first_of_largest = |ways: Vec<Chosen>, worth: &dyn Fn(&Chosen) -> f64| {
-            ways.into_iter().reduce(|best, way| if worth(&way) > worth(&best) { way } else { best })
-        };
-        let mut ways = self.wider(&rooms, |_| false);
-        ways.retain(|scales| self.pages(scales, SPARE) <= pages);
-        let roomy = first_of_largest(ways, &size).unwrap_or_else(|| self.scales(&rooms));
-        let lacking = self.lack(&roomy);
-        if lacking == 0 {
-            return roomy;
-        }
-        let spare = if pages <= FEW { TIGHTER } else { 0.0 };
-        let mut ways = self.wider(&rooms, |i| self.nameless(i, roomy[i]) > 0);
-        ways.retain(|scales| {
-            let smaller = scales.iter().zip(&roomy).any(|(new, old)| new > old);
-            !smaller && self.lack(scales) < lacking && self.pages(scales, spare) <= pages
-        });
-        first_of_largest(ways, &|scales| size(scales) - LACK * self.lack(scales) as f64).unwrap_or(roomy)
+        best.map_or_else(|| self.least(), |(way, _)| way)
     }
 
-    /// All ways of giving diagrams the room that they have, or more: to fill a page a row is enough, but for what may have
-    /// a page to itself.
-    fn wider(&self, rooms: &[Room], may_have_a_page: impl Fn(usize) -> bool) -> Vec<Chosen> {
-        let mut ways: Vec<Vec<Room>> = vec![Vec::new()];
-        for (i, &own) in rooms.iter().enumerate() {
-            let most = if may_have_a_page(i) { Room::Page } else { Room::Row.max(own) };
-            let larger = Room::ALL.into_iter().filter(|room| *room >= own && *room <= most);
-            let larger: Vec<Room> = larger.collect();
-            ways = ways
-                .into_iter()
-                .flat_map(|way| larger.iter().map(move |room| [&way[..], &[*room]].concat()))
-                .collect();
-        }
-        ways.iter().map(|way| self.scales(way)).collect()
-    }
-
-    /// How large a diagram is to the eye: what fills a quarter of a page is large enough.
-    fn gain(&self, i: usize, scale: Option<f64>) -> f64 {
+    /// How large a diagram is to the eye, mm.
+    fn size(&self, i: usize, scale: Option<f64>) -> f64 {
         let Some(scale) = scale else { return 0.0 };
         let [w, h] = self.all[i].size.map(|side| side / scale);
-        (w * h).sqrt().max(0.6 * w.max(h)).min(self.enough())
+        (w * h).sqrt().max(0.6 * w.max(h))
     }
 
-    /// What fills a quarter of upright A4; on a larger page it is larger.
-    fn enough(&self) -> f64 {
+    /// How large a diagram is that nobody need strain at, mm: what fills a quarter of upright A4 where it has much on it; on
+    /// a larger page it is larger.
+    fn enough(&self, i: usize) -> f64 {
+        /// Without anything on it, for each joint and for each point or vector, and at the least and the most.
+        const BARE: f64 = 0.6;
+        const JOINT: f64 = 0.08;
+        const NAME: f64 = 0.02;
+        const OF_A_QUARTER: [f64; 2] = [0.75, 1.15];
+        /// Other positions are so much more.
+        const POSITIONS: f64 = 1.5;
+        let choice = &self.all[i];
         let (wide, high) = self.stretch;
-        115.0 * (wide * high).sqrt().max(1.0)
-    }
-
-    /// How many names find no room, and how many diagrams are too small for their page.
-    fn lack(&self, scales: &[Option<f64>]) -> usize {
-        /// Part of what is large enough.
-        const SMALL: f64 = 0.35;
-        let small = |i: usize| scales[i].is_some() && self.gain(i, scales[i]) < SMALL * self.enough();
-        (0..self.all.len()).map(|i| self.nameless(i, scales[i]) + usize::from(small(i))).sum()
+        let quarter = 115.0 * (wide * high).sqrt().max(1.0);
+        let part = match i {
+            0 => BARE + JOINT * choice.points.len() as f64,
+            _ => BARE + NAME * (choice.points.len() + choice.vectors.len()) as f64,
+        };
+        let positions = if i == 0 && self.others.legend { POSITIONS } else { 1.0 };
+        quarter * part.clamp(OF_A_QUARTER[0], OF_A_QUARTER[1]) * positions
     }
 
     /// How many names of a diagram find no room beside what they name.
@@ -318,36 +345,51 @@ impl Choices<'_> {
         without
     }
 
-    fn scales(&self, rooms: &[Room]) -> Chosen {
-        let stretched = |room: (f64, f64)| (room.0 * self.stretch.0, room.1 * self.stretch.1);
-        // Never higher than the page, whatever its form.
-        let below = |room: (f64, f64)| (room.0, room.1.min(self.paper.1 - AROUND_DRAWN));
+    /// A room on this paper, never higher than the page, whatever its form.
+    fn room(&self, (wide, high): (f64, f64)) -> (f64, f64) {
+        (wide * self.stretch.0, (high * self.stretch.1).min(self.paper.1 - AROUND_DRAWN))
+    }
+
+    /// The scales at which the skeleton stands beside the results, and two polygons beside each other.
+    fn least(&self) -> Chosen {
         let [w, h] = self.all[0].size;
-        let fit = |room| choose_length(w, h, below(stretched(room)));
-        let skeleton = match rooms[0] {
-            Room::Shared => fit(SKELETON).zip(fit(LONG_SKELETON)).map(|(a, b)| a.min(b)),
-            Room::Row => fit(ROW_SKELETON),
-            Room::Half => fit(HALF_PAGE_SKELETON),
-            Room::Page => fit(PAGE_SKELETON),
-        };
-        let mut scales = vec![skeleton];
+        let fit = |room| choose_length(w, h, self.room(room));
+        let mut scales = vec![fit(SKELETON).zip(fit(LONG_SKELETON)).map(|(a, b)| a.min(b))];
         for pair in self.all[1..].chunks(2) {
             scales.extend(beside(pair, self.stretch));
         }
-        for ((choice, own), room) in self.all.iter().zip(&mut scales).zip(rooms).skip(1) {
-            let [w, h] = choice.size;
-            let room = match room {
-                // Arrows on the skeleton are no diagram.
-                _ if choice.points.is_empty() => continue,
-                Room::Shared => continue,
-                Room::Row => POLYGON,
-                Room::Half => HALF_PAGE_POLYGON,
-                Room::Page => PAGE_POLYGON,
-            };
-            let wider = choose_for(w, h, below(stretched(room)), choice.unit);
-            *own = own.zip(wider).map(|(a, b)| a.min(b));
-        }
         self.all.iter().zip(scales).map(|(choice, scale)| choice.stated.or(scale)).collect()
+    }
+
+    /// This scale of a diagram, the next smaller one, and all at which it is larger, as far as a page takes it.
+    fn around(&self, i: usize, least: Option<f64>) -> Vec<Option<f64>> {
+        /// No diagram is made smaller than this part of what is enough to save a page.
+        const LEAST: f64 = 0.4;
+        let choice = &self.all[i];
+        let [w, h] = choice.size;
+        let most = match i {
+            0 => choose_length(w, h, self.room(PAGE_SKELETON)),
+            _ => choose_for(w, h, self.room(PAGE_POLYGON), choice.unit),
+        };
+        let mut all = vec![least];
+        // Arrows on the skeleton are no diagram.
+        let fixed = choice.stated.is_some() || (i > 0 && choice.points.is_empty());
+        let (Some(mut scale), Some(most)) = (least, most.filter(|_| !fixed)) else { return all };
+        let per = if i == 0 { 0.001 } else { choice.unit / 10.0 };
+        // One that is a little smaller may save a page.
+        let follows =
+            |own: f64| round_below(own / per, i == 0).is_some_and(|x| (x * per / scale - 1.0).abs() < 1e-9);
+        let smaller = [1.25, 2.0].into_iter().map(|by| scale * by);
+        let large = |own: &f64| self.size(i, Some(*own)) > LEAST * self.enough(i);
+        let own = smaller.filter(|own| is_round(own / per, i == 0)).find(|own| follows(*own));
+        all.extend(own.filter(large).map(Some));
+        while let Some(next) = round_below(scale / per, i == 0).map(|next| next * per)
+            && next > most * (1.0 - 1e-9)
+        {
+            all.push(Some(next));
+            scale = next;
+        }
+        all
     }
 
     /// How many points of a diagram stand too near to others at this scale, and how much area its names lack.
@@ -364,73 +406,50 @@ impl Choices<'_> {
         near + (lacking / PER_NAME).max(0.0) as usize
     }
 
-    /// About how many pages the sheet needs at these scales, with so much blank to spare, mm.
-    fn pages(&self, scales: &[Option<f64>], spare: f64) -> usize {
-        const HEADING: f64 = 28.0;
-        /// What names and caption add to the height of a diagram, and to that of a skeleton with its supports.
-        const AROUND: [f64; 2] = [25.0, 31.0];
-        /// Height of a row of the result table, and of its head and end.
-        const RESULT: [f64; 2] = [5.9, 9.0];
-        const TALLEST_BESIDE: f64 = 112.0;
-        /// Width of the figure of centres, and of the circle diagram.
-        const CENTRES: f64 = 176.0;
-        /// Width of the result table, and what stands about a skeleton.
-        const BESIDE: [f64; 2] = [62.0, 34.0];
-        let free = self.paper.1 - 6.0;
+    /// How the pages fill at these scales where the text is so much longer, with so much blank to spare, mm.
+    fn filled(&self, scales: &[Option<f64>], longer: f64, spare: f64) -> Option<Filled> {
+        /// What supports, names and caption add to a skeleton's width and height.
+        const SKELETON: [f64; 2] = [14.0, 25.0];
+        const LEGEND: f64 = 7.0;
+        /// What names and caption add to those of a polygon.
+        const POLYGON: [f64; 2] = [11.0, 17.0];
+        /// What a detail adds to its height.
+        const DETAIL: f64 = 8.0;
+        /// Height of a circle diagram with its steps, of up to five links and of more.
+        const CIRCLE: [f64; 2] = [86.0, 112.0];
+        /// What lines to far centres add to a skeleton's height.
+        const FAR: f64 = 38.0;
+        /// What arrows add.
+        const ARROWS: f64 = 12.0;
+        /// What Klein's circles add to the height, of the width, and the height of what is told of them.
+        const KLEIN: f64 = 0.5;
+        const KLEIN_TEXT: f64 = 115.0;
+        let draft = self.draft.as_ref()?;
         let drawn = |i: usize| i == 0 || !self.all[i].points.is_empty();
         let size = |i: usize| {
             let scale = scales[i].filter(|_| drawn(i))?;
             Some(self.all[i].size.map(|side| side / scale))
         };
         let [w, h] = size(0).unwrap_or_default();
-        let table = RESULT[0] * self.asked as f64 + RESULT[1];
-        let beside = w + BESIDE[1] + BESIDE[0] <= self.paper.0 && table <= TALLEST_BESIDE;
-        let mut blocks = vec![[w + BESIDE[1], h + AROUND[1]]];
-        if beside {
-            blocks.push([BESIDE[0], table + 6.0]);
+        let others = &self.others;
+        let legend = if others.legend { LEGEND } else { 0.0 };
+        let wide = (w + SKELETON[0]).max(CAPTION);
+        let mut blocks = vec![[wide, h + SKELETON[1] + legend]];
+        blocks.extend((1..self.all.len()).filter_map(|i| {
+            let [w, h] = size(i)?;
+            let detail = if self.crowding(i, scales[i]) > 0 { DETAIL } else { 0.0 };
+            Some([(w + POLYGON[0]).max(CAPTION), h + POLYGON[1] + detail])
+        }));
+        if let Some(links) = others.circle {
+            blocks.push([self.paper.0, h + SKELETON[1] + FAR]);
+            blocks.push([self.paper.0.min(150.0), CIRCLE[usize::from(links > 5)]]);
         }
-        let caption = |w: f64| f64::max(w + 2.0 * NAMES, CAPTION);
-        blocks.extend((1..self.all.len()).filter_map(size).map(|[w, h]| [caption(w), h + AROUND[0]]));
-        if self.extents.circle {
-            blocks.extend([[CENTRES, h + AROUND[1] + 40.0], [CENTRES, 110.0]]);
+        blocks.extend((0..others.transfers).map(|_| [wide + ARROWS, h + SKELETON[1] + ARROWS]));
+        if others.klein {
+            blocks.push([wide, h + SKELETON[1] + KLEIN * w]);
         }
-        // Side by side as far as they fit.
-        let mut rows: Vec<f64> = Vec::new();
-        let mut used = f64::INFINITY;
-        for [width, height] in blocks {
-            match rows.last_mut().filter(|_| used + width <= self.paper.0) {
-                Some(row) => {
-                    *row = row.max(height);
-                    used += width;
-                }
-                None => {
-                    rows.push(height);
-                    used = width;
-                }
-            }
-        }
-        if !beside {
-            rows.push(RESULT[0] * (self.asked as f64 / 2.0).ceil() + RESULT[1] + 8.0);
-        }
-        let told = self.extents.told;
-        let lines = 1.2 * told.acts as f64 * 4.9 + 18.0 * told.equations as f64 + 8.5 * told.steps as f64;
-        // In two columns, of which the wider ones hold more in a line.
-        let mut text = lines * (176.0 / self.paper.0).min(1.0) / 2.0 + spare;
-        let (mut pages, mut y) = (1, HEADING);
-        for row in rows {
-            if y + row > free {
-                // A small rest of a page stays blank.
-                text -= if free - y > 28.0 { free - y - 8.0 } else { 0.0 };
-                pages += 1;
-                y = 7.0;
-            }
-            y += row;
-        }
-        text = text.max(0.0);
-        if y + text > free {
-            pages += ((y + text - free) / (free - 7.0)).ceil() as usize;
-        }
-        pages
+        let text = if others.klein { KLEIN_TEXT } else { 0.0 };
+        Some(draft.filled(&blocks, (longer, text), spare))
     }
 }
 
@@ -572,6 +591,17 @@ fn beside(row: &[Choice<'_>], (wide, high): (f64, f64)) -> Chosen {
     vec![Some(a), Some(b)]
 }
 
+/// Whether a number is round; of a ratio below 1, whether it is one to a round number.
+fn is_round(number: f64, ratio: bool) -> bool {
+    let own = if ratio && number < 1.0 - 1e-9 { 1.0 / number } else { number };
+    round_up(own).is_some_and(|up| (up / own - 1.0).abs() < 1e-9)
+}
+
+/// The next round number, or ratio, below a round one.
+fn round_below(number: f64, ratio: bool) -> Option<f64> {
+    [1.25, 2.0].map(|by| number / by).into_iter().find(|own| is_round(*own, ratio))
+}
+
 /// The smallest round number (1, 2, 2.5, 5 × 10ⁿ) that is not below `least`; `None` unless `least` is
 /// positive and finite.
 #[must_use]
@@ -673,6 +703,24 @@ mod tests {
         for none in [0.0, -1.0, f64::NAN, f64::INFINITY, f64::MAX] {
             assert_eq!(round_up(none), None);
         }
+    }
+
+    #[test]
+    fn the_series_of_scales_downward() {
+        let all = |from: f64, ratio| {
+            std::iter::successors(Some(from), move |own| round_below(*own, ratio))
+                .take(6)
+                .collect::<Vec<f64>>()
+        };
+        let near = |found: Vec<f64>, wanted: [f64; 6]| {
+            assert!(found.iter().zip(wanted).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{found:?}");
+        };
+        near(all(10.0, false), [10.0, 5.0, 2.5, 2.0, 1.0, 0.5]);
+        // 5 : 1 enlarges, 1 : 5 reduces.
+        near(all(5.0, true), [5.0, 2.5, 2.0, 1.0, 1.0 / 2.0, 1.0 / 2.5]);
+        assert!(
+            !is_round(4.0, true) && !is_round(1.25, true) && is_round(0.4, true) && !is_round(0.4, false)
+        );
     }
 
     #[test]

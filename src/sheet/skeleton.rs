@@ -962,12 +962,14 @@ impl Artist<'_> {
 
     fn longest_piece(&self, link: LinkId, a: Point, b: Point) -> (Point, Point) {
         let d = b - a;
-        let mut stops: Vec<f64> = self
-            .pose
-            .places(link)
-            .into_iter()
-            .filter(|(_, p)| (*p - a).cross(d).abs() < THIN * d.hypot())
-            .map(|(_, p)| (p - a).dot(d) / d.hypot2())
+        // What rides on the link parts it too.
+        let slides = self.notation.mechanism().slides.iter().filter(|slide| slide.guide.link == link);
+        let riders = slides.filter_map(|slide| self.pose.rider(slide));
+        let joints = self.pose.places(link).into_iter().map(|(_, p)| p);
+        let mut stops: Vec<f64> = joints
+            .chain(riders)
+            .filter(|p| (*p - a).cross(d).abs() < THIN * d.hypot())
+            .map(|p| (p - a).dot(d) / d.hypot2())
             .chain([0.0, 1.0])
             .filter(|t| (-1e-9..=1.0 + 1e-9).contains(t))
             .collect();

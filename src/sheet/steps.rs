@@ -1,7 +1,7 @@
 //! The numbered steps: vector equations with their tables of terms, acts, readings, calculations.
 
 use std::cell::RefCell;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use super::given::{StatedLength, dimensions};
 use super::human;
@@ -20,6 +20,7 @@ use crate::mechanism::force::{Action, Force};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{Direction, Form, GuidePoint, Input, LinkId, Path, PointId, Rider, Roll};
+use crate::plan::Auxiliary;
 
 /// Flatter crossings than this are badly readable by hand.
 const FLAT: f64 = 3.0;
@@ -66,13 +67,13 @@ pub fn by_step(construction: &Construction, notation: &Notation<'_>) -> Vec<Told
 #[must_use]
 pub fn told(construction: &Construction, notation: &Notation<'_>) -> (Vec<Told>, Figures) {
     /// What needs figures for what needs figures, and so on: further back the steps do not look.
-    const ROUNDS: usize = 4;
+    const ROUNDS: usize = 6;
     let mut figures = Figures::default();
     for round in 0.. {
         let next = RefCell::new(figures.again());
         let told = tell(construction, notation, &next);
         figures = next.into_inner();
-        if figures.wanted.is_subset(&figures.finer) || round == ROUNDS {
+        if figures.suffice() || round == ROUNDS {
             return (told, figures);
         }
     }
@@ -147,6 +148,15 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             all.push(own);
         }
     }
+    let derived = super::derived::sentences(construction, notation, figures);
+    if !derived.is_empty() {
+        let head = Rich::bold(format!("{}.", notation.count(all.len() + 1))).up("\u{a0}\u{a0}");
+        let head = head.then(&Rich::bold(notation.words.step_derived));
+        let items = [Item::Head(head)].into_iter().chain(derived.into_iter().map(Item::Sentence));
+        let items: Vec<Item> = items.collect();
+        let step = construction.steps.len().saturating_sub(1);
+        all.push(Told { step, drawn: None, acts: vec![None; items.len()], items });
+    }
     let mut number = all.len();
     // Constructions of their own follow the steps.
     let step = construction.steps.len().saturating_sub(1);
@@ -173,7 +183,12 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
     // The lever takes up forces that were laid off before.
     let (levers, auxiliary): (Vec<_>, Vec<_>) = auxiliary.partition(|(_, drawing)| drawing.is_lever());
     for (index, drawing) in auxiliary {
-        let items = super::auxiliary::items(drawing, construction, notation);
+        let mut items = super::auxiliary::items(drawing, construction, notation, figures);
+        // Where nothing else tells of velocities, they begin here.
+        if let Some(lines) = conversions.take_if(|_| matches!(drawing.kind, Auxiliary::Klein { .. })) {
+            let after_head = items.len().min(1);
+            items.splice(after_head..after_head, lines.into_iter().map(Item::Sentence));
+        }
         more(Panel::Auxiliary(index), unnumbered(items));
     }
     if let Some(sheet) = &construction.forces {
@@ -193,7 +208,7 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
         }
     }
     for (index, drawing) in levers {
-        let items = super::auxiliary::items(drawing, construction, notation);
+        let items = super::auxiliary::items(drawing, construction, notation, figures);
         more(Panel::Auxiliary(index), unnumbered(items));
     }
     if let Some(sheet) = &construction.cycle {
@@ -287,14 +302,14 @@ pub fn calculation(
     calculation: &Calculation,
     construction: &Construction,
     notation: &Notation<'_>,
+    figures: &RefCell<Figures>,
 ) -> Option<Rich> {
     let diagram = match calculation {
         Calculation::Alpha { .. } => DiagramKind::Acceleration,
         _ => DiagramKind::Velocity,
     };
     let step = Step { diagram, links: Vec::new(), equations: Vec::new(), acts: Vec::new() };
-    let figures = RefCell::default();
-    Teller { construction, notation, step: &step, figures: &figures }.calculation(calculation)
+    Teller { construction, notation, step: &step, figures }.calculation(calculation)
 }
 
 /// A sentence with a warning after it where lines cross too flat to be read by hand.
@@ -330,7 +345,7 @@ pub fn read(
         return Rich::fill(words.too_short, &[("vector", vector), ("value", amount)]);
     }
     let factor = polygon.si_per_mm / unit.si;
-    let (reading, amount, written) = human::reading_at(mm, factor, value / unit.si, figures.more(key));
+    let (reading, amount, written) = human::reading_at(mm, factor, value / unit.si, figures.more(key).min(1));
     figures.note(key, &amount, (written, value / unit.si), &unit);
     let reading = reading
         .up("\u{a0}×\u{a0}")
@@ -370,7 +385,7 @@ pub enum Key {
 pub type Across = bool;
 
 impl Key {
-    fn of(quantity: Quantity, notation: &Notation<'_>) -> Self {
+    pub(super) fn of(quantity: Quantity, notation: &Notation<'_>) -> Self {
         Self::Of(absolute(quantity, notation))
     }
 
@@ -383,10 +398,12 @@ impl Key {
 #[derive(Debug, Clone, Default)]
 pub struct Figures {
     printed: HashMap<Key, Print>,
-    /// What has a figure more than usual, because a line that uses it needs it.
-    finer: HashSet<Key>,
-    /// What lines would have needed a figure more.
-    wanted: HashSet<Key>,
+    /// The same of constructions on the skeleton, which have readings of their own.
+    apart: HashMap<Key, Print>,
+    /// What has so many figures more than usual, because a line that uses it needs them.
+    finer: HashMap<Key, usize>,
+    /// What lines would have needed so many for.
+    wanted: HashMap<Key, usize>,
 }
 
 /// A number as it is printed.
@@ -400,15 +417,54 @@ struct Print {
     unit: Unit,
 }
 
+/// No number has so many figures more than usual that another does not close without.
+const MOST_MORE: usize = 2;
+
 impl Figures {
     /// Begins again with what was wanted.
     fn again(&self) -> Self {
-        let finer = self.finer.union(&self.wanted).copied().collect();
+        let mut finer = self.finer.clone();
+        for (key, more) in &self.wanted {
+            let own = finer.entry(*key).or_insert(0);
+            *own = (*own).max(*more);
+        }
         Self { finer, ..Self::default() }
     }
 
+    /// How the rates of the inputs are printed, and nothing else.
+    pub(super) fn of_inputs(&self, notation: &Notation<'_>) -> Self {
+        let driven = |key: &Key| {
+            let inputs = &notation.mechanism().inputs;
+            inputs.iter().any(|input| match (input, key) {
+                (Input::Angle { link, .. } | Input::Speed { link, .. }, Key::Of(of)) => {
+                    matches!(of, Quantity::Omega(l) | Quantity::Alpha(l) if l == link)
+                }
+                _ => false,
+            })
+        };
+        let printed = self.printed.iter().filter(|(key, _)| driven(key));
+        Self { printed: printed.map(|(key, print)| (*key, print.clone())).collect(), ..Self::default() }
+    }
+
+    /// Keeps what a construction on the skeleton told.
+    pub(super) fn keep_apart(&mut self, own: &Self) {
+        self.apart.extend(own.printed.iter().map(|(key, print)| (*key, print.clone())));
+    }
+
+    /// A magnitude as a construction on the skeleton told it.
+    pub fn told_apart(&self, quantity: Quantity, unit: &Unit, notation: &Notation<'_>) -> Option<Rich> {
+        let print = self.apart.get(&Key::of(quantity, notation)).filter(|print| print.unit == *unit)?;
+        Some(human::with_unit(&print.text, &unit.symbol))
+    }
+
+    /// Whether everything has the figures that lines need of it.
+    fn suffice(&self) -> bool {
+        self.wanted.iter().all(|(key, more)| self.more(*key) >= *more)
+    }
+
+    /// How many figures more than usual a number has.
     pub(super) fn more(&self, key: Key) -> usize {
-        usize::from(self.finer.contains(&key))
+        self.finer.get(&key).copied().unwrap_or(0)
     }
 
     pub(super) fn note(&mut self, key: Key, text: &Rich, (number, exact): (f64, f64), unit: &Unit) {
@@ -510,7 +566,17 @@ impl Figures {
         let more = key.map_or(0, |key| self.more(key));
         let (mut text, mut number) = human::limited(exact, more);
         if !human::agrees(reckoned, number, exact, more) {
-            self.wanted.extend(factors.iter().filter_map(|(key, ..)| *key));
+            // What was read is no nearer to the truth for its figures.
+            let rounded = factors.iter().zip(&printed).all(|((key, si, unit), number)| {
+                let (exact, more) = (si.abs() / unit.si, key.map_or(0, |key| self.more(key)));
+                human::agrees(exact, *number, exact, more)
+            });
+            let most = if rounded { MOST_MORE } else { 1 };
+            for key in factors.iter().filter_map(|(key, ..)| *key) {
+                let more = (self.more(key) + 1).min(most);
+                let own = self.wanted.entry(key).or_insert(0);
+                *own = (*own).max(more);
+            }
             if (reckoned - exact).abs() <= far * exact.abs() {
                 (text, number) = human::limited(reckoned, more);
             } else {
@@ -639,7 +705,7 @@ impl<'a> Known<'a> {
 }
 
 /// The driven rates in radians where the scene states them otherwise: 300 rpm are 2π · 300 / 60.
-fn conversions(notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Rich> {
+pub(super) fn conversions(notation: &Notation<'_>, figures: &RefCell<Figures>) -> Vec<Rich> {
     let mut all = Vec::new();
     for (i, input) in notation.mechanism().inputs.iter().enumerate() {
         let Input::Angle { link, omega, alpha, .. } = input else { continue };
@@ -1005,7 +1071,7 @@ impl Teller<'_> {
             Act::MeasureLength { from, to, mm, value } => {
                 let (mut figures, key) = (self.figures.borrow_mut(), Key::length([*from, *to]));
                 let (factor, exact) = (per_mm / length_unit.si, value / length_unit.si);
-                let (mm, value, written) = human::reading_at(*mm, factor, exact, figures.more(key));
+                let (mm, value, written) = human::reading_at(*mm, factor, exact, figures.more(key).min(1));
                 figures.note(key, &value, (written, exact), length_unit);
                 let value = human::with_unit(&value, &length_unit.symbol);
                 let parts = [("length", n.length(*from, *to)), ("mm", mm), ("value", value)];

@@ -190,6 +190,7 @@ pub struct Words {
     pub step_acceleration_pole: &'static str,
     pub step_acceleration: &'static str,
     pub step_rubbing: &'static str,
+    pub step_derived: &'static str,
 
     // Acts.
     pub mark_places: Counted,
@@ -245,6 +246,10 @@ pub struct Words {
     pub too_short: &'static str,
     pub lay_off_from_centre: &'static str,
     pub translation: &'static str,
+    /// Two links that have one rate: `{link}`, `{other}`, `{equation}`.
+    pub turns_with: &'static str,
+    /// `{acceleration}`, `{velocity}`, `{reading}`.
+    pub square_part: &'static str,
 
     // The circle diagram.
     pub step_centres: &'static str,
@@ -534,6 +539,7 @@ const ENGLISH: Words = Words {
     step_acceleration_pole: "Acceleration: the pole and the input",
     step_acceleration: "Acceleration of {links}",
     step_rubbing: "Rubbing speeds",
+    step_derived: "What else is asked",
 
     mark_places: [
         "Mark {points} to the scale {scale}.",
@@ -587,6 +593,8 @@ const ENGLISH: Words = Words {
     too_short: "{vector} is too short to read; computed: {value}.",
     lay_off_from_centre: "From the instant centre {centre}: {vector} = {value}; lay off {image} = {mm}.",
     translation: "Link {link} only translates: {omega} = 0.",
+    turns_with: "Link {link} turns with link {other}: {equation}.",
+    square_part: "The part of {acceleration} square to {velocity}: {reading}.",
 
     step_centres: "Instant centres",
     centre_count: "N = {n} ({n} − 1) / 2 = {count} centres.",
@@ -880,6 +888,7 @@ const ARABIC: Words = Words {
     step_acceleration_pole: "التسارع: القطب والوصلة القائدة",
     step_acceleration: "تسارع {links}",
     step_rubbing: "سرعات التحاك",
+    step_derived: "بقية المطلوب",
 
     mark_places: [
         "نعيّن النقطة {points} بمقياس الرسم {scale}.",
@@ -932,6 +941,8 @@ const ARABIC: Words = Words {
     read_vector: "نقرأ {vector} = {image}: {reading}.",
     too_short: "{vector} أقصر من أن يقرأ؛ وبالحساب: {value}.",
     translation: "حركة الوصلة {link} انسحابية: {omega} = 0.",
+    turns_with: "تدور الوصلة {link} مع الوصلة {other}: {equation}.",
+    square_part: "مركّبة {acceleration} العمودية على {velocity}: {reading}.",
 
     circle_diagram: "مخطط الدائرة",
     centres_figure: "المراكز اللحظية",
@@ -1272,6 +1283,7 @@ const PERSIAN: Words = Words {
     step_acceleration_pole: "شتاب: قطب و بند محرک",
     step_acceleration: "شتاب {links}",
     step_rubbing: "سرعت‌های مالش",
+    step_derived: "دیگر خواسته‌ها",
 
     mark_places: [
         "نقطهٔ {points} را با مقیاس {scale} مشخص می‌کنیم.",
@@ -1324,6 +1336,8 @@ const PERSIAN: Words = Words {
     read_vector: "می‌خوانیم {vector} = {image}: {reading}.",
     too_short: "{vector} کوتاه‌تر از آن است که خوانده شود؛ با محاسبه: {value}.",
     translation: "بند {link} تنها انتقال دارد: {omega} = 0.",
+    turns_with: "بند {link} همراه با بند {other} می‌چرخد: {equation}.",
+    square_part: "مؤلفهٔ {acceleration} عمود بر {velocity}: {reading}.",
 
     circle_diagram: "نمودار دایره‌ای",
     centres_figure: "مراکز آنی دوران",
