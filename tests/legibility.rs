@@ -225,6 +225,10 @@ fn everything_has_its_name_and_no_page_stands_nearly_empty() {
     quantiles("closest distinct points of a polygon, mm", closest);
     quantiles("larger side of a polygon, mm", sizes);
     quantiles("fill of a page", fills);
+    // Where nothing else can be done some lines stand alone on a last page.
+    let thin = last.iter().filter(|fill| **fill < 1.0 / 3.0).count();
+    println!("last pages less than a third full: {thin} of {}", last.len());
+    assert!(40 * thin <= last.len(), "{thin} of {}: {last:?}", last.len());
     quantiles("fill of the last of several pages", last);
     assert!(unnamed.is_empty(), "{unnamed:#?}");
     assert!(touching.is_empty(), "{touching:#?}");
@@ -657,4 +661,144 @@ fn tables_keep_within_the_margins_of_every_paper() {
     }
     assert!(tables > 60, "{tables}");
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// A four-bar of which everything is asked that follows from rates, vectors and the skeleton.
+const FURTHER: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0], "O4": [110, 0]},
+    "links": {"2": {"joins": ["O2", "A"], "length": 40},
+              "3": {"joins": ["A", "B", "C"], "sides": [120, 70, 80], "turn": "cw"},
+              "4": {"joins": ["O4", "B"], "length": 80}},
+    "near": {"B": [130, 75]}, "input": {"link": 2, "angle": 60, "omega": "120 rpm ccw"},
+    "find": ["x(B)", "angle(3)", "transmission(3/4)", "rho(C)", "omega(3/2)", "omega(4/3)", "alpha(4/3)", "ratio(4/2)",
+             "v(C)", "a(C)"]}"#;
+
+/// A crank and slotted lever of which the rates of the block are asked.
+const BLOCK: &str = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 160], "O4": [0, 0]},
+    "links": {"2": {"joins": ["O2", "A"], "length": 60}, "4": {"joins": ["O4", "B"], "length": 340}},
+    "slides": [{"pin": "A", "block": 3, "on": {"link": 4, "through": "O4", "toward": "B"}}],
+    "near": {"B": [100, 320]}, "input": {"link": 2, "angle": 25, "omega": "60 rpm ccw"},
+    "find": ["omega(3)", "alpha(3)", "omega(4)", "alpha(4)"]}"#;
+
+/// Every row of the result table has a line that gives it.
+#[test]
+fn what_is_asked_is_told_in_a_step() {
+    for text in [FURTHER, BLOCK] {
+        let figure = solution(&linkgram::scene::read(text, "test").unwrap()).unwrap();
+        let told = sentences(&figure).join(" ");
+        let mut rows = 0;
+        for table in within(&figure.root).into_iter().filter(|group| has(group, "results")) {
+            let cells: Vec<(&Text, String)> = table
+                .children
+                .iter()
+                .filter_map(|node| match node {
+                    Node::Text(text) => Some((text, characters(text))),
+                    _ => None,
+                })
+                .collect();
+            // The head, then rows of a symbol, a value and a sense.
+            let heights: Vec<f64> = cells.iter().map(|(text, _)| text.runs[0].at.y).collect();
+            for (i, (_, symbol)) in cells.iter().enumerate().skip(3) {
+                let first = heights[..i].last().is_none_or(|above| heights[i] > above + 2.0);
+                if first {
+                    rows += 1;
+                    let gives =
+                        [format!("{symbol}\u{a0}="), format!("{symbol} ="), format!("{symbol}\u{a0}(")];
+                    assert!(gives.iter().any(|line| told.contains(line)), "{symbol}: {told}");
+                }
+            }
+        }
+        assert!(rows >= 4, "{rows}");
+    }
+    // ρ = V²/Aⁿ and the difference of two rates, reckoned again by the test of all lines.
+    let figure = solution(&linkgram::scene::read(FURTHER, "test").unwrap()).unwrap();
+    let lines = sentences(&figure);
+    for begin in ["ρ_C", "ω_32", "ω_43"] {
+        let line = lines.iter().find(|line| line.starts_with(begin)).unwrap();
+        let parts: Vec<&str> = line.split('=').collect();
+        let reckoned = reckoned(parts[parts.len() - 2]).unwrap();
+        let (printed, half, _) = number(parts[parts.len() - 1]).unwrap();
+        assert!((reckoned - printed).abs() <= half * (1.0 + 1e-9), "{line}");
+    }
+}
+
+/// The letters and names of the captions of a figure.
+fn captions(figure: &Figure) -> Vec<String> {
+    let mut all = Vec::new();
+    figure.root.walk(&mut |node| {
+        if let Node::Text(text) = node
+            && text.class == "caption"
+        {
+            all.push(characters(text));
+        }
+    });
+    all
+}
+
+/// A step sheet shows every figure of the solution under its letter.
+#[test]
+fn a_step_sheet_shows_what_the_solution_shows() {
+    let letter = |caption: &String| caption.split(')').next().unwrap().to_owned();
+    let mut figures = 0;
+    for kind in
+        KINDS.iter().filter(|kind| ["press", "engine", "four-bar", "turning-moment"].contains(&kind.name))
+    {
+        let scene = linkgram::scene::read(kind.scene, kind.name).unwrap();
+        let solved = linkgram::solve::solve(&scene, Extent::WholeSkeleton, sheet::scale::for_scene).unwrap();
+        let construction = &solved.solution.construction;
+        let whole = captions(&sheet::solution(&scene, construction, Language::English));
+        let steps: HashSet<String> = captions(&sheet::step_by_step(&scene, construction, Language::English))
+            .iter()
+            .map(letter)
+            .collect();
+        for caption in whole.iter().filter(|caption| caption.starts_with('(')) {
+            figures += 1;
+            assert!(steps.contains(&letter(caption)), "{}: {caption}", kind.name);
+        }
+    }
+    assert!(figures > 20, "{figures}");
+}
+
+/// Figures that a scene wishes together are lettered in their order, whatever the sheet would call them.
+#[test]
+fn figures_wished_together_have_letters_in_their_order() {
+    use linkgram::drawing::{Wish, figure};
+    let kind = KINDS.iter().find(|kind| kind.name == "slider-crank").unwrap();
+    let scene = linkgram::scene::read(kind.scene, kind.name).unwrap();
+    let figures =
+        ["acceleration", "skeleton", "klein", "inflection(3)", "velocity"].map(str::to_owned).to_vec();
+    let drawn = figure(&scene, &Wish { figures, ..Wish::default() }).unwrap();
+    let letters: Vec<char> = captions(&drawn)
+        .iter()
+        .filter(|caption| caption.starts_with('('))
+        .filter_map(|caption| caption.chars().nth(1))
+        .collect();
+    assert_eq!(letters, ['a', 'b', 'c', 'd', 'e']);
+}
+
+/// Klein's construction begins with the rate in radians where the scene states it in turns, and reckons with its own
+/// readings as it prints them.
+#[test]
+fn klein_s_construction_begins_with_the_rate_in_radians() {
+    let text = r#"{"units": {"length": "mm"}, "fixed": {"O2": [0, 0]},
+        "links": {"2": {"joins": ["O2", "A"], "length": 50}, "3": {"joins": ["A", "B"], "length": 130}},
+        "slides": [{"pin": "B", "block": 4, "on": {"link": 1, "through": [0, -15], "angle": 0}}],
+        "near": {"B": [160, -15]},
+        "input": {"link": 2, "angle": 55, "omega": "300 rpm ccw", "alpha": "500 rad/s^2 ccw"},
+        "find": [{"name": "v(B/A)", "method": "klein"}, {"name": "omega(3)", "method": "klein"},
+                 {"name": "alpha(3)", "method": "klein"}]}"#;
+    let figure = solution(&linkgram::scene::read(text, "test").unwrap()).unwrap();
+    let lines = sentences(&figure);
+    let place = |begin: &str| lines.iter().position(|line| line.starts_with(begin)).unwrap();
+    assert!(lines[place("ω_2")].contains("2π\u{a0}×\u{a0}300\u{a0}/\u{a0}60"));
+    assert!(place("ω_2") < place("The crank"));
+    let read = |of: &str| {
+        let line = lines.iter().find(|line| line.starts_with(&format!("Read {of}"))).unwrap();
+        printed(line.rsplit('=').next().unwrap()).unwrap().0
+    };
+    let used = |begin: &str| {
+        let (_, _, numbers, _) = formula(&lines[place(begin)]).unwrap();
+        numbers[0].clone()
+    };
+    assert_eq!(read("V_BA"), used("ω_3"));
+    assert_eq!(read("A^t_BA"), used("α_3"));
 }

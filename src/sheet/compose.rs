@@ -1198,29 +1198,29 @@ impl Pager {
         // Pictures of one diagram stand below each other, however wide the words beside them are.
         let words = text.width.max(self.column());
         let beside = self.width() - GUTTER - words;
-        let room = self.bottom() - MARGIN - 7.0;
-        let below: f64 = drawings.iter().map(|drawing| drawing.height + BELOW_ROW).sum::<f64>() - BELOW_ROW;
-        let together = drawings.iter().all(|drawing| drawing.width <= beside) && below <= room;
-        if !together {
+        if drawings.iter().any(|drawing| drawing.width > beside) {
             // A long text goes on over the page.
             self.rows(drawings);
             return self.block(text);
         }
-        let height = text.height.max(below);
-        if self.y + height > self.bottom() && self.y > MARGIN + 30.0 {
+        let first = drawings.first().map_or(0.0, |drawing| drawing.height);
+        if self.y + text.height.max(first) > self.bottom() && self.y > MARGIN + 30.0 {
             self.page();
         }
         let x = self.indented(MARGIN, text.width);
-        let top = self.y;
-        let mut y = top;
-        for drawing in drawings {
+        let mut deepest = self.y + text.height;
+        self.add(text.group, x, self.y);
+        for (i, drawing) in drawings.iter().enumerate() {
+            if i > 0 && self.y + drawing.height > self.bottom() && self.y > MARGIN + 30.0 {
+                self.page();
+                deepest = self.y;
+            }
             let free = (beside - drawing.width) / 2.0;
             let far = self.indented(MARGIN + words + GUTTER + free, drawing.width);
-            self.add(drawing.group.clone(), far, y);
-            y += drawing.height + BELOW_ROW;
+            self.add(drawing.group.clone(), far, self.y);
+            self.y += drawing.height + BELOW_ROW;
         }
-        self.add(text.group, x, top);
-        self.y = top + height + self.gap;
+        self.y = deepest.max(self.y - BELOW_ROW) + self.gap;
     }
 
     /// Moves the rows of a page apart where the next one does not fit on it: what is left blank is not all below.
@@ -1265,8 +1265,15 @@ impl Pager {
                 self.add(block.group.clone(), self.indented(x, block.width), y + down);
                 x += block.width + between;
             }
-            self.y += height + BELOW_ROW;
+            self.y += height + self.blank(BELOW_ROW);
         }
+    }
+
+    /// A blank between blocks, which gives way sooner than lines.
+    fn blank(&self, usual: f64) -> f64 {
+        /// How much sooner.
+        const SOONER: f64 = 4.0;
+        usual * (1.0 - SOONER * (1.0 - self.tight))
     }
 
     /// The result table in so many columns, in type a little smaller if need be; none where it would be much smaller.
@@ -1321,7 +1328,7 @@ impl Pager {
                     self.add(block.group, self.indented(x, block.width), y);
                 }
             }
-            self.y = deepest + 8.0;
+            self.y = deepest + self.blank(8.0);
             from += here;
         }
     }

@@ -1157,10 +1157,31 @@ impl Teller<'_> {
                 if figures.printed.contains_key(&key) && !is_a_point(*mm) {
                     return None;
                 }
+                if let Some(line) = self.same_arrow(vector, key, &mut figures) {
+                    return Some(line);
+                }
                 read(self.name(vector), ends, *mm, *value, self.polygon()?, n, (&mut figures, key))
             }
         };
         Some(sentence)
+    }
+
+    /// What is known already of a vector by another that is the same arrow: where nothing speeds up the acceleration of a
+    /// crank pin is its normal part.
+    fn same_arrow(&self, vector: &Vector, key: Key, figures: &mut Figures) -> Option<Rich> {
+        let n = self.notation;
+        let polygon = self.polygon()?;
+        let same = |other: &&Vector| {
+            other.tail == vector.tail && other.head == vector.head && other.quantity != vector.quantity
+        };
+        let (other, print) = polygon.vectors.iter().filter(same).find_map(|other| {
+            let print = figures.printed.get(&Key::of(other.quantity, n))?;
+            Some((other, print.clone()))
+        })?;
+        figures.printed.entry(key).or_insert(print.clone());
+        let value = human::with_unit(&print.text, &print.unit.symbol);
+        let line = self.name(vector).up("\u{a0}= ").then(&self.name(other)).up("\u{a0}= ");
+        Some(line.then(&value))
     }
 
     /// Which guide is drawn, and where.
