@@ -330,8 +330,7 @@ pub fn solution(
         loose = mechanism.loosened(ROUNDED * missed);
         drawn = on_a_board(&loose).map_err(ranged)?.1;
     }
-    let extents =
-        Extents { drawn: Some(drawn.record().clone()), ..measure(drawn.record(), mechanism, board) };
+    let extents = measure(drawn.record(), mechanism, board);
     let mut page = choose(extents.clone());
     drawn.per_page = page.length() / board.length();
     drawn.per_page_of_velocities = page.of(Dimension::Velocity) / board.of(Dimension::Velocity);

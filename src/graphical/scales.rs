@@ -80,8 +80,7 @@ pub struct Extents {
     pub diagrams: Vec<DiagramExtent>,
     /// The joints of the skeleton, m, from its origin.
     pub joints: Vec<[f64; 2]>,
-    /// What is drawn and told so far, at scales that are no page's: how much text stands beside the diagrams. None where
-    /// nobody asks for a page.
+    /// What is drawn and told so far, at scales that are no page's: how much text stands beside the diagrams.
     pub drawn: Option<Construction>,
 }
 
@@ -294,7 +293,7 @@ pub(super) fn measure(record: &Construction, mechanism: &Mechanism, scales: Scal
         positions: space,
         diagrams,
         joints: places().map(|at| at.map(|x| x * scales.length())).collect(),
-        drawn: None,
+        drawn: Some(record.clone()),
     }
 }
 

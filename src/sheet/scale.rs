@@ -269,8 +269,16 @@ impl Choices<'_> {
         };
         let mut ways: Vec<(Chosen, f64)> = vec![(Vec::new(), 0.0)];
         for (i, least) in self.least().into_iter().enumerate() {
-            let own: Vec<(Option<f64>, f64)> =
-                self.around(i, least).into_iter().map(|scale| (scale, worth_of(i, scale))).collect();
+            // Where it is not known what follows no diagram is larger than its names and points need; and figures of centres
+            // and of velocities carried over reach further than the skeleton under them.
+            let lacks = |scale: Option<f64>| self.nameless(i, scale) + self.crowding(i, scale);
+            let far = i == 0 && self.others.circle.is_some();
+            let may = |scale: &Option<f64>| {
+                let larger = scale.zip(least).is_some_and(|(own, least)| own < least);
+                !larger || (!far && (!self.others.more || lacks(*scale) < lacks(least)))
+            };
+            let own = self.around(i, least).into_iter().filter(may);
+            let own: Vec<(Option<f64>, f64)> = own.map(|scale| (scale, worth_of(i, scale))).collect();
             let longer = |(way, worth): &(Chosen, f64)| {
                 let (way, worth) = (way.clone(), *worth);
                 own.iter()
@@ -286,7 +294,7 @@ impl Choices<'_> {
             if best.as_ref().is_some_and(|(_, most)| worth - PAGE <= *most) {
                 break;
             }
-            let Some(filled) = self.filled(&way, 1.0, SPARE) else { return way };
+            let Some(filled) = self.filled(&way, 1.0, SPARE) else { return self.least() };
             let longer = self.filled(&way, LONGER.0, SPARE).map_or(0.0, waste);
             let worth = worth - PAGE * filled.pages as f64 - WASTE * (waste(filled) + LONGER.1 * longer);
             if best.as_ref().is_none_or(|(_, most)| worth > *most) {
