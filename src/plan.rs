@@ -453,9 +453,11 @@ impl Wanted<'_> {
             Action::Centrifugal(_) if mechanism.named_sought().contains(&Sought::Spin) => all(),
             Action::Inertia(_) | Action::Centrifugal(_) | Action::Shaking | Action::Load(_) => Vec::new(),
             // Drawn beside what is asked.
-            Action::Weight(_) | Action::Spring { .. } | Action::Drive(_) | Action::Rolling { .. } => {
-                Vec::new()
-            }
+            Action::Weight(_)
+            | Action::Spring { .. }
+            | Action::Drive(_)
+            | Action::Drag(_)
+            | Action::Rolling { .. } => Vec::new(),
             Action::OnFrame => all(),
         };
         let mut balanced = match force {
@@ -585,7 +587,7 @@ impl Wanted<'_> {
 
     /// The accelerations of a mass.
     fn mass(&mut self, mass: &Mass, share: Share) {
-        if share == Share::Static {
+        if share == Share::Static || self.mechanism.rests_in_its_plane() {
             return;
         }
         if !self.mechanism.is_fixed(mass.centre) && mass.heaviness != Heaviness::None {

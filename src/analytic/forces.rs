@@ -488,6 +488,10 @@ impl State {
                     None => [zero; 3],
                 }
             }
+            Action::Drag(_) => match s.drag_on_sleeve() {
+                Some(([x, y], at)) => [x, y, (at[0] - about[0]) * y - (at[1] - about[1]) * x],
+                None => [zero; 3],
+            },
             Action::Load(index) => {
                 let load = &s.burden.loads[index];
                 let [x, y, torque] = s.load(load);

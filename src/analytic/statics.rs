@@ -629,6 +629,16 @@ impl<'t> Acting<'t> {
         Some((row, size * self.tape().constant(-sense)))
     }
 
+    /// The whole drag on the sleeve, and where it acts.
+    pub(super) fn drag_on_sleeve(&self) -> Option<([Var<'t>; 2], [Var<'t>; 2])> {
+        let (site, line, size) = self.burden.spin.as_ref()?.drag?;
+        let told = self.model.mechanism.forces.spin?;
+        let sense = told.sense(self.share, &self.model.mechanism)?;
+        let size = self.real.num(size).v * self.tape().constant(-sense);
+        let force = self.real.direction(&line).map(|c| c.v * size);
+        Some((force, self.real.site(&site).map(|c| c.v)))
+    }
+
     fn statical(&self) -> bool {
         self.share != Share::Inertia
     }

@@ -72,9 +72,10 @@ impl Measured {
                 let Some(arm) = &term.arm else { continue };
                 let about = match balance.about {
                     About::Point(point) => Some(point),
-                    About::Meet { .. } => None,
+                    About::Meet { .. } | About::Centre { .. } => None,
                 };
-                let told = about.map_or("K", |point| &mechanism.point(point).name);
+                let other = if matches!(balance.about, About::Centre { .. }) { "I" } else { "K" };
+                let told = about.map_or(other, |point| &mechanism.point(point).name);
                 let name = format!("arm({},{told})", action.name(mechanism));
                 lengths.push((Length::Arm(link, about, turned), name, arm.length / per_mm));
             }

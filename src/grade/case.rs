@@ -306,7 +306,7 @@ impl<'s> Case<'s> {
             body.map_or(10 * bodies.len(), |body| 10 * body + place(body).min(9))
         };
         let of_action = |action: Action| match action {
-            Action::Load(_) | Action::Weight(_) | Action::Spring { .. } => 0,
+            Action::Load(_) | Action::Weight(_) | Action::Spring { .. } | Action::Drag(_) => 0,
             Action::Inertia(_) | Action::Centrifugal(_) => 1,
             Action::Shaking => 4,
             Action::OnFrame => 11 + 10 * bodies.len(),

@@ -171,7 +171,7 @@ impl List<'_, '_> {
     fn place_of(&self, about: About) -> Option<[f64; 2]> {
         match about {
             About::Point(point) => self.place(point),
-            About::Meet { at, .. } => Some(at),
+            About::Meet { at, .. } | About::Centre { at, .. } => Some(at),
         }
     }
 
@@ -274,6 +274,7 @@ impl List<'_, '_> {
                 let point = match balance.about {
                     About::Point(point) => self.case.mechanism.point(point).name.as_str(),
                     About::Meet { .. } => "K",
+                    About::Centre { .. } => "I",
                 };
                 let how = format!("about {point} to the pin");
                 let beside = Departure::Beside { link, force: [0.0; 2], at: about, couple };

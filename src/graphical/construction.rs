@@ -7,7 +7,7 @@
 use std::fmt;
 
 use crate::double_double::DoubleDouble;
-use crate::mechanism::force::{Action, Force, Party, Sought};
+use crate::mechanism::force::{Action, Force, Party, Share, Sought};
 use crate::mechanism::friction::Rub;
 use crate::mechanism::quantity::{Answer, DiagramKind, Method, Order, Quantity};
 use crate::mechanism::structure::{Closing, TrialDriver};
@@ -70,6 +70,10 @@ pub struct Reading {
 /// own.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ForceSheet {
+    /// Of which part of the forces.
+    pub share: Share,
+    /// A governor, whose speeds follow from the balance of its sleeve and its arm.
+    pub governor: Option<Governor>,
     /// What inertia and weight each mass has.
     pub masses: Vec<MassForces>,
     /// The bodies in the order of solution.
@@ -273,6 +277,78 @@ pub enum About {
         /// Metres from the skeleton's origin.
         at: [f64; 2],
     },
+    /// The instantaneous centre of a link that is led by the frame and hangs on a slide: where the line of what the frame
+    /// exerts on it meets the line through the joint square to the guide.
+    Centre {
+        /// The link.
+        of: LinkId,
+        /// What the frame exerts on it.
+        line: Action,
+        /// The joint at which it hangs.
+        joint: PointId,
+        /// Where the two lines come from, metres from the skeleton's origin.
+        from: [[f64; 2]; 2],
+        /// Metres from the skeleton's origin.
+        at: [f64; 2],
+    },
+}
+
+/// A governor, as its balance is told: the sleeve along its guide, moments of the arm with the ball, and M ω² r.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Governor {
+    /// The arm, by its place among the bodies.
+    pub arm: usize,
+    /// The same, as a link.
+    pub link: LinkId,
+    /// The sleeve, by its place among the bodies.
+    pub sleeve: Option<usize>,
+    /// The ball.
+    pub centre: PointId,
+    /// Kilograms.
+    pub mass: f64,
+    /// How far the ball is from the axis, metres.
+    pub radius: f64,
+    /// The foot of this distance on the axis, metres from the skeleton's origin.
+    pub foot: [f64; 2],
+    /// The ball, metres from the skeleton's origin.
+    pub ball: [f64; 2],
+    /// A roller between arm and sleeve, with its forces on both.
+    pub hands_on: Option<(LinkId, Action, Action)>,
+    /// Whether the speed is sought.
+    pub sought: bool,
+    /// Whether the polygon of the arm is wanted for what the frame exerts on it.
+    pub closes: bool,
+    /// The senses in which the sleeve is about to move.
+    pub states: Vec<GovernorState>,
+}
+
+/// The balance of a governor in one sense of its sleeve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GovernorState {
+    /// Which sense.
+    pub share: Share,
+    /// rad/s.
+    pub omega: f64,
+    /// M ω² r, newtons.
+    pub centrifugal: f64,
+    /// The forces on the sleeve along its guide.
+    pub along: Option<AlongGuide>,
+    /// Moments of the arm.
+    pub moments: MomentBalance,
+}
+
+/// The forces on a sleeve along its guide: each with its size in newtons, that of a pin at the sleeve with its part along the
+/// guide.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AlongGuide {
+    /// What is found, and whether only its part along the guide.
+    pub found: (Action, f64, bool),
+    /// What is known, and whether it is against what is found.
+    pub terms: Vec<(Action, f64, bool, bool)>,
+    /// A force is inclined to the guide: the polygon gives its size.
+    pub inclined: bool,
+    /// The direction of the guide, radians.
+    pub angle: f64,
 }
 
 /// What a group of higher class leaves open, found by proportion from what would have to hold it.

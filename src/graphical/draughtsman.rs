@@ -94,6 +94,8 @@ pub(super) struct Draughtsman<'m> {
     pub(super) per_newton: f64,
     /// The balance of forces, for each part that is asked.
     pub(super) balances: Vec<(Share, Balance)>,
+    /// The part that free bodies are told of.
+    pub(super) told: Share,
     /// Millimetres of the skeleton here for one of the page, for what is drawn to be looked at.
     pub(super) per_page: f64,
     /// The same on the velocity polygon.
@@ -241,6 +243,7 @@ impl<'m> Draughtsman<'m> {
             scales,
             per_newton: scales.paper().force.unwrap_or_else(|| newtons_per_mm(mechanism)),
             balances: Vec::new(),
+            told: Share::Total,
             per_page: 1.0,
             per_page_of_velocities: 1.0,
             places: vec![None; points],

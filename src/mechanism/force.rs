@@ -610,6 +610,8 @@ pub enum Action {
     },
     /// The force along the guide on a driven slide, by index of the input; drawn, not asked.
     Drive(usize),
+    /// What drags on the sleeve of a governor, by index of its sliding pair; drawn, not asked.
+    Drag(usize),
     /// The force of a rolling pair on one of its bodies, where these meet in another pair besides; drawn, not asked.
     Rolling {
         /// Index of the rolling pair.
@@ -751,6 +753,10 @@ impl Action {
             Self::Weight(link) => format!("W({})", l(link)),
             Self::Spring { index, .. } => format!("spring({})", mechanism.forces.springs[index].name),
             Self::Drive(input) => Force::Drive(input).name(mechanism),
+            Self::Drag(slide) => match mechanism.slides[slide].rider {
+                Rider::Pin { point, .. } => format!("drag({})", p(point)),
+                Rider::Link { link, .. } => format!("drag({})", l(link)),
+            },
             Self::Rolling { roll, on } => {
                 let [by, on] = mechanism.bodies_rolling(roll, on);
                 format!("F({},{})", l(by), l(on))
@@ -768,9 +774,12 @@ impl Action {
             | Self::Centrifugal(link)
             | Self::Weight(link)
             | Self::Rolling { on: link, .. } => ([None; 2], [Some(link), None]),
-            Self::Shaking | Self::OnFrame | Self::Load(_) | Self::Spring { .. } | Self::Drive(_) => {
-                ([None; 2], [None; 2])
-            }
+            Self::Shaking
+            | Self::OnFrame
+            | Self::Load(_)
+            | Self::Spring { .. }
+            | Self::Drive(_)
+            | Self::Drag(_) => ([None; 2], [None; 2]),
         }
     }
 }

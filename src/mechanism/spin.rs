@@ -1,6 +1,6 @@
 //! Governors: a plane that turns about an axis in it, with all that stands in the plane.
 
-use super::force::{Action, Share};
+use super::force::{Action, Share, SpringKind};
 use super::{Given, GivenPoint, Input, LinkId, Mechanism};
 
 /// The whole plane turns about an axis in it. Every mass is a point at its mass centre and is driven away from the axis
@@ -65,16 +65,37 @@ impl Spin {
 }
 
 impl Mechanism {
+    /// Whether this is a governor whose inputs rest: nothing moves in its own plane.
+    #[must_use]
+    pub fn rests_in_its_plane(&self) -> bool {
+        let rests = |input: &Input| match input {
+            Input::Angle { omega, alpha, .. } => omega.value == 0.0 && alpha.value == 0.0,
+            Input::Speed { speed, alpha, .. } => speed.value == 0.0 && alpha.value == 0.0,
+            Input::Slide { velocity, acceleration, .. } => {
+                velocity.value == 0.0 && acceleration.value == 0.0
+            }
+        };
+        self.forces.spin.is_some() && self.inputs.iter().all(rests)
+    }
+
     /// How many equal halves share what acts on a link: more than one only of the sleeve of a governor.
     #[must_use]
     pub fn shared_by(&self, link: LinkId) -> f64 {
         self.forces.spin.map_or(1.0, |spin| spin.shared_by(link))
     }
 
-    /// How many halves share a force: of a load, a weight, inertia.
+    /// How many halves share a force: of a load, a weight, a spring, inertia, a drag.
     #[must_use]
     pub fn halves_of(&self, action: Action) -> f64 {
         match action {
+            Action::Spring { index, .. } => {
+                let ends = match self.forces.springs[index].kind {
+                    SpringKind::Pull(ends) => ends.map(|(link, _)| link),
+                    SpringKind::Torsion(links) => links,
+                };
+                ends.into_iter().map(|link| self.shared_by(link)).fold(1.0, f64::max)
+            }
+            Action::Drag(_) => self.forces.spin.and_then(|spin| spin.sleeve).map_or(1.0, |of| self.shared_by(of)),
             Action::Load(index) => self.shared_by(self.forces.loads[index].link),
             Action::Weight(link) | Action::Inertia(link) | Action::Centrifugal(link) => self.shared_by(link),
             _ => 1.0,

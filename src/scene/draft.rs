@@ -8,6 +8,7 @@ use super::json::{MOST, Value};
 use super::source::Anchors;
 use super::units::Scales;
 use crate::mechanism::force::Forces;
+use crate::mechanism::quantity::Unit;
 use crate::mechanism::{
     Form, Given, GivenPoint, Guide, Input, Link, LinkId, Mechanism, Path, Place, Point, PointId, Rider,
 };
@@ -18,6 +19,8 @@ pub(super) struct Draft<'s> {
     pub(super) mechanism: Mechanism,
     pub(super) anchors: Anchors,
     pub(super) input_units: Vec<InputUnits>,
+    /// The unit in which the speed of a governor is stated.
+    pub(super) spin_unit: Option<Unit>,
     /// The stated room of each placed point, metres; 0 where none is stated.
     pub(super) rooms: Vec<f64>,
     /// Where placed points stand that follow from dimensions and guides: what a figure states from them counts from there.
@@ -53,6 +56,7 @@ impl<'s> Draft<'s> {
             },
             anchors: Anchors::new(root),
             input_units: Vec::new(),
+            spin_unit: None,
             rooms: Vec::new(),
             settled: Vec::new(),
             spots: HashMap::new(),

@@ -145,7 +145,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
     let source = Source { file: file.to_owned(), text: text.to_owned(), anchors: draft.anchors };
     let mut mechanism = draft.mechanism;
     rolls::name_contacts(&mut mechanism);
-    let input_units = draft.input_units;
+    let (input_units, spin_unit) = (draft.input_units, draft.spin_unit);
     Ok(Scene {
         title,
         units: scales.units(),
@@ -154,6 +154,7 @@ fn scene(root: &Value<'_>, text: &str, file: &str) -> Res<Scene> {
         errata,
         expect,
         input_units,
+        spin_unit,
         sheet,
         vary,
         source,
@@ -177,6 +178,8 @@ pub struct Scene {
     pub expect: Option<Refusal>,
     /// How the motion of each input is stated, by index of the input.
     pub input_units: Vec<InputUnits>,
+    /// The unit in which the speed of a governor is stated, where it is.
+    pub spin_unit: Option<Unit>,
     /// How to draw.
     pub sheet: SheetOptions,
     /// What exam variants may change, in the order of the file; never looked at in a solution.

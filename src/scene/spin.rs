@@ -24,7 +24,12 @@ pub(super) fn read(scene: &Fields<'_, '_>, draft: &mut Draft<'_>) -> Res<()> {
     let omega = fields.need("omega", "how fast the plane turns, or \"?\"")?;
     let omega = match &omega.kind {
         Kind::Text(text) if text.trim() == "?" => SpinSpeed::Sought,
-        _ => SpinSpeed::Given(draft.scales.given(omega, Measure::AngularVelocity)?),
+        _ => {
+            let bare = draft.scales.bare(Measure::AngularVelocity);
+            let stated = draft.scales.stated(omega, Measure::AngularVelocity, true, bare)?;
+            draft.spin_unit = Some(stated.scale.unit());
+            SpinSpeed::Given(draft.scales.given(omega, Measure::AngularVelocity)?)
+        }
     };
     let balls = match fields.get("balls") {
         None => 1,

@@ -553,12 +553,14 @@ pub(super) fn given(notation: &Notation<'_>, parts: &mut Vec<Rich>) {
         let axis = human::with_unit(&through, &units.length.symbol)
             .up(" ∠\u{a0}")
             .then(&human::degrees(spin.angle.value));
-        parts.push(equals(Rich::italic("O"), &axis));
+        parts.push(Rich::fill(notation.words.given_axis, &[("place", axis)]));
         if let SpinSpeed::Given(omega) = spin.omega {
-            parts.push(equals(Rich::italic("ω"), &human::stated_quantity(omega.value, &rate)));
+            let unit = notation.scene.spin_unit.as_ref().unwrap_or(&rate);
+            parts.push(equals(Rich::italic("ω"), &human::stated_quantity(omega.value, unit)));
         }
         if spin.balls > 1 {
-            parts.push(equals(Rich::italic("Z"), &human::stated(f64::from(spin.balls))));
+            let count = ("count", human::stated(f64::from(spin.balls)));
+            parts.push(Rich::fill(notation.words.given_halves, &[count]));
         }
         if let Some(drag) = spin.drag {
             parts.push(equals(

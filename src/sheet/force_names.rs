@@ -12,7 +12,21 @@ const INERTIA: &str = "in";
 
 /// The name of a force on the half of a governor that is drawn: of what all halves share it has its part.
 pub(super) fn acting(notation: &Notation<'_>, action: Action) -> Rich {
-    let name = notation.symbol(Quantity::Force(Force::Vector(action), Share::Total), false);
+    acting_in(notation, action, Share::Total)
+}
+
+/// The same with the mark of what it is a part of; what is given has none.
+pub(super) fn acting_in(notation: &Notation<'_>, action: Action, share: Share) -> Rich {
+    let given = matches!(action, Action::Load(_) | Action::Weight(_) | Action::Spring { .. } | Action::Drag(_));
+    let share = if given { Share::Total } else { share };
+    let name = notation.symbol(Quantity::Force(Force::Vector(action), share), false);
+    let halves = notation.mechanism().halves_of(action);
+    if halves == 1.0 { name } else { name.up("/").then(&super::human::stated(halves)) }
+}
+
+/// The same as a vector in a balance.
+pub(super) fn laid_off(notation: &Notation<'_>, action: Action) -> Rich {
+    let name = notation.symbol(Quantity::Force(Force::Vector(action), Share::Total), true);
     let halves = notation.mechanism().halves_of(action);
     if halves == 1.0 { name } else { name.up("/").then(&super::human::stated(halves)) }
 }
@@ -79,6 +93,7 @@ pub(super) fn symbol(notation: &Notation<'_>, force: Force, share: Share) -> Ric
         Action::Weight(link) => marked("W", "", &notation.number(link)),
         Action::Spring { index, .. } => marked(pull(index), "", &mechanism.forces.springs[index].name),
         Action::Drive(input) => drive(input),
+        Action::Drag(_) => marked("F", "", "f"),
         Action::Rolling { roll, on } => {
             let [by, on] = mechanism.bodies_rolling(roll, on);
             marked("F", "", &two(notation.number(by), notation.number(on)))

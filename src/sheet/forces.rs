@@ -5,6 +5,7 @@ use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Dash, Group, Mark, Pen, Shape, Tone};
 use super::friction;
+use super::governor;
 use super::human;
 use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, page};
 use super::labels::{Request, Site, place};
@@ -77,7 +78,8 @@ impl ForcePanel {
             all.extend(together.map(|(moments, _)| Self::Together(moments)));
             all.push(Self::Body(index));
             // Two forces are one line there and back.
-            if body.acting.len() > 2 && chain(&body.acting).is_some() {
+            let laid_off = body.acting.len() > 2 && !governor::without_polygon(sheet, index);
+            if laid_off && chain(&body.acting).is_some() {
                 waiting.push(Self::Polygon(index));
             }
             if !body.with_next {
@@ -340,7 +342,12 @@ fn given(sheet: &ForceSheet) -> Vec<Acting> {
     for acting in sheet.bodies.iter().flat_map(|body| &body.acting) {
         let is_given = matches!(
             acting.action,
-            Action::Load(_) | Action::Weight(_) | Action::Inertia(_) | Action::Spring { .. }
+            Action::Load(_)
+                | Action::Weight(_)
+                | Action::Inertia(_)
+                | Action::Spring { .. }
+                | Action::Drag(_)
+                | Action::Centrifugal(_)
         );
         if is_given && all.iter().all(|other| other.action != acting.action) {
             all.push(*acting);
@@ -392,7 +399,7 @@ fn short_arrow(
 }
 
 /// Metres from the skeleton's origin as a place of the page.
-fn on_page(metres: [f64; 2], construction: &Construction) -> Point {
+pub(super) fn on_page(metres: [f64; 2], construction: &Construction) -> Point {
     page(metres.map(|m| m / construction.space.metres_per_mm))
 }
 
@@ -407,6 +414,9 @@ fn loads(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_
         let mut overlay = Overlay { ink: Group::new("forces"), ..Overlay::default() };
         for link in notation.mechanism().moving() {
             friction::circles_on(&mut overlay.ink, link, sheet, construction, notation);
+        }
+        if let Some(governor) = &sheet.governor {
+            governor::radius(&mut overlay.ink, &mut overlay.labels, governor, construction, notation);
         }
         let mut taken = Vec::new();
         for (link, torque, value) in given_torques(sheet) {
@@ -547,6 +557,22 @@ fn arms(
             requests.push(Request::new(meet_name(on, notation), LABEL, site, "label meet-name"));
             at
         }
+        About::Centre { of, from, at, .. } => {
+            let at = on_page(at, construction);
+            let mut meet = Group::new("meet").data("link", notation.number(of));
+            for end in from.map(|end| on_page(end, construction)).into_iter().filter(|end| end.distance(at) > 1.0)
+            {
+                let past = at + (at - end).normalize() * 3.0;
+                let line = Shape::Line(end, past);
+                meet.mark(Mark::stroke(line, Pen { width: FINE, dash: Dash::Dashed }).precise());
+            }
+            let spot = Shape::Circle { centre: at, radius: 0.6 };
+            meet.mark(Mark::outlined(spot, Pen::solid(FINE), Tone::Ink).precise());
+            group.group(meet);
+            let site = Site::Around { at, radius: 0.8, toward: None };
+            requests.push(Request::new(centre_name(), LABEL, site, "label meet-name"));
+            at
+        }
     };
     let mut drawn: Vec<Arm> = Vec::new();
     for term in moments.terms.iter().chain([&moments.found]) {
@@ -623,6 +649,11 @@ fn three_forces(
 /// The name of the resultant of what is known to act on a link.
 pub fn resultant_name(on: LinkId, notation: &Notation<'_>) -> Rich {
     Rich::italic("R").sub(&notation.number(on))
+}
+
+/// The name of the instantaneous centre about which the moments of an arm are taken.
+pub fn centre_name() -> Rich {
+    Rich::italic("I")
 }
 
 /// The name of the point in which the lines of two forces on a link meet.
@@ -1064,6 +1095,19 @@ pub fn stated(
         request.leader = true;
         requests.push(request.or(Site::Along { from: at, to }));
     }
+    let (coils, names) = springs(notation, place);
+    coils.into_iter().for_each(|coil| group.group(coil));
+    requests.extend(names);
+    (group, requests)
+}
+
+/// The springs of a scene where they stand, with their names.
+pub fn springs(
+    notation: &Notation<'_>,
+    place: impl Fn(crate::mechanism::PointId) -> Option<Point>,
+) -> (Vec<Group>, Vec<Request>) {
+    let mechanism = notation.mechanism();
+    let (mut coils, mut requests) = (Vec::new(), Vec::new());
     for spring in &mechanism.forces.springs {
         let [(_, from), (_, to)] = match spring.kind {
             SpringKind::Pull(ends) => ends,
@@ -1077,7 +1121,7 @@ pub fn stated(
                 if let Some(at) = pin.and_then(|pin| place(*pin)) {
                     let mut own = Group::new("spring");
                     own.mark(Mark::stroke(Shape::Polyline(spiral(at)), Pen::solid(THIN)));
-                    group.group(own);
+                    coils.push(own);
                     let site = Site::Around { at, radius: 3.4, toward: None };
                     let mut request =
                         Request::new(Rich::italic(&spring.name), SMALL, site, "label spring-name");
@@ -1093,13 +1137,13 @@ pub fn stated(
         }
         let mut own = Group::new("spring");
         own.mark(Mark::stroke(Shape::Polyline(coil(from, to)), Pen::solid(THIN)));
-        group.group(own);
+        coils.push(own);
         let name = Rich::italic(&spring.name);
         let mut request = Request::new(name, SMALL, Site::Along { from, to }, "label spring-name");
         request.leader = true;
         requests.push(request);
     }
-    (group, requests)
+    (coils, requests)
 }
 
 /// Whither a load points on the page, as the scene says it.

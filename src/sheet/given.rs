@@ -440,8 +440,7 @@ impl Teller<'_> {
         parts.extend(self.own_places());
         let weighs = forces.masses.iter().any(|mass| matches!(mass.heaviness, Heaviness::Weight(_)));
         if forces.gravity.acts || (weighs && mechanism.inputs.iter().any(moves)) {
-            let acceleration = self.n.unit(Dimension::Acceleration);
-            let g = human::stated_quantity(forces.gravity.g.value, &acceleration);
+            let g = human::stated_quantity(forces.gravity.g.value, &self.unit_of_gravity());
             let told = self.equals(Rich::italic("g"), &g);
             let direction = forces.gravity.direction.value;
             let down = (direction - crate::mechanism::force::Gravity::DOWN.value).abs() < 1e-12;
@@ -485,6 +484,24 @@ impl Teller<'_> {
             }
         }
         self.friction(parts);
+    }
+
+    /// Metres per second squared beside newtons; beside pounds what the scene measures in.
+    fn unit_of_gravity(&self) -> Unit {
+        let own = self.n.unit(Dimension::Acceleration);
+        let metric = ["nm/", "um/", "mm/", "cm/", "km/"].iter().any(|length| own.symbol.starts_with(length));
+        let seconds = self.n.scene.units.time.si == 1.0;
+        if metric && seconds { Unit { symbol: "m/s^2".to_owned(), si: 1.0 } } else { own }
+    }
+
+    /// Whether a rate of zero need not be told: forces of a mechanism at rest, of which nobody asks how it moves.
+    fn rests(&self, rates: [f64; 2]) -> bool {
+        let mechanism = self.n.mechanism();
+        let of_motion = |asked: &Asked| {
+            !matches!(asked.quantity, Quantity::Force(..) | Quantity::Cycle(_))
+                && asked.quantity.order() >= Order::Velocity
+        };
+        rates == [0.0; 2] && !mechanism.forces.is_empty() && !mechanism.asked.iter().any(of_motion)
     }
 
     /// How hard a torsion spring turns: its stiffness and the angle without load, or its torque.
@@ -628,6 +645,7 @@ impl Teller<'_> {
         match load.kind {
             LoadKind::Torque { size: of, with_motion } => {
                 let told = match of {
+                    Size::Sought => name.word(self.n.words.given_sought),
                     // A sense, not a sign.
                     Size::Given(given) if with_motion.is_none() => {
                         let value = human::stated_quantity(given.value.abs(), &units.torque);
@@ -652,6 +670,7 @@ impl Teller<'_> {
             }
             LoadKind::Force { size: of, pointing, .. } => {
                 let told = match of {
+                    Size::Sought => name.word(self.n.words.given_sought),
                     // What presses is told before what it comes to.
                     Size::Pressure { .. } => name.up(":\u{a0}").then(&size(of, &units.force)),
                     _ => self.equals(name, &size(of, &units.force)),
@@ -721,6 +740,9 @@ impl Teller<'_> {
         match input {
             Input::Angle { link, angle: at, omega, alpha } => {
                 parts.extend(at.map(|at| angle(*link, at.value)));
+                if self.rests([omega.value, alpha.value]) {
+                    return;
+                }
                 let unit = rate_unit(self.n.angular_unit(Order::Velocity));
                 let value = self.constant(self.rate(omega.value, &unit, true), alpha.value);
                 parts.push(self.equals(self.n.symbol(Quantity::Omega(*link), false), &value));
@@ -751,6 +773,9 @@ impl Teller<'_> {
                     let distance = ("distance", self.length(at.value));
                     let point = ("point", self.n.point(point));
                     parts.push(Rich::fill(self.n.words.given_at, &[point, distance]));
+                }
+                if self.rests([velocity.value, acceleration.value]) {
+                    return;
                 }
                 let unit = rate_unit(self.n.unit(Dimension::Velocity));
                 let value = self.constant(self.rate(velocity.value, &unit, false), acceleration.value);

@@ -26,6 +26,7 @@ mod force_names;
 mod forces;
 mod friction;
 mod given;
+mod governor;
 mod grid;
 mod growth;
 mod human;

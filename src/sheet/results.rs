@@ -6,6 +6,7 @@ use super::steps::Figures;
 use super::table::{Align, Flow, Table};
 use super::{given, human};
 use crate::graphical::construction::{Construction, Reading};
+use crate::mechanism::force::{Force, Share};
 use crate::mechanism::quantity::{Answer, Asked, Dimension, Indeterminate, Method, Order, Quantity};
 
 /// The asked quantities of these orders with their values, senses and directions; what was told in the steps as it was told.
@@ -113,6 +114,17 @@ fn row(asked: &Asked, reading: &Reading, notation: &Notation<'_>, figures: &Figu
             Quantity::Force(force, _) if force.turns() => {
                 let value_cell = amount(value.abs());
                 vec![symbol, value_cell, Rich::upright(notation.sense(*value))]
+            }
+            Quantity::Force(Force::Spin, share) if asked.unit.symbol.starts_with("rad/") => {
+                let rpm = super::governor::rpm();
+                let told = figures.told(asked.quantity, *value, &rpm, notation);
+                let turns = told.unwrap_or_else(|| human::quantity(*value, &rpm));
+                let sense = match share {
+                    Share::Rising => words.governor_up,
+                    Share::Falling => words.governor_down,
+                    Share::Total | Share::Static | Share::Inertia => "",
+                };
+                vec![symbol, amount(*value).up("\u{a0}= ").then(&turns), Rich::upright(sense)]
             }
             Quantity::Cycle(_) if *value > 0.0 => vec![symbol, amount(*value), Rich::default()],
             _ => vec![symbol, human::quantity(*value, &asked.unit), Rich::default()],

@@ -153,6 +153,9 @@ pub fn draw_under(
         artist.labels.extend(names);
     }
     artist.links_and_joints(&mut group, true);
+    let (coils, names) = super::forces::springs(notation, |point| artist.pose.place(point));
+    coils.into_iter().for_each(|coil| group.group(coil));
+    artist.labels.extend(names);
     let mut known = artist.known_rotations();
     if arrows == Arrows::Inputs {
         let inputs: Vec<LinkId> = notation.mechanism().inputs.iter().filter_map(driven).collect();

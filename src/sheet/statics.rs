@@ -25,10 +25,10 @@ use crate::mechanism::{LinkId, PointId};
 
 /// A side of a polygon that is shorter is not read, mm.
 const TOO_SHORT: f64 = 1.0;
-const TIMES: &str = "\u{a0}×\u{a0}";
-const DOT: &str = "\u{a0}·\u{a0}";
-const OVER: &str = "\u{a0}/\u{a0}";
-const EQUALS: &str = "\u{a0}= ";
+pub(super) const TIMES: &str = "\u{a0}×\u{a0}";
+pub(super) const DOT: &str = "\u{a0}·\u{a0}";
+pub(super) const OVER: &str = "\u{a0}/\u{a0}";
+pub(super) const EQUALS: &str = "\u{a0}= ";
 
 /// Everything that is told of forces, each with what is drawn beside it; with the figures in which its numbers are printed
 /// on the sheet.
@@ -39,10 +39,10 @@ pub fn told(
     notation: &Notation<'_>,
     figures: &RefCell<Figures>,
 ) -> Vec<(ForcePanel, Vec<Item>)> {
-    let teller = Teller { sheet, construction, n: notation, figures };
+    let teller = Teller { sheet, construction, n: notation, figures, share: sheet.share, several: false };
     let mut all = vec![(ForcePanel::Loads, teller.given())];
     all.extend((0..sheet.bodies.len()).map(|index| (ForcePanel::Body(index), teller.body(index))));
-    all.push((ForcePanel::Whole, teller.whole()));
+    all.push((ForcePanel::Whole, teller.whole_told()));
     all.push((ForcePanel::Shaking, teller.shaking()));
     // A head alone says nothing.
     all.retain(|(_, items)| items.iter().any(|item| !matches!(item, Item::Head(_))));
@@ -87,17 +87,22 @@ pub fn symbol(of: Turning, notation: &Notation<'_>) -> Rich {
     }
 }
 
-struct Teller<'a> {
-    sheet: &'a ForceSheet,
-    construction: &'a Construction,
-    n: &'a Notation<'a>,
-    figures: &'a RefCell<Figures>,
+#[derive(Clone, Copy)]
+pub(super) struct Teller<'a> {
+    pub(super) sheet: &'a ForceSheet,
+    pub(super) construction: &'a Construction,
+    pub(super) n: &'a Notation<'a>,
+    pub(super) figures: &'a RefCell<Figures>,
+    /// Of which part of the forces is told.
+    pub(super) share: Share,
+    /// Whether it is told of several, so that names have a mark.
+    pub(super) several: bool,
 }
 
 /// A number in a computed line: its value, the unit of the scene, and the SI unit; and what it is of, where other lines
 /// tell it too.
 #[derive(Clone, Copy)]
-struct Factor<'a> {
+pub(super) struct Factor<'a> {
     si: f64,
     unit: &'a Unit,
     name: &'static str,
@@ -105,11 +110,11 @@ struct Factor<'a> {
 }
 
 impl<'a> Factor<'a> {
-    const fn new(si: f64, unit: &'a Unit, name: &'static str) -> Self {
+    pub(super) const fn new(si: f64, unit: &'a Unit, name: &'static str) -> Self {
         Self { si, unit, name, key: None }
     }
 
-    const fn of(self, key: Key) -> Self {
+    pub(super) const fn of(self, key: Key) -> Self {
         Self { key: Some(key), ..self }
     }
 
@@ -122,28 +127,76 @@ impl<'a> Factor<'a> {
     }
 }
 
-fn whole(force: Force) -> Key {
-    let force = if let Force::Vector(action) = force { Force::Vector(either(action)) } else { force };
-    Key::Of(Quantity::Force(force, Share::Total))
-}
-
-/// What has a moment, as a number on the sheet.
-fn key_of(of: Turning) -> Key {
-    match of {
-        Turning::Force(action) => whole(Force::Vector(action)),
-        Turning::Along(action) => Key::Part(either(action), false),
-        Turning::Across(action) => Key::Part(either(action), true),
-        Turning::Torque(torque) => whole(torque),
-    }
-}
-
 impl Teller<'_> {
+    /// A force as a number on the sheet.
+    pub(super) fn whole(&self, force: Force) -> Key {
+        let force = match force {
+            // A weight stands as M g gave it.
+            Force::Vector(Action::Weight(link)) if self.n.mechanism().shared_by(link) == 1.0 => {
+                return Key::OfLink("W", link);
+            }
+            Force::Vector(action) => Force::Vector(either(action)),
+            other => other,
+        };
+        Key::Of(Quantity::Force(force, self.share))
+    }
+
+    /// The part of a force across the line of a link, or along a guide.
+    pub(super) fn part_key(&self, action: Action) -> Key {
+        match self.share == self.sheet.share {
+            true => Key::Part(either(action), true),
+            false => Key::Of(Quantity::Force(Force::Vector(either(action)), self.share)),
+        }
+    }
+
+    /// What has a moment, as a number on the sheet.
+    fn key_of(&self, of: Turning) -> Key {
+        match of {
+            Turning::Force(action) => self.whole(Force::Vector(action)),
+            Turning::Along(action) => Key::Part(either(action), false),
+            Turning::Across(action) => self.part_key(action),
+            Turning::Torque(torque) => self.whole(torque),
+        }
+    }
+
+    /// The symbol of the part of a force across the line of a link, or along a guide.
+    pub(super) fn part(&self, action: Action) -> Rich {
+        let sense = match self.mark() {
+            Share::Rising => "′",
+            Share::Falling => "″",
+            Share::Total | Share::Static | Share::Inertia => "",
+        };
+        super::force_names::part(self.n, action, &format!("{}{sense}", self.n.profile.tangential))
+    }
+
+    /// The symbol of what has a moment, with the mark of the sense that is told.
+    fn name_of(&self, of: Turning) -> Rich {
+        match of {
+            Turning::Force(action) => self.symbol(action),
+            Turning::Across(action) => self.part(action),
+            Turning::Along(_) | Turning::Torque(_) => symbol(of, self.n),
+        }
+    }
+
+    /// A reading of a length on the skeleton with what it is by the scale: that of what was read.
+    pub(super) fn measured(&self, key: Key, metres: f64, mm: f64) -> (Rich, Rich) {
+        let unit = &self.n.scene.units.length;
+        let mut figures = self.figures.borrow_mut();
+        let factor = metres / unit.si / mm;
+        if !figures.has(key) {
+            let (_, amount, written) = human::reading_at(mm, factor, metres / unit.si, figures.more(key));
+            figures.note(key, &amount, (written, metres / unit.si), unit);
+        }
+        let (reading, ..) = human::reading_at(mm, factor, metres / unit.si, figures.more(key));
+        let told = figures.tell(key, metres, unit);
+        (reading, human::with_unit(&told, &unit.symbol))
+    }
     fn head(&self, text: Rich) -> Item {
         Item::Head(text.bolder())
     }
 
-    fn symbol(&self, action: Action) -> Rich {
-        super::force_names::acting(self.n, action)
+    pub(super) fn symbol(&self, action: Action) -> Rich {
+        super::force_names::acting_in(self.n, action, self.mark())
     }
 
     fn force(&self, newtons: f64) -> Rich {
@@ -160,7 +213,7 @@ impl Teller<'_> {
 
     /// A computed line: in the scene's units where they go together, else in SI, and the result in the scene's unit
     /// after it. The operators stand between the factors.
-    fn line(
+    pub(super) fn line(
         &self,
         of: Rich,
         formula: Rich,
@@ -176,7 +229,7 @@ impl Teller<'_> {
 
     /// The same where it is known whether the units of the scene go together, and in which unit the result is told last.
     #[expect(clippy::too_many_arguments, reason = "a line has a name, a formula, numbers and a result")]
-    fn line_in(
+    pub(super) fn line_in(
         &self,
         together: bool,
         of: Rich,
@@ -219,6 +272,9 @@ impl Teller<'_> {
         let mut lines: Vec<Rich> = self.loads();
         for mass in &self.sheet.masses {
             lines.extend(self.mass(mass));
+        }
+        if let Some(governor) = &self.sheet.governor {
+            lines.extend(self.governor_given(governor));
         }
         items.extend(lines.into_iter().map(Item::Sentence));
         items
@@ -428,10 +484,7 @@ impl Teller<'_> {
         let turning = own.alpha.filter(|alpha| *alpha != 0.0 && own.inertia.is_some());
         match (stated.heaviness, own.mass, own.weight) {
             (Heaviness::Weight(weight), Some(mass), _) if own.acceleration > 0.0 || turning.is_some() => {
-                let factors = [Factor::new(weight.value, &units.force, "N"), Factor::new(g, &a, "m/s²")];
-                let result = Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", own.link));
-                let formula = name("W").up(OVER).it("g");
-                lines.push(self.line(name("M"), formula, &factors, quotient, |n| n[0] / n[1], result));
+                lines.push(self.mass_of_weight(own.link, weight.value, mass));
             }
             (Heaviness::Mass(given), _, Some(weight)) => {
                 let factors = [Factor::new(given.value, &units.mass, "kg"), Factor::new(g, &a, "m/s²")];
@@ -450,7 +503,7 @@ impl Teller<'_> {
                 Factor::new(own.acceleration, &a, "m/s²").of(Key::Of(Quantity::Acceleration(own.centre))),
             ];
             let result = Factor::new(inertia_force, &units.force, "N")
-                .of(whole(Force::Vector(Action::Inertia(own.link))));
+                .of(self.whole(Force::Vector(Action::Inertia(own.link))));
             let of = force(Force::Vector(Action::Inertia(own.link)));
             let acceleration = self.n.symbol(Quantity::Acceleration(own.centre), false);
             let formula = name("M").up(DOT).then(&acceleration);
@@ -501,24 +554,36 @@ impl Teller<'_> {
             Factor::new(alpha.abs(), &w, "rad/s²").of(Key::Of(Quantity::Alpha(own.link))),
         ];
         let result =
-            Factor::new(torque.abs(), &units.torque, "N·m").of(whole(Force::InertiaTorque(own.link)));
+            Factor::new(torque.abs(), &units.torque, "N·m").of(self.whole(Force::InertiaTorque(own.link)));
         let of = force(Force::InertiaTorque(own.link));
         let formula = name("I").up(DOT).then(&self.n.symbol(Quantity::Alpha(own.link), false));
         let line = self.line(of.clone(), formula, &factors, product, |n| n[0] * n[1], result);
         lines.push(line.word(self.n.sense(-torque)));
         if inertia_force > 0.0 {
             let factors = [
-                Factor::new(torque.abs(), &units.torque, "N·m").of(whole(Force::InertiaTorque(own.link))),
+                Factor::new(torque.abs(), &units.torque, "N·m").of(self.whole(Force::InertiaTorque(own.link))),
                 Factor::new(inertia_force, &units.force, "N")
-                    .of(whole(Force::Vector(Action::Inertia(own.link)))),
+                    .of(self.whole(Force::Vector(Action::Inertia(own.link)))),
             ];
             let result = Factor::new(torque.abs() / inertia_force, &units.length, "m")
-                .of(whole(Force::Offset(own.link)));
+                .of(self.whole(Force::Offset(own.link)));
             let formula = of.up(OVER).then(&force(Force::Vector(Action::Inertia(own.link))));
             let h = force(Force::Offset(own.link));
             lines.push(self.line(h, formula, &factors, quotient, |n| n[0] / n[1], result));
         }
         lines
+    }
+
+    /// M = W / g.
+    pub(super) fn mass_of_weight(&self, link: LinkId, weight: f64, mass: f64) -> Rich {
+        let units = &self.n.scene.units;
+        let g = self.n.mechanism().forces.gravity.g.value;
+        let a = self.acceleration();
+        let name = |letter: &str| Rich::italic(letter).sub(&self.n.number(link));
+        let factors = [Factor::new(weight, &units.force, "N"), Factor::new(g, &a, "m/s²")];
+        let result = Factor::new(mass, &units.mass, "kg").of(Key::OfLink("M", link));
+        let formula = name("W").up(OVER).it("g");
+        self.line(name("M"), formula, &factors, quotient, |n| n[0] / n[1], result)
     }
 
     /// The acceleration of a mass centre, read off its image.
@@ -572,6 +637,7 @@ impl Teller<'_> {
             }
         }
         items.extend(self.contacts(body).into_iter().map(Item::Sentence));
+        items.extend(self.governor_body(index, false));
         items.extend(self.three_forces(index).map(Item::Sentence));
         let trials = self.sheet.group_trials.iter().filter(|trial| trial.told == index);
         items.extend(trials.map(|trial| Item::Sentence(self.group_trial(trial))));
@@ -584,7 +650,8 @@ impl Teller<'_> {
             matches!(moments.found.of, Turning::Torque(_)) && moments.terms.iter().any(|term| closes(term.of))
         };
         let told = |later_ones: bool| {
-            let own = self.sheet.moments.iter().filter(|moments| moments.told == index);
+            let plain = self.sheet.governor.is_none();
+            let own = self.sheet.moments.iter().filter(move |moments| plain && moments.told == index);
             own.filter(move |moments| later(moments) == later_ones)
         };
         for moments in told(false) {
@@ -598,7 +665,8 @@ impl Teller<'_> {
             let link = [("link", Rich::upright(self.n.number(link)))];
             items.push(Item::Sentence(Rich::fill(template, &link)));
         }
-        if let [one, other] = &body.acting[..] {
+        let by_lines = super::governor::without_polygon(self.sheet, index);
+        if let ([one, other], false) = (&body.acting[..], by_lines) {
             items.extend(self.equal(one, other).map(Item::Sentence));
         }
         if body.with_next {
@@ -613,6 +681,7 @@ impl Teller<'_> {
         for k in first.into_iter().chain(index - before..last) {
             items.extend(self.polygon(k).into_iter().map(Item::Sentence));
         }
+        items.extend(self.governor_body(index, true));
         for moments in told(true) {
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
@@ -914,8 +983,12 @@ impl Teller<'_> {
             let size = libm::hypot(acting.force[0], acting.force[1]);
             let told = match acting.known {
                 Knowledge::Full => {
-                    let key = whole(Force::Vector(acting.action));
-                    let number = self.figures.borrow_mut().tell(key, size, unit);
+                    let key = self.whole(Force::Vector(acting.action));
+                    // Of what halves share a part counts, which is told here alone.
+                    let number = match self.n.mechanism().halves_of(acting.action) == 1.0 {
+                        true => self.figures.borrow_mut().tell(key, size, unit),
+                        false => human::limited(size / unit.si, 1).0,
+                    };
                     Rich::tick().gap(0.15).then(&number)
                 }
                 _ => unknown(),
@@ -924,8 +997,7 @@ impl Teller<'_> {
                 Knowledge::Full | Knowledge::Line => Rich::tick(),
                 Knowledge::Nothing => unknown(),
             };
-            let symbol = self.n.symbol(Quantity::Force(Force::Vector(acting.action), Share::Total), true);
-            column(symbol, [told, line]);
+            column(super::force_names::laid_off(self.n, acting.action), [told, line]);
         }
         column(Rich::upright("="), [Rich::default(), Rich::default()]);
         column(Rich::upright("0"), [Rich::default(), Rich::default()]);
@@ -934,30 +1006,21 @@ impl Teller<'_> {
 
     /// Moments about a point: the measured arms, and the quotient or sum with its numbers.
     fn moments(&self, moments: &MomentBalance) -> Vec<Rich> {
+        self.moments_with(moments, true)
+    }
+
+    /// The same; the arms where they are measured first.
+    pub(super) fn moments_with(&self, moments: &MomentBalance, first: bool) -> Vec<Rich> {
         let words = self.n.words;
         let units = &self.n.scene.units;
         let mut lines = Vec::new();
-        let mut arms: Vec<Arm> = Vec::new();
-        for arm in moments.terms.iter().chain([&moments.found]).filter_map(|term| term.arm) {
-            let stated = arm.between.is_some_and(|ends| self.is_stated(ends));
-            if !stated && arms.iter().all(|other| *other != arm) {
-                arms.push(arm);
-            }
-        }
-        let measured: Vec<Rich> = arms
-            .into_iter()
-            .map(|arm| {
-                let mm = human::millimetres(arm.length / self.construction.space.metres_per_mm);
-                let name = arm_name(self.sheet, &arm, self.n);
-                name.up(EQUALS).then(&mm).up("\u{a0}≙\u{a0}").then(&self.arm(&arm))
-            })
-            .collect();
+        let measured = if first { self.arms_of(moments) } else { Vec::new() };
         if !measured.is_empty() {
             let list = Rich::join(&measured, &Rich::upright(words.comma));
             lines.push(Rich::fill(words.measured_arms, &[("list", list)]));
         }
         let sum: f64 = moments.terms.iter().map(|term| term.moment).sum();
-        let found = symbol(moments.found.of, self.n);
+        let found = self.name_of(moments.found.of);
         let name_of_place = match moments.about {
             About::Point(point) => self.n.point(point),
             About::Meet { on, of, .. } => {
@@ -966,6 +1029,12 @@ impl Teller<'_> {
                 let parts = [("one", one), ("other", other), ("point", name.clone())];
                 lines.insert(0, Rich::fill(words.lines_meet, &parts));
                 name
+            }
+            about @ About::Centre { .. } => {
+                if let (Some(line), true) = (self.centre_line(about), first) {
+                    lines.insert(0, line);
+                }
+                super::forces::centre_name()
             }
         };
         let place = ("point", name_of_place);
@@ -984,7 +1053,7 @@ impl Teller<'_> {
         let unit = if divisor.is_some() { &units.force } else { &units.torque };
         let name = if divisor.is_some() { "N" } else { "N·m" };
         let size = sum.abs() / moments.found.arm.map_or(1.0, |arm| arm.length);
-        let result = Factor::new(size, unit, name).of(key_of(moments.found.of));
+        let result = Factor::new(size, unit, name).of(self.key_of(moments.found.of));
         let line = self.weighed(found, &moments.terms, divisor, result);
         let sense = self.n.sense(-sum);
         lines.push(tell(if moments.found.arm.is_some() {
@@ -1013,10 +1082,10 @@ impl Teller<'_> {
         for term in &terms {
             match term.arm {
                 Some(arm) => {
-                    factors.push(Factor::new(term.size, &units.force, "N").of(key_of(term.of)));
+                    factors.push(Factor::new(term.size, &units.force, "N").of(self.key_of(term.of)));
                     factors.push(Factor::new(arm.length, &units.length, "m").of(self.key_of_arm(&arm)));
                 }
-                None => factors.push(Factor::new(term.size, &units.torque, "N·m").of(key_of(term.of))),
+                None => factors.push(Factor::new(term.size, &units.torque, "N·m").of(self.key_of(term.of))),
             }
         }
         let (by, divisor) = divisor.unzip();
@@ -1042,7 +1111,7 @@ impl Teller<'_> {
             }
         };
         let named = |term: &MomentTerm| {
-            let force = symbol(term.of, self.n);
+            let force = self.name_of(term.of);
             term.arm.map_or(force.clone(), |arm| force.up(DOT).then(&arm_name(self.sheet, &arm, self.n)))
         };
         let names = joined(Box::new(named), by.clone());
@@ -1077,7 +1146,7 @@ impl Teller<'_> {
         self.line_in(together, of, names, &factors, set, reckon, (Factor { unit, ..result }, told))
     }
 
-    fn key_of_arm(&self, arm: &Arm) -> Key {
+    pub(super) fn key_of_arm(&self, arm: &Arm) -> Key {
         match arm.between {
             Some([p, q]) => Key::length([p, q]),
             None => Key::Arm(numbered(self.sheet, arm).unwrap_or(0)),
@@ -1093,6 +1162,11 @@ impl Teller<'_> {
         )
     }
 
+    /// Whether an arm is a dimension that the scene states.
+    pub(super) fn is_told(&self, arm: &Arm) -> bool {
+        arm.between.is_some_and(|ends| self.is_stated(ends))
+    }
+
     /// Whether the distance of two points is a dimension that the scene states.
     fn is_stated(&self, [a, b]: [crate::mechanism::PointId; 2]) -> bool {
         let mechanism = self.n.mechanism();
@@ -1106,7 +1180,7 @@ impl Teller<'_> {
     fn polygon(&self, index: usize) -> Vec<Rich> {
         let body = &self.sheet.bodies[index];
         // Two forces are one line there and back.
-        if body.acting.len() < 3 {
+        if body.acting.len() < 3 || super::governor::without_polygon(self.sheet, index) {
             return Vec::new();
         }
         let words = self.n.words;
@@ -1166,7 +1240,7 @@ impl Teller<'_> {
         }
         let unit = &self.n.scene.units.force;
         let factor = per_mm / unit.si;
-        let (mut figures, key) = (self.figures.borrow_mut(), whole(Force::Vector(acting.action)));
+        let (mut figures, key) = (self.figures.borrow_mut(), self.whole(Force::Vector(acting.action)));
         let (reading, amount, written) = human::reading_at(mm, factor, size / unit.si, figures.more(key));
         figures.note(key, &amount, (written, size / unit.si), unit);
         let reading = reading
@@ -1180,7 +1254,7 @@ impl Teller<'_> {
     }
 
     /// The polygon of everything from outside, with its gap.
-    fn whole(&self) -> Vec<Item> {
+    fn whole_told(&self) -> Vec<Item> {
         let Some(per_mm) = per_mm(self.sheet, ForcePanel::Whole, self.n) else { return Vec::new() };
         let words = self.n.words;
         let gap = self
@@ -1251,7 +1325,7 @@ impl Teller<'_> {
             let list = Rich::join(&measured, &Rich::upright(words.comma));
             lines.push(Rich::fill(words.measured_arms, &[("list", list)]));
         }
-        let force = whole(Force::Vector(Action::Shaking));
+        let force = self.whole(Force::Vector(Action::Shaking));
         let size = Factor::new(shaking.found.size, &units.force, "N").of(force);
         let result =
             Factor::new(sum.abs() / shaking.found.size, &units.length, "m").of(self.key_of_arm(&arm));
@@ -1265,7 +1339,7 @@ impl Teller<'_> {
     }
 }
 
-fn product(numbers: &[Rich]) -> Rich {
+pub(super) fn product(numbers: &[Rich]) -> Rich {
     Rich::join(numbers, &Rich::upright(TIMES))
 }
 

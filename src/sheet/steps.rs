@@ -487,6 +487,13 @@ impl Figures {
         (text, number)
     }
 
+    /// A number that is another one, too: it stands there as that does.
+    pub(super) fn alias(&mut self, key: Key, of: Key) {
+        if let (Some(print), false) = (self.printed.get(&of).cloned(), self.printed.contains_key(&key)) {
+            self.printed.insert(key, print);
+        }
+    }
+
     /// Whether a number is printed already.
     pub(super) fn has(&self, key: Key) -> bool {
         self.printed.contains_key(&key)

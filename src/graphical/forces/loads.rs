@@ -152,7 +152,7 @@ impl Draughtsman<'_> {
 
     /// −M A_G, laid off against o′g′; none where the mass centre is fixed or there is no mass.
     pub(in super::super) fn inertia_force(&mut self, mass: &Mass) -> Option<Pull> {
-        if self.mechanism.is_fixed(mass.centre) {
+        if self.mechanism.is_fixed(mass.centre) || self.mechanism.rests_in_its_plane() {
             return None;
         }
         let kilograms = self.kilograms(mass)?;
@@ -199,7 +199,7 @@ impl Draughtsman<'_> {
 
     /// −I ε; none where the link cannot turn or has no moment of inertia.
     pub(in super::super) fn inertia_torque(&mut self, mass: &Mass) -> Option<Amount> {
-        if self.translates[mass.link.0] {
+        if self.translates[mass.link.0] || self.mechanism.rests_in_its_plane() {
             return None;
         }
         let inertia = self.central_inertia(mass)?;

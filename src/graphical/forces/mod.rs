@@ -7,6 +7,7 @@
 mod departing;
 mod driven;
 mod friction;
+mod governor;
 mod groups;
 mod higher;
 mod loads;

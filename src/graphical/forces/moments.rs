@@ -1,7 +1,7 @@
 //! The moments that gave a size, with the arms as they are measured: a foot on the line of the force, and a reading.
 
 use crate::board::{Line, Point};
-use crate::mechanism::force::{Action, Force, Inertia, Party, Share, Sought};
+use crate::mechanism::force::{Action, Force, Inertia, Party, Sought};
 use crate::mechanism::quantity::Order;
 use crate::mechanism::{LinkId, PointId};
 
@@ -52,8 +52,8 @@ impl Draughtsman<'_> {
 
     /// The moment of a force about a point, by its one arm; none where its line passes through the point. The force may
     /// be taken to another place.
-    fn moment_term(&mut self, action: Action, about: Point, moved: Option<Point>) -> Option<MomentTerm> {
-        let items = self.items_of(action, Share::Total).ok()?;
+    pub(super) fn moment_term(&mut self, action: Action, about: Point, moved: Option<Point>) -> Option<MomentTerm> {
+        let items = self.items_of(action, self.told).ok()?;
         let foot = match moved {
             Some(at) => at,
             None => self.foot_of_line(&items)?,
@@ -62,7 +62,7 @@ impl Draughtsman<'_> {
         self.term_of_pull(Turning::Force(action), pull, foot, about)
     }
 
-    fn term_of_pull(
+    pub(super) fn term_of_pull(
         &mut self,
         of: Turning,
         pull: super::Pull,
@@ -131,7 +131,7 @@ impl Draughtsman<'_> {
             TakenFor::Across { pin, by, on, from } | TakenFor::Along { pin, by, on, from, .. } => {
                 let action = self.force_at_pin(pin, by, on);
                 without.push(action);
-                let items = self.items_of(action, Share::Total).ok()?;
+                let items = self.items_of(action, self.told).ok()?;
                 let whole = self.sum_of(&items);
                 let (at, base) = (self.at(pin), self.at(from));
                 let reason = self.reason(&[by, on]);
@@ -162,7 +162,7 @@ impl Draughtsman<'_> {
                 without.push(action);
                 let contact = self.contact_at(roll);
                 if self.keeps_contact(roll) {
-                    let items = self.items_of(action, Share::Total).ok()?;
+                    let items = self.items_of(action, self.told).ok()?;
                     let whole = self.sum_of(&items);
                     let line = Line { through: whole.tail, along: contact.push };
                     let [size, _] = self.board.square_off(line, whole.head);
@@ -196,7 +196,7 @@ impl Draughtsman<'_> {
                 found = self.moment_term(action, about, Some(at));
                 if let (true, Party::Link(_)) = (on_guide, self.mechanism.party_of(&pair.rider)) {
                     let couple = self
-                        .items_of(action, Share::Total)
+                        .items_of(action, self.told)
                         .ok()?
                         .iter()
                         .find_map(|item| item.couple)
@@ -243,7 +243,7 @@ impl Draughtsman<'_> {
                 }
                 let shifted = body.acting.iter().any(|a| a.action == action && a.with_couple);
                 let place = if shifted {
-                    self.items_of(action, Share::Total).ok().and_then(|i| i.first().map(|i| i.at))
+                    self.items_of(action, self.told).ok().and_then(|i| i.first().map(|i| i.at))
                 } else {
                     moved
                 };
@@ -281,7 +281,7 @@ impl Draughtsman<'_> {
         (from, pin): (PointId, PointId),
         about: Point,
     ) -> Option<MomentTerm> {
-        let items = self.items_of(action, Share::Total).ok()?;
+        let items = self.items_of(action, self.told).ok()?;
         let whole = self.sum_of(&items);
         let (at, base) = (self.at(pin), self.at(from));
         let reason = self.reason(&[]);
@@ -322,7 +322,7 @@ impl Draughtsman<'_> {
     }
 
     fn effort(&mut self, sought: Sought) -> Option<f64> {
-        let (_, balance) = self.balances.iter().find(|(share, _)| *share == Share::Total)?;
+        let (_, balance) = self.balances.iter().find(|(share, _)| *share == self.told)?;
         balance.efforts.iter().find(|(of, _)| *of == sought).map(|(_, size)| size.value())
     }
 

@@ -211,6 +211,11 @@ impl Draughtsman<'_> {
                 let (along, _) = self.guide_at(slide, at);
                 Ok(vec![Item { pull: Some(self.pull_along(along, size)), at, couple: None }])
             }
+            Action::Drag(_) => {
+                let spin = self.mechanism.forces.spin.ok_or(NOT_DRAWN)?;
+                let drag = spin.drag.ok_or(NOT_DRAWN)?;
+                Ok(vec![self.drag_on_sleeve(&spin, drag, share)?])
+            }
             Action::Pair { by, on } => {
                 let balance = self.balance_of(share)?;
                 let mut items = Vec::new();

@@ -5,6 +5,7 @@ use crate::mechanism::force::{
 };
 use crate::mechanism::friction::{Rub, RubbingPair};
 use crate::mechanism::quantity::Quantity;
+use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
@@ -22,6 +23,11 @@ const REACH: f64 = 0.6;
 pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<ForceSheet> {
     if d.acts_without_direction() {
         return None;
+    }
+    if d.mechanism.forces.spin.is_some()
+        && let Some(sheet) = super::governor::record(d, plan)
+    {
+        return Some(sheet);
     }
     let (_, balance) = d.balances.iter().find(|(share, _)| *share == Share::Total)?;
     if balance.refused.is_some() {
@@ -113,6 +119,8 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     let drawn = |link: LinkId| plan.forces.links.contains(&link);
     let (sizes, twists) = (d.sizes_told(drawn), d.twists_told(drawn));
     Some(ForceSheet {
+        share: Share::Total,
+        governor: None,
         masses,
         bodies,
         moments,
@@ -132,13 +140,18 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
 }
 
 /// The forces that earlier bodies have given, and those that moments give before a polygon is laid off.
-struct Found {
+pub(super) struct Found {
     known: Vec<Action>,
     by_moments: Vec<Action>,
 }
 
 impl Found {
-    fn learn(&mut self, bodies: &[FreeBody]) {
+    /// What moments give, before any body is in balance.
+    pub(super) const fn of_moments(by_moments: Vec<Action>) -> Self {
+        Self { known: Vec::new(), by_moments }
+    }
+
+    pub(super) fn learn(&mut self, bodies: &[FreeBody]) {
         self.known.extend(bodies.iter().flat_map(|body| body.acting.iter().map(|acting| acting.action)));
     }
 
@@ -194,13 +207,13 @@ pub(in super::super) fn quantities(sheet: &ForceSheet) -> Vec<Quantity> {
     let mut all: Vec<Quantity> = Vec::new();
     let of_bodies = sheet.bodies.iter().flat_map(|body| &body.acting);
     for acting in of_bodies.chain(&sheet.whole).chain(&sheet.inertia) {
-        let quantity = Quantity::Force(Force::Vector(acting.action), Share::Total);
+        let quantity = Quantity::Force(Force::Vector(acting.action), sheet.share);
         if !all.contains(&quantity) {
             all.push(quantity);
         }
     }
     for (torque, _) in sheet.bodies.iter().flat_map(|body| &body.torques) {
-        let quantity = Quantity::Force(*torque, Share::Total);
+        let quantity = Quantity::Force(*torque, sheet.share);
         if !all.contains(&quantity) {
             all.push(quantity);
         }
@@ -254,7 +267,7 @@ impl Draughtsman<'_> {
         let springs = springs.map(|(index, _)| Action::Spring { index, end: 0 });
         let mut marks: Vec<u32> = Vec::new();
         for action in loads.chain(springs) {
-            let Ok(items) = self.items_of(action, Share::Total) else { continue };
+            let Ok(items) = self.items_of(action, self.told) else { continue };
             for item in items {
                 let parts = item.pull.map(|pull| self.components_of(pull));
                 marks.extend(parts.into_iter().flatten().chain(item.couple).map(|part| part.mark()));
@@ -265,8 +278,8 @@ impl Draughtsman<'_> {
     }
 
     /// A force as it stands on the paper; none where no polygon leads to it.
-    fn acting(&mut self, action: Action, known: Knowledge) -> Option<Acting> {
-        let items = self.items_of(action, Share::Total).ok()?;
+    pub(super) fn acting(&mut self, action: Action, known: Knowledge) -> Option<Acting> {
+        let items = self.items_of(action, self.told).ok()?;
         if items.iter().all(|item| item.pull.is_none()) {
             return None;
         }
@@ -282,8 +295,8 @@ impl Draughtsman<'_> {
             true => (at, [0.0; 2]),
             false => (foot, parts.map(|part| part.value() / shared)),
         };
-        // Where nothing moves there is no inertia to be drawn.
-        if matches!(action, Action::Inertia(_)) && force == [0.0; 2] {
+        // Where nothing moves there is no inertia to be drawn, nor on the axis of a governor.
+        if matches!(action, Action::Inertia(_) | Action::Centrifugal(_)) && force == [0.0; 2] {
             return None;
         }
         // The line of inertia that lies off the paper is not drawn: force and couple act side by side at the mass centre.
@@ -331,7 +344,7 @@ impl Draughtsman<'_> {
     }
 
     /// Whether a link has two pins and nothing else acts on it.
-    fn has_two_forces(&self, link: LinkId) -> bool {
+    pub(super) fn has_two_forces(&self, link: LinkId) -> bool {
         if link == LinkId::FRAME {
             return false;
         }
@@ -412,18 +425,26 @@ impl Draughtsman<'_> {
         (!acting.is_empty()).then_some(FreeBody { of, acting, torques: Vec::new(), with_next: false })
     }
 
-    fn free_body(&mut self, link: LinkId, found: &Found) -> Option<FreeBody> {
+    pub(super) fn free_body(&mut self, link: LinkId, found: &Found) -> Option<FreeBody> {
         let m = self.mechanism;
         let forces = m.forces.clone();
         let mut wanted: Vec<(Action, Knowledge)> = Vec::new();
         if let Some(mass) = forces.mass(link) {
             wanted.push((Action::Inertia(mass.link), Knowledge::Full));
-            if forces.spin.is_some() {
-                wanted.push((Action::Centrifugal(mass.link), Knowledge::Line));
+            if let Some(spin) = forces.spin {
+                let given = matches!(spin.omega, SpinSpeed::Given(_));
+                let known = if given { Knowledge::Full } else { Knowledge::Line };
+                wanted.push((Action::Centrifugal(mass.link), known));
             }
             if forces.gravity.acts {
                 wanted.push((Action::Weight(mass.link), Knowledge::Full));
             }
+        }
+        if let Some(spin) = forces.spin.filter(|spin| spin.sleeve == Some(link))
+            && let Some(drag) = spin.drag
+            && spin.sense(self.told, m).is_some()
+        {
+            wanted.push((Action::Drag(drag.slide), Knowledge::Full));
         }
         for (index, load) in forces.loads.iter().enumerate().filter(|(_, load)| load.link == link) {
             if !load.is_torque() {
@@ -533,7 +554,7 @@ impl Draughtsman<'_> {
         }
         let mut found = Vec::new();
         for force in wanted {
-            if let super::ForceRead::Scalar(amount) = self.read_force(force, Share::Total)
+            if let super::ForceRead::Scalar(amount) = self.read_force(force, self.told)
                 && (amount.value() != 0.0 || !matches!(force, Force::InertiaTorque(_)))
             {
                 found.push((force, amount.value()));
@@ -543,7 +564,7 @@ impl Draughtsman<'_> {
         for (index, spring) in m.forces.springs.iter().enumerate() {
             let SpringKind::Torsion([first, second]) = spring.kind else { continue };
             if let (true, super::ForceRead::Scalar(torque)) =
-                ([first, second].contains(&link), self.read_force(Force::Twist(index), Share::Total))
+                ([first, second].contains(&link), self.read_force(Force::Twist(index), self.told))
             {
                 let value = if second == link { torque.value() } else { -torque.value() };
                 found.push((Force::Twist(index), value));

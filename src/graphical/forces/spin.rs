@@ -87,22 +87,14 @@ impl Draughtsman<'_> {
     }
 
     fn lay_off_given_drag(&mut self, spin: &Spin, drag: Drag, share: Share, balance: &mut Balance) {
-        let Some(sense) = spin.sense(share, self.mechanism) else {
-            balance.refused = Some(RESTS);
-            return;
+        let item = match self.drag_on_sleeve(spin, drag, share) {
+            Ok(item) => item,
+            Err(why) => {
+                balance.refused = Some(why);
+                return;
+            }
         };
-        let Some(pin) = self.riding_pin(drag.slide) else {
-            balance.refused = Some("the sleeve has no joint in its guide");
-            return;
-        };
-        let at = self.at(pin);
-        let (along, _) = self.guide_at(drag.slide, at);
-        let mut size = self.board.amount(drag.size);
-        if sense > 0.0 {
-            size = self.board.opposite(size);
-        }
         let slide = self.mechanism.slides[drag.slide];
-        let item = Item { pull: Some(self.pull_along(along, size)), at, couple: None };
         let item = match spin.sleeve {
             Some(sleeve) => self.part_of_shared(sleeve, item),
             None => item,
@@ -110,5 +102,23 @@ impl Draughtsman<'_> {
         let against = Item { pull: item.pull.map(Self::opposite), ..item };
         balance.push_on(self.mechanism.party_of(&slide.rider), item);
         balance.known[slide.guide.link.0].push(against);
+    }
+
+    /// The whole drag on the sleeve, against its motion.
+    pub(super) fn drag_on_sleeve(
+        &mut self,
+        spin: &Spin,
+        drag: Drag,
+        share: Share,
+    ) -> Result<Item, &'static str> {
+        let sense = spin.sense(share, self.mechanism).ok_or(RESTS)?;
+        let pin = self.riding_pin(drag.slide).ok_or("the sleeve has no joint in its guide")?;
+        let at = self.at(pin);
+        let (along, _) = self.guide_at(drag.slide, at);
+        let mut size = self.board.amount(drag.size);
+        if sense > 0.0 {
+            size = self.board.opposite(size);
+        }
+        Ok(Item { pull: Some(self.pull_along(along, size)), at, couple: None })
     }
 }
