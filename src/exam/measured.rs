@@ -71,7 +71,7 @@ impl Measured {
                 let (Turned::Whole(action) | Turned::Along(action) | Turned::Across(action)) = turned;
                 let Some(arm) = &term.arm else { continue };
                 let about = match balance.about {
-                    About::Point(point) => Some(point),
+                    About::Point(point) | About::Contact { pin: point, .. } => Some(point),
                     About::Meet { .. } | About::Centre { .. } => None,
                 };
                 let other = if matches!(balance.about, About::Centre { .. }) { "I" } else { "K" };

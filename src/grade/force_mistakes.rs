@@ -171,7 +171,7 @@ impl List<'_, '_> {
     fn place_of(&self, about: About) -> Option<[f64; 2]> {
         match about {
             About::Point(point) => self.place(point),
-            About::Meet { at, .. } | About::Centre { at, .. } => Some(at),
+            About::Meet { at, .. } | About::Centre { at, .. } | About::Contact { at, .. } => Some(at),
         }
     }
 
@@ -272,7 +272,9 @@ impl List<'_, '_> {
                 let (Turning::Force(action) | Turning::Along(action)) = term.of else { continue };
                 let name = action.name(&self.case.mechanism);
                 let point = match balance.about {
-                    About::Point(point) => self.case.mechanism.point(point).name.as_str(),
+                    About::Point(point) | About::Contact { pin: point, .. } => {
+                        self.case.mechanism.point(point).name.as_str()
+                    }
                     About::Meet { .. } => "K",
                     About::Centre { .. } => "I",
                 };

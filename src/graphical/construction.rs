@@ -80,6 +80,8 @@ pub struct ForceSheet {
     pub bodies: Vec<FreeBody>,
     /// Moments, each told at one of the bodies.
     pub moments: Vec<MomentBalance>,
+    /// Arms and moments that are asked, each about its point, and whether a balance has the same arm (`told` is 1).
+    pub arms: Vec<MomentBalance>,
     /// Where three forces on a body meet.
     pub meets: Vec<MeetOfThree>,
     /// Everything that acts on the mechanism from outside; empty where not all of it was needed.
@@ -141,6 +143,8 @@ pub struct Touch {
     pub force: [f64; 2],
     /// The direction of a guide; none of a pin.
     pub along: Option<[f64; 2]>,
+    /// How both links turn, rad/s; none of a guide.
+    pub rates: Option<[f64; 2]>,
 }
 
 /// The tangent of two friction circles along which the force of a link with two pins runs.
@@ -277,6 +281,13 @@ pub enum About {
         /// Metres from the skeleton's origin.
         at: [f64; 2],
     },
+    /// Where the force of a pin that rubs touches its circle.
+    Contact {
+        /// The pin.
+        pin: PointId,
+        /// Metres from the skeleton's origin.
+        at: [f64; 2],
+    },
     /// The instantaneous centre of a link that is led by the frame and hangs on a slide: where the line of what the frame
     /// exerts on it meets the line through the joint square to the guide.
     Centre {
@@ -312,7 +323,7 @@ pub struct Governor {
     pub foot: [f64; 2],
     /// The ball, metres from the skeleton's origin.
     pub ball: [f64; 2],
-    /// A roller between arm and sleeve, with its forces on both.
+    /// The roller or the bar between arm and sleeve, with its forces on both.
     pub hands_on: Option<(LinkId, Action, Action)>,
     /// Whether the speed is sought.
     pub sought: bool,

@@ -71,9 +71,7 @@ impl Mechanism {
         let rests = |input: &Input| match input {
             Input::Angle { omega, alpha, .. } => omega.value == 0.0 && alpha.value == 0.0,
             Input::Speed { speed, alpha, .. } => speed.value == 0.0 && alpha.value == 0.0,
-            Input::Slide { velocity, acceleration, .. } => {
-                velocity.value == 0.0 && acceleration.value == 0.0
-            }
+            Input::Slide { velocity, acceleration, .. } => velocity.value == 0.0 && acceleration.value == 0.0,
         };
         self.forces.spin.is_some() && self.inputs.iter().all(rests)
     }
@@ -95,7 +93,9 @@ impl Mechanism {
                 };
                 ends.into_iter().map(|link| self.shared_by(link)).fold(1.0, f64::max)
             }
-            Action::Drag(_) => self.forces.spin.and_then(|spin| spin.sleeve).map_or(1.0, |of| self.shared_by(of)),
+            Action::Drag(_) => {
+                self.forces.spin.and_then(|spin| spin.sleeve).map_or(1.0, |of| self.shared_by(of))
+            }
             Action::Load(index) => self.shared_by(self.forces.loads[index].link),
             Action::Weight(link) | Action::Inertia(link) | Action::Centrifugal(link) => self.shared_by(link),
             _ => 1.0,

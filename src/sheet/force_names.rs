@@ -17,7 +17,8 @@ pub(super) fn acting(notation: &Notation<'_>, action: Action) -> Rich {
 
 /// The same with the mark of what it is a part of; what is given has none.
 pub(super) fn acting_in(notation: &Notation<'_>, action: Action, share: Share) -> Rich {
-    let given = matches!(action, Action::Load(_) | Action::Weight(_) | Action::Spring { .. } | Action::Drag(_));
+    let given =
+        matches!(action, Action::Load(_) | Action::Weight(_) | Action::Spring { .. } | Action::Drag(_));
     let share = if given { Share::Total } else { share };
     let name = notation.symbol(Quantity::Force(Force::Vector(action), share), false);
     let halves = notation.mechanism().halves_of(action);

@@ -13,9 +13,8 @@ use super::notation::Notation;
 use super::rich::Rich;
 use super::skeleton::{self, Arrows, Overlay};
 use super::statics::arm_name;
-use super::steps::Item;
 use crate::graphical::construction::{
-    About, Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MeetOfThree, MomentBalance,
+    About, Acting, Arm, Construction, ForceSheet, FreeBody, Knowledge, MeetOfThree, MomentBalance, Turning,
 };
 use crate::mechanism::force::{Action, Force, Load, LoadKind, Party, Pointing, Share, Size, SpringKind};
 use crate::mechanism::quantity::Quantity;
@@ -61,6 +60,8 @@ pub enum ForcePanel {
     Friction(usize),
     /// The line of their sum on the skeleton.
     ShakingLine,
+    /// The arms that are asked and that no balance has.
+    Arms,
 }
 
 impl ForcePanel {
@@ -73,6 +74,7 @@ impl ForcePanel {
         }
         let mut waiting = Vec::new();
         for (index, body) in sheet.bodies.iter().enumerate() {
+            all.extend(friction::before(index, sheet).map(Self::Friction));
             let together =
                 sheet.moments.iter().enumerate().filter(|(_, m)| m.told == index && m.links.len() > 1);
             all.extend(together.map(|(moments, _)| Self::Together(moments)));
@@ -87,7 +89,6 @@ impl ForcePanel {
             }
         }
         all.append(&mut waiting);
-        all.extend(friction::panels(sheet).map(Self::Friction));
         if chain(&sheet.whole).is_some() {
             all.push(Self::Whole);
         }
@@ -99,6 +100,9 @@ impl ForcePanel {
             if sheet.shaking.is_some() {
                 all.push(Self::ShakingLine);
             }
+        }
+        if sheet.arms.iter().any(|own| own.told == 0) {
+            all.push(Self::Arms);
         }
         all
     }
@@ -152,6 +156,7 @@ impl ForcePanel {
             Self::Shaking => Rich::upright(words.shaking_figure),
             Self::Friction(index) => friction::title(index, sheet, notation),
             Self::ShakingLine => Rich::upright(words.shaking_line_figure),
+            Self::Arms => Rich::upright(words.arms_figure),
         }
     }
 
@@ -166,7 +171,7 @@ impl ForcePanel {
                 let value = human::with_unit(&human::stated(per_cm), &unit.symbol);
                 Some(value.up("\u{a0}≡\u{a0}1\u{a0}cm"))
             }
-            Self::Loads | Self::Body(_) | Self::Together(_) | Self::ShakingLine => None,
+            Self::Loads | Self::Body(_) | Self::Together(_) | Self::ShakingLine | Self::Arms => None,
         }
     }
 
@@ -232,6 +237,7 @@ impl ForcePanel {
                 Some(polygon(&sheet.inertia, Some(sum), &pole, (self, sheet), notation))
             }
             Self::ShakingLine => shaking_line(sheet, construction, notation),
+            Self::Arms => Some(asked_arms(sheet, construction, notation)),
         }
     }
 }
@@ -531,6 +537,36 @@ fn shaking_line(sheet: &ForceSheet, construction: &Construction, notation: &Nota
     }))
 }
 
+/// The arms that are asked, with the forces to whose lines they lead, on the skeleton.
+fn asked_arms(sheet: &ForceSheet, construction: &Construction, notation: &Notation<'_>) -> Group {
+    let mut bare = construction.clone();
+    bare.space.lines.clear();
+    bare.others.clear();
+    let own: Vec<&MomentBalance> = sheet.arms.iter().filter(|own| own.told == 0).collect();
+    let mut acting: Vec<Acting> = Vec::new();
+    for term in own.iter().flat_map(|own| &own.terms) {
+        let Turning::Force(action) = term.of else { continue };
+        let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia).chain(&sheet.whole);
+        let drawn = all.into_iter().find(|acting| acting.action == action);
+        if let Some(drawn) = drawn.filter(|_| acting.iter().all(|other| other.action != action)) {
+            acting.push(*drawn);
+        }
+    }
+    let most = largest(&acting);
+    skeleton::draw_under(&bare, notation, Arrows::Inputs, None, |_, _| {
+        let mut overlay = Overlay { ink: Group::new("forces"), ..Overlay::default() };
+        let mut taken = Vec::new();
+        for acting in &acting {
+            let at = beyond(&mut taken, acting, on_page(acting.through, construction), most);
+            short_arrow(&mut overlay.ink, &mut overlay.labels, acting, at, most, notation);
+        }
+        for own in &own {
+            arms(&mut overlay.ink, &mut overlay.labels, own, sheet, construction, notation);
+        }
+        overlay
+    })
+}
+
 /// The arms of moments, from the point about which they are taken to the foot on each line.
 fn arms(
     group: &mut Group,
@@ -557,10 +593,19 @@ fn arms(
             requests.push(Request::new(meet_name(on, notation), LABEL, site, "label meet-name"));
             at
         }
+        About::Contact { at, .. } => {
+            let at = on_page(at, construction);
+            let mut contact = Group::new("meet");
+            let spot = Shape::Circle { centre: at, radius: 0.4 };
+            contact.mark(Mark::outlined(spot, Pen::solid(FINE), Tone::Ink).precise());
+            group.group(contact);
+            at
+        }
         About::Centre { of, from, at, .. } => {
             let at = on_page(at, construction);
             let mut meet = Group::new("meet").data("link", notation.number(of));
-            for end in from.map(|end| on_page(end, construction)).into_iter().filter(|end| end.distance(at) > 1.0)
+            for end in
+                from.map(|end| on_page(end, construction)).into_iter().filter(|end| end.distance(at) > 1.0)
             {
                 let past = at + (at - end).normalize() * 3.0;
                 let line = Shape::Line(end, past);
@@ -667,7 +712,6 @@ fn moments_line(
     of: crate::graphical::construction::Turning,
     construction: &Construction,
 ) -> Option<Point> {
-    use crate::graphical::construction::Turning;
     let (Turning::Force(action) | Turning::Along(action) | Turning::Across(action)) = of else { return None };
     let all = sheet.bodies.iter().flat_map(|body| &body.acting).chain(&sheet.inertia);
     let acting = all.into_iter().find(|acting| acting.action == action)?;
@@ -1197,10 +1241,4 @@ fn coil(from: Point, to: Point) -> Vec<Point> {
     });
     let ends = [from, from + along * 0.2];
     ends.into_iter().chain(middle).chain([from + along * 0.8, to]).collect()
-}
-
-/// What is told of a pair that rubs.
-#[must_use]
-pub fn friction_items(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -> Vec<Item> {
-    friction::items(index, sheet, notation)
 }

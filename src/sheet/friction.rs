@@ -10,11 +10,10 @@ use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, page};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::rich::Rich;
-use super::steps::Item;
 use crate::graphical::construction::{Construction, ForceSheet, Touch};
 use crate::mechanism::LinkId;
 use crate::mechanism::Mechanism;
-use crate::mechanism::force::{Action, Through};
+use crate::mechanism::force::{Action, Party, Through};
 use crate::mechanism::friction::{RubbedBy, RubbingPair};
 
 /// Radius of an enlarged friction circle, mm: so much at most, for a round scale.
@@ -204,14 +203,50 @@ pub(super) fn draw(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) ->
     Some(group)
 }
 
-/// What is told of a pair that rubs.
-pub(super) fn items(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -> Vec<Item> {
-    let Some(touch) = sheet.rubs.get(index) else { return Vec::new() };
+/// The pairs with figures whose force is drawn first on a body.
+pub(super) fn before(body: usize, sheet: &ForceSheet) -> impl Iterator<Item = usize> + '_ {
+    panels(sheet).filter(move |index| first_body(*index, sheet) == Some(body))
+}
+
+/// The constant drags that act first on a body.
+pub(super) fn drags_before(body: usize, sheet: &ForceSheet) -> impl Iterator<Item = usize> + '_ {
+    let drags = (0..sheet.rubs.len()).filter(|index| matches!(sheet.rubs[*index].rub.by, RubbedBy::Drag(_)));
+    drags.filter(move |index| first_body(*index, sheet) == Some(body))
+}
+
+/// The first body on which the force of a pair that rubs acts.
+fn first_body(index: usize, sheet: &ForceSheet) -> Option<usize> {
+    let between = sheet.rubs.get(index)?.between;
+    sheet.bodies.iter().position(|body| matches!(body.of, Party::Link(link) if between.contains(&link)))
+}
+
+/// An angle of friction as finely as a circle is reckoned from it.
+pub(super) fn fine_degrees(radians: f64) -> Rich {
+    let text = human::fixed(radians.to_degrees(), 3);
+    Rich::upright(text.trim_end_matches('0').trim_end_matches('.')).up("°")
+}
+
+/// The place of a pair that rubs, as an index: the pin, or the link and the pin that slides on it.
+pub(super) fn place_name(touch: &Touch, notation: &Notation<'_>) -> String {
+    let mechanism = notation.mechanism();
+    match touch.rub.pair {
+        RubbingPair::Pin { pin, .. } => notation.index(pin),
+        RubbingPair::Slide(slide) => {
+            let guide = notation.number(mechanism.slides[slide].guide.link);
+            let point = mechanism.rubbing_point(slide).map(|point| notation.index(point));
+            point.map_or(guide.clone(), |point| format!("{guide}{point}"))
+        }
+    }
+}
+
+/// What a pair that rubs does to the line of its force.
+pub(super) fn sentence(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -> Rich {
+    let Some(touch) = sheet.rubs.get(index) else { return Rich::default() };
     let words = notation.words;
     let [link, carrier] = touch.between.map(|link| Rich::upright(notation.number(link)));
     let force = symbol(action(touch, notation.mechanism()), notation);
     let at = ("point", name(touch, notation));
-    let sentence = match touch.rub.by {
+    match touch.rub.by {
         RubbedBy::Circle(radius) => {
             let radius = human::quantity(radius, &notation.scene.units.length);
             let sense = Rich::upright(if touch.rub.forward { words.ccw } else { words.cw });
@@ -232,11 +267,5 @@ pub(super) fn items(index: usize, sheet: &ForceSheet, notation: &Notation<'_>) -
             let size = human::quantity(size, &notation.scene.units.force);
             Rich::fill(words.friction_drag, &[at, ("force", size)])
         }
-    };
-    let mut items = vec![Item::Sentence(sentence)];
-    if panels(sheet).last() == Some(index) {
-        let count = Rich::upright(sheet.passes.to_string());
-        items.push(Item::Sentence(Rich::fill(words.friction_passes, &[("count", count)])));
     }
-    items
 }

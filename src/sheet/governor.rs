@@ -98,12 +98,20 @@ impl Teller<'_> {
         if let (SpinSpeed::Given(omega), Some(stated)) = (spin.omega, &self.n.scene.spin_unit) {
             let key = Key::Given("spin");
             let symbol = Rich::italic("ω");
-            lines.extend(in_radians(symbol, (omega.value, stated), key, self.n, self.figures, Order::Velocity));
+            lines.extend(in_radians(
+                symbol,
+                (omega.value, stated),
+                key,
+                self.n,
+                self.figures,
+                Order::Velocity,
+            ));
         }
         let mm = governor.radius / self.construction.space.metres_per_mm;
         let key = Key::Given("radius");
         let (reading, length) = self.measured(key, governor.radius, mm);
-        let measured = radius_name(governor, self.n).up(EQUALS).then(&reading).up("\u{a0}≙\u{a0}").then(&length);
+        let measured =
+            radius_name(governor, self.n).up(EQUALS).then(&reading).up("\u{a0}≙\u{a0}").then(&length);
         lines.push(Rich::fill(self.n.words.measured_arms, &[("list", measured)]));
         if let Some(mass) = self.n.mechanism().forces.mass(governor.link)
             && let Heaviness::Weight(weight) = mass.heaviness
@@ -300,7 +308,8 @@ impl Teller<'_> {
     fn of_arm(&self, governor: &Governor, state: &GovernorState, first: bool) -> Vec<Rich> {
         let units = &self.n.scene.units;
         let mut lines = Vec::new();
-        if let (true, Some((roller, on_arm, by_sleeve))) = (first, governor.hands_on) {
+        let roller = governor.hands_on.filter(|(link, ..)| self.n.mechanism().link(*link).block);
+        if let (true, Some((roller, on_arm, by_sleeve))) = (first, roller) {
             // Whichever of the two is known.
             let equal = self.symbol(on_arm).up("\u{a0}= −\u{2009}").then(&self.symbol(by_sleeve));
             let link = ("link", Rich::upright(self.n.number(roller)));

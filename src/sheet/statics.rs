@@ -12,13 +12,14 @@ use super::steps::{Figures, Item, Key, either};
 use super::table::{Align, Flow, Table};
 use crate::graphical::construction::{
     About, Acting, Arm, Construction, ForceSheet, FreeBody, FrictionAxis, GroupTrial, Knowledge, Label,
-    LoadSize, MassForces, MomentBalance, MomentTerm, SpringTwist, Trials, Turning,
+    LoadSize, MassForces, MomentBalance, MomentTerm, SpringTwist, Touch, Trials, Turning,
 };
 use crate::mechanism::curve::Curve;
 use crate::mechanism::force::{
     Action, Area, Force, Heaviness, Inertia, LoadKind, Party, Pressure, Share, Size, Sought,
 };
 use crate::mechanism::force::{SpringKind, SpringLaw};
+use crate::mechanism::friction::{FrictionCircle, Roughness, RubbedBy, RubbingPair};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, PointId};
@@ -41,9 +42,15 @@ pub fn told(
 ) -> Vec<(ForcePanel, Vec<Item>)> {
     let teller = Teller { sheet, construction, n: notation, figures, share: sheet.share, several: false };
     let mut all = vec![(ForcePanel::Loads, teller.given())];
-    all.extend((0..sheet.bodies.len()).map(|index| (ForcePanel::Body(index), teller.body(index))));
+    for index in 0..sheet.bodies.len() {
+        for rub in super::friction::before(index, sheet) {
+            all.push((ForcePanel::Friction(rub), teller.friction(rub)));
+        }
+        all.push((ForcePanel::Body(index), teller.body(index)));
+    }
     all.push((ForcePanel::Whole, teller.whole_told()));
     all.push((ForcePanel::Shaking, teller.shaking()));
+    all.push((ForcePanel::Arms, teller.asked_arms()));
     // A head alone says nothing.
     all.retain(|(_, items)| items.iter().any(|item| !matches!(item, Item::Head(_))));
     all
@@ -55,9 +62,23 @@ pub fn arm_name(sheet: &ForceSheet, arm: &Arm, notation: &Notation<'_>) -> Rich 
     if let Some([from, to]) = arm.between {
         return notation.length(from, to);
     }
+    if let Some(own) = asked(sheet, arm) {
+        return notation.symbol(Quantity::Force(own, Share::Total), false);
+    }
     match numbered(sheet, arm) {
         Some(number) => Rich::italic("x").sub(&format!("{number}")),
         None => Rich::italic("e"),
+    }
+}
+
+/// The arm that is asked, where no balance has it.
+fn asked(sheet: &ForceSheet, arm: &Arm) -> Option<Force> {
+    let own = sheet.arms.iter().find(|own| own.told == 0 && own.found.arm == Some(*arm))?;
+    match own.found.of {
+        Turning::Torque(Force::Arm(action, about) | Force::Moment(action, about)) => {
+            Some(Force::Arm(action, about))
+        }
+        _ => None,
     }
 }
 
@@ -561,7 +582,8 @@ impl Teller<'_> {
         lines.push(line.word(self.n.sense(-torque)));
         if inertia_force > 0.0 {
             let factors = [
-                Factor::new(torque.abs(), &units.torque, "N·m").of(self.whole(Force::InertiaTorque(own.link))),
+                Factor::new(torque.abs(), &units.torque, "N·m")
+                    .of(self.whole(Force::InertiaTorque(own.link))),
                 Factor::new(inertia_force, &units.force, "N")
                     .of(self.whole(Force::Vector(Action::Inertia(own.link)))),
             ];
@@ -611,6 +633,98 @@ impl Teller<'_> {
         }
     }
 
+    /// What rubs at a pair before its force is drawn: the angle of friction, the circle, the sense, and the line.
+    fn friction(&self, index: usize) -> Vec<Item> {
+        let words = self.n.words;
+        let Some(touch) = self.sheet.rubs.get(index) else { return Vec::new() };
+        let mut lines = Vec::new();
+        let place = super::friction::place_name(touch, self.n);
+        let phi = Rich::italic("φ").sub(&place);
+        let angle = |of: Roughness| match of {
+            Roughness::Coefficient(f) => {
+                let line = phi.clone().up(EQUALS).up("arctan\u{a0}").then(&human::stated(f.value));
+                (line.up(EQUALS).then(&super::friction::fine_degrees(of.angle())), of.angle())
+            }
+            Roughness::Angle(angle) => {
+                (phi.clone().up(EQUALS).then(&human::degrees(angle.value)), angle.value)
+            }
+        };
+        let friction = &self.n.mechanism().forces.friction;
+        match touch.rub.pair {
+            RubbingPair::Pin { pin, .. } => {
+                if let Some(FrictionCircle::Journal { radius, roughness }) = friction.circle(pin) {
+                    let (line, angle) = angle(roughness);
+                    let told = if matches!(roughness, Roughness::Coefficient(_)) {
+                        super::friction::fine_degrees(angle)
+                    } else {
+                        human::degrees(angle)
+                    };
+                    let unit = &self.n.scene.units.length;
+                    let name = |letter: &str, mark: &str| Rich::italic(letter).sub(&format!("{mark}{place}"));
+                    let formula = name("r", "").up("\u{a0}sin\u{a0}").then(&phi);
+                    let factors = [Factor::new(radius.value, unit, "m")];
+                    let by = self.sheet.rubs[index].between;
+                    let arm = Force::Arm(either(Action::Pair { by: by[1], on: by[0] }), pin);
+                    let result = Factor::new(touch_radius(touch.rub.by), unit, "m")
+                        .of(Key::Of(Quantity::Force(arm, self.share)));
+                    let set = |n: &[Rich]| n[0].clone().up(TIMES).up("sin\u{a0}").then(&told);
+                    let reckon = |n: &[f64]| n[0] * libm::sin(angle);
+                    if matches!(roughness, Roughness::Coefficient(_)) {
+                        lines.push(line);
+                    }
+                    let of = name("r", "f,");
+                    lines.push(self.line_in(true, of, formula, &factors, set, reckon, (result, unit)));
+                }
+            }
+            RubbingPair::Slide(slide) => {
+                if let Some(of @ Roughness::Coefficient(_)) =
+                    friction.resistance(slide).and_then(|resistance| resistance.roughness())
+                {
+                    lines.push(angle(of).0);
+                }
+            }
+        }
+        lines.extend(self.turns_on(touch));
+        lines.push(super::friction::sentence(index, self.sheet, self.n));
+        if self.sheet.passes > 1 && super::friction::panels(self.sheet).next() == Some(index) {
+            let count = ("count", Rich::upright(self.sheet.passes.to_string()));
+            lines.push(Rich::fill(words.friction_passes, &[count]));
+        }
+        let head = self.head(super::friction::title(index, self.sheet, self.n));
+        std::iter::once(head).chain(lines.into_iter().map(Item::Sentence)).collect()
+    }
+
+    /// How a link turns on the one that carries it, where both turn.
+    fn turns_on(&self, touch: &Touch) -> Option<Rich> {
+        let [own, other] = touch.rates?;
+        if own == 0.0 && other == 0.0 || touch.between.contains(&LinkId::FRAME) {
+            return None;
+        }
+        let [link, carrier] = touch.between;
+        let unit = self.n.angular_unit(Order::Velocity);
+        let factor = |link: LinkId, value: f64| {
+            Factor::new(value.abs(), &unit, "rad/s").of(Key::Of(Quantity::Omega(link)))
+        };
+        let signs = [own, other].map(|value| if value < 0.0 { -1.0 } else { 1.0 });
+        let factors = [factor(link, own), factor(carrier, other)];
+        let relative = own - other;
+        let set = |n: &[Rich]| {
+            let first = if own < 0.0 { Rich::upright("−").then(&n[0]) } else { n[0].clone() };
+            let second = if other < 0.0 { Rich::upright("(−").then(&n[1]).up(")") } else { n[1].clone() };
+            first.up(" − ").then(&second)
+        };
+        let reckon = |n: &[f64]| (n[0] * signs[0] - n[1] * signs[1]).abs();
+        let name = |links: &[LinkId]| {
+            let numbers: Vec<String> = links.iter().map(|link| self.n.number(*link)).collect();
+            Rich::italic("ω").sub(&numbers.concat())
+        };
+        let formula = name(&[link]).up(" − ").then(&name(&[carrier]));
+        let result = Factor::new(relative.abs(), &unit, "rad/s");
+        let line =
+            self.line_in(true, name(&[link, carrier]), formula, &factors, set, reckon, (result, &unit));
+        Some(line.word(self.n.sense(relative)))
+    }
+
     /// A body: its balance, moments that give a size, the polygon that gives the rest.
     fn body(&self, index: usize) -> Vec<Item> {
         let Some(body) = self.sheet.bodies.get(index) else { return Vec::new() };
@@ -636,6 +750,8 @@ impl Teller<'_> {
                 }
             }
         }
+        let drags = super::friction::drags_before(index, self.sheet);
+        items.extend(drags.map(|rub| Item::Sentence(super::friction::sentence(rub, self.sheet, self.n))));
         items.extend(self.contacts(body).into_iter().map(Item::Sentence));
         items.extend(self.governor_body(index, false));
         items.extend(self.three_forces(index).map(Item::Sentence));
@@ -818,7 +934,15 @@ impl Teller<'_> {
             (true, false) => (other, one),
             _ => return None,
         };
-        let size = self.force(libm::hypot(found.force[0], found.force[1]));
+        let unit = &self.n.scene.units.force;
+        let size = libm::hypot(found.force[0], found.force[1]);
+        let [of, is] = [found, known].map(|acting| self.whole(Force::Vector(acting.action)));
+        let size = {
+            let mut figures = self.figures.borrow_mut();
+            let number = figures.tell(is, size, unit);
+            figures.alias(of, is);
+            human::with_unit(&number, &unit.symbol)
+        };
         let equal = self.symbol(found.action).up("\u{a0}= −\u{2009}").then(&self.symbol(known.action));
         let [x, y] = found.force;
         let angle = Rich::upright("∠\u{a0}").then(&human::degrees(libm::atan2(y, x)));
@@ -1030,6 +1154,7 @@ impl Teller<'_> {
                 lines.insert(0, Rich::fill(words.lines_meet, &parts));
                 name
             }
+            About::Contact { pin, .. } => Rich::fill(words.friction_contact, &[("point", self.n.point(pin))]),
             about @ About::Centre { .. } => {
                 if let (Some(line), true) = (self.centre_line(about), first) {
                     lines.insert(0, line);
@@ -1147,9 +1272,10 @@ impl Teller<'_> {
     }
 
     pub(super) fn key_of_arm(&self, arm: &Arm) -> Key {
-        match arm.between {
-            Some([p, q]) => Key::length([p, q]),
-            None => Key::Arm(numbered(self.sheet, arm).unwrap_or(0)),
+        match (arm.between, asked(self.sheet, arm)) {
+            (Some([p, q]), _) => Key::length([p, q]),
+            (None, Some(own)) => Key::Of(Quantity::Force(own, Share::Total)),
+            (None, None) => Key::Arm(numbered(self.sheet, arm).unwrap_or(0)),
         }
     }
 
@@ -1304,6 +1430,44 @@ impl Teller<'_> {
         items
     }
 
+    /// Arms and moments that are asked: measured, or those of a balance.
+    fn asked_arms(&self) -> Vec<Item> {
+        let units = &self.n.scene.units;
+        let mut items = vec![self.head(Rich::upright(self.n.words.arms_figure))];
+        for own in &self.sheet.arms {
+            let (Turning::Torque(of), Some(arm)) = (own.found.of, own.found.arm) else { continue };
+            let (Force::Arm(action, about) | Force::Moment(action, about)) = of else { continue };
+            let symbol = |force: Force| self.n.symbol(Quantity::Force(force, Share::Total), false);
+            let named = symbol(Force::Arm(action, about));
+            let key = self.key_of_arm(&arm);
+            let line = if own.told == 0 && arm.between.is_none() {
+                let mm = arm.length / self.construction.space.metres_per_mm;
+                let (reading, length) = self.measured(key, arm.length, mm);
+                let told = named.up(EQUALS).then(&reading).up("\u{a0}≙\u{a0}").then(&length);
+                Rich::fill(self.n.words.measured_arms, &[("list", told)])
+            } else {
+                // A balance has it by another name.
+                let told = arm_name(self.sheet, &arm, self.n);
+                self.figures
+                    .borrow_mut()
+                    .alias(Key::Of(Quantity::Force(Force::Arm(action, about), Share::Total)), key);
+                named.up(EQUALS).then(&told).up(EQUALS).then(&self.arm(&arm))
+            };
+            items.push(Item::Sentence(line));
+            if let Force::Moment(..) = of {
+                let factors = [
+                    Factor::new(own.found.size, &units.force, "N").of(self.whole(Force::Vector(action))),
+                    Factor::new(arm.length, &units.length, "m").of(key),
+                ];
+                let result = Factor::new(own.found.moment.abs(), &units.torque, "N·m").of(self.whole(of));
+                let formula = self.symbol(action).up(DOT).then(&arm_name(self.sheet, &arm, self.n));
+                let line = self.line(symbol(of), formula, &factors, product, |n| n[0] * n[1], result);
+                items.push(Item::Sentence(line.word(self.n.sense(own.found.moment))));
+            }
+        }
+        items
+    }
+
     /// e = ΣF·arm / F_S.
     fn shaking_arm(&self, shaking: &MomentBalance) -> Vec<Rich> {
         let units = &self.n.scene.units;
@@ -1315,12 +1479,7 @@ impl Teller<'_> {
             return Vec::new();
         }
         let mut lines = Vec::new();
-        let measured: Vec<Rich> = shaking
-            .terms
-            .iter()
-            .filter_map(|term| term.arm)
-            .map(|arm| arm_name(self.sheet, &arm, self.n).up(EQUALS).then(&self.arm(&arm)))
-            .collect();
+        let measured = self.arms_of(&MomentBalance { found: shaking.terms[0], ..shaking.clone() });
         if !measured.is_empty() {
             let list = Rich::join(&measured, &Rich::upright(words.comma));
             lines.push(Rich::fill(words.measured_arms, &[("list", list)]));
@@ -1345,4 +1504,12 @@ pub(super) fn product(numbers: &[Rich]) -> Rich {
 
 fn quotient(numbers: &[Rich]) -> Rich {
     Rich::join(numbers, &Rich::upright(OVER))
+}
+
+/// The radius of the circle that a force touches; none of what is no circle.
+fn touch_radius(by: RubbedBy) -> f64 {
+    match by {
+        RubbedBy::Circle(radius) => radius,
+        RubbedBy::Angle(_) | RubbedBy::Drag(_) => 0.0,
+    }
 }

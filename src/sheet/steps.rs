@@ -202,10 +202,6 @@ fn tell(construction: &Construction, notation: &Notation<'_>, figures: &RefCell<
             }
             more(Panel::Force(panel), unnumbered(items));
         }
-        for index in super::friction::panels(sheet) {
-            let items = super::forces::friction_items(index, sheet, notation);
-            more(Panel::Force(super::forces::ForcePanel::Friction(index)), unnumbered(items));
-        }
     }
     for (index, drawing) in levers {
         let items = super::auxiliary::items(drawing, construction, notation, figures);
@@ -489,6 +485,9 @@ impl Figures {
 
     /// A number that is another one, too: it stands there as that does.
     pub(super) fn alias(&mut self, key: Key, of: Key) {
+        if self.finer.contains(&key) {
+            self.wanted.insert(of);
+        }
         if let (Some(print), false) = (self.printed.get(&of).cloned(), self.printed.contains_key(&key)) {
             self.printed.insert(key, print);
         }

@@ -109,11 +109,12 @@ impl Draughtsman<'_> {
             return None;
         }
         let sleeve_link = sleeve.map(|(link, _)| link);
-        let on = |links: &[LinkId]| match (links.contains(&arm), links.iter().any(|l| Some(*l) == sleeve_link)) {
-            (true, false) => Some(true),
-            (false, true) => Some(false),
-            _ => None,
-        };
+        let on =
+            |links: &[LinkId]| match (links.contains(&arm), links.iter().any(|l| Some(*l) == sleeve_link)) {
+                (true, false) => Some(true),
+                (false, true) => Some(false),
+                _ => None,
+            };
         let sought_on_arm = match m.sought()[..] {
             [Sought::Spin] => true,
             [Sought::Load(index)] => on(&[m.forces.loads[index].link])?,
@@ -154,7 +155,8 @@ impl Draughtsman<'_> {
         let m = self.mechanism;
         let mut found = None;
         for (index, slide) in m.slides.iter().enumerate() {
-            let (Party::Link(rider), Path::Straight { .. }) = (m.party_of(&slide.rider), &slide.guide.path) else {
+            let (Party::Link(rider), Path::Straight { .. }) = (m.party_of(&slide.rider), &slide.guide.path)
+            else {
                 continue;
             };
             if slide.guide.link != LinkId::FRAME || rider == arm {
@@ -165,7 +167,8 @@ impl Draughtsman<'_> {
             let (along, _) = self.guide_at(index, at);
             let ([x, y], (sin, cos)) = (along.value(), libm::sincos(spin.angle.value));
             let parallel = (x * sin - y * cos).abs() < PARALLEL;
-            if spin.sleeve.map_or(parallel, |named| named == rider) && found.replace((rider, index)).is_some() {
+            if spin.sleeve.map_or(parallel, |named| named == rider) && found.replace((rider, index)).is_some()
+            {
                 return None;
             }
         }
@@ -256,7 +259,7 @@ impl Draughtsman<'_> {
         }
         let kilograms = self.kilograms(&layout.mass)?.value();
         let hands_on = |way: Way| match (way.action, way.through) {
-            (on_arm @ Action::Pair { on, .. }, Some(link)) if m.link(link).block => {
+            (on_arm @ Action::Pair { on, .. }, Some(link)) => {
                 Some((link, on_arm, Action::Pair { by: link, on: way.end })).filter(|_| on == layout.arm)
             }
             _ => None,
@@ -335,8 +338,9 @@ impl Draughtsman<'_> {
                     acting.known = acting.known.min(Knowledge::Line);
                 }
                 // The halves hold each other in the guide: no couple is left that would move its force.
-                if layout.sleeve.is_some_and(|(sleeve, _)| acting.action == Action::Pair { by: LinkId::FRAME, on: sleeve })
-                {
+                if layout.sleeve.is_some_and(|(sleeve, _)| {
+                    acting.action == Action::Pair { by: LinkId::FRAME, on: sleeve }
+                }) {
                     acting.through = acting.at;
                 }
             }
@@ -523,7 +527,10 @@ impl Draughtsman<'_> {
         let (action, size, partly) = found?;
         Some(AlongGuide {
             found: (action, size.abs(), partly),
-            terms: terms.into_iter().map(|(of, part, partly)| (of, part.abs(), partly, part * size < 0.0)).collect(),
+            terms: terms
+                .into_iter()
+                .map(|(of, part, partly)| (of, part.abs(), partly, part * size < 0.0))
+                .collect(),
             inclined,
             angle: libm::atan2(guide[1], guide[0]),
         })

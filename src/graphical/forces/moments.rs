@@ -1,8 +1,8 @@
 //! The moments that gave a size, with the arms as they are measured: a foot on the line of the force, and a reading.
 
 use crate::board::{Line, Point};
-use crate::mechanism::force::{Action, Force, Inertia, Party, Sought};
-use crate::mechanism::quantity::Order;
+use crate::mechanism::force::{Action, Force, Inertia, Party, Share, Sought, SpringKind};
+use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::{LinkId, PointId};
 
 use super::super::construction::About as Told;
@@ -24,6 +24,9 @@ pub(super) fn same_pair(one: Action, other: Action) -> bool {
     };
     key(one) == key(other)
 }
+
+/// Moments with friction close to this part of the largest, which is what the last pass may leave.
+const CLOSED: f64 = 1e-5;
 
 impl Draughtsman<'_> {
     /// The force with which one link acts on another through a pin, as the one that does not hold the pin feels it.
@@ -52,7 +55,12 @@ impl Draughtsman<'_> {
 
     /// The moment of a force about a point, by its one arm; none where its line passes through the point. The force may
     /// be taken to another place.
-    pub(super) fn moment_term(&mut self, action: Action, about: Point, moved: Option<Point>) -> Option<MomentTerm> {
+    pub(super) fn moment_term(
+        &mut self,
+        action: Action,
+        about: Point,
+        moved: Option<Point>,
+    ) -> Option<MomentTerm> {
         let items = self.items_of(action, self.told).ok()?;
         let foot = match moved {
             Some(at) => at,
@@ -114,10 +122,16 @@ impl Draughtsman<'_> {
             _ => None,
         };
         let told = taken.links.iter().copied().chain(lends).filter_map(place).min()?;
+        let (_, balance) = self.balances.iter().find(|(share, _)| *share == self.told)?;
+        let balance = balance.clone();
+        let rubs = !balance.leaning.rubs().is_empty();
+        // With friction a force acts where it touches the circle of its pin.
+        let first = *taken.links.first()?;
         let (about, point) = match &taken.about {
-            About::Point(point) => (self.at(*point), Some(*point)),
+            About::Point(point) => (self.touch_at(&balance, *point, first), Some(*point)),
             About::Meet { at, .. } => (*at, None),
         };
+        let rubs_there = point.is_some_and(|pin| Self::rubs_at(&balance, pin));
         let mut terms: Vec<MomentTerm> = Vec::new();
         let mut found: Option<MomentTerm>;
         let mut without: Vec<Action> = Vec::new();
@@ -125,15 +139,20 @@ impl Draughtsman<'_> {
         let mut riders: Vec<(LinkId, Point)> = Vec::new();
         match taken.found {
             TakenFor::Effort(input) => {
-                let effort = self.effort(Sought::Effort(input))?;
-                found = Some(torque(Force::Torque(input), effort));
+                let effort = self.effort(Sought::Effort(input));
+                found = effort.map(|effort| torque(Force::Torque(input), effort));
             }
             TakenFor::Across { pin, by, on, from } | TakenFor::Along { pin, by, on, from, .. } => {
                 let action = self.force_at_pin(pin, by, on);
                 without.push(action);
                 let items = self.items_of(action, self.told).ok()?;
                 let whole = self.sum_of(&items);
-                let (at, base) = (self.at(pin), self.at(from));
+                let at = self.inner_touch(&balance, pin, [by, on]);
+                let base = self.touch_at(&balance, from, if taken.links.contains(&by) { on } else { by });
+                let base = match taken.found {
+                    TakenFor::Across { .. } => self.touch_at(&balance, from, first),
+                    _ => base,
+                };
                 let reason = self.reason(&[by, on]);
                 let (along, _) = self.board.toward(base, at, reason);
                 let line = Line { through: whole.tail, along };
@@ -151,7 +170,9 @@ impl Draughtsman<'_> {
                     }
                     _ => {
                         found = self.term_of_pull(Turning::Across(action), part_across, at, about);
-                        if let Some(Arm { between, .. }) = found.as_mut().and_then(|f| f.arm.as_mut()) {
+                        if let (Some(Arm { between, .. }), false) =
+                            (found.as_mut().and_then(|f| f.arm.as_mut()), rubs)
+                        {
                             *between = Some([from, pin]);
                         }
                     }
@@ -183,8 +204,11 @@ impl Draughtsman<'_> {
             TakenFor::Slide(slide) | TakenFor::Slot(slide) => {
                 let pair = self.mechanism.slides[slide];
                 let pin = self.riding_pin(slide)?;
-                let at = self.at(pin);
                 let guide = pair.guide.link;
+                let at = match self.mechanism.party_of(&pair.rider) {
+                    Party::Link(rider) if rubs => self.inner_touch(&balance, pin, [first, rider]),
+                    _ => self.at(pin),
+                };
                 let on_guide = matches!(taken.found, TakenFor::Slot(_)) && taken.links.contains(&guide);
                 let action = match self.mechanism.party_of(&pair.rider) {
                     Party::Link(link) if on_guide => Action::Pair { by: link, on: guide },
@@ -211,7 +235,11 @@ impl Draughtsman<'_> {
                 }
             }
         }
-        let found = found?;
+        // Without an effort it is what is sought on the driven link that its moments give.
+        let sought = match taken.found {
+            TakenFor::Effort(_) if found.is_none() => Some(self.sought_on(first)?),
+            _ => None,
+        };
         for body in bodies.iter().filter(|body| matches!(body.of, Party::Link(l) if taken.links.contains(&l)))
         {
             let Party::Link(link) = body.of else { continue };
@@ -255,7 +283,23 @@ impl Draughtsman<'_> {
             }
         }
         terms.retain(|term| term.moment != 0.0);
+        if let Some(sought) = sought {
+            let place =
+                terms.iter().position(|term| matches!(term.of, Turning::Force(of) if same_pair(of, sought)));
+            found = place.map(|place| terms.remove(place));
+        }
+        let found = found?;
+        // What does not add up to nothing is no balance to be told.
+        let sum = terms.iter().chain([&found]).map(|term| term.moment).sum::<f64>();
+        let largest = terms.iter().chain([&found]).map(|term| term.moment.abs()).fold(0.0, f64::max);
+        if rubs && sum.abs() > CLOSED * largest {
+            return None;
+        }
         let about = match &taken.about {
+            About::Point(point) if rubs_there => {
+                let per_mm = self.length_scale().si_per_mm;
+                Told::Contact { pin: *point, at: about.value().map(|mm| mm * per_mm) }
+            }
             About::Point(point) => Told::Point(*point),
             About::Meet { of, at, .. } => {
                 let per_mm = self.length_scale().si_per_mm;
@@ -264,6 +308,69 @@ impl Draughtsman<'_> {
             }
         };
         Some(MomentBalance { links: taken.links.clone(), told, about, terms, found })
+    }
+
+    /// The one load or spring that is sought, where it is a force on this link and on no other that moves.
+    pub(super) fn sought_on(&self, link: LinkId) -> Option<Action> {
+        let forces = &self.mechanism.forces;
+        match self.mechanism.named_sought()[..] {
+            [Sought::Load(index)] => {
+                let load = &forces.loads[index];
+                (load.link == link && !load.is_torque()).then_some(Action::Load(index))
+            }
+            [Sought::Spring(index)] => match forces.springs[index].kind {
+                SpringKind::Pull(ends) => {
+                    let end = ends.iter().position(|(of, _)| *of == link)?;
+                    (ends[1 - end].0 == LinkId::FRAME).then_some(Action::Spring { index, end })
+                }
+                SpringKind::Torsion(_) => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Arms and moments that somebody asks for and no balance has: the arm of each, about its point.
+    pub(super) fn arms_asked(&mut self, told: &[MomentBalance]) -> Vec<MomentBalance> {
+        let asked: Vec<Force> = self
+            .mechanism
+            .asked
+            .iter()
+            .filter_map(|asked| match asked.quantity {
+                Quantity::Force(force @ (Force::Arm(..) | Force::Moment(..)), Share::Total) => Some(force),
+                _ => None,
+            })
+            .collect();
+        let mut all: Vec<MomentBalance> = Vec::new();
+        for force in asked {
+            let (Force::Arm(action, pin) | Force::Moment(action, pin)) = force else { continue };
+            let at = self.at(pin);
+            let Some(term) = self.moment_term(action, at, None) else { continue };
+            let same = |term: &MomentTerm| matches!(term.of, Turning::Force(of) if same_pair(of, action));
+            let mut terms = told.iter().filter(|moments| moments.about == Told::Point(pin));
+            let known = terms.find_map(|moments| {
+                moments.terms.iter().chain([&moments.found]).find(|term| same(term)).and_then(|term| term.arm)
+            });
+            let of_inertia = matches!(action, Action::Inertia(link)
+                if self.mechanism.forces.mass(link).is_some_and(|mass| mass.centre == pin));
+            let touches = self.mechanism.forces.friction.circle(pin).is_some();
+            let at_pin = match action {
+                Action::Pair { .. } => self.passes(action, pin),
+                Action::OfPin(of, _) | Action::OnPin(_, of) => of == pin,
+                _ => false,
+            };
+            if of_inertia || (touches && at_pin) {
+                continue;
+            }
+            let term = MomentTerm { arm: known.or(term.arm), of: Turning::Torque(force), ..term };
+            all.push(MomentBalance {
+                links: Vec::new(),
+                told: usize::from(known.is_some()),
+                about: Told::Point(pin),
+                terms: vec![MomentTerm { of: Turning::Force(action), ..term }],
+                found: term,
+            });
+        }
+        all
     }
 
     /// The bar that acts so on a link about whose legs' meet moments are taken: its pin there, its other pin, and whether

@@ -4,13 +4,14 @@ use crate::mechanism::force::{
     Action, Force, Load, LoadKind, Party, Pointing, Share, Sought, Spring, SpringKind, SpringLaw,
 };
 use crate::mechanism::friction::{Rub, RubbingPair};
-use crate::mechanism::quantity::Quantity;
+use crate::mechanism::quantity::{Order, Quantity};
 use crate::mechanism::spin::SpinSpeed;
 use crate::mechanism::{Input, LinkId, PointId};
 use crate::plan::Plan;
 
 use super::super::construction::{
-    Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, SpringTwist, Touch,
+    Acting, ForceSheet, FreeBody, Knowledge, LoadSize, MeetOfThree, MomentBalance, SpringTwist, Touch,
+    Turning,
 };
 use super::super::draughtsman::Draughtsman;
 use super::moments::same_pair;
@@ -37,14 +38,8 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
     let (trial, trials, mut group_trials) =
         (balance.trial, balance.trials.clone(), balance.group_trials.clone());
-    // With friction, and in a governor, moments are taken about other points than the pins; only of what drives, where
-    // nothing rubs at its pins, as ever.
-    let plain = rubs.is_empty() && d.mechanism.forces.spin.is_none();
-    let rubs_at = |link: &LinkId| rubs.iter().any(|rub| d.mechanism.rubbing_links(rub.pair).contains(link));
-    let told = |taken: &&Taken| {
-        let effort = matches!(taken.found, TakenFor::Effort(_)) && d.mechanism.forces.spin.is_none();
-        plain || effort && !taken.links.iter().any(rubs_at)
-    };
+    // Of a governor that is not told by its sleeve and its arm no moments are told.
+    let told = |_: &&Taken| d.mechanism.forces.spin.is_none();
     let taken: Vec<Taken> = balance.taken.iter().filter(told).cloned().collect();
     let rubs = rubs.into_iter().filter_map(|rub| d.touching(rub)).collect();
     let mut bodies = Vec::new();
@@ -104,8 +99,18 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         return None;
     }
     let moments = d.moments_told(&taken, &bodies);
+    // What moments of the driven link give needs no trial.
+    let forces = d.mechanism.forces.clone();
+    let by_moments = |moments: &MomentBalance| match moments.found.of {
+        Turning::Force(Action::Load(index)) => forces.loads[index].is_sought(),
+        Turning::Force(Action::Spring { index, .. }) => forces.springs[index].is_sought(),
+        _ => false,
+    };
+    let trial = trial.filter(|_| !moments.iter().any(by_moments));
     let meets = three.iter().filter_map(|meet| d.meet_told(meet, &mut bodies)).collect();
     let shaking = if inertia.is_empty() { None } else { d.shaking_told(&inertia) };
+    let told: Vec<MomentBalance> = moments.iter().chain(&shaking).cloned().collect();
+    let arms = d.arms_asked(&told);
     // A governor rests in its own plane.
     let governs = d.mechanism.forces.spin.is_some();
     let masses = d.masses_told(|link| !governs && plan.forces.links.contains(&link));
@@ -124,6 +129,7 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
         masses,
         bodies,
         moments,
+        arms,
         meets,
         whole,
         inertia,
@@ -329,7 +335,15 @@ impl Draughtsman<'_> {
         let acting = self.acting(action, Knowledge::Line)?;
         let per_mm = self.length_scale().si_per_mm;
         let at = self.at(point).value().map(|mm| mm * per_mm);
-        Some(Touch { rub, between, at, through: acting.through, force: acting.force, along })
+        let turns = |d: &mut Self, link: LinkId| match link == LinkId::FRAME || d.translates[link.0] {
+            true => 0.0,
+            false => d.rate(Order::Velocity, link).value(),
+        };
+        let rates = match rub.pair {
+            RubbingPair::Pin { .. } => Some(between.map(|link| turns(self, link))),
+            RubbingPair::Slide(_) => None,
+        };
+        Some(Touch { rub, between, at, through: acting.through, force: acting.force, along, rates })
     }
 
     /// The larger side of the skeleton, paper millimetres.
@@ -371,7 +385,8 @@ impl Draughtsman<'_> {
     /// The force that moments give whole, before any polygon.
     fn given_by_moments(&self, taken: &Taken) -> Option<Action> {
         match taken.found {
-            TakenFor::Effort(_) | TakenFor::Across { .. } => None,
+            TakenFor::Effort(_) => taken.links.first().and_then(|link| self.sought_on(*link)),
+            TakenFor::Across { .. } => None,
             TakenFor::Along { pin, by, on, .. } => Some(match self.mechanism.parties_at(pin).len() {
                 0..=2 => Action::Pair { by, on },
                 _ if self.holder(pin) == super::Holder::Link(on) => Action::OfPin(pin, by),
