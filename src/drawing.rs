@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::check::{Unconfirmed, confirm, confirm_sweep};
 use crate::graphical::construction::Construction;
-use crate::mechanism::quantity::Dimension;
+use crate::mechanism::quantity::{Answer, Dimension};
 use crate::parallel;
 use crate::plan::{Auxiliary, Extent};
 use crate::render::theme::Theme;
@@ -125,11 +125,47 @@ pub fn language(scene: &Scene) -> Language {
     scene.sheet.language.as_deref().and_then(Language::from_tag).unwrap_or_default()
 }
 
+/// A figure, and what is asked and not determined in the position that it shows.
+#[derive(Debug, Clone)]
+pub struct Drawn {
+    /// The figure.
+    pub figure: Figure,
+    /// The asked quantities without an answer, by name, each with the reason.
+    pub indeterminate: Vec<(String, String)>,
+}
+
+/// Frames of one size, and what is asked and not determined.
+#[derive(Debug, Clone)]
+pub struct Film {
+    /// The frames in their order.
+    pub frames: Vec<Figure>,
+    /// See [`Drawn::indeterminate`].
+    pub indeterminate: Vec<(String, String)>,
+}
+
+/// The asked quantities without an answer.
+fn indeterminate(scene: &Scene, construction: &Construction) -> Vec<(String, String)> {
+    let all = scene.mechanism.asked.iter().zip(&construction.answers);
+    let open = all.filter_map(|(asked, reading)| match &reading.answer {
+        Answer::Indeterminate(why) => Some((asked.name.clone(), why.to_string())),
+        Answer::Scalar { .. } | Answer::Vector { .. } | Answer::AtInfinity { .. } => None,
+    });
+    open.collect()
+}
+
 /// The figure that is wished for.
 ///
 /// # Errors
 /// See [`NoFigure`].
 pub fn figure(scene: &Scene, wish: &Wish) -> Result<Figure, NoFigure> {
+    Ok(drawn(scene, wish)?.figure)
+}
+
+/// The same with what is asked and not determined.
+///
+/// # Errors
+/// See [`NoFigure`].
+pub fn drawn(scene: &Scene, wish: &Wish) -> Result<Drawn, NoFigure> {
     let names = wish.names(scene)?;
     match (wish.kind, &names[..]) {
         (Kind::Question, [] | ["skeleton"]) | (Kind::Steps, []) | (Kind::Solution, _) => {}
@@ -174,14 +210,14 @@ pub fn figure(scene: &Scene, wish: &Wish) -> Result<Figure, NoFigure> {
         let mend = "choose smaller scales; where none is stated the diagrams fill their panels".to_owned();
         return Err(scene.source.complain(Subject::Sheet, what, Some(mend)).into());
     }
-    Ok(figure)
+    Ok(Drawn { figure, indeterminate: indeterminate(scene, construction) })
 }
 
 /// The steps of the solution as frames of one size.
 ///
 /// # Errors
 /// See [`NoFigure`].
-pub fn film(scene: &Scene, wish: &Wish) -> Result<Vec<Figure>, NoFigure> {
+pub fn film(scene: &Scene, wish: &Wish) -> Result<Film, NoFigure> {
     if wish.kind != Kind::Steps {
         return Err(NoFigure::Wish("--play plays the steps: say --as steps as well".to_owned()));
     }
@@ -195,10 +231,14 @@ pub fn film(scene: &Scene, wish: &Wish) -> Result<Vec<Figure>, NoFigure> {
         let frames = sheet::film(scene, &solved.solution.construction, language).into_iter();
         frames.map(|frame| with_what_is_missing(frame, scene, &solved, language)).collect::<Vec<_>>()
     };
-    match parallel::both(|| confirm(scene, &solved), film) {
-        (Ok(()), film) => Ok(film),
-        (Err(why), film) => film.into_iter().map(|frame| wish.noted(frame, why.clone(), language)).collect(),
-    }
+    let frames = match parallel::both(|| confirm(scene, &solved), film) {
+        (Ok(()), film) => film,
+        (Err(why), film) => {
+            let noted = film.into_iter().map(|frame| wish.noted(frame, why.clone(), language));
+            noted.collect::<Result<_, _>>()?
+        }
+    };
+    Ok(Film { frames, indeterminate: indeterminate(scene, &solved.solution.construction) })
 }
 
 /// That a figure is not drawn because it is not confirmed, and what can be done.

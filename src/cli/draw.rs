@@ -114,10 +114,12 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(Failure("--play plays in an SVG; a page plays by itself: leave it out".to_owned()));
     }
     if job.play {
-        let frames = drawing::film(scene, &wish).map_err(impossible)?;
-        return write_film(job, &formats, &frames, &options);
+        let film = drawing::film(scene, &wish).map_err(impossible)?;
+        write_film(job, &formats, &film.frames, &options)?;
+        return Ok(ending(scene, &film.indeterminate));
     }
-    let figure = drawing::figure(scene, &wish).map_err(impossible)?;
+    let drawn = drawing::drawn(scene, &wish).map_err(impossible)?;
+    let figure = drawn.figure;
     let page = if pages {
         let first = languages.first().copied().unwrap_or_else(|| drawing::language(scene));
         let mut sheets = vec![(first, figure.clone())];
@@ -139,14 +141,24 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         for output in &outputs {
             print_bytes(&bytes(output)?)?;
         }
-        return Ok(Ending::Fine);
+        return Ok(ending(scene, &drawn.indeterminate));
     }
     let mut written = Vec::new();
     for (path, output) in job.output.iter().zip(&outputs) {
         written.push((path.clone(), bytes(output)?));
     }
     files::write_all(&written)?;
-    Ok(Ending::Fine)
+    Ok(ending(scene, &drawn.indeterminate))
+}
+
+/// What is asked and not determined is said, and no success.
+fn ending(scene: &Scene, indeterminate: &[(String, String)]) -> Ending {
+    let file = scene.source.file();
+    for (name, why) in indeterminate {
+        let line = format!("{file}: {name} is indeterminate: {why}");
+        let _ = writeln!(io::stderr(), "{}", crate::terminal::lines(&line));
+    }
+    if indeterminate.is_empty() { Ending::Fine } else { Ending::DoesNotHold }
 }
 
 /// The page of a scene: with what moves, or without and a warning that says why.
@@ -269,7 +281,7 @@ fn write_film(
     formats: &[Format],
     frames: &[Figure],
     options: &render::Options,
-) -> Result<Ending, Failure> {
+) -> Result<(), Failure> {
     if let Some((path, _)) = job.output.iter().zip(formats).find(|(_, format)| !matches!(format, Format::Svg))
     {
         return Err(Failure(format!("{}: only SVG plays; end the name in .svg", files::shown(path))));
@@ -280,9 +292,9 @@ fn write_film(
     let svg = render::film(frames, options).map_err(|error| Failure(error.to_string()))?;
     if job.output.is_empty() {
         print_bytes(svg.as_bytes())?;
-        return Ok(Ending::Fine);
+        return Ok(());
     }
     let written: Vec<_> = job.output.iter().map(|path| (path.clone(), svg.clone().into_bytes())).collect();
     files::write_all(&written)?;
-    Ok(Ending::Fine)
+    Ok(())
 }

@@ -208,6 +208,11 @@ pub(super) fn before(body: usize, sheet: &ForceSheet) -> impl Iterator<Item = us
     panels(sheet).filter(move |index| first_body(*index, sheet) == Some(body))
 }
 
+/// The pair with a figure that is told first.
+pub(super) fn first(sheet: &ForceSheet) -> Option<usize> {
+    (0..sheet.bodies.len()).find_map(|body| before(body, sheet).next())
+}
+
 /// The constant drags that act first on a body.
 pub(super) fn drags_before(body: usize, sheet: &ForceSheet) -> impl Iterator<Item = usize> + '_ {
     let drags = (0..sheet.rubs.len()).filter(|index| matches!(sheet.rubs[*index].rub.by, RubbedBy::Drag(_)));

@@ -686,7 +686,7 @@ impl Teller<'_> {
         }
         lines.extend(self.turns_on(touch));
         lines.push(super::friction::sentence(index, self.sheet, self.n));
-        if self.sheet.passes > 1 && super::friction::panels(self.sheet).next() == Some(index) {
+        if self.sheet.passes > 1 && super::friction::first(self.sheet) == Some(index) {
             let count = ("count", Rich::upright(self.sheet.passes.to_string()));
             lines.push(Rich::fill(words.friction_passes, &[count]));
         }
@@ -713,16 +713,16 @@ impl Teller<'_> {
             let second = if other < 0.0 { Rich::upright("(−").then(&n[1]).up(")") } else { n[1].clone() };
             first.up(" − ").then(&second)
         };
-        let reckon = |n: &[f64]| (n[0] * signs[0] - n[1] * signs[1]).abs();
+        let reckon = |n: &[f64]| n[0] * signs[0] - n[1] * signs[1];
         let name = |links: &[LinkId]| {
             let numbers: Vec<String> = links.iter().map(|link| self.n.number(*link)).collect();
             Rich::italic("ω").sub(&numbers.concat())
         };
         let formula = name(&[link]).up(" − ").then(&name(&[carrier]));
-        let result = Factor::new(relative.abs(), &unit, "rad/s");
+        let result = Factor::new(relative, &unit, "rad/s");
         let line =
             self.line_in(true, name(&[link, carrier]), formula, &factors, set, reckon, (result, &unit));
-        Some(line.word(self.n.sense(relative)))
+        Some(line.aside(self.n.words.comma, &Rich::upright(self.n.sense(relative))))
     }
 
     /// A body: its balance, moments that give a size, the polygon that gives the rest.
