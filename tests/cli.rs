@@ -366,6 +366,28 @@ fn a_quantity_that_is_indeterminate_alone_is_exit_1() {
 }
 
 #[test]
+fn a_sheet_of_what_is_indeterminate_is_written_and_exit_1() {
+    let mut scene: Value = serde_json::from_str(
+        &std::fs::read_to_string(common::root().join("examples/refusals/dead-centre.json")).unwrap(),
+    )
+    .unwrap();
+    scene["find"] = serde_json::json!(["omega(2)", "omega(3)"]);
+    scene.as_object_mut().unwrap().remove("expect");
+    let folder = Folder::new("indeterminate-sheet");
+    folder.write("dead.json", scene.to_string());
+    for kind in ["solution", "question", "steps"] {
+        let ran = run_in(&folder.0, &["draw", "dead.json", "--as", kind, "-o", "dead.svg"], None);
+        assert_eq!(ran.code, 1, "{kind}: {}", ran.err);
+        assert!(ran.err.contains("omega(3)") && ran.err.contains("indeterminate"), "{kind}: {}", ran.err);
+        assert!(!ran.err.contains("omega(2)"), "{kind}: {}", ran.err);
+        assert!(folder.contents().keys().any(|path| path.ends_with("dead.svg")), "{kind}");
+    }
+    scene["find"] = serde_json::json!(["omega(2)"]);
+    folder.write("dead.json", scene.to_string());
+    assert_eq!(run_in(&folder.0, &["draw", "dead.json", "-o", "dead.svg"], None).code, 0);
+}
+
+#[test]
 fn files_that_are_no_scenes() {
     let folder = Folder::new("no-scenes");
     folder.write("empty.json", "");

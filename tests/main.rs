@@ -21,6 +21,7 @@ mod exam;
 mod examiner;
 #[path = "extremes/main.rs"]
 mod extremes;
+mod force_sheets;
 mod forces;
 mod forces_classroom;
 mod forces_cycle;

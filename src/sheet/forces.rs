@@ -4,6 +4,7 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::figure::{Dash, Group, Mark, Pen, Shape, Tone};
+use super::force_detail::{self, Side};
 use super::friction;
 use super::governor;
 use super::human;
@@ -77,8 +78,8 @@ impl ForcePanel {
             all.extend(friction::before(index, sheet).map(Self::Friction));
             let together =
                 sheet.moments.iter().enumerate().filter(|(_, m)| m.told == index && m.links.len() > 1);
-            all.extend(together.map(|(moments, _)| Self::Together(moments)));
             all.push(Self::Body(index));
+            all.extend(together.map(|(moments, _)| Self::Together(moments)));
             // Two forces are one line there and back.
             let laid_off = body.acting.len() > 2 && !governor::without_polygon(sheet, index);
             if laid_off && chain(&body.acting).is_some() {
@@ -89,7 +90,8 @@ impl ForcePanel {
             }
         }
         all.append(&mut waiting);
-        if chain(&sheet.whole).is_some() {
+        // Two forces are one line there and back.
+        if sheet.whole.len() > 2 && chain(&sheet.whole).is_some() {
             all.push(Self::Whole);
         }
         if chain(&sheet.inertia).is_some() {
@@ -847,7 +849,9 @@ fn unknown(
     let middle =
         places.iter().fold(Vec2::ZERO, |sum, (p, ..)| sum + p.to_vec2()) / places.len().max(1) as f64;
     let away = at.to_vec2() - middle;
-    let mut along = if away.hypot() > 1.0 { away.normalize() } else { Vec2::new(1.0, 0.0) };
+    // What is cut free as a point has its known lines along the axes, mostly.
+    let aslant = Vec2::new(0.8, -0.6);
+    let mut along = if away.hypot() > 1.0 { away.normalize() } else { aslant };
     // Not along the link itself.
     let covered = places.iter().any(|(p, ..)| {
         let to = *p - at;
@@ -1099,6 +1103,18 @@ fn polygon(
     requests.push(Request::new(pole.clone(), LABEL, site, "label image-name"));
     let names = place(&group, &requests, None);
     group.group(names);
+    let sides: Vec<Side> = acting
+        .iter()
+        .zip(places.windows(2))
+        .filter(|(acting, _)| acting.force != [0.0; 2])
+        .map(|(acting, ends)| Side {
+            from: place_of(ends[0]),
+            to: place_of(ends[1]),
+            name: symbol(acting.action, notation),
+            known: !acting.closes,
+        })
+        .collect();
+    force_detail::add(&mut group, &sides, CROWDED, notation);
     group
 }
 

@@ -10,7 +10,7 @@ use super::ink::{FINE, LABEL, SMALL, THICK, THIN, arc_arrow, arrow, dot, page};
 use super::labels::{Request, Site, place};
 use super::notation::Notation;
 use super::rich::Rich;
-use crate::graphical::construction::{Construction, ForceSheet, Touch};
+use crate::graphical::construction::{About, Construction, ForceSheet, FreeBody, Touch};
 use crate::mechanism::LinkId;
 use crate::mechanism::Mechanism;
 use crate::mechanism::force::{Action, Party, Through};
@@ -221,8 +221,17 @@ pub(super) fn drags_before(body: usize, sheet: &ForceSheet) -> impl Iterator<Ite
 
 /// The first body on which the force of a pair that rubs acts.
 fn first_body(index: usize, sheet: &ForceSheet) -> Option<usize> {
-    let between = sheet.rubs.get(index)?.between;
-    sheet.bodies.iter().position(|body| matches!(body.of, Party::Link(link) if between.contains(&link)))
+    let touch = sheet.rubs.get(index)?;
+    let acts = |body: &FreeBody| matches!(body.of, Party::Link(link) if touch.between.contains(&link));
+    let of_body = sheet.bodies.iter().position(acts);
+    // Moments may be taken about where it touches before its body is in balance.
+    let contact = |about: About| {
+        matches!((about, touch.rub.pair),
+        (About::Contact { pin, .. }, RubbingPair::Pin { pin: own, .. }) if pin == own)
+    };
+    let of_moments =
+        sheet.moments.iter().filter(|moments| contact(moments.about)).map(|moments| moments.told);
+    of_body.into_iter().chain(of_moments).min()
 }
 
 /// An angle of friction as finely as a circle is reckoned from it.

@@ -56,6 +56,8 @@ pub(super) fn radius(
 ) {
     /// How far the axis runs past what hangs on it, mm.
     const PAST: f64 = 6.0;
+    /// How far beside the ball its distance is dimensioned, mm.
+    const ASIDE: f64 = 6.0;
     let [foot, ball] = [governor.foot, governor.ball].map(|place| on_page(place, construction));
     let Some(spin) = &notation.mechanism().forces.spin else { return };
     let (sin, cos) = libm::sincos(spin.angle.value);
@@ -72,13 +74,18 @@ pub(super) fn radius(
     if foot.distance(ball) < 4.0 {
         return;
     }
+    // Beside the ball, on the side where less of the skeleton is.
     let out = (ball - foot).normalize();
+    let aside = if most > -least { -along } else { along } * ASIDE;
+    let (from, to) = (foot + aside, ball + aside);
     let mut own =
         Group::new("arm").data("value", format!("{}", governor.radius / notation.scene.units.length.si));
-    own.mark(Mark::stroke(Shape::Line(foot, ball), Pen::solid(FINE)).precise());
-    own.mark(head(ball, out, 2.0));
-    own.mark(head(foot, -out, 2.0));
+    own.mark(Mark::stroke(Shape::Line(ball + aside * 0.3, to + aside * 0.25), Pen::solid(FINE)));
+    own.mark(Mark::stroke(Shape::Line(from, to), Pen::solid(FINE)).precise());
+    own.mark(head(to, out, 2.0));
+    own.mark(head(from, -out, 2.0));
     group.group(own);
+    let (foot, ball) = (from, to);
     let name = radius_name(governor, notation);
     let mut request = Request::new(name, SMALL, Site::Along { from: foot, to: ball }, "label arm-name");
     request.leader = true;
@@ -304,6 +311,18 @@ impl Teller<'_> {
         vec![Rich::fill(self.n.words.governor_similar, &[("equation", line)])]
     }
 
+    /// What a roller or a bar hands on is one number on both of its sides.
+    pub(super) fn hand_on(&self) {
+        let Some(governor) = &self.sheet.governor else { return };
+        let Some((_, on_arm, by_sleeve)) = governor.hands_on else { return };
+        for state in &governor.states {
+            let teller = Self { share: state.share, ..*self };
+            let [one, other] = [on_arm, by_sleeve].map(|action| teller.whole(Force::Vector(action)));
+            self.figures.borrow_mut().alias(one, other);
+            self.figures.borrow_mut().alias(other, one);
+        }
+    }
+
     /// Moments of the arm, and the speed that belongs to them.
     fn of_arm(&self, governor: &Governor, state: &GovernorState, first: bool) -> Vec<Rich> {
         let units = &self.n.scene.units;
@@ -315,11 +334,7 @@ impl Teller<'_> {
             let link = ("link", Rich::upright(self.n.number(roller)));
             lines.push(Rich::fill(self.n.words.governor_hands_on, &[link, ("equation", equal)]));
         }
-        if let Some((_, on_arm, by_sleeve)) = governor.hands_on {
-            let [one, other] = [on_arm, by_sleeve].map(|action| self.whole(Force::Vector(action)));
-            self.figures.borrow_mut().alias(one, other);
-            self.figures.borrow_mut().alias(other, one);
-        }
+        self.hand_on();
         lines.extend(self.moments_with(&state.moments, first));
         if governor.sought {
             let (rad, rpm) = (radians(), rpm());

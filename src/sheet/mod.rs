@@ -22,6 +22,7 @@ mod dimensions;
 mod feet;
 pub mod figure;
 pub mod font;
+mod force_detail;
 mod force_names;
 mod forces;
 mod friction;

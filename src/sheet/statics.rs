@@ -22,7 +22,7 @@ use crate::mechanism::force::{SpringKind, SpringLaw};
 use crate::mechanism::friction::{FrictionCircle, Roughness, RubbedBy, RubbingPair};
 use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
-use crate::mechanism::{LinkId, PointId};
+use crate::mechanism::{LinkId, PointId, Roll};
 
 /// A side of a polygon that is shorter is not read, mm.
 const TOO_SHORT: f64 = 1.0;
@@ -46,13 +46,16 @@ pub fn told(
         for rub in super::friction::before(index, sheet) {
             all.push((ForcePanel::Friction(rub), teller.friction(rub)));
         }
-        all.push((ForcePanel::Body(index), teller.body(index)));
+        all.extend(teller.body(index));
     }
     all.push((ForcePanel::Whole, teller.whole_told()));
     all.push((ForcePanel::Shaking, teller.shaking()));
     all.push((ForcePanel::Arms, teller.asked_arms()));
     // A head alone says nothing.
-    all.retain(|(_, items)| items.iter().any(|item| !matches!(item, Item::Head(_))));
+    all.retain(|(panel, items)| {
+        let figure = matches!(panel, ForcePanel::Body(_) | ForcePanel::Together(_) | ForcePanel::Polygon(_));
+        figure || items.iter().any(|item| !matches!(item, Item::Head(_)))
+    });
     all
 }
 
@@ -91,8 +94,14 @@ fn numbered(sheet: &ForceSheet, arm: &Arm) -> Option<usize> {
     let all = sheet.moments.iter().chain(&sheet.shaking);
     let arms =
         all.flat_map(|moments| moments.terms.iter().chain([&moments.found])).filter_map(|term| term.arm);
-    let place = arms.filter(|other| other.between.is_none()).position(|other| other == *arm);
-    Some(place.unwrap_or(0) + 1)
+    // Forces on one line have one arm.
+    let mut own: Vec<Arm> = Vec::new();
+    for other in arms.filter(|other| other.between.is_none()) {
+        if !own.contains(&other) {
+            own.push(other);
+        }
+    }
+    own.iter().position(|other| other == arm).map(|place| place + 1)
 }
 
 /// The symbol of what has a moment.
@@ -726,14 +735,16 @@ impl Teller<'_> {
     }
 
     /// A body: its balance, moments that give a size, the polygon that gives the rest.
-    fn body(&self, index: usize) -> Vec<Item> {
+    fn body(&self, index: usize) -> Vec<(ForcePanel, Vec<Item>)> {
         let Some(body) = self.sheet.bodies.get(index) else { return Vec::new() };
+        let mut parts: Vec<(ForcePanel, Vec<Item>)> = Vec::new();
         let words = self.n.words;
         let head = match body.of {
             Party::Link(_) => Rich::fill(words.step_forces, &[("links", self.body_name(body))]),
             Party::Pin(_) => Rich::fill(words.step_forces_pin, &[("point", self.body_name(body))]),
         };
         let mut items = vec![self.head(head)];
+        self.hand_on();
         items.push(Item::Terms(self.balance(body)));
         if let [one, other] = &body.acting[..]
             && body.torques.is_empty()
@@ -770,7 +781,18 @@ impl Teller<'_> {
             let own = self.sheet.moments.iter().filter(move |moments| plain && moments.told == index);
             own.filter(move |moments| later(moments) == later_ones)
         };
+        // Each part is told beside the figure that shows it.
+        let panels = ForcePanel::all(self.sheet);
+        let together = |moments: &MomentBalance| {
+            let place = self.sheet.moments.iter().position(|own| std::ptr::eq(own, moments))?;
+            Some(ForcePanel::Together(place)).filter(|panel| panels.contains(panel))
+        };
+        let mut panel = ForcePanel::Body(index);
         for moments in told(false) {
+            if let Some(own) = together(moments) {
+                parts.push((panel, std::mem::take(&mut items)));
+                panel = own;
+            }
             items.extend(self.moments(moments).into_iter().map(Item::Sentence));
         }
         if let (Some(axis), Party::Link(link)) = (self.sheet.friction_axis(body), body.of) {
@@ -786,7 +808,8 @@ impl Teller<'_> {
             items.extend(self.equal(one, other).map(Item::Sentence));
         }
         if body.with_next {
-            return items;
+            parts.push((panel, items));
+            return parts;
         }
         let before = self.sheet.bodies[..index].iter().rev().take_while(|body| body.with_next).count();
         // The polygon of a link on legs gives what closes theirs.
@@ -795,6 +818,11 @@ impl Teller<'_> {
         let first = self.sheet.moments.iter().any(|moments| meets(&moments)).then_some(index);
         let last = first.map_or(index + 1, |first| first);
         for k in first.into_iter().chain(index - before..last) {
+            let own = ForcePanel::Polygon(k);
+            if panels.contains(&own) {
+                parts.push((panel, std::mem::take(&mut items)));
+                panel = own;
+            }
             items.extend(self.polygon(k).into_iter().map(Item::Sentence));
         }
         items.extend(self.governor_body(index, true));
@@ -810,7 +838,8 @@ impl Teller<'_> {
         if let Some(trials) = self.sheet.trials.as_ref().filter(|_| index + 1 == self.sheet.bodies.len()) {
             items.extend(self.trials(trials).into_iter().map(Item::Sentence));
         }
-        items
+        parts.push((panel, items));
+        parts
     }
 
     /// Three forces that meet in a point.
@@ -977,7 +1006,8 @@ impl Teller<'_> {
                     }
                 }
             }
-            Sought::Effort(_) | Sought::Spin => (Rich::default(), units.force.clone()),
+            Sought::Spin => (Rich::italic("ω").squared(), Unit { symbol: "(rad/s)^2".to_owned(), si: 1.0 }),
+            Sought::Effort(_) => (Rich::default(), units.force.clone()),
         }
     }
 
@@ -1111,7 +1141,11 @@ impl Teller<'_> {
                     // Of what halves share a part counts, which is told here alone.
                     let number = match self.n.mechanism().halves_of(acting.action) == 1.0 {
                         true => self.figures.borrow_mut().tell(key, size, unit),
-                        false => human::limited(size / unit.si, 1).0,
+                        // A stated load as it is stated, a weight as it was reckoned.
+                        false => {
+                            let more = usize::from(!matches!(acting.action, Action::Weight(_)));
+                            human::limited(size / unit.si, more).0
+                        }
                     };
                     Rich::tick().gap(0.15).then(&number)
                 }
@@ -1290,7 +1324,19 @@ impl Teller<'_> {
 
     /// Whether an arm is a dimension that the scene states.
     pub(super) fn is_told(&self, arm: &Arm) -> bool {
-        arm.between.is_some_and(|ends| self.is_stated(ends))
+        arm.between.is_some_and(|ends| self.is_stated(ends) || self.is_radius(ends))
+    }
+
+    /// Whether it is the radius of a wheel, from its centre to a contact.
+    fn is_radius(&self, ends: [PointId; 2]) -> bool {
+        let m = self.n.mechanism();
+        m.rolls.iter().zip(&m.contacts).any(|(roll, contact)| {
+            let centres = match roll {
+                Roll::Circles { centres, .. } => centres.to_vec(),
+                Roll::Line { centre, .. } => vec![*centre],
+            };
+            ends.contains(contact) && centres.iter().any(|centre| ends.contains(centre))
+        })
     }
 
     /// Whether the distance of two points is a dimension that the scene states.
@@ -1348,7 +1394,13 @@ impl Teller<'_> {
         if acting.force == [0.0; 2] {
             return Rich::fill(self.n.words.force_is_zero, &[("vector", self.symbol(acting.action))]);
         }
-        let size = self.force(libm::hypot(acting.force[0], acting.force[1]));
+        let size = libm::hypot(acting.force[0], acting.force[1]);
+        let key = self.whole(Force::Vector(acting.action));
+        let unit = &self.n.scene.units.force;
+        let size = match self.n.mechanism().halves_of(acting.action) == 1.0 {
+            true => human::with_unit(&self.figures.borrow_mut().tell(key, size, unit), &unit.symbol),
+            false => self.force(size),
+        };
         Rich::fill(self.n.words.force_as_point, &[("vector", self.symbol(acting.action)), ("value", size)])
     }
 
@@ -1381,6 +1433,9 @@ impl Teller<'_> {
 
     /// The polygon of everything from outside, with its gap.
     fn whole_told(&self) -> Vec<Item> {
+        if self.sheet.whole.len() < 3 {
+            return Vec::new();
+        }
         let Some(per_mm) = per_mm(self.sheet, ForcePanel::Whole, self.n) else { return Vec::new() };
         let words = self.n.words;
         let gap = self
@@ -1475,7 +1530,7 @@ impl Teller<'_> {
         let Some(arm) = shaking.found.arm else { return Vec::new() };
         let sum: f64 = shaking.terms.iter().map(|term| term.moment).sum();
         // One force is its own sum, and so is its line.
-        if shaking.terms.len() < 2 || sum == 0.0 {
+        if shaking.terms.is_empty() || self.sheet.inertia.len() < 2 || sum == 0.0 {
             return Vec::new();
         }
         let mut lines = Vec::new();

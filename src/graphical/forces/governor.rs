@@ -79,11 +79,15 @@ impl Draughtsman<'_> {
     fn governor_layout(&mut self) -> Option<Layout> {
         let m = self.mechanism;
         let spin = m.forces.spin?;
+        let sleeve = self.sleeve_of(&spin);
         let mut off_axis = m.forces.masses.clone();
-        off_axis.retain(|mass| self.beside_axis(&spin, mass.centre).is_some_and(|(mm, _)| mm.abs() > 0.02));
+        // What the halves of the sleeve exert on each other square to the axis is no force of the whole.
+        off_axis.retain(|mass| {
+            sleeve.is_none_or(|(link, _)| link != mass.link)
+                && self.beside_axis(&spin, mass.centre).is_some_and(|(mm, _)| mm.abs() > 0.02)
+        });
         let [mass] = off_axis[..] else { return None };
         let arm = mass.link;
-        let sleeve = self.sleeve_of(&spin, arm);
         let (mut to_sleeve, mut to_frame) = (None, None);
         let mut parts = vec![arm];
         parts.extend(sleeve.map(|(link, _)| link));
@@ -151,7 +155,7 @@ impl Draughtsman<'_> {
     }
 
     /// The sleeve with its pair: the link that the scene names, or the one that slides on the frame along the axis.
-    fn sleeve_of(&mut self, spin: &Spin, arm: LinkId) -> Option<(LinkId, usize)> {
+    fn sleeve_of(&mut self, spin: &Spin) -> Option<(LinkId, usize)> {
         let m = self.mechanism;
         let mut found = None;
         for (index, slide) in m.slides.iter().enumerate() {
@@ -159,7 +163,7 @@ impl Draughtsman<'_> {
             else {
                 continue;
             };
-            if slide.guide.link != LinkId::FRAME || rider == arm {
+            if slide.guide.link != LinkId::FRAME {
                 continue;
             }
             let pin = self.riding_pin(index)?;
@@ -345,9 +349,25 @@ impl Draughtsman<'_> {
                 }
             }
             // What the halves hold against each other is no force of the whole.
+            let outward = body.acting.iter().position(|acting| {
+                layout.sleeve.is_some_and(|(sleeve, _)| acting.action == Action::Centrifugal(sleeve))
+            });
+            if let Some(outward) = outward.map(|place| body.acting.remove(place)) {
+                let held =
+                    |acting: &&mut Acting| matches!(acting.action, Action::Pair { by: LinkId::FRAME, .. });
+                if let Some(held) = body.acting.iter_mut().find(held) {
+                    held.force = [0, 1].map(|axis| held.force[axis] + outward.force[axis]);
+                    let rests = libm::hypot(held.force[0], held.force[1])
+                        <= PARALLEL * libm::hypot(outward.force[0], outward.force[1]);
+                    held.force = if rests { [0.0; 2] } else { held.force };
+                }
+            }
             body.acting.retain(|acting| acting.force != [0.0; 2]);
             body.acting.sort_by_key(|acting| acting.closes);
-            found.learn(std::slice::from_ref(&body));
+            // Of a bar to the frame nothing is found yet but the line of its force.
+            if layout.to_frame.through != Some(link) {
+                found.learn(std::slice::from_ref(&body));
+            }
             bodies.push(body);
         }
         bodies
@@ -460,7 +480,8 @@ impl Draughtsman<'_> {
         let place = terms.iter().position(is_found)?;
         let found = terms.remove(place);
         terms.retain(|term| term.moment != 0.0);
-        Some(MomentBalance { links: vec![layout.arm], told, about, terms, found })
+        let moments = MomentBalance { links: vec![layout.arm], told, about, terms, found };
+        Some(self.with_shared_arms(moments))
     }
 
     /// The part along the guide of the sleeve of what it exerts on the arm.

@@ -307,7 +307,25 @@ impl Draughtsman<'_> {
                 Told::Meet { on, of: *of, at: at.value().map(|mm| mm * per_mm) }
             }
         };
-        Some(MomentBalance { links: taken.links.clone(), told, about, terms, found })
+        Some(self.with_shared_arms(MomentBalance { links: taken.links.clone(), told, about, terms, found }))
+    }
+
+    /// Forces on one line have one arm.
+    pub(super) fn with_shared_arms(&self, mut moments: MomentBalance) -> MomentBalance {
+        let per_mm = self.length_scale().si_per_mm;
+        let mut arms: Vec<Arm> = Vec::new();
+        for term in moments.terms.iter_mut().chain([&mut moments.found]) {
+            let Some(arm) = term.arm else { continue };
+            let same = |other: &&Arm| {
+                let off = libm::hypot(other.foot[0] - arm.foot[0], other.foot[1] - arm.foot[1]);
+                off < NO_ARM * per_mm && other.between == arm.between
+            };
+            match arms.iter().find(same) {
+                Some(other) => term.arm = Some(*other),
+                None => arms.push(arm),
+            }
+        }
+        moments
     }
 
     /// The one load or spring that is sought, where it is a force on this link and on no other that moves.

@@ -30,10 +30,18 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     {
         return Some(sheet);
     }
-    let (_, balance) = d.balances.iter().find(|(share, _)| *share == Share::Total)?;
-    if balance.refused.is_some() {
-        return None;
-    }
+    // With a drag a governor that rests is in balance while its sleeve is about to move.
+    let told = |share: &Share| d.balances.iter().any(|(of, found)| of == share && found.refused.is_none());
+    let share = [Share::Total, Share::Rising, Share::Falling].into_iter().find(told)?;
+    d.told = share;
+    let sheet = of_share(d, plan, share);
+    d.told = Share::Total;
+    sheet
+}
+
+/// The free bodies of one part of what acts.
+fn of_share(d: &mut Draughtsman<'_>, plan: &Plan, share: Share) -> Option<ForceSheet> {
+    let (_, balance) = d.balances.iter().find(|(of, _)| *of == share)?;
     let three = balance.meets.clone();
     let (rubs, passes) = (balance.leaning.rubs().to_vec(), balance.leaning.passes());
     let (trial, trials, mut group_trials) =
@@ -124,7 +132,7 @@ pub(in super::super) fn record(d: &mut Draughtsman<'_>, plan: &Plan) -> Option<F
     let drawn = |link: LinkId| plan.forces.links.contains(&link);
     let (sizes, twists) = (d.sizes_told(drawn), d.twists_told(drawn));
     Some(ForceSheet {
-        share: Share::Total,
+        share,
         governor: None,
         masses,
         bodies,
@@ -371,7 +379,9 @@ impl Draughtsman<'_> {
             SpringKind::Pull(ends) => ends.iter().any(|(of, _)| *of == link),
             SpringKind::Torsion(links) => links.contains(&link),
         });
-        let driven = (0..m.inputs.len()).any(|input| m.driven_link(input) == Some(link));
+        // Where something else is sought an input has no effort.
+        let driven = m.named_sought().is_empty()
+            && (0..m.inputs.len()).any(|input| m.driven_link(input) == Some(link));
         let loaded = forces.mass(link).is_some() || forces.loads.iter().any(|load| load.link == link);
         pins == 2 && !guides && !sprung && !driven && !loaded
     }
