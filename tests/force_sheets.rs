@@ -65,11 +65,10 @@ fn before(text: &str, unit: &str) -> Vec<f64> {
     all
 }
 
-/// Arms and ball of a Porter governor whose arms hang on the axis, by Pythagoras: the speed with this force on the whole
-/// sleeve, rad/s.
-fn porter(ball: f64, sleeve: f64, x: f64, y: f64) -> f64 {
-    // One lower arm carries half the sleeve; both arms lean alike.
-    libm::sqrt((ball * 9.81 + sleeve) / (ball * y)) * libm::sqrt(x / x)
+/// The speed of a Porter governor whose arms are alike and hang on the axis, with this force on the whole sleeve, rad/s: how
+/// far the ball is out does not count, only how far it hangs down.
+fn porter(ball: f64, sleeve: f64, down: f64) -> f64 {
+    libm::sqrt((ball * 9.81 + sleeve) / (ball * down))
 }
 
 #[test]
@@ -99,7 +98,7 @@ fn the_speeds_of_a_governor_are_those_of_the_closed_form() {
     let text = text_of(&sheet(&file("src/catalogue/governor-porter.json"), Kind::Solution));
     let told = before(&text, " rpm");
     for sense in [20.0, -20.0] {
-        let rpm = porter(4.0, 24.0 * 9.81 + sense, 0.15, 0.2) * 30.0 / std::f64::consts::PI;
+        let rpm = porter(4.0, 24.0 * 9.81 + sense, 0.2) * 30.0 / std::f64::consts::PI;
         assert!(told.iter().any(|told| (told - rpm).abs() < 0.6), "{rpm}: {told:?}");
     }
     // M ω² r = 25/9.81 (2π 300/60)² 0.1, and by moments twice that on the roller.

@@ -348,14 +348,17 @@ pub struct GovernorState {
     pub moments: MomentBalance,
 }
 
+/// A known force on a sleeve: its size, whether only its part along the guide counts, and whether it is against what is found.
+pub type OnSleeve = (Action, f64, bool, bool);
+
 /// The forces on a sleeve along its guide: each with its size in newtons, that of a pin at the sleeve with its part along the
 /// guide.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlongGuide {
     /// What is found, and whether only its part along the guide.
     pub found: (Action, f64, bool),
-    /// What is known, and whether it is against what is found.
-    pub terms: Vec<(Action, f64, bool, bool)>,
+    /// What is known.
+    pub terms: Vec<OnSleeve>,
     /// A force is inclined to the guide: the polygon gives its size.
     pub inclined: bool,
     /// The direction of the guide, radians.

@@ -14,7 +14,7 @@ use super::rich::Rich;
 use super::statics::{DOT, EQUALS, Factor, OVER, TIMES, Teller, arm_name, product};
 use super::steps::{Item, Key, in_radians};
 use crate::graphical::construction::{
-    About, AlongGuide, Arm, Construction, ForceSheet, Governor, GovernorState, MomentBalance,
+    About, AlongGuide, Arm, Construction, ForceSheet, Governor, GovernorState, MomentBalance, OnSleeve,
 };
 use crate::mechanism::force::{Action, Force, Heaviness, Share};
 use crate::mechanism::quantity::{Order, Quantity, Unit};
@@ -203,9 +203,9 @@ impl Teller<'_> {
         if along.inclined {
             return self.by_similar_triangle(along, governor, first);
         }
-        let mut terms: Vec<&(Action, f64, bool, bool)> = along.terms.iter().collect();
+        let mut terms: Vec<&OnSleeve> = along.terms.iter().collect();
         terms.sort_by_key(|(.., against)| !*against);
-        let signs = |each: &dyn Fn(usize, &(Action, f64, bool, bool)) -> Rich| {
+        let signs = |each: &dyn Fn(usize, &OnSleeve) -> Rich| {
             let mut all = Rich::default();
             for (i, term) in terms.iter().enumerate() {
                 let sign = match (i, term.3) {

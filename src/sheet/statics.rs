@@ -20,7 +20,7 @@ use crate::mechanism::force::{
 };
 use crate::mechanism::force::{SpringKind, SpringLaw};
 use crate::mechanism::friction::{FrictionCircle, Roughness, RubbedBy, RubbingPair};
-use crate::mechanism::quantity::{DiagramKind, Dimension, Order, Quantity, Unit};
+use crate::mechanism::quantity::{Asked, DiagramKind, Dimension, Order, Quantity, Unit};
 use crate::mechanism::structure::{Closing, TrialDriver};
 use crate::mechanism::{LinkId, PointId, Roll};
 
@@ -389,16 +389,25 @@ impl Teller<'_> {
                 Factor::new(length, &units.length, "m"),
                 Factor::new(free.value, &units.length, "m"),
             ];
-            let result = Factor::new(stiffness.value * (length - free.value), &units.force, "N");
-            let formula = Rich::italic("K")
-                .sub(&spring.name)
-                .up("\u{2009}(")
-                .then(&self.n.length(from, to))
-                .up(" − ")
-                .then(&Rich::italic("l").sub(&spring.name))
-                .up(")");
-            let set = |n: &[Rich]| n[0].clone().up(TIMES).up("(").then(&n[1]).up(" − ").then(&n[2]).up(")");
-            lines.push(self.line(name, formula, &factors, set, |n| n[0] * (n[1] - n[2]), result));
+            // A spring that is shorter than without load pushes; its pull is told where that is asked.
+            let asked = |asked: &Asked| asked.quantity == Quantity::Force(Force::Pull(index), Share::Total);
+            let pushes = length < free.value && !self.n.mechanism().asked.iter().any(asked);
+            let pull = stiffness.value * (length - free.value);
+            let result = Factor::new(if pushes { -pull } else { pull }, &units.force, "N");
+            let (now, without) = (self.n.length(from, to), Rich::italic("l").sub(&spring.name));
+            let minus = |now: &Rich, without: &Rich| match pushes {
+                true => without.clone().up(" − ").then(now),
+                false => now.clone().up(" − ").then(without),
+            };
+            let formula =
+                Rich::italic("K").sub(&spring.name).up("\u{2009}(").then(&minus(&now, &without)).up(")");
+            let set = |n: &[Rich]| n[0].clone().up(TIMES).up("(").then(&minus(&n[1], &n[2])).up(")");
+            let reckon = |n: &[f64]| if pushes { n[0] * (n[2] - n[1]) } else { n[0] * (n[1] - n[2]) };
+            let line = self.line(name, formula, &factors, set, reckon, result);
+            lines.push(match pushes {
+                true => line.aside(self.n.words.comma, &Rich::upright(self.n.words.spring_pushes)),
+                false => line,
+            });
         }
         for twist in &self.sheet.twists {
             lines.extend(self.twist(twist));
