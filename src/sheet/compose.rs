@@ -697,7 +697,7 @@ fn with_steps(
     block.group.translate(Vec2::new((width - block.width) / 2.0, 0.0));
     steps.group.translate(Vec2::new(0.0, block.height + 2.0));
     block.group.group(steps.group);
-    Block { width, height: block.height + 2.0 + steps.height, ..block }
+    Some(Block { width, height: block.height + 2.0 + steps.height, ..block })
 }
 
 /// The decimal sign that the scene wishes, in everything that is set but what the scene's own title says.

@@ -485,8 +485,9 @@ impl Figures {
 
     /// A number that is another one, too: it stands there as that does.
     pub(super) fn alias(&mut self, key: Key, of: Key) {
-        if self.finer.contains(&key) {
-            self.wanted.insert(of);
+        if let Some(more) = self.finer.get(&key).copied() {
+            let own = self.wanted.entry(of).or_insert(0);
+            *own = (*own).max(more);
         }
         if let (Some(print), false) = (self.printed.get(&of).cloned(), self.printed.contains_key(&key)) {
             self.printed.insert(key, print);
