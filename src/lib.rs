@@ -162,5 +162,6 @@ pub mod sheet;
 pub mod solve;
 pub mod sweep;
 mod terminal;
+pub mod tolerance;
 pub mod tradeoff;
 pub mod wide;

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::{Ending, Failure, failure, print, read_scene};
 use crate::check::NotConfirmed;
-use crate::exam::{self, Bank, ExamError, Terms, Variant};
+use crate::exam::{self, Bank, ExamError, Loose, Terms, Variant};
 use crate::files;
 use crate::parallel;
 use crate::render::{self, Format, Lettering, Options};
@@ -32,6 +32,7 @@ pub(super) struct Job {
     pub(super) names: Option<PathBuf>,
     pub(super) booklet: bool,
     pub(super) max_tolerance: f64,
+    pub(super) loose: Option<String>,
     pub(super) seed: u64,
     pub(super) output: PathBuf,
     pub(super) flattest: f64,
@@ -58,6 +59,10 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         return Err(Failure("--booklet: this build has no PDF: build with the feature `pdf`".to_owned()));
     }
     let (_, scene) = read_scene(&job.scene)?;
+    let loose = job.loose.as_deref().map_or(Ok(Loose::default()), |name| {
+        let names = Loose::ALL.map(Loose::name).join(", ");
+        Loose::from_name(name).ok_or_else(|| Failure(format!("--loose {name}: choose {names}")))
+    })?;
     let languages = match (languages.is_empty(), scene.sheet.language.as_deref()) {
         (false, _) => languages,
         (true, stated) => vec![stated.and_then(Language::from_tag).unwrap_or_default()],
@@ -69,11 +74,22 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         flattest: job.flattest,
         hand: job.hand,
         max_tolerance: job.max_tolerance,
+        loose,
     };
     let text = scene.source.text();
+    let less = match loose {
+        Loose::LeaveOut if !scene.vary.is_empty() => {
+            exam::without_loose(&scene, &terms).map_err(|error| refused(&scene, &error))?
+        }
+        _ => None,
+    };
+    let left_out = less.as_ref().map_or(String::new(), |(_, names)| {
+        format!("not asked, since a careful hand may miss it by more than is allowed: {}\n", names.join(", "))
+    });
     let folder =
         Folder { path: &job.output, exam: identity(text.as_bytes(), &terms, format, &options, &languages) };
     let known = folder.known_attempts(wanted)?;
+    let scene = less.map_or(scene, |(less, _)| less);
     let work =
         Work { scene: &scene, terms, workers, format, options, languages: &languages, folder: &folder };
     let (variants, told) = work.variants(known.as_deref())?;
@@ -85,8 +101,12 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
     if job.booklet {
         work.booklets(&variants)?;
     }
-    let loose = loose(&variants);
-    print(&format!("{told}{written}{loose}{}: {} variants\n", files::shown(&job.output), variants.len()))?;
+    let flagged = flagged(&variants);
+    print(&format!(
+        "{left_out}{told}{written}{flagged}{}: {} variants\n",
+        files::shown(&job.output),
+        variants.len()
+    ))?;
     Ok(Ending::Fine)
 }
 
@@ -106,7 +126,7 @@ fn names(path: &Path) -> Result<Vec<String>, Failure> {
 }
 
 /// What a careful hand may miss by more than is allowed: told to whoever makes the exam.
-fn loose(variants: &[Variant]) -> String {
+fn flagged(variants: &[Variant]) -> String {
     let mut told: Vec<(String, Vec<String>, f64)> = Vec::new();
     for variant in variants {
         for answer in &variant.answers {
@@ -185,6 +205,7 @@ fn identity(text: &[u8], terms: &Terms, format: Format, options: &Options, langu
         "flattest_deg": terms.flattest.to_degrees(),
         "hand": { "length_mm": terms.hand.length, "angle_deg": terms.hand.angle.to_degrees() },
         "max_tolerance": terms.max_tolerance,
+        "loose": terms.loose.name(),
         "format": format.name(),
         "text": options.lettering.name(),
         "languages": tags,
@@ -493,7 +514,15 @@ fn refused(scene: &Scene, error: &ExamError) -> Failure {
         ExamError::NothingVaries => at_vary(
             "say what variants may change, such as \"vary\": {\"links.2.length\": {\"from\": 12, \"to\": 18, \"step\": 0.5}}",
         ),
+        ExamError::NothingLeft => {
+            at_vary("ask for something else, draw larger, or allow more: --max-tolerance")
+        }
+        ExamError::Less(diagnostic) => (**diagnostic).clone().into(),
         ExamError::TooFew { .. } => at_vary("widen the ranges, take finer steps, or vary more numbers"),
+        ExamError::Exhausted { tally, .. } if tally.is_mostly_loose() => at_vary(
+            "do not ask it: --loose leave-out; ask it all the same: --loose ask; or draw larger, or allow more: \
+             --max-tolerance",
+        ),
         ExamError::Exhausted { .. } => at_vary("change the ranges that cause what most tries failed on"),
     }
 }

@@ -21,7 +21,7 @@ pub(super) struct Job {
     pub(super) drawing: Option<PathBuf>,
     pub(super) json: bool,
     pub(super) hand: Option<Hand>,
-    pub(super) max_tolerance: f64,
+    pub(super) max_tolerance: Option<f64>,
     pub(super) output: Option<PathBuf>,
 }
 
@@ -34,7 +34,7 @@ enum Output {
 }
 
 pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
-    if job.max_tolerance <= 0.0 {
+    if job.max_tolerance.is_some_and(|most| most <= 0.0) {
         return Err(Failure("--max-tolerance: a tolerance is greater than zero".to_owned()));
     }
     let answers = &job.answers;
@@ -61,9 +61,11 @@ pub(super) fn run(job: &Job) -> Result<Ending, Failure> {
         let why = "no answers; name the files that were handed in";
         return Err(Failure(format!("{}: {why}", files::shown(&exam.folder))));
     }
-    let mut settings = GradeSettings { max_tolerance: job.max_tolerance, ..GradeSettings::default() };
-    // The key of an exam gives sense and direction their part of the marks.
-    settings.by_parts = job.scene.is_dir();
+    // Whoever handed in is graded as the key of the exam was made.
+    let mut settings = exam.as_ref().map_or(Ok(GradeSettings::default()), Exam::settings)?;
+    if let Some(most) = job.max_tolerance {
+        settings.max_tolerance = most;
+    }
     if let Some(hand) = job.hand {
         settings.hand = hand;
     }
@@ -136,6 +138,21 @@ impl Source {
 }
 
 impl Exam {
+    /// As the key was made; sense and direction have their part of the marks.
+    fn settings(&self) -> Result<GradeSettings, Failure> {
+        let path = self.folder.join("exam.json");
+        let (file, text) = files::read_file(&path)?;
+        let damaged = || Failure(format!("{file}: not the manifest of an exam"));
+        let manifest: serde_json::Value = serde_json::from_str(&text).map_err(|_| damaged())?;
+        let number = |value: &serde_json::Value| value.as_f64().filter(|x| *x > 0.0).ok_or_else(damaged);
+        let hand = Hand {
+            length: number(&manifest["hand"]["length_mm"])?,
+            angle: number(&manifest["hand"]["angle_deg"])?.to_radians(),
+        };
+        let max_tolerance = number(&manifest["max_tolerance"])?;
+        Ok(GradeSettings { hand, max_tolerance, by_parts: true, ..GradeSettings::default() })
+    }
+
     /// The variant that the answers name, or after which their file is named.
     fn variant_of(&self, answers: &Path) -> Result<Scene, Failure> {
         let (file, text) = files::read_file(answers)?;
@@ -254,7 +271,8 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
             .map(|graded| {
                 serde_json::json!({
                     "name": graded.name, "unit": graded.unit.symbol, "right": graded.right,
-                    "tolerance": graded.tolerance, "tolerance_because": graded.because(),
+                    "tolerance": graded.tolerance, "tolerance_direction_deg": graded.turn,
+                    "tolerance_because": graded.because(),
                     "loose": loose(graded),
                 })
             })
@@ -266,14 +284,8 @@ fn tolerances(job: &Job, scene: &Scene, settings: &GradeSettings) -> Result<Endi
         let mut text = String::new();
         for graded in &all {
             let flag = if loose(graded) { "  TOO LOOSE: ask for something else, or draw larger" } else { "" };
-            let _ = writeln!(
-                text,
-                "{}: {} ± {}: {}{flag}",
-                graded.name,
-                graded.expected(),
-                graded.within(),
-                graded.because()
-            );
+            let _ =
+                writeln!(text, "{}: {}: {}{flag}", graded.name, graded.expected_within(), graded.because());
         }
         print(&text)?;
     }
@@ -358,7 +370,8 @@ fn told(class: &[HandIn], faults: &[grade::ClassFault]) -> String {
         match &one.outcome {
             Ok(report) => {
                 let (reached, of) = report.sum();
-                let fault = report.first_fault().map_or(String::new(), |fault| fault.text());
+                let fault =
+                    report.first_fault().map_or(String::new(), |fault| report.symbols.plain(&fault.text()));
                 let marks = format!("{} of {}", short(reached), short(of));
                 let _ = writeln!(text, "{name:<width$}  {marks:>10}  {fault}");
             }

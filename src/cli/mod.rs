@@ -191,9 +191,10 @@ enum Command {
         /// 0.2mm,0.3deg where neither this nor the answers say it
         #[arg(long, value_name = "MM,DEG", allow_hyphen_values = true, value_parser = parse_hand)]
         hand: Option<Hand>,
-        /// No answer may be off by a larger part of the right value; a tolerance that the answers state is not capped
-        #[arg(long, value_name = "PERCENT", default_value = "10%", allow_hyphen_values = true, value_parser = parse_percent)]
-        max_tolerance: f64,
+        /// No answer may be off by a larger part of the right value; a tolerance that the answers state is not capped.
+        /// 10% where nothing is said, and for the variants of an exam what the exam was made with
+        #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = parse_percent)]
+        max_tolerance: Option<f64>,
         /// Where to write the student's polygons over the right ones, every fault circled; the ending chooses the
         /// format, .html is a page with report and figure. A folder: a page for each, marks.csv and faults.csv
         #[arg(short, long, value_name = "FILE|DIR")]
@@ -287,6 +288,10 @@ enum Command {
         /// flagged
         #[arg(long, value_name = "PERCENT", default_value = "10%", allow_hyphen_values = true, value_parser = parse_percent)]
         max_tolerance: f64,
+        /// What becomes of answers that a careful hand may miss by more: pass-over (such variants), leave-out (what is
+        /// so in the scene itself is not asked) or ask (the key says which); pass-over where nothing is said
+        #[arg(long, value_name = "WHAT")]
+        loose: Option<String>,
         /// The seed: the same seed gives the same variants
         #[arg(long, value_name = "S", default_value_t = 1)]
         seed: u64,
@@ -611,6 +616,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             names,
             booklet,
             max_tolerance,
+            loose,
             seed,
             output,
             flattest,
@@ -625,6 +631,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             names,
             booklet,
             max_tolerance,
+            loose,
             seed,
             output,
             flattest,

@@ -3,19 +3,18 @@
 
 use super::answer::{self, KeyAnswer, Worth};
 use super::measured::Measured;
-use super::{ExamError, Flaw, Terms, Variant};
+use super::{ExamError, Flaw, Loose, Terms, Variant};
 use crate::check::confirm;
+use crate::graphical::DrawError;
 use crate::graphical::construction::{Act, Construction};
-use crate::graphical::{Draughtsmen, DrawError};
 use crate::mechanism::quantity::Answer;
 use crate::mechanism::{Mechanism, Place, PointId};
 use crate::plan::Extent;
 use crate::scene::{self, Scene};
 use crate::sheet::{self, Figure, Language};
-use crate::solve::{SolveError, Solved, by_hand, solve};
+use crate::solve::{SolveError, Solved, solve};
+use crate::tolerance::{DRAUGHTSMEN, Standard, of_asked};
 
-/// So many draughtsmen draw each variant: nineteen of twenty are then known to a tenth.
-const DRAUGHTSMEN: u64 = 200;
 /// An answer must be this many times larger than the slip of a careful hand, or the drawing does not tell it.
 const CLEAR: f64 = 4.0;
 /// On the way from the scene to a variant no step is finer than this part of it.
@@ -38,8 +37,6 @@ pub(super) struct Base<'a> {
     step: f64,
     /// Which of its own answers are clear of a hand's slip.
     clear: Vec<bool>,
-    /// Which of its own answers a careful hand may miss by more than is allowed.
-    loose: Vec<bool>,
     /// Which of its own answers lie at infinity: there is no number to hand in.
     at_infinity: Vec<bool>,
     /// What a hand measures of its forces.
@@ -61,17 +58,11 @@ impl<'a> Base<'a> {
         let construction = &solved.solution.construction;
         let at_infinity =
             construction.answers.iter().map(|reading| matches!(reading.answer, Answer::AtInfinity { .. }));
-        let hand = by_hand(scene, &solved, draughtsmen(terms))?;
-        let clear = construction.answers.iter().zip(&hand).map(|(reading, hand)| {
-            hand.tolerance().is_some_and(|slip| answer::size(&reading.answer) >= CLEAR * slip)
+        let tolerated = of_asked(scene, &solved, standard(terms))?;
+        let clear = construction.answers.iter().zip(&tolerated).map(|(reading, tolerated)| {
+            let slip = tolerated.hand.tolerance();
+            slip.is_some_and(|slip| answer::size(&reading.answer) >= CLEAR * slip)
         });
-        let loose = construction.answers.iter().zip(&hand).zip(&scene.mechanism.asked).map(
-            |((reading, hand), asked)| {
-                let worth = Worth::of(scene, asked, terms.max_tolerance);
-                answer::numbers(0, asked, &reading.answer, hand, worth).iter().any(|n| n.loose.is_some())
-            },
-        );
-        let loose = loose.collect();
         let several = !solved.structure.trials.is_empty();
         Ok(Self {
             scene,
@@ -79,7 +70,6 @@ impl<'a> Base<'a> {
             places: places(&scene.mechanism, construction),
             step: if several { SMALL_STEP } else { 1.0 },
             clear: clear.collect(),
-            loose,
             at_infinity: at_infinity.collect(),
             forces: Measured::of(scene, construction, solved.scales.paper()),
         })
@@ -100,12 +90,13 @@ impl<'a> Base<'a> {
         let forces = Measured::of(&scene, construction, solved.scales.paper());
         self.forces.suits(&forces)?;
         confirm(&scene, &solved).map_err(|_| Flaw::Disagrees)?;
-        let hand = by_hand(&scene, &solved, draughtsmen(terms)).map_err(refused)?;
+        let tolerated = of_asked(&scene, &solved, standard(terms)).map_err(refused)?;
         let mut answers = Vec::new();
         for (index, (asked, reading)) in scene.mechanism.asked.iter().zip(&construction.answers).enumerate() {
-            let Some(hand) = hand.get(index) else { continue };
-            let worth = Worth::of(&scene, asked, terms.max_tolerance);
-            let numbers = answer::numbers(index, asked, &reading.answer, hand, worth);
+            let Some(tolerated) = tolerated.get(index) else { continue };
+            let hand = &tolerated.hand;
+            let worth = Worth::of(&scene, asked);
+            let numbers = answer::numbers(index, asked, &reading.answer, tolerated.allowed.as_ref(), worth);
             let nowhere = matches!(reading.answer, Answer::AtInfinity { .. });
             if nowhere && self.at_infinity.get(index) == Some(&true) {
                 continue;
@@ -120,7 +111,8 @@ impl<'a> Base<'a> {
             if self.clear.get(index) == Some(&true) && answer::size(&reading.answer) < CLEAR * slip {
                 return Err(Flaw::Drowned { name: asked.name.clone() });
             }
-            if self.loose.get(index) == Some(&false) && numbers.iter().any(|n| n.loose.is_some()) {
+            let loose = numbers.iter().any(|number| number.loose.is_some());
+            if loose && terms.loose != Loose::Ask {
                 return Err(Flaw::Loose { name: asked.name.clone() });
             }
             answers.extend(numbers);
@@ -207,6 +199,14 @@ fn on_paper(scene: &Scene, mut solved: Solved) -> Solved {
     solved
 }
 
+/// What of a scene a careful hand may miss by more than is allowed, by its places among what is asked.
+pub(super) fn loose(scene: &Scene, terms: &Terms) -> Result<Vec<usize>, ExamError> {
+    let solved = on_paper(scene, whole(scene)?);
+    let tolerated = of_asked(scene, &solved, standard(terms))?;
+    let loose = |place: &usize| tolerated[*place].allowed.is_some_and(|allowed| allowed.loose());
+    Ok((0..tolerated.len()).filter(loose).collect())
+}
+
 /// The solution with the whole skeleton: no sheet of an exam leaves a link out.
 fn whole(scene: &Scene) -> Result<Solved, SolveError> {
     let solved = solve(scene, Extent::WholeSkeleton, sheet::scale::for_scene)?;
@@ -216,8 +216,8 @@ fn whole(scene: &Scene) -> Result<Solved, SolveError> {
     }
 }
 
-fn draughtsmen(terms: &Terms) -> Draughtsmen {
-    Draughtsmen { hand: terms.hand, number: DRAUGHTSMEN }
+fn standard(terms: &Terms) -> Standard {
+    Standard { hand: terms.hand, draughtsmen: DRAUGHTSMEN, max_tolerance: terms.max_tolerance }
 }
 
 fn read(text: &str) -> Result<Scene, Flaw> {

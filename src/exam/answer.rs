@@ -1,16 +1,11 @@
 //! The numbers that a student hands in, and how far they may be off.
 
-use crate::graphical::HandError;
 use crate::mechanism::force::{Action, Force, Through};
 use crate::mechanism::quantity::{Answer, Asked, Quantity};
 use crate::mechanism::{LinkId, Path, Rider};
 use crate::scene::Scene;
 use crate::sheet::Part;
-
-/// Three significant figures are asked for, as on the sheet: a number that is right to them is right.
-const THREE_FIGURES: f64 = 0.005;
-/// A direction is read to half a degree.
-const HALF_DEGREE: f64 = 0.5;
+use crate::tolerance::{Allowance, Room, is_place};
 
 /// One number of the key.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,16 +30,19 @@ pub struct KeyAnswer {
     pub turns: bool,
 }
 
+/// A number is printed to so many figures of its tolerance.
+const FIGURES: i32 = 3;
+
 /// Of what a vector is worth so much is its direction where only its sense is left to choose.
 const SENSE: f64 = 0.25;
 /// Who has a rotation with the wrong sense has so much of it right, percent.
 pub(super) const WITHOUT_SENSE: f64 = 75.0;
 
 impl KeyAnswer {
-    /// The number as it is printed: two figures finer than its tolerance.
+    /// The number as it is printed: two figures finer than its tolerance, so that what is printed accepts what is right.
     #[must_use]
     pub fn printed(&self) -> String {
-        fixed(self.value, self.tolerance, 2)
+        fixed(self.value, self.tolerance, FIGURES)
     }
 
     /// The tolerance as it is printed.
@@ -59,7 +57,7 @@ impl KeyAnswer {
     pub fn spellings(&self) -> Vec<String> {
         let mut all = vec![self.printed()];
         if self.part == Part::Direction {
-            all.extend([360.0, -360.0].map(|turn| fixed(self.value + turn, self.tolerance, 2)));
+            all.extend([360.0, -360.0].map(|turn| fixed(self.value + turn, self.tolerance, FIGURES)));
         }
         all
     }
@@ -67,7 +65,8 @@ impl KeyAnswer {
     /// The same number with the opposite sense, where it is a rotation that has one.
     #[must_use]
     pub fn opposite(&self) -> Option<String> {
-        (self.turns && self.value.abs() > 2.0 * self.tolerance).then(|| fixed(-self.value, self.tolerance, 2))
+        (self.turns && self.value.abs() > 2.0 * self.tolerance)
+            .then(|| fixed(-self.value, self.tolerance, FIGURES))
     }
 
     /// Whether another variant's number could pass for this one.
@@ -79,7 +78,7 @@ impl KeyAnswer {
 }
 
 /// A number with so many figures of its tolerance.
-fn fixed(value: f64, tolerance: f64, figures: i32) -> String {
+pub(super) fn fixed(value: f64, tolerance: f64, figures: i32) -> String {
     let first = if tolerance > 0.0 { libm::floor(libm::log10(tolerance)) as i32 } else { -6 };
     let decimals = (figures - 1 - first).clamp(0, 17) as usize;
     let text = format!("{value:.decimals$}");
@@ -94,14 +93,12 @@ pub(super) struct Worth {
     pub(super) marks: Option<f64>,
     /// Its direction is given but for its sense.
     pub(super) along_guide: bool,
-    /// No tolerance is a larger part of its value.
-    pub(super) max_tolerance: f64,
 }
 
 impl Worth {
-    pub(super) fn of(scene: &Scene, asked: &Asked, max_tolerance: f64) -> Self {
+    pub(super) fn of(scene: &Scene, asked: &Asked) -> Self {
         let marks = scene.sheet.marks.iter().find(|(name, _)| *name == asked.name).map(|(_, marks)| *marks);
-        Self { marks, along_guide: along_guide(scene, asked.quantity), max_tolerance }
+        Self { marks, along_guide: along_guide(scene, asked.quantity) }
     }
 }
 
@@ -120,6 +117,18 @@ pub(crate) fn share_without_direction(scene: &Scene, quantity: Quantity, right: 
         ) if *value < 0.0 => WITHOUT_SENSE / 100.0,
         (Quantity::Force(force, _), [value]) if force.turns() && *value < 0.0 => WITHOUT_SENSE / 100.0,
         _ => 1.0,
+    }
+}
+
+/// Which part of its marks a number has that has the right size and the other sense; none where it has no sense.
+pub(crate) fn share_of_opposite(quantity: Quantity) -> f64 {
+    match quantity {
+        Quantity::Omega(_)
+        | Quantity::RelativeOmega(..)
+        | Quantity::Alpha(_)
+        | Quantity::RelativeAlpha(..) => WITHOUT_SENSE / 100.0,
+        Quantity::Force(force, _) if force.turns() => WITHOUT_SENSE / 100.0,
+        _ => 0.0,
     }
 }
 
@@ -164,54 +173,39 @@ pub(super) fn numbers(
     index: usize,
     asked: &Asked,
     answer: &Answer,
-    hand: &HandError,
+    allowed: Option<&Allowance>,
     worth: Worth,
 ) -> Vec<KeyAnswer> {
-    let Some(slip) = hand.tolerance() else { return Vec::new() };
-    let si = asked.unit.si;
-    let number = |part, unit: &str, value: f64, (honest, most): (f64, f64), weight: f64| KeyAnswer {
+    let Some(allowed) = allowed else { return Vec::new() };
+    let number = |part, unit: &str, (value, si): (f64, f64), room: Room, weight: f64| KeyAnswer {
         name: asked.name.clone(),
         asked: index,
         part,
         unit: unit.to_owned(),
-        value,
-        tolerance: honest.min(most),
-        loose: (honest > most).then_some(honest),
+        value: value / si,
+        tolerance: room.by / si,
+        loose: room.loose.then_some(room.honest / si),
         weight,
         turns: part == Part::Value && turns(asked),
     };
-    let in_unit = |part, value: f64, most: f64, weight: f64| {
-        let value = value / si;
-        let honest = f64::max(slip / si, THREE_FIGURES * value.abs());
-        number(part, &asked.unit.symbol, value, (honest, most * value.abs()), weight)
+    let in_unit = |part, value: f64, weight: f64| {
+        number(part, &asked.unit.symbol, (value, asked.unit.si), allowed.size, weight)
     };
-    let cap = worth.max_tolerance;
+    let whole = worth.marks.unwrap_or(1.0);
     match answer {
-        Answer::Scalar { value, .. } => {
-            // An angle of the diagram is counted from an origin that nobody reads it from.
-            let is_place = matches!(asked.quantity, Quantity::Cycle(of) if of.is_angle());
-            let cap = if is_place { f64::INFINITY } else { cap };
-            vec![in_unit(Part::Value, *value, cap, worth.marks.unwrap_or(1.0))]
-        }
+        Answer::Scalar { value, .. } => vec![in_unit(Part::Value, *value, whole)],
         Answer::Vector { value: [x, y], .. } => {
-            let whole = worth.marks.unwrap_or(1.0);
-            if let Quantity::Position(_) | Quantity::Centre(..) = asked.quantity {
-                // A place has an origin that nobody reads it from.
-                let half = whole / 2.0;
-                return vec![
-                    in_unit(Part::X, *x, f64::INFINITY, half),
-                    in_unit(Part::Y, *y, f64::INFINITY, half),
-                ];
+            if is_place(&asked.quantity) {
+                return vec![in_unit(Part::X, *x, whole / 2.0), in_unit(Part::Y, *y, whole / 2.0)];
             }
-            let size = libm::hypot(*x, *y);
-            let turn = libm::asin(if size > slip { slip / size } else { 1.0 }).to_degrees();
-            let most = libm::asin(cap.min(1.0)).to_degrees().max(HALF_DEGREE);
-            let direction = libm::atan2(*y, *x).to_degrees();
-            let part = if worth.along_guide { SENSE } else { 0.5 };
-            vec![
-                in_unit(Part::Magnitude, size, cap, (1.0 - part) * whole),
-                number(Part::Direction, "deg", direction, (turn.max(HALF_DEGREE), most), part * whole),
-            ]
+            let mut numbers = vec![in_unit(Part::Magnitude, libm::hypot(*x, *y), whole)];
+            if let Some(direction) = allowed.direction {
+                let part = if worth.along_guide { SENSE } else { 0.5 };
+                numbers[0].weight = (1.0 - part) * whole;
+                let value = (libm::atan2(*y, *x), 1_f64.to_radians());
+                numbers.push(number(Part::Direction, "deg", value, direction, part * whole));
+            }
+            numbers
         }
         Answer::AtInfinity { .. } | Answer::Indeterminate(_) => Vec::new(),
     }

@@ -8,7 +8,7 @@ use crate::scene::Scene;
 /// One line per number to be handed in.
 #[must_use]
 pub fn csv(variants: &[Variant]) -> String {
-    let mut out = String::from("variant,quantity,part,unit,answer,tolerance,marks\n");
+    let mut out = String::from("variant,quantity,part,unit,answer,tolerance,marks,measurable\n");
     for variant in variants {
         for answer in &variant.answers {
             let fields = [
@@ -19,6 +19,7 @@ pub fn csv(variants: &[Variant]) -> String {
                 answer.printed(),
                 answer.printed_tolerance(),
                 weight(answer.weight),
+                measurable(answer),
             ];
             out.push_str(&fields.join(","));
             out.push('\n');
@@ -38,6 +39,14 @@ pub fn answers_csv(variant: &Variant) -> String {
         }
     }
     out
+}
+
+/// Whether a careful hand stays within the tolerance; what it may miss by, where not.
+fn measurable(answer: &KeyAnswer) -> String {
+    match answer.loose {
+        None => "yes".to_owned(),
+        Some(honest) => format!("no: ± {}", super::answer::fixed(honest, honest, 2)),
+    }
 }
 
 /// Marks as people write them.
@@ -83,6 +92,7 @@ pub fn json(scene: &Scene, terms: &Terms, variants: &[Variant]) -> Value {
         "seed": terms.seed,
         "hand": { "length_mm": terms.hand.length, "angle_deg": terms.hand.angle.to_degrees() },
         "max_tolerance": terms.max_tolerance,
+        "loose": terms.loose.name(),
         "variants": variants,
     })
 }

@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 pub use answer::KeyAnswer;
-pub(crate) use answer::share_without_direction;
+pub(crate) use answer::{share_of_opposite, share_without_direction};
 pub use bank::Bank;
 pub use key::{answers_csv, csv, json};
 pub use moodle::{cloze, numerical};
@@ -56,9 +56,63 @@ pub struct Terms {
     pub flattest: f64,
     /// The hand of the students, by which the tolerances are found.
     pub hand: Hand,
-    /// No tolerance is a larger part of its value; what a careful hand may be off by more is not asked, unless the
-    /// scene itself asks it.
+    /// No tolerance is a larger part of its value.
     pub max_tolerance: f64,
+    /// What becomes of answers that a careful hand may miss by more.
+    pub loose: Loose,
+}
+
+/// What becomes of an answer that a careful hand may miss by more than is allowed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Loose {
+    /// Such a variant is passed over: nobody is asked what he cannot measure.
+    #[default]
+    PassOver,
+    /// What is so in the scene itself is not asked, and other variants where it is so are passed over.
+    LeaveOut,
+    /// It is asked all the same, and the key says which it is.
+    Ask,
+}
+
+impl Loose {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::PassOver, Self::LeaveOut, Self::Ask];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::PassOver => "pass-over",
+            Self::LeaveOut => "leave-out",
+            Self::Ask => "ask",
+        }
+    }
+
+    /// That of a name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|loose| loose.name() == name)
+    }
+}
+
+/// The scene without what a careful hand may miss by more than is allowed, and the names of that; `None` where there is
+/// nothing of it.
+///
+/// # Errors
+/// [`ExamError::NothingLeft`], or the scene's own refusal.
+pub fn without_loose(scene: &Scene, terms: &Terms) -> Result<Option<(Scene, Vec<String>)>, ExamError> {
+    let loose = admission::loose(scene, terms)?;
+    if loose.is_empty() {
+        return Ok(None);
+    }
+    if loose.len() == scene.mechanism.asked.len() {
+        return Err(ExamError::NothingLeft);
+    }
+    let names: Vec<String> = loose.iter().map(|&place| scene.mechanism.asked[place].name.clone()).collect();
+    let text = crate::scene::asking_less(scene, &names);
+    let less =
+        crate::scene::read(&text, scene.source.file()).map_err(|error| ExamError::Less(Box::new(error)))?;
+    Ok(Some((less, names)))
 }
 
 /// A variant of the scene.
@@ -122,7 +176,7 @@ pub enum Flaw {
         /// The name of the quantity.
         name: String,
     },
-    /// A careful hand may be off by more than is allowed, though not in the scene itself.
+    /// A careful hand may be off by more than is allowed.
     Loose {
         /// The name of the quantity.
         name: String,
@@ -161,7 +215,7 @@ impl Flaw {
             Self::Undetermined { .. } => "leave an asked quantity undetermined",
             Self::NotByHand { .. } => "cannot be drawn by every careful hand",
             Self::Drowned { .. } => "have an answer within the slip of a careful hand",
-            Self::Loose { .. } => "have an answer that no tolerance suits",
+            Self::Loose { .. } => "have an answer that a careful hand may miss by more than is allowed",
             Self::Short { .. } => "have a length of the forces that is too short to be measured",
             Self::OtherSense { .. } => "have a pair that rubs the other way",
             Self::OffPage => "do not fit the page at the stated scales",
@@ -197,6 +251,13 @@ pub struct Tally {
 impl Tally {
     fn count(&mut self, flaw: Flaw) {
         self.flaws.entry(flaw.kind()).or_insert((0, flaw)).0 += 1;
+    }
+
+    /// Whether most of them failed on an answer that a careful hand may miss by more than is allowed.
+    #[must_use]
+    pub fn is_mostly_loose(&self) -> bool {
+        let most = self.flaws.values().max_by_key(|(count, _)| *count);
+        most.is_some_and(|(_, flaw)| matches!(flaw, Flaw::Loose { .. }))
     }
 }
 
@@ -238,6 +299,12 @@ pub enum ExamError {
     /// The independent solver does not confirm the scene's own solution.
     #[error(transparent)]
     Unconfirmed(#[from] Unconfirmed),
+    /// A careful hand may miss all that is asked by more than is allowed.
+    #[error("a careful hand may miss all that is asked by more than is allowed")]
+    NothingLeft,
+    /// Without what is loose the scene is none.
+    #[error("without what a careful hand may miss: {0}")]
+    Less(Box<crate::scene::Diagnostic>),
     /// The ranges give fewer scenes than there should be variants.
     #[error("the ranges give {possible} different scenes, fewer than the {wanted} variants wanted")]
     TooFew {

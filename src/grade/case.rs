@@ -2,28 +2,31 @@
 //! any changed construction would make of it, and how far off a careful hand may be.
 
 use std::cell::{OnceCell, RefCell};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::PI;
 
 use super::answers::{Answers, FigurePoints, Form, Given, StatedScales, Tolerance, is_vector};
 use super::change::{Change, InputChange, Misreading, Stray, Which};
+use super::symbols::Symbols;
+use super::turned::{self, Turns};
 use super::{GradeError, GradeSettings};
 use crate::board::Hand;
 use crate::graphical::construction::{
     Act, Calculation, Claim, Construction, ConstructionLine, ForceSheet, Label, Reference,
 };
 use crate::graphical::cycle::CycleSheet;
-use crate::graphical::{Departure, Paper, Scales, Sketch, free_bodies, sketch};
+use crate::graphical::{Departure, Paper, Scales, Sketch, Slip, Slips, free_bodies, sketch};
 use crate::limits;
 use crate::mechanism::cycle::{CycleQuantity, RotatingInertia};
 use crate::mechanism::force::{Action, Force, Share};
 use crate::mechanism::quantity::{Answer, Asked, Method, Order, Quantity, Unit};
 use crate::mechanism::structure::Structure;
-use crate::mechanism::{Input, LinkId, Mechanism, PointId};
+use crate::mechanism::{LinkId, Mechanism, PointId};
 use crate::plan::{Extent, Plan};
 use crate::scene::Scene;
-use crate::sheet::HandedIn;
+use crate::sheet::{HandedIn, Symbol};
 use crate::solve::{self, Solved};
+use crate::tolerance::{self, Ground, Standard, Tolerated};
 
 /// What an answer is of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,36 +83,95 @@ pub(super) struct Case<'s> {
     /// Of each answer, what is right.
     pub(super) truth: Vec<Option<Vec<f64>>>,
     /// Of each answer, by how much it may be off.
-    pub(super) tolerances: Vec<f64>,
+    pub(super) rooms: Vec<Room>,
     /// Of each answer, how that was found.
     pub(super) allowances: Vec<Allowance>,
-    /// Of each answer, how many times more a miss of its length counts than one of its direction.
-    stiffness: Vec<f64>,
+    /// What tolerances hang on.
+    ground: Ground,
+    /// The same of what the scene itself asks, as the key of an exam has it.
+    keyed: Vec<Tolerated>,
     /// The free bodies of the right solution, where forces are asked.
     sheet: Option<ForceSheet>,
     /// The right turning-moment diagram, where there is one.
     pub(super) cycle: Option<CycleSheet>,
     /// Inertia that turns in it, kg m², referred to the input.
     pub(super) rotating: f64,
-    /// The largest torque of the right solution, N m.
-    largest_torque: f64,
     /// The numbers of the turning-moment diagram, by what was changed of the mechanism.
     turned: RefCell<Vec<(Vec<InputChange>, Numbers)>>,
     /// By how much each of some draughtsmen is off in them.
     turned_by_hand: OnceCell<Vec<Numbers>>,
-    /// No tolerance is a larger part of its value.
-    max_tolerance: f64,
+    /// How the student's drawing lies on its sheet.
+    pub(super) turns: Turns,
+    /// Every quantity that was named, by its name in a scene.
+    named: RefCell<BTreeMap<String, Quantity>>,
     /// Whether sense and direction have marks of their own.
     pub(super) by_parts: bool,
+}
+
+/// By how much an answer may be off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Room {
+    /// The number, the magnitude of a vector, each coordinate of a place, or the distance of a mark; SI.
+    pub(super) by: f64,
+    /// The direction of a vector, radians; infinite where there is none to be told.
+    pub(super) turn: f64,
+}
+
+impl Room {
+    /// Of what has no direction.
+    fn of(by: f64) -> Self {
+        Self { by, turn: f64::INFINITY }
+    }
+
+    /// So many times as wide.
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self { by: factor * self.by, turn: factor * self.turn }
+    }
+
+    /// The wider of two.
+    pub(super) fn or(self, other: Self) -> Self {
+        Self { by: self.by.max(other.by), turn: self.turn.max(other.turn) }
+    }
+
+    /// The narrower of two.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self { by: self.by.min(other.by), turn: self.turn.min(other.turn) }
+    }
+
+    /// How many times wider than another.
+    pub(super) fn against(self, other: Self) -> f64 {
+        let turn = if other.turn.is_finite() { self.turn / other.turn } else { 0.0 };
+        (self.by / other.by).max(turn)
+    }
 }
 
 /// By how much an answer may be off, and why. SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Allowance {
-    pub(super) by: f64,
+    pub(super) room: Room,
     /// What it would be without a cap.
-    pub(super) honest: f64,
+    pub(super) free: Room,
+    /// What nineteen of twenty careful hands stay within.
+    pub(super) honest: Room,
     pub(super) basis: Basis,
+    /// A careful hand may be off by more than the cap.
+    pub(super) loose: bool,
+}
+
+impl From<tolerance::Allowance> for Allowance {
+    fn from(allowed: tolerance::Allowance) -> Self {
+        let turn = |of: fn(tolerance::Room) -> f64| allowed.direction.map_or(f64::INFINITY, of);
+        Self {
+            room: Room { by: allowed.size.by, turn: turn(|room| room.by) },
+            free: Room { by: allowed.size.free, turn: turn(|room| room.free.max(room.by)) },
+            honest: Room { by: allowed.size.honest, turn: turn(|room| room.honest) },
+            basis: match allowed.basis {
+                tolerance::Basis::Calculated => Basis::Calculated,
+                tolerance::Basis::Read => Basis::Read,
+            },
+            loose: allowed.loose(),
+        }
+    }
 }
 
 /// Why an answer may be off by what it may.
@@ -129,12 +191,19 @@ type Numbers = Vec<Option<f64>>;
 /// So many draughtsmen draw a turning-moment diagram.
 const TURNING: u64 = 24;
 
-/// What the cap needs to know of an answer.
-struct Drawn {
-    /// How far off the worst of the draughtsmen is.
-    worst: f64,
-    /// By how much a change of readings enlarges it.
-    factor: f64,
+/// The points of a student's figure by what they are, millimetres.
+pub(super) struct Found<'f> {
+    pub(super) figure: &'f FigurePoints,
+    pub(super) points: Vec<(&'f str, [f64; 2], Target)>,
+}
+
+/// A figure as answers name it.
+fn figure_name(order: Order) -> &'static str {
+    match order {
+        Order::Position => "skeleton",
+        Order::Velocity => "velocity",
+        Order::Acceleration => "acceleration",
+    }
 }
 
 /// How a student's figure lies against the right one, both in millimetres.
@@ -165,6 +234,15 @@ impl<'s> Case<'s> {
         on_a_sheet(&own, answers)?;
         let scales =
             Scales::new(|dimension| answers.scales.of(dimension).unwrap_or(own.scales.of(dimension)));
+        let standard = Standard {
+            hand: Hand {
+                length: answers.hand.0.unwrap_or(settings.hand.length),
+                angle: answers.hand.1.unwrap_or(settings.hand.angle),
+            },
+            draughtsmen: settings.draughtsmen,
+            max_tolerance: settings.max_tolerance,
+        };
+        let keyed = keyed(scene, own, (scales, answers), standard)?;
         let asking = asking(scene, answers);
         let Solved { structure, plan, solution, .. } = solve::solve(&asking, Extent::Asked, |_, _| scales)?;
         let construction = solution.construction;
@@ -175,10 +253,7 @@ impl<'s> Case<'s> {
         let mechanism = asking.mechanism;
         let right = sketch(&mechanism, &structure, &plan, scales, &[], None)
             .map_err(|error| GradeError::Solve(error.into()))?;
-        let hand = Hand {
-            length: answers.hand.0.unwrap_or(settings.hand.length),
-            angle: answers.hand.1.unwrap_or(settings.hand.angle),
-        };
+        let ground = Ground::new(&mechanism, &construction, scales, standard);
         let mut case = Self {
             scene,
             mechanism,
@@ -186,26 +261,30 @@ impl<'s> Case<'s> {
             plan,
             scales,
             stated: answers.scales,
-            hand,
+            hand: standard.hand,
             draughtsmen: settings.draughtsmen,
             right,
             observations: Vec::new(),
             truth: Vec::new(),
-            tolerances: Vec::new(),
+            rooms: Vec::new(),
             allowances: Vec::new(),
-            stiffness: Vec::new(),
-            largest_torque: construction.forces.as_ref().map_or(0.0, largest_torque),
+            ground,
+            keyed,
             sheet: construction.forces,
             cycle: construction.cycle,
             rotating,
             turned: RefCell::default(),
             turned_by_hand: OnceCell::new(),
-            max_tolerance: settings.max_tolerance,
+            turns: Turns::default(),
+            named: RefCell::default(),
             by_parts: settings.by_parts,
         };
         case.right = case.with_cycle(case.right.clone(), &Change::default(), None);
         case.observe_items(answers);
-        for figure in &answers.figures {
+        let figures = answers.figures.iter().map(|figure| case.found(answers, figure));
+        let figures: Vec<Found<'_>> = figures.collect::<Result<_, _>>()?;
+        case.turns = turned::turns(&case.mechanism, &case.right.construction, &figures);
+        for figure in figures {
             case.observe_points(answers, figure)?;
         }
         case.observations.sort_by_key(|observation| observation.rank);
@@ -217,17 +296,13 @@ impl<'s> Case<'s> {
                 Tolerance::Amount(amount) => Some(amount),
             });
         }
-        case.stiffness = vec![1.0; case.observations.len()];
         case.allowances = case.allowances_of(&Change::default(), &case.truth, case.draughtsmen);
-        case.tolerances = case.allowances.iter().map(|allowance| allowance.by).collect();
-        for (index, observation) in case.observations.iter().enumerate() {
-            let calculated = case.allowances[index].basis == Basis::Calculated;
-            if let (true, Given::Vector(_), Some(truth)) = (calculated, observation.given, &case.truth[index])
-            {
-                let length = CALCULATED * size(truth) + observation.rounding.min(ROUNDED * size(truth));
-                case.stiffness[index] = (case.tolerances[index] / length).max(1.0);
+        for index in 0..case.observations.len() {
+            if let Some(allowance) = case.keyed_allowance(index) {
+                case.allowances[index] = allowance;
             }
         }
+        case.rooms = case.allowances.iter().map(|allowance| allowance.room).collect();
         Ok(case)
     }
 
@@ -269,6 +344,64 @@ impl<'s> Case<'s> {
                     rank: (order, step, place + 1),
                 });
             }
+        }
+    }
+
+    /// A quantity as a scene names it; the report tells what it is called on the sheet.
+    pub(super) fn named(&self, quantity: &Quantity) -> String {
+        let name = quantity.name(&self.mechanism);
+        self.named.borrow_mut().insert(name.clone(), *quantity);
+        name
+    }
+
+    /// What the report may name, by its name in scene and answers, as the sheet prints it.
+    pub(super) fn symbols(&self) -> Symbols {
+        let scene = self.scene;
+        let mut all: Vec<(String, Symbol)> = Vec::new();
+        for observation in &self.observations {
+            let (of, symbol) = match (observation.target, observation.quantity) {
+                (Target::Image(order, label), _) => {
+                    let of = if order == Order::Velocity { "velocity" } else { "acceleration" };
+                    (Some(format!("{of} polygon")), crate::sheet::image_symbol(scene, label, order.diagram()))
+                }
+                (Target::Place(point), _) => {
+                    (Some("skeleton".to_owned()), crate::sheet::symbol(scene, Quantity::Position(point)))
+                }
+                (Target::Line(index, _), _) => {
+                    let symbol = crate::sheet::symbol(scene, self.mechanism.asked[index].quantity);
+                    let told = |text: &str| format!("line of {text}");
+                    (None, Symbol { plain: told(&symbol.plain), html: told(&symbol.html) })
+                }
+                (Target::Asked(_), Some(quantity)) => (None, self.symbol(quantity)),
+                (Target::Asked(_), None) => continue,
+            };
+            let with = |text: String| of.as_ref().map_or(text.clone(), |of| format!("{text} ({of})"));
+            all.push((
+                observation.name.clone(),
+                Symbol { plain: with(symbol.plain), html: with(symbol.html) },
+            ));
+        }
+        let asked = self.scene.mechanism.asked.iter().map(|asked| (asked.name.clone(), asked.quantity));
+        let named = self.named.borrow();
+        let named = named.iter().map(|(name, quantity)| (name.clone(), *quantity));
+        all.extend(asked.chain(named).map(|(name, quantity)| (name, self.symbol(quantity))));
+        Symbols::new(all)
+    }
+
+    /// A quantity as the sheet prints it; a load without a name by the link on which it acts.
+    fn symbol(&self, quantity: Quantity) -> Symbol {
+        let load = match quantity {
+            Quantity::Force(Force::Vector(Action::Load(index)) | Force::LoadTorque(index), _) => Some(index),
+            _ => None,
+        };
+        let unnamed = load.map(|index| (index, &self.mechanism.forces.loads[index]));
+        let unnamed = unnamed.filter(|(index, load)| load.name == format!("load {}", index + 1));
+        match unnamed.map(|(_, load)| load.link) {
+            Some(link) => {
+                let told = format!("the load on link {}", self.mechanism.link(link).number);
+                Symbol { plain: told.clone(), html: told }
+            }
+            None => crate::sheet::symbol(self.scene, quantity),
         }
     }
 
@@ -377,10 +510,23 @@ impl<'s> Case<'s> {
             return known.clone();
         }
         let mechanism = change.mechanism(&self.mechanism);
-        let numbers = match &mechanism.forces.cycle {
+        let mut numbers = match &mechanism.forces.cycle {
             Some(cycle) => solve::cycle_numbers(&mechanism, cycle, asked, &|_| 0.0),
             None => vec![None; asked.len()],
         };
+        // What turns may be heavy enough for a wrong rate: who reckons on finds a flywheel lighter than nothing.
+        let faster: Option<f64> = change.inputs.iter().try_fold(1.0, |product, change| match change {
+            InputChange::Rates { omega, .. } => Some(product * omega),
+            _ => None,
+        });
+        if let (Some(faster), false) = (faster, change.inputs.is_empty()) {
+            let right = self.turned(&Change::default(), asked);
+            for ((number, right), of) in numbers.iter_mut().zip(right).zip(asked) {
+                if let (None, Some(right), CycleQuantity::Flywheel) = (*number, right, *of) {
+                    *number = Some((right + self.rotating) / (faster * faster) - self.rotating);
+                }
+            }
+        }
         self.turned.borrow_mut().push((change.inputs.clone(), numbers.clone()));
         numbers
     }
@@ -402,20 +548,15 @@ impl<'s> Case<'s> {
         }
     }
 
-    /// Points of a figure, from its pole; those of the skeleton from its fixed points.
-    fn observe_points(&mut self, answers: &Answers, figure: &FigurePoints) -> Result<(), GradeError> {
+    /// The points of a figure by what they are.
+    fn found<'f>(&self, answers: &Answers, figure: &'f FigurePoints) -> Result<Found<'f>, GradeError> {
         let order = figure.order;
         let known = self.point_names(order);
-        let name_of = |order: Order| match order {
-            Order::Position => "skeleton",
-            Order::Velocity => "velocity",
-            Order::Acceleration => "acceleration",
-        };
         let mut found = Vec::new();
         for (name, at, place) in figure.points.iter().map(|(name, at, place)| (name, *at, *place)) {
             let plain = plain_name(name, order);
             let Some((_, target)) = known.iter().find(|(known, _)| *known == plain) else {
-                let figure = name_of(order);
+                let figure = figure_name(order);
                 let what = format!("the {figure} figure of this solution has no point `{name}`");
                 let mut names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
                 names.dedup();
@@ -450,7 +591,15 @@ impl<'s> Case<'s> {
                 return Err(GradeError::Answers(answers.complain(at, what, Some(mend))));
             }
         }
-        let onto = self.onto_figure(order, &found).ok_or_else(|| {
+        let points = found.into_iter().map(|(name, at, target)| (name.as_str(), at, target)).collect();
+        Ok(Found { figure, points })
+    }
+
+    /// Points of a figure, from its pole; those of the skeleton from its fixed points.
+    fn observe_points(&mut self, answers: &Answers, found: Found<'_>) -> Result<(), GradeError> {
+        let Found { figure, points } = found;
+        let order = figure.order;
+        let onto = self.onto_figure(order, &points).ok_or_else(|| {
             let place = figure.points.first().map_or(0, |(.., place)| *place);
             let (what, mend) = match order {
                 Order::Position => ("no fixed point of the skeleton is given", "give one, or better two"),
@@ -459,7 +608,7 @@ impl<'s> Case<'s> {
             GradeError::Answers(answers.complain(place, what, Some(mend.to_owned())))
         })?;
         let si = self.si_per_mm(order);
-        for (name, at, target) in found {
+        for (name, at, target) in points {
             let (rank, quantity) = match target {
                 Target::Image(_, Label::Pole) => continue,
                 Target::Place(point) if self.mechanism.is_fixed(point) => continue,
@@ -472,7 +621,7 @@ impl<'s> Case<'s> {
             };
             let at = onto.right(at);
             self.observations.push(Observation {
-                name: format!("{}:{name}", name_of(order)),
+                name: format!("{}:{name}", figure_name(order)),
                 target,
                 quantity,
                 given: Given::Vector([at[0] * si, at[1] * si]),
@@ -487,27 +636,19 @@ impl<'s> Case<'s> {
         Ok(())
     }
 
-    /// How a student's figure lies against the right one; `None` where nothing tells.
-    fn onto_figure(&self, order: Order, found: &[(&String, [f64; 2], Target)]) -> Option<Laid> {
+    /// How a student's figure lies against the right one, the sheet turned back; `None` where nothing tells.
+    fn onto_figure(&self, order: Order, found: &[(&str, [f64; 2], Target)]) -> Option<Laid> {
+        let turn = self.turns.of_sheet();
         if order != Order::Position {
             let (_, pole, _) = found.iter().find(|(.., t)| matches!(t, Target::Image(_, Label::Pole)))?;
-            return Some(Laid { from: *pole, to: [0.0; 2], turn: 0.0 });
+            return Some(Laid { from: *pole, to: [0.0; 2], turn });
         }
         let places = &self.right.construction.space.places;
-        let fixed: Vec<([f64; 2], [f64; 2])> = found
-            .iter()
-            .filter_map(|(_, at, target)| match target {
-                Target::Place(point) if self.mechanism.is_fixed(*point) => Some((*at, places[point.0]?)),
-                _ => None,
-            })
-            .collect();
-        let &(from, to) = fixed.first()?;
-        // Two fixed points tell how the sheet was turned; one leaves it upright.
-        let turn = fixed.get(1).map_or(0.0, |&(second, there)| {
-            let angle = |a: [f64; 2], b: [f64; 2]| libm::atan2(b[1] - a[1], b[0] - a[0]);
-            angle(to, there) - angle(from, second)
-        });
-        Some(Laid { from, to, turn })
+        let (from, to) = found.iter().find_map(|(_, at, target)| match target {
+            Target::Place(point) if self.mechanism.is_fixed(*point) => Some((*at, places[point.0]?)),
+            _ => None,
+        })?;
+        Some(Laid { from, to, turn: self.turns.of_skeleton() })
     }
 
     /// The points of a figure, by their names without primes and commas.
@@ -705,6 +846,12 @@ impl<'s> Case<'s> {
                     let [head, from] = self.head_and(&sketch.construction, &of, from)?;
                     numbers = vec![2.0 * from[0] - head[0], 2.0 * from[1] - head[1]];
                 }
+                Misreading::RateIn { of, omega } if observation.quantity == Some(of) => {
+                    let asked = solve::cycle_quantities(&self.mechanism);
+                    let change = Change::of_inputs(InputChange::Rates { omega, alpha: 1.0 });
+                    let place = asked.iter().position(|known| Quantity::Cycle(*known) == of)?;
+                    numbers = vec![self.turned(&change, &asked).get(place).copied()??];
+                }
                 Misreading::Plus { of, by } if observation.quantity == Some(of) => {
                     numbers.iter_mut().zip(by).for_each(|(number, by)| *number += by);
                 }
@@ -732,6 +879,14 @@ impl<'s> Case<'s> {
         {
             if of == order {
                 numbers.iter_mut().for_each(|n| *n *= factor);
+            }
+            return;
+        }
+        if let (Target::Image(order, _), Misreading::Turned { order: of, by }) = (observation.target, reading)
+        {
+            if let ([x, y], true) = (&mut *numbers, of == order) {
+                let (sin, cos) = (libm::sin(by), libm::cos(by));
+                [*x, *y] = [cos * *x - sin * *y, sin * *x + cos * *y];
             }
             return;
         }
@@ -767,17 +922,24 @@ impl<'s> Case<'s> {
         }
         let (of, twist) = match reading {
             Misreading::Twisted { of, twist } => (of, twist),
-            Misreading::Unscaled { of, factor } | Misreading::Divided { of, factor } => {
+            Misreading::Unscaled { of, factor }
+            | Misreading::Divided { of, factor }
+            | Misreading::ScaledTwice { of, factor } => {
                 if observation.on_paper {
                     return;
                 }
                 // What one unit of the answer is long on paper.
                 let mm = observation.unit.si / self.si_of(&quantity);
-                let divided = matches!(reading, Misreading::Divided { .. });
-                let factor = if divided { mm * mm * factor } else { mm * factor };
+                let factor = match reading {
+                    Misreading::Divided { .. } => mm * mm * factor,
+                    Misreading::ScaledTwice { .. } => factor / mm,
+                    _ => mm * factor,
+                };
                 (of, crate::graphical::Twist::scaled(factor))
             }
             Misreading::Enlarged { .. }
+            | Misreading::Turned { .. }
+            | Misreading::RateIn { .. }
             | Misreading::Mirrored { .. }
             | Misreading::MeasuredFrom { .. }
             | Misreading::MeasuredTo { .. }
@@ -815,37 +977,34 @@ impl<'s> Case<'s> {
 
     /// By how much each answer may be off if this is what was drawn: more than the worst of many careful
     /// draughtsmen, and what was rounded in writing it down.
-    pub(super) fn tolerances_of(
-        &self,
-        change: &Change,
-        seen: &[Option<Vec<f64>>],
-        draughtsmen: u64,
-    ) -> Vec<f64> {
+    pub(super) fn rooms_of(&self, change: &Change, seen: &[Option<Vec<f64>>], draughtsmen: u64) -> Vec<Room> {
         let allowances = self.allowances_of(change, seen, draughtsmen);
         // What is not the right drawing is not asked to be drawn as closely as a cap wants it.
-        allowances.iter().map(|allowance| allowance.honest).collect()
+        allowances.iter().map(|allowance| allowance.free).collect()
     }
 
     fn allowances_of(&self, change: &Change, seen: &[Option<Vec<f64>>], draughtsmen: u64) -> Vec<Allowance> {
-        let mut worst = vec![0.0_f64; self.observations.len()];
+        let mut worst = vec![Slip::default(); self.observations.len()];
         for seed in 0..draughtsmen {
             let Some(sketch) = self.drawn(change, Some(seed)) else { continue };
             for (index, (numbers, worst)) in self.seen(&sketch, change).iter().zip(&mut worst).enumerate() {
-                if let (Some(numbers), Some(exact)) = (numbers, &seen[index]) {
-                    *worst = worst.max(self.apart(index, numbers, exact));
+                if let (Some(numbers), Some(exact)) = (numbers, &seen[index])
+                    && numbers.len() == exact.len()
+                {
+                    *worst = worst.worse(Slip::between(numbers, exact, self.turns(index)));
                 }
             }
         }
         let factors = self.enlarged(change);
-        let largest = self.largest_rates();
         let allowed = |index: usize| {
             let seen = seen[index].as_deref();
-            let drawn = Drawn { worst: worst[index], factor: factors[index] };
-            let own = self.allowed(&self.observations[index], &drawn, seen, largest);
+            let own = self.allowed(&self.observations[index], worst[index], factors[index], seen);
             // Where lines cross so flatly that the result is no number, only an exact hand would prove anything.
-            match self.tolerances.get(index) {
-                Some(&usual) if own.honest > WIDE * usual && own.honest > TELLS * seen.map_or(0.0, size) => {
-                    Allowance { honest: usual, by: own.by.min(usual), ..own }
+            match self.rooms.get(index) {
+                Some(&usual)
+                    if own.free.by > WIDE * usual.by && own.free.by > TELLS * seen.map_or(0.0, size) =>
+                {
+                    Allowance { free: usual, room: own.room.and(usual), ..own }
                 }
                 _ => own,
             }
@@ -853,149 +1012,155 @@ impl<'s> Case<'s> {
         (0..self.observations.len()).map(allowed).collect()
     }
 
+    /// Whether an answer is an angle, the same a turn later.
+    fn turns(&self, index: usize) -> bool {
+        matches!(self.observations[index].quantity, Some(Quantity::Angle(_)))
+    }
+
+    /// By how much an answer to what the scene asks may be off, as the key of an exam has it; what is asked twice has its
+    /// answers in the same order.
+    fn keyed_allowance(&self, index: usize) -> Option<Allowance> {
+        let own = |observation: &Observation| {
+            matches!(observation.target, Target::Asked(_))
+                && !observation.on_paper
+                && observation.stated.is_none()
+        };
+        let observation = self.observations.get(index).filter(|observation| own(observation))?;
+        let before = self.observations[..index]
+            .iter()
+            .filter(|other| own(other) && other.quantity == observation.quantity)
+            .count();
+        let asked = self.scene.mechanism.asked.iter().zip(&self.keyed);
+        let same: Vec<&Tolerated> = asked
+            .filter(|(asked, _)| Some(asked.quantity) == observation.quantity)
+            .map(|(_, tolerated)| tolerated)
+            .collect();
+        let tolerated = same.get(before).or(same.last())?;
+        Some(tolerated.allowed?.into())
+    }
+
     /// By how much an answer may be off what follows from an earlier fault: the same part of it as of what is right.
-    pub(super) fn most(&self, index: usize, seen: &[f64]) -> f64 {
+    pub(super) fn most(&self, index: usize, seen: &[f64]) -> Room {
         let observation = &self.observations[index];
+        let free = Room { by: f64::INFINITY, turn: f64::INFINITY };
         if observation.stated.is_some_and(|stated| stated > 0.0) || is_place(observation) {
-            return f64::INFINITY;
+            return free;
         }
-        let exact = size(seen);
-        let rounding = observation.rounding.min(ROUNDED * exact) + ROUNDING * exact;
-        let least = self.finest(observation, 1.0, self.largest_rates()).unwrap_or(0.0);
-        (self.max_tolerance * exact + rounding).max(least)
-    }
-
-    /// However small a value is, nobody reads it finer than this; `None` where that is not told.
-    fn finest(&self, observation: &Observation, factor: f64, largest: [f64; 2]) -> Option<f64> {
-        match observation.quantity {
-            Some(Quantity::Omega(_) | Quantity::RelativeOmega(..)) => {
-                Some(self.max_tolerance * SMALL * largest[0])
+        match (observation.target, observation.quantity) {
+            (Target::Asked(_), Some(quantity)) => {
+                let [by, turn] = self.ground.most(&quantity, seen);
+                Room { by: by + self.rounding(observation, size(seen)), turn }
             }
-            Some(Quantity::Alpha(_) | Quantity::RelativeAlpha(..)) => {
-                Some(self.max_tolerance * SMALL * largest[1])
+            _ => {
+                let least = tolerance::FINEST * self.hand.length * self.si_of_answer(observation);
+                let part = self.ground.standard().max_tolerance * size(seen);
+                Room::of(least.max(part + self.rounding(observation, size(seen))))
             }
-            Some(Quantity::Force(Force::Offset(_) | Force::Arm(..), _)) => {
-                Some(FINEST * self.hand.length * self.scales.length() * factor)
-            }
-            Some(Quantity::Force(force, _)) if force.turns() => {
-                Some(self.max_tolerance * SMALL * self.largest_torque)
-            }
-            Some(quantity) if !is_vector(&quantity) => None,
-            _ => Some(FINEST * self.hand.length * self.si_of_answer(observation) * factor),
         }
     }
 
-    fn allowed(
-        &self,
-        observation: &Observation,
-        drawn: &Drawn,
-        seen: Option<&[f64]>,
-        largest: [f64; 2],
-    ) -> Allowance {
+    /// What was rounded in writing down a length or a place of the drawing.
+    fn rounding(&self, observation: &Observation, exact: f64) -> f64 {
+        let written = if observation.on_paper { observation.rounding.min(ROUNDED * exact) } else { 0.0 };
+        written + ROUNDING * exact
+    }
+
+    fn allowed(&self, observation: &Observation, slip: Slip, factor: f64, seen: Option<&[f64]>) -> Allowance {
+        let exact = seen.map_or(0.0, size);
+        let same = |room: Room, basis| Allowance { room, free: room, honest: room, basis, loose: false };
         // A part of nothing is no tolerance.
         if let Some(stated) = observation.stated.filter(|stated| *stated > 0.0) {
-            return Allowance { by: stated, honest: stated, basis: Basis::Stated };
+            let turn = if exact > stated { libm::asin(stated / exact) } else { PI };
+            let turn = if self.has_direction(observation) { turn } else { f64::INFINITY };
+            return same(Room { by: stated, turn }, Basis::Stated);
         }
-        let exact = seen.map_or(0.0, size);
-        let rounding = observation.rounding.min(ROUNDED * exact) + ROUNDING * exact;
-        if !observation.on_paper && observation.quantity.is_some_and(|q| self.is_calculated(&q)) {
-            let length = CALCULATED * exact + rounding;
-            // Its direction is measured on the skeleton, or drawn.
-            let across = match observation.given {
-                Given::Vector(_) => exact * libm::sin(DIRECTION.max(3.0 * self.hand.angle)),
-                _ => 0.0,
+        let rounding = self.rounding(observation, exact);
+        if let (Target::Asked(_), Some(quantity)) = (observation.target, observation.quantity) {
+            let value = seen.unwrap_or(&[]);
+            let slips = Slips { most: slip, worst: slip };
+            let unit = observation.unit.si;
+            let mut allowed: Allowance = match observation.on_paper || factor != 1.0 {
+                true => self.ground.read(&quantity, value, unit, slips, factor).into(),
+                false => self.ground.allowed(&quantity, value, unit, slips).into(),
             };
-            let by = libm::hypot(length, across).max(f64::MIN_POSITIVE);
-            return Allowance { by, honest: by, basis: Basis::Calculated };
+            allowed.room.by += rounding;
+            allowed.free.by += rounding;
+            return allowed;
         }
-        // One reading more than the drawing itself: the length that is handed in.
-        let linear = observation.quantity.is_none_or(|q| is_vector(&q));
-        let reading =
-            if linear { self.hand.length * self.si_of_answer(observation) * drawn.factor } else { 0.0 };
-        let honest = (SAFETY * drawn.worst + reading + rounding).max(f64::MIN_POSITIVE);
-        let least = self.finest(observation, drawn.factor, largest).unwrap_or(honest);
+        // A mark of the drawing, one reading more than the drawing itself.
+        let reading = self.hand.length * self.si_of_answer(observation) * factor;
+        let honest = (tolerance::SAFETY * slip.whole + reading + rounding).max(f64::MIN_POSITIVE);
+        let cap = self.ground.standard().max_tolerance * exact + rounding;
         let by = match is_place(observation) {
             // A place is counted from an origin that nobody reads it from.
             true => honest,
-            false => honest.min((self.max_tolerance * exact + rounding).max(least)),
+            false => honest.min(cap.max(tolerance::FINEST * reading)),
         };
-        Allowance { by, honest, basis: Basis::Read }
+        let loose = by < honest;
+        let honest = Room::of(honest);
+        Allowance { room: Room::of(by), free: honest, honest, basis: Basis::Read, loose }
     }
 
-    /// The largest ω and ε of the right solution.
-    fn largest_rates(&self) -> [f64; 2] {
-        let acts = self.right.construction.steps.iter().flat_map(|step| &step.acts);
-        let mut largest = acts.fold([0.0_f64; 2], |[w, e], act| match *act {
-            Act::Calculate(Calculation::Omega { value, .. }) => [w.max(value.abs()), e],
-            Act::Calculate(Calculation::Alpha { value, .. }) => [w, e.max(value.abs())],
-            _ => [w, e],
-        });
-        for input in &self.mechanism.inputs {
-            if let Input::Angle { omega, alpha, .. } = input {
-                largest = [largest[0].max(omega.value.abs()), largest[1].max(alpha.value.abs())];
-            }
-        }
-        largest
-    }
-
-    /// Whether a quantity is calculated from what is given, and no reading is behind it.
-    fn is_calculated(&self, quantity: &Quantity) -> bool {
-        let driven = |link: LinkId| {
-            self.mechanism.inputs.iter().any(|input| match *input {
-                Input::Angle { link: of, .. } | Input::Speed { link: of, .. } => of == link,
-                Input::Slide { .. } => false,
-            })
-        };
-        if let Quantity::Omega(link) | Quantity::Alpha(link) = *quantity {
-            let given = |input: &Input| matches!(*input, Input::Angle { link: of, .. } if of == link);
-            return self.mechanism.inputs.iter().any(given);
-        }
-        let mut acts = self.right.construction.steps.iter().flat_map(|step| &step.acts);
-        let measured = |[a, b]: [PointId; 2]| {
-            let mut acts = self.right.construction.steps.iter().flat_map(|step| &step.acts);
-            acts.any(|act| {
-                matches!(*act, Act::MeasureLength { from, to, .. } if [from, to] == [a, b] || [to, from] == [a, b])
-            })
-        };
-        acts.any(|act| match *act {
-            Act::Calculate(
-                Calculation::Speed { quantity: of, link, ends, .. }
-                | Calculation::Tangential { quantity: of, link, ends, .. },
-            ) => of == *quantity && driven(link) && !measured(ends),
-            Act::Calculate(Calculation::Normal { quantity: of, ends, .. }) => {
-                let whole = |link: LinkId| ends.iter().all(|p| self.mechanism.link(link).points.contains(p));
-                let by_driven = self.mechanism.moving().any(|link| driven(link) && whole(link));
-                of == *quantity && by_driven && !measured(ends)
-            }
+    /// Whether a rotation has the right size and the other sense.
+    pub(super) fn opposite(&self, index: usize) -> bool {
+        let Given::Signed(given) = self.observations[index].given else { return false };
+        match self.truth[index].as_deref() {
+            Some(&[right]) => (given + right).abs() <= self.rooms[index].by,
             _ => false,
-        })
-    }
-
-    /// How far two sets of numbers of an answer are apart.
-    fn apart(&self, index: usize, a: &[f64], b: &[f64]) -> f64 {
-        let turns = matches!(self.observations[index].quantity, Some(Quantity::Angle(_)));
-        let at_infinity = a.len() != b.len();
-        if at_infinity {
-            return f64::INFINITY;
         }
-        a.iter().zip(b).fold(0.0, |sum, (a, b)| {
-            let apart = (a - b).abs();
-            libm::hypot(sum, if turns { libm::fabs(libm::remainder(apart, 2.0 * PI)) } else { apart })
-        })
     }
 
-    /// How far an answer is from what would be seen.
-    pub(super) fn miss(&self, index: usize, seen: &Option<Vec<f64>>) -> f64 {
-        let Some(seen) = seen else { return f64::INFINITY };
-        match self.observations[index].given {
-            Given::Magnitude(given) | Given::Drawn(given) => (given - size(seen)).abs(),
-            Given::Signed(given) => self.apart(index, &[given], seen),
-            Given::Vector(given) => {
-                let off = (size(&given) - size(seen)).abs();
-                self.apart(index, &given, seen).max(self.stiffness[index] * off)
+    /// Whether an answer is a vector with a magnitude and a direction of its own.
+    fn has_direction(&self, observation: &Observation) -> bool {
+        let vector = |quantity: &Quantity| is_vector(quantity) && !tolerance::is_place(quantity);
+        matches!(observation.target, Target::Asked(_)) && observation.quantity.as_ref().is_some_and(vector)
+    }
+
+    /// How far an answer is from what would be seen, in rooms.
+    pub(super) fn miss(&self, index: usize, seen: Option<&[f64]>, room: Room) -> f64 {
+        let [by, turn] = self.misses(index, seen);
+        (by / room.by).max(if room.turn.is_finite() { turn / room.turn } else { 0.0 })
+    }
+
+    /// How far an answer is from what would be seen: as a number or a magnitude, SI, and as a direction, radians.
+    pub(super) fn misses(&self, index: usize, seen: Option<&[f64]>) -> [f64; 2] {
+        let observation = &self.observations[index];
+        let Some(seen) = seen else { return [f64::INFINITY; 2] };
+        let apart = |given: &[f64]| match given.len() == seen.len() {
+            true => Slip::between(given, seen, self.turns(index)).whole,
+            false => f64::INFINITY,
+        };
+        match (observation.given, seen) {
+            (Given::Magnitude(given) | Given::Drawn(given), _) => [(given - size(seen)).abs(), 0.0],
+            (Given::Signed(given), _) => [apart(&[given]), 0.0],
+            (Given::Vector(given), &[x, y]) if self.has_direction(observation) => {
+                let slip = Slip::between(&given, &[x, y], false);
+                [slip.size, slip.turn]
             }
+            // Each coordinate of a place for itself.
+            (Given::Vector(given), &[x, y]) if matches!(observation.target, Target::Asked(_)) => {
+                [(given[0] - x).abs().max((given[1] - y).abs()), 0.0]
+            }
+            (Given::Vector(given), _) => [apart(&given), 0.0],
         }
     }
+}
+
+/// What the scene asks, with its tolerances at the scales of the student.
+fn keyed(
+    scene: &Scene,
+    own: Solved,
+    (scales, answers): (Scales, &Answers),
+    standard: Standard,
+) -> Result<Vec<Tolerated>, GradeError> {
+    let mut solved = match scales == own.scales {
+        true => own,
+        false => solve::solve(scene, Extent::WholeSkeleton, |_, _| scales)?,
+    };
+    let paper = crate::sheet::force_paper(scene, &solved.solution.construction);
+    let force = answers.scales.force().or(paper.force);
+    solved.scales = solved.scales.on(Paper { force, ..paper });
+    Ok(tolerance::of_asked(scene, &solved, standard)?)
 }
 
 /// Behind the numbers of every balance.
@@ -1019,13 +1184,6 @@ fn cycle_stage(of: CycleQuantity) -> usize {
             3 * LAST + 5
         }
     }
-}
-
-/// The largest torque and moment among all that is balanced.
-fn largest_torque(sheet: &ForceSheet) -> f64 {
-    let terms = sheet.moments.iter().flat_map(|balance| balance.terms.iter().chain([&balance.found]));
-    let torques = sheet.bodies.iter().flat_map(|body| &body.torques).map(|(_, torque)| torque.abs());
-    terms.map(|term| term.moment.abs()).chain(torques).fold(0.0, f64::max)
 }
 
 /// Newtons for a millimetre where no polygon stands on the sheet: the largest asked force is drawn so large.
@@ -1109,17 +1267,6 @@ const ONE_POINT: f64 = 1.0;
 /// A vector that is longer on paper (mm) is not drawn beside the right one.
 const FARTHEST: f64 = 400.0;
 
-/// A value that is calculated from what is given may be off by this part: a calculator has more digits than a question.
-const CALCULATED: f64 = 0.004;
-/// A direction that is drawn or measured once is good to this, radians.
-const DIRECTION: f64 = 0.0175;
-/// However a tolerance is capped, so many readings off the paper are always allowed.
-const FINEST: f64 = 2.0;
-/// A rate that is smaller than this part of the largest one is read no finer than if it were as large as that.
-const SMALL: f64 = 0.1;
-
-/// The worst of the draughtsmen is not the worst of all.
-const SAFETY: f64 = 1.3;
 /// A tolerance that is not wider than this, against that of the right drawing, is the same.
 pub(super) const WIDE: f64 = 2.0;
 /// A number of which more than this part is open tells nothing.

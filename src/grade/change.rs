@@ -58,8 +58,14 @@ pub(super) enum Misreading {
     Unscaled { of: Which, factor: f64 },
     /// The length on paper was divided by the scale (in units of the answer per millimetre), times this.
     Divided { of: Which, factor: f64 },
+    /// The value was multiplied by the scale (in units of the answer per millimetre) once more, times this.
+    ScaledTwice { of: Which, factor: f64 },
+    /// A number of the turning-moment diagram was calculated with so many times the angular velocity, it alone.
+    RateIn { of: Quantity, omega: f64 },
     /// The points of a figure are multiplied.
     Enlarged { order: Order, factor: f64 },
+    /// The points of a figure are turned about its pole, radians.
+    Turned { order: Order, by: f64 },
     /// The vector was measured from the pole or from another image, instead of from its own tail.
     MeasuredFrom { of: Quantity, tail: Label },
     /// The vector was measured to another image than its own head.

@@ -36,11 +36,11 @@ pub fn class_faults(class: &[HandIn]) -> Vec<ClassFault> {
         let mut own: BTreeMap<(&'static str, String), String> = BTreeMap::new();
         for graded in report.quantities.iter().filter(|graded| graded.verdict == Verdict::Wrong) {
             match graded.mistakes.first() {
-                Some(mistake) => own.extend(
-                    mistake.parts().map(|part| ((part.kind.name(), part.at.clone()), part.own_text())),
-                ),
+                Some(mistake) => own.extend(mistake.parts().map(|part| {
+                    ((part.kind.name(), part.at.clone()), report.symbols.plain(&part.own_text()))
+                })),
                 None => {
-                    let text = format!("{}: no known mistake fits", graded.name);
+                    let text = report.symbols.plain(&format!("{}: no known mistake fits", graded.name));
                     own.insert(("unknown", graded.name.clone()), text);
                 }
             }

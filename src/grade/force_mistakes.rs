@@ -86,7 +86,7 @@ impl List<'_, '_> {
             let sense = vec![Departure::InertiaTorque { link, factor: -1.0 }];
             self.add(Kind::CoupleWithAlpha, &couple, None, price + 0.1, Change::drawn(sense));
             let none = vec![Departure::Offset { link, factor: 0.0 }];
-            self.add(Kind::ForceLeftOut, &couple, None, price + 1.0, Change::drawn(none));
+            self.add(Kind::ForceLeftOut, &couple, None, price + 0.25, Change::drawn(none));
         }
     }
 
@@ -190,7 +190,7 @@ impl List<'_, '_> {
                 continue;
             }
             let number = self.number(link);
-            let name = acting.action.name(&self.case.mechanism);
+            let name = self.force_name(Force::Vector(acting.action));
             let at = acting.through;
             let without = acting.force.map(|part| -part);
             // What slides feels no couple in the moments that are taken of it with its rod.
@@ -226,7 +226,7 @@ impl List<'_, '_> {
                 if !later {
                     continue;
                 }
-                let name = acting.action.name(&self.case.mechanism);
+                let name = self.force_name(Force::Vector(acting.action));
                 let force = acting.force.map(|part| 2.0 * part);
                 // Within a group it is found by moments already, and only the polygon has it the wrong way.
                 let group = |link: LinkId| self.case.structure.group_of(link);
@@ -270,7 +270,7 @@ impl List<'_, '_> {
                     true => -term.moment * (arm.length / distance - 1.0),
                 };
                 let (Turning::Force(action) | Turning::Along(action)) = term.of else { continue };
-                let name = action.name(&self.case.mechanism);
+                let name = self.force_name(Force::Vector(action));
                 let point = match balance.about {
                     About::Point(point) | About::Contact { pin: point, .. } => {
                         self.case.mechanism.point(point).name.as_str()
@@ -344,7 +344,7 @@ impl List<'_, '_> {
             let action = Action::Pair { by: guide.link, on: rider };
             let all = sheet.bodies.iter().flat_map(|body| &body.acting);
             let Some(right) = all.into_iter().find(|acting| same(acting.action, action)) else { continue };
-            let name = action.name(&self.case.mechanism);
+            let name = self.force_name(Force::Vector(action));
             for (along, how) in &lines {
                 let direction = [libm::cos(*along), libm::sin(*along)];
                 let size = libm::hypot(right.force[0], right.force[1]);

@@ -6,7 +6,7 @@
 //! its place in the construction, and it is seen what follows from it.
 
 use super::answers::Given;
-use super::case::{Case, Observation, Target, WIDE, size};
+use super::case::{Case, Observation, Room, Target, WIDE, size};
 use super::change::{Change, Misreading, Which};
 use super::kind::Kind;
 use super::mistakes::{self, Hypothesis, vector_of};
@@ -116,6 +116,8 @@ struct Tried {
     hypothesis: Hypothesis,
     change: Change,
     cost: f64,
+    /// How much of it the answer that is to be explained costs.
+    here: f64,
     /// Of every answer, in tolerances.
     misses: Vec<f64>,
     /// Of the answer that is to be explained, in tolerances of the right drawing.
@@ -124,7 +126,7 @@ struct Tried {
 
 pub(super) fn judge(case: &Case<'_>) -> Judgement {
     let count = case.observations.len();
-    let right: Vec<f64> = (0..count).map(|i| case.miss(i, &case.truth[i]) / case.tolerances[i]).collect();
+    let right: Vec<f64> = (0..count).map(|i| case.miss(i, case.truth[i].as_deref(), case.rooms[i])).collect();
     let mut verdicts: Vec<Option<Verdict>> = (0..count)
         .map(|i| match (&case.truth[i], right[i] <= 1.0) {
             (None, _) => Some(Verdict::NotChecked),
@@ -139,7 +141,7 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
         if !faults.is_empty()
             && let Some(base) = case.drawn(&drawn, None)
         {
-            let allowed = EXPLAINED * case.tolerances[first];
+            let allowed = case.rooms[first].times(EXPLAINED);
             if routes::follows(case, (&drawn, &base), &verdicts, first, allowed) {
                 verdicts[first] = Some(Verdict::Consistent);
                 caused[first] = faults.len().checked_sub(1);
@@ -154,11 +156,11 @@ pub(super) fn judge(case: &Case<'_>) -> Judgement {
         // What follows rightly from the fault.
         let Some(sketch) = case.drawn(&drawn, None) else { continue };
         let seen = case.seen(&sketch, &drawn);
-        let tolerances = case.tolerances_of(&drawn, &seen, FEW);
+        let rooms = case.rooms_of(&drawn, &seen, FEW);
         for (index, verdict) in verdicts.iter_mut().enumerate() {
-            let allowed = tolerances[index].max(case.tolerances[index]);
-            let most = seen[index].as_deref().map_or(0.0, |numbers| case.most(index, numbers));
-            if verdict.is_none() && case.miss(index, &seen[index]) <= (EXPLAINED * allowed).min(most) {
+            let Some(numbers) = seen[index].as_deref() else { continue };
+            let allowed = rooms[index].or(case.rooms[index]).times(EXPLAINED).and(case.most(index, numbers));
+            if verdict.is_none() && case.miss(index, Some(numbers), allowed) <= 1.0 {
                 *verdict = Some(Verdict::Consistent);
                 caused[index] = faults.len().checked_sub(1);
             }
@@ -185,7 +187,7 @@ impl Judge<'_, '_> {
         let unknown = self.unknown(&base);
         let price = unknown.as_ref().map_or(UNKNOWN + MOST, |tried| tried.cost);
         let unmoved = self.case.seen(&base, self.drawn);
-        let unmoved = self.case.miss(self.first, &unmoved[self.first]) / self.case.tolerances[self.first];
+        let unmoved = self.case.miss(self.first, unmoved[self.first].as_deref(), self.case.rooms[self.first]);
         let mut tried = self.tried(&base, &hypotheses, self.drawn);
         // What leaves the answer where it was does not explain it.
         tried.retain(|t| unmoved - t.moved >= MOVES);
@@ -233,7 +235,7 @@ impl Judge<'_, '_> {
             }
             verdicts[self.first] = Some(Verdict::Wrong);
             for &index in open.iter().filter(|&&i| one.misses[i] > EXPLAINED) {
-                let allowed = EXPLAINED * self.case.tolerances[index];
+                let allowed = self.case.rooms[index].times(EXPLAINED);
                 if routes::follows(self.case, (&one.change, &sketch), &verdicts, index, allowed) {
                     verdicts[index] = Some(Verdict::Consistent);
                     one.cost += FOLLOWING - square(one.misses[index]).min(MOST);
@@ -248,7 +250,7 @@ impl Judge<'_, '_> {
         let harmed = |i: usize| self.verdicts[i] == Some(Verdict::Right) && tried.misses[i] > EXPLAINED;
         let whole = matches!(
             tried.hypothesis.kind,
-            Kind::ScaleWrong | Kind::NormalAwayFromCentre | Kind::NormalNotSquared
+            Kind::ScaleWrong | Kind::NormalAwayFromCentre | Kind::NormalNotSquared | Kind::FigureTurned
         );
         whole && (0..tried.misses.len()).any(harmed)
     }
@@ -294,15 +296,16 @@ impl Judge<'_, '_> {
                 continue;
             }
             let seen = self.case.seen(sketch.as_ref().unwrap_or(base), &change);
-            let tolerances: Vec<f64> = (0..seen.len())
+            let rooms: Vec<Room> = (0..seen.len())
                 .map(|i| {
                     let [now, right] =
                         [&seen[i], &self.case.truth[i]].map(|n| n.as_deref().map_or(0.0, size));
                     let larger = if right > 0.0 { (now / right).max(1.0) } else { 1.0 };
-                    self.case.tolerances[i] * if larger.is_finite() { larger } else { 1.0 }
+                    let room = self.case.rooms[i];
+                    Room { by: room.by * if larger.is_finite() { larger } else { 1.0 }, ..room }
                 })
                 .collect();
-            let tried_one = self.counted(hypothesis.clone(), change, &seen, &tolerances);
+            let tried_one = self.counted(hypothesis.clone(), change, &seen, &rooms);
             if tried_one.misses[self.first] <= 2.0 * EXPLAINED {
                 tried.push(tried_one);
             }
@@ -317,8 +320,8 @@ impl Judge<'_, '_> {
         for one in tried.into_iter().take(WEIGHED) {
             let Some(sketch) = self.case.drawn(&one.change, None) else { continue };
             let seen = self.case.seen(&sketch, &one.change);
-            let tolerances = self.case.tolerances_of(&one.change, &seen, FEW);
-            let again = self.counted(one.hypothesis, one.change, &seen, &tolerances);
+            let rooms = self.case.rooms_of(&one.change, &seen, FEW);
+            let again = self.counted(one.hypothesis, one.change, &seen, &rooms);
             let near = !one_of_many(again.hypothesis.kind) || self.leads_to_all(&again);
             if again.misses[self.first] <= EXPLAINED && near {
                 weighed.push(again);
@@ -334,29 +337,32 @@ impl Judge<'_, '_> {
         hypothesis: Hypothesis,
         change: Change,
         seen: &[Option<Vec<f64>>],
-        tolerances: &[f64],
+        rooms: &[Room],
     ) -> Tried {
         // Of two that explain as much, the one that is made at the answer that shows it.
         let here = hypothesis.at == self.case.observations[self.first].name;
         let mut cost = hypothesis.price - if here { AT_HAND } else { 0.0 };
-        let moved = self.case.miss(self.first, &seen[self.first]) / self.case.tolerances[self.first];
+        let moved = self.case.miss(self.first, seen[self.first].as_deref(), self.case.rooms[self.first]);
         let mut misses = Vec::with_capacity(seen.len());
+        let mut cost_here = 0.0;
         for (index, numbers) in seen.iter().enumerate() {
             let settled = matches!(self.verdicts[index], Some(Verdict::NotChecked));
-            let miss = if settled { 0.0 } else { self.case.miss(index, numbers) / tolerances[index] };
+            let miss = if settled { 0.0 } else { self.case.miss(index, numbers.as_deref(), rooms[index]) };
             misses.push(miss);
             // Whoever draws better than his tolerance has lost nothing.
-            let wider = tolerances[index] / self.case.tolerances[index];
+            let wider = rooms[index].against(self.case.rooms[index]);
             let counted = square(miss).min(square(miss * wider));
-            cost += if counted.is_finite() { counted.min(MOST) } else { MOST };
+            let counted = if counted.is_finite() { counted.min(MOST) } else { MOST };
+            cost += counted;
             if index == self.first {
+                cost_here = counted;
                 // Where much more is allowed than of the right drawing, a fit says less.
                 let parts =
                     if matches!(self.case.observations[index].given, Given::Vector(_)) { 4.0 } else { 2.0 };
                 cost += parts * libm::log(wider / WIDE).clamp(0.0, 1.5);
             }
         }
-        Tried { hypothesis, change, cost, misses, moved }
+        Tried { hypothesis, change, cost, here: cost_here, misses, moved }
     }
 
     /// Two mistakes at once.
@@ -369,7 +375,7 @@ impl Judge<'_, '_> {
                 let sketch =
                     if hypothesis.change.redraws() { Some(self.case.drawn(&change, None)?) } else { None };
                 let seen = self.case.seen(sketch.as_ref().unwrap_or(base), &change);
-                Some(self.counted(hypothesis.clone(), change, &seen, &self.case.tolerances))
+                Some(self.counted(hypothesis.clone(), change, &seen, &self.case.rooms))
             })
             .collect();
         singles.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -441,10 +447,10 @@ impl Judge<'_, '_> {
                 change: way,
                 how: None,
             };
-            let tolerances = self.case.tolerances_of(&change, &seen, FEW);
-            let mut tried = self.counted(hypothesis, change, &seen, &tolerances);
+            let rooms = self.case.rooms_of(&change, &seen, FEW);
+            let mut tried = self.counted(hypothesis, change, &seen, &rooms);
             // The answer itself is what it is.
-            tried.cost -= square(tried.misses[self.first]).min(MOST);
+            tried.cost -= tried.here;
             if best.as_ref().is_none_or(|b| tried.cost < b.cost) {
                 best = Some(tried);
             }

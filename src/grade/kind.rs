@@ -111,11 +111,15 @@ pub enum Kind {
     DegAsRad,
     /// A direction was measured clockwise or from the y axis.
     DirectionMeasured,
+    /// A polygon is turned against the skeleton.
+    FigureTurned,
+    /// A length on paper was multiplied by its scale factor twice.
+    ScaleTwice,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 54] = [
+    pub const ALL: [Self; 56] = [
         Self::SenseReversed,
         Self::PerpendicularForParallel,
         Self::NormalAwayFromCentre,
@@ -170,6 +174,8 @@ impl Kind {
         Self::ProportionFromOtherEnd,
         Self::DegAsRad,
         Self::DirectionMeasured,
+        Self::FigureTurned,
+        Self::ScaleTwice,
     ];
 
     /// Its name in a report.
@@ -230,6 +236,8 @@ impl Kind {
             Self::ProportionFromOtherEnd => "proportion-from-other-end",
             Self::DegAsRad => "deg-as-rad",
             Self::DirectionMeasured => "direction-measured-otherwise",
+            Self::FigureTurned => "figure-turned",
+            Self::ScaleTwice => "scale-twice",
         }
     }
 }

@@ -49,6 +49,7 @@ pub(super) fn all(case: &Case<'_>, so_far: &Sketch, drawn: &Change) -> Vec<Hypot
     list.readings();
     list.scales();
     list.wrong_scales();
+    list.figures_turned();
     list.poles(so_far);
     list.units();
     list.calculator();
@@ -102,7 +103,7 @@ impl<'c> List<'c, '_> {
     }
 
     pub(super) fn name(&self, quantity: &Quantity) -> String {
-        name_of(self.case, quantity)
+        self.case.named(quantity)
     }
 
     pub(super) fn number(&self, link: LinkId) -> u32 {
@@ -127,18 +128,35 @@ impl<'c> List<'c, '_> {
         for units in &self.case.scene.input_units {
             let Some(rate) = &units.rate else { continue };
             let turn = 2.0 * PI;
-            if rate.symbol == "rpm" || rate.symbol.ends_with("/min") {
-                self.add(Kind::RpmAsRad, "the input", None, PLAIN, rates(1.0 / rate.si, 1.0));
+            let mixed: &[(Kind, f64, f64)] = if rate.symbol == "rpm" || rate.symbol.ends_with("/min") {
                 // Turned into revolutions per second only, or only by 2π.
-                self.add(Kind::RevAsRad, "the input", None, PLAIN, rates(1.0 / turn, 1.0));
-                self.add(Kind::RpmAsRad, "the input", None, UNUSUAL, rates(60.0, 1.0));
+                &[
+                    (Kind::RpmAsRad, 1.0 / rate.si, PLAIN),
+                    (Kind::RevAsRad, 1.0 / turn, PLAIN),
+                    (Kind::RpmAsRad, 60.0, UNUSUAL),
+                ]
             } else if rate.symbol.starts_with("rev") {
-                self.add(Kind::RevAsRad, "the input", None, PLAIN, rates(1.0 / turn, 1.0));
+                &[(Kind::RevAsRad, 1.0 / turn, PLAIN)]
             } else if rate.symbol.starts_with("rad") {
                 // Taken for rpm and converted, or converted into rpm and used.
-                self.add(Kind::RadAsRpm, "the input", None, PLAIN, rates(turn / 60.0, 1.0));
-                self.add(Kind::RadAsRpm, "the input", None, PLAIN, rates(60.0 / turn, 1.0));
-                self.add(Kind::RevAsRad, "the input", None, UNUSUAL, rates(turn, 1.0));
+                &[
+                    (Kind::RadAsRpm, turn / 60.0, PLAIN),
+                    (Kind::RadAsRpm, 60.0 / turn, PLAIN),
+                    (Kind::RevAsRad, turn, UNUSUAL),
+                ]
+            } else {
+                &[]
+            };
+            for &(kind, omega, price) in mixed {
+                self.add(kind, "the input", None, price, rates(omega, 1.0));
+                // In one number of the turning-moment diagram alone: the others hang on no rate, or are right.
+                for of in self.observed() {
+                    if matches!(of, Quantity::Cycle(_)) {
+                        let name = self.name(&of);
+                        let read = Change::read(Misreading::RateIn { of, omega });
+                        self.add(kind, &name, None, price + 0.5, read);
+                    }
+                }
             }
         }
         // The answers in another unit than they say.
@@ -732,7 +750,7 @@ impl<'c> List<'c, '_> {
             _ => None,
         });
         label.map_or_else(String::new, |label| {
-            crate::sheet::image_name(self.case.scene, label, order.diagram())
+            crate::sheet::image_symbol(self.case.scene, label, order.diagram()).plain
         })
     }
 
@@ -745,7 +763,7 @@ impl<'c> List<'c, '_> {
                 Act::Calculate(Calculation::Omega { link, quantity, length, .. }) => {
                     self.other_rates(link, &quantity, step, (length, &lengths));
                     let rate = |factor| Departure::Rate { order: Order::Velocity, link, factor };
-                    let at = format!("omega({})", self.number(link));
+                    let at = self.name(&Quantity::Omega(link));
                     self.add(Kind::SenseReversed, &at, Some(step), PLAIN, Change::drawn(vec![rate(-1.0)]));
                     if matches!(quantity, Quantity::RelativeVelocity(..)) {
                         self.taken_back(quantity, vec![rate(-1.0)], step);
@@ -753,7 +771,7 @@ impl<'c> List<'c, '_> {
                 }
                 Act::Calculate(Calculation::Alpha { link, quantity, length, .. }) => {
                     let rate = |factor| Departure::Rate { order: Order::Acceleration, link, factor };
-                    let at = format!("alpha({})", self.number(link));
+                    let at = self.name(&Quantity::Alpha(link));
                     self.add(Kind::AlphaSign, &at, Some(step), 1.0, Change::drawn(vec![rate(-1.0)]));
                     self.add(Kind::SenseReversed, &at, Some(step), 0.5, Change::drawn(vec![rate(-1.0)]));
                     self.add(Kind::AlphaIgnored, &at, Some(step), UNUSUAL, Change::drawn(vec![rate(0.0)]));
@@ -783,7 +801,7 @@ impl<'c> List<'c, '_> {
         step: usize,
         (length, lengths): (f64, &[f64]),
     ) {
-        let at = format!("omega({})", self.number(link));
+        let at = self.name(&Quantity::Omega(link));
         let mut ways: Vec<(Kind, Option<String>, f64)> = Vec::new();
         if let Some(polygon) = polygon(self.construction, Order::Velocity) {
             let own = vector_of(self.construction, quantity).map(|v| size(&difference(v.to, v.from)));
@@ -887,10 +905,9 @@ impl<'c> List<'c, '_> {
             let others: Vec<PointId> = others.iter().copied().filter(|p| *p != point).collect();
             // From a fixed point it is the vector itself that has the opposite sense.
             for &from in others.iter().filter(|p| !self.case.mechanism.is_fixed(**p)) {
-                let name = |p: PointId| self.case.mechanism.point(p).name.as_str();
                 let relative = [
-                    (Order::Velocity, format!("v({}/{})", name(point), name(from))),
-                    (Order::Acceleration, format!("a({}/{})", name(point), name(from))),
+                    (Order::Velocity, self.name(&Quantity::RelativeVelocity(point, from))),
+                    (Order::Acceleration, self.name(&Quantity::RelativeAcceleration(point, from))),
                 ];
                 for (order, at) in relative {
                     let backwards = Departure::Backwards { order, point, from };
@@ -982,7 +999,8 @@ impl<'c> List<'c, '_> {
             for (factor, more) in [(1.0, 0.0), (0.1, 0.5)] {
                 let forgotten = Change::read(Misreading::Unscaled { of, factor });
                 self.add(Kind::ScaleForgotten, &at, None, price + more, forgotten.clone());
-                self.follow(Kind::ScaleForgotten, of, &at, price + more, &forgotten, false, factor);
+                let by = |mm: f64| mm * factor;
+                self.follow((Kind::ScaleForgotten, of), &at, price + more, &forgotten, &by);
             }
             // Where the scale is not stated, it may be another round one.
             if let (Which::One(quantity), false) = (of, self.case.states_scale(of)) {
@@ -996,29 +1014,34 @@ impl<'c> List<'c, '_> {
             for (factor, more) in [(1.0, 0.0), (0.01, 0.0), (0.1, 1.0)] {
                 let inverted = Change::read(Misreading::Divided { of, factor });
                 self.add(Kind::ScaleInverted, &at, None, price + more, inverted.clone());
-                self.follow(Kind::ScaleInverted, of, &at, price + more, &inverted, true, factor);
+                let by = |mm: f64| mm * mm * factor;
+                self.follow((Kind::ScaleInverted, of), &at, price + more, &inverted, &by);
+            }
+            // Once more, by millimetres or by centimetres.
+            for (factor, more) in [(1.0, 0.0), (10.0, 0.0)] {
+                let twice = Change::read(Misreading::ScaledTwice { of, factor });
+                self.add(Kind::ScaleTwice, &at, None, price + more, twice.clone());
+                let by = |mm: f64| factor / mm;
+                self.follow((Kind::ScaleTwice, of), &at, price + more, &twice, &by);
             }
         }
     }
 
-    /// The same, and what was calculated from the misread lengths.
-    #[expect(clippy::too_many_arguments, reason = "one call site; a struct would only rename them")]
+    /// The same, and what was calculated from the misread lengths; `by` tells the factor from how many millimetres a unit of
+    /// the answer is long.
     fn follow(
         &mut self,
-        kind: Kind,
-        of: Which,
+        (kind, of): (Kind, Which),
         at: &str,
         price: f64,
         read: &Change,
-        divided: bool,
-        factor: f64,
+        by: &dyn Fn(f64) -> f64,
     ) {
         let units = &self.case.scene.units;
         let factor_of = |order: Order| {
             let time =
                 if order == Order::Acceleration { units.time.si * units.time.si } else { units.time.si };
-            let mm = units.length.si / time / self.case.si_per_mm(order);
-            if divided { mm * mm * factor } else { mm * factor }
+            by(units.length.si / time / self.case.si_per_mm(order))
         };
         let departures = match of {
             Which::One(quantity) => {
@@ -1056,6 +1079,19 @@ impl<'c> List<'c, '_> {
             _ => None,
         };
         self.acts().into_iter().filter_map(rate).collect()
+    }
+
+    /// A polygon that the student drew turned against the skeleton.
+    fn figures_turned(&mut self) {
+        let polygons =
+            [(Order::Velocity, "the velocity polygon"), (Order::Acceleration, "the acceleration polygon")];
+        for (order, at) in polygons {
+            let Some(by) = self.case.turns.against_sheet(order) else { continue };
+            let sense = if by < 0.0 { "clockwise" } else { "counter-clockwise" };
+            let how = format!("by {:.0}° {sense}", by.abs().to_degrees());
+            let read = Change::read(Misreading::Turned { order, by });
+            self.add_so((Kind::FigureTurned, how), at, None, 1.0, read);
+        }
     }
 
     /// Vectors measured from another point of the polygon.
@@ -1129,7 +1165,7 @@ impl<'c> List<'c, '_> {
 
     /// "bc read for oc".
     fn read_for(&self, [tail, head]: [Label; 2], vector: &Vector, order: Order) -> String {
-        let name = |label: Label| crate::sheet::image_name(self.case.scene, label, order.diagram());
+        let name = |label| crate::sheet::image_symbol(self.case.scene, label, order.diagram()).plain;
         format!("{}{} read for {}{}", name(tail), name(head), name(vector.tail), name(vector.head))
     }
 
@@ -1333,9 +1369,4 @@ fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 /// The vectors of a construction that represent a quantity.
 pub(super) fn vector_of<'c>(construction: &'c Construction, quantity: &Quantity) -> Option<&'c Vector> {
     polygon(construction, quantity.order())?.vectors.iter().find(|v| v.quantity == *quantity)
-}
-
-/// A quantity as a scene names it.
-pub(super) fn name_of(case: &Case<'_>, quantity: &Quantity) -> String {
-    quantity.name(&case.mechanism)
 }

@@ -41,7 +41,9 @@ mod scan;
 mod schema;
 mod steps;
 mod svg;
+mod symbols;
 mod text;
+mod turned;
 mod weight;
 mod words;
 
@@ -53,9 +55,10 @@ pub use class::{ClassFault, HandIn, class_csv, class_faults, faults_csv};
 pub(crate) use digits::with_plain_digits;
 pub use judge::{Mistake, Verdict};
 pub use kind::Kind;
-pub use report::{Allowed, FirstFault, Graded, Report, StepMarks};
+pub use report::{Allowed, Amiss, FirstFault, Graded, Report, StepMarks};
 pub use scan::Scan;
 pub use schema::schema;
+pub use symbols::Symbols;
 
 use crate::board::Hand;
 use crate::check::Unconfirmed;
@@ -63,6 +66,8 @@ use crate::mechanism::quantity::Order;
 use crate::scene::{Diagnostic, Scene};
 use crate::sheet::Figure;
 use crate::solve::SolveError;
+use crate::tolerance::DRAUGHTSMEN;
+pub use crate::tolerance::MAX_TOLERANCE;
 
 /// How to grade.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,14 +82,11 @@ pub struct GradeSettings {
     pub by_parts: bool,
 }
 
-/// Where nothing is said, no answer may be off by more than a tenth.
-pub const MAX_TOLERANCE: f64 = 0.1;
-
 impl Default for GradeSettings {
     fn default() -> Self {
         Self {
             hand: Hand { length: 0.2, angle: 0.3_f64.to_radians() },
-            draughtsmen: 96,
+            draughtsmen: DRAUGHTSMEN,
             max_tolerance: MAX_TOLERANCE,
             by_parts: false,
         }
@@ -143,7 +145,8 @@ pub fn grade_with_overlay(
         .enumerate()
         .map(|(place, graded)| {
             let fault = FirstFault { step: graded.step, name: &graded.name, mistakes: &graded.mistakes };
-            if place == 0 { format!("First fault, {}", fault.text()) } else { fault.text() }
+            let told = report.symbols.plain(&fault.text());
+            if place == 0 { format!("First fault, {told}") } else { told }
         })
         .collect();
     let faults: Vec<crate::sheet::Fault<'_>> = judgement

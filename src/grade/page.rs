@@ -27,6 +27,11 @@ figure{margin:1em 0;break-inside:avoid}\
 figure svg{max-width:100%;height:auto;max-height:150mm}\
 small{color:#444}";
 
+/// Units as people write them.
+fn unit(text: &str) -> String {
+    text.replace("^2", "²").replace("^3", "³").replace('*', "·").replace(" deg", "°")
+}
+
 impl Report {
     /// The report as a page of hypertext, with the overlay (an SVG) where there is one.
     #[must_use]
@@ -39,22 +44,29 @@ impl Report {
             escaped(title),
             escaped(who),
         );
+        if let Some(note) = self.note() {
+            let _ = writeln!(page, "<p>{}</p>", escaped(&note));
+        }
         page.push_str(
             "<table>\n<tr><th>asked</th><th>yours</th><th>right</th><th>verdict</th><th class=\"n\">marks</th></tr>\n",
         );
         for graded in &self.quantities {
             let right = match graded.right.is_empty() {
                 true => String::new(),
-                false => format!("{} ± {}", graded.expected(), graded.within()),
+                false => graded.expected_within(),
+            };
+            let verdict = match (graded.verdict, graded.wrong_in()) {
+                (Verdict::Wrong, Some(part)) => format!("wrong: {part}"),
+                (verdict, _) => verdict.told().to_owned(),
             };
             let _ = writeln!(
                 page,
                 "<tr class=\"{}\"><td>{}</td><td><bdi>{}</bdi></td><td><bdi>{}</bdi></td><td>{}</td><td class=\"n\">{}</td></tr>",
                 graded.verdict.name(),
-                escaped(&graded.name),
-                escaped(&graded.handed_in()),
-                escaped(&right),
-                graded.verdict.told(),
+                self.symbols.html(&graded.name),
+                unit(&escaped(&graded.handed_in())),
+                unit(&escaped(&right)),
+                verdict,
                 match graded.asked {
                     true => format!("{} of {}", marks(graded.reached()), marks(graded.weight)),
                     false => "no marks".to_owned(),
@@ -67,7 +79,7 @@ impl Report {
             let _ = writeln!(
                 page,
                 "<tr class=\"missing\"><td colspan=\"4\">not answered: {}</td><td class=\"n\">0 of {}</td></tr>",
-                escaped(&names.join(", ")),
+                self.symbols.html(&names.join(", ")),
                 marks(weight),
             );
         }
@@ -79,7 +91,8 @@ impl Report {
             page.push_str("<ol>\n");
             for graded in wrong {
                 let said = sentences(graded).join(" ");
-                let _ = writeln!(page, "<li><b>{}</b>: {}</li>", escaped(&graded.name), escaped(&said));
+                let (name, said) = (self.symbols.html(&graded.name), self.symbols.html(&said));
+                let _ = writeln!(page, "<li><b>{name}</b>: {said}</li>");
             }
             page.push_str("</ol>\n");
         }
@@ -90,7 +103,7 @@ impl Report {
         page.push_str("<p><small>How far an answer may be off: ");
         let because: Vec<String> =
             self.quantities.iter().map(|graded| format!("{}: {}", graded.name, graded.because())).collect();
-        page.push_str(&escaped(&because.join("; ")));
+        page.push_str(&unit(&self.symbols.html(&because.join("; "))));
         page.push_str(".</small></p>\n</body>\n</html>\n");
         page
     }

@@ -6,6 +6,7 @@ use super::answers::{Answers, Form, Given};
 use super::case::{Allowance, Basis, Case, Observation, Target, size};
 use super::judge::{Judgement, Mistake, Verdict};
 use super::mistakes::vector_of;
+use super::symbols::Symbols;
 use crate::graphical::construction::Label;
 use crate::mechanism::quantity::{Order, Quantity, Unit};
 
@@ -22,6 +23,11 @@ pub struct Report {
     pub missing: Vec<(String, f64)>,
     /// Points given for steps; what was not answered is one of them, without a step.
     pub marks: Vec<StepMarks>,
+    /// What its names are called on the sheet.
+    pub symbols: Symbols,
+    /// By how much the drawing lies turned on its sheet, degrees counter-clockwise; it was turned back before it was
+    /// compared.
+    pub turned: Option<f64>,
 }
 
 /// One graded answer. Numbers are in its unit.
@@ -41,19 +47,24 @@ pub struct Graded {
     pub magnitude_only: bool,
     /// What is right; empty where it is not determined.
     pub right: Vec<f64>,
-    /// By how much it may be off.
+    /// By how much it may be off: the number, the magnitude of a vector, each coordinate of a place.
     pub tolerance: f64,
+    /// By how much the direction of a vector may be off, degrees.
+    pub turn: Option<f64>,
+    /// Which part of a vector is off.
+    pub amiss: Amiss,
     /// Why.
     pub allowed: Allowed,
     /// What it is worth; nothing where it is not asked, or another answer stands for what is.
     pub weight: f64,
     /// Whether it stands for something that is asked.
     pub asked: bool,
-    /// Which part of its marks it has at most: less than all where a sense or direction is asked and not said.
+    /// Which part of its marks it has: less than all where a sense or direction is asked and not said, and where marks are
+    /// given by parts that of a wrong answer which is right.
     pub share: f64,
     /// Whether it pays for an earlier fault, of which the step itself has no mark.
     pub charged: bool,
-    /// By how much it is off.
+    /// By how much it is off: the number or the magnitude.
     pub off: f64,
     /// Of all these numbers.
     pub unit: Unit,
@@ -79,11 +90,22 @@ pub enum Allowed {
         /// The vector's own length on paper, mm.
         of: Option<f64>,
     },
-    /// A careful hand may be off by more, and no more is allowed.
+    /// A careful hand may be off by more than should be asked for.
     Capped {
         /// What a careful hand may be off, in the unit of the answer.
         honest: f64,
+        /// The same of the direction of a vector, degrees.
+        turn: Option<f64>,
     },
+}
+
+/// Which part of an answer is off by more than it may.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Amiss {
+    /// The number, or the magnitude.
+    pub size: bool,
+    /// The direction.
+    pub direction: bool,
 }
 
 /// Where the first fault shows.
@@ -158,6 +180,8 @@ pub(super) fn report(case: &Case<'_>, answers: &Answers, judgement: &Judgement) 
         quantities,
         missing,
         marks,
+        symbols: case.symbols(),
+        turned: case.turns.told(),
     }
 }
 
@@ -302,23 +326,45 @@ fn graded(
         Given::Vector(vector) => (vector.to_vec(), false),
     };
     let right = if magnitude_only && !truth.is_empty() { vec![size(&truth)] } else { truth };
-    let Allowance { by, honest, basis } = case.allowances[index];
+    let Allowance { room, honest, basis, loose, .. } = case.allowances[index];
     let linear = observation.quantity.is_none_or(|q| super::answers::is_vector(&q));
     let on_paper = |amount: f64| amount / case.si_of_answer(observation);
+    let degrees = |turn: f64| turn.is_finite().then(|| turn.to_degrees());
+    let turn = degrees(room.turn).filter(|_| !magnitude_only);
     let allowed = match basis {
         Basis::Stated => Allowed::Stated,
         Basis::Calculated => Allowed::Calculated,
-        Basis::Read if by < honest => Allowed::Capped { honest: honest / si },
+        Basis::Read if loose => Allowed::Capped {
+            honest: honest.by / si,
+            turn: degrees(honest.turn).filter(|_| honest.turn > room.turn && turn.is_some()),
+        },
         Basis::Read => Allowed::Read {
-            mm: linear.then(|| on_paper(by)),
+            mm: linear.then(|| on_paper(room.by)),
             of: (linear && !right.is_empty()).then(|| on_paper(size(&right))),
         },
     };
+    let [off, turned] = case.misses(index, case.truth[index].as_deref());
+    let amiss = Amiss { size: off > room.by, direction: turn.is_some() && turned > room.turn };
+    let whole = if verdict == Verdict::Wrong { 0.0 } else { 1.0 };
     let share = match (observation.quantity, &case.truth[index]) {
-        (Some(quantity), Some(truth)) if magnitude_only && case.by_parts => {
-            crate::exam::share_without_direction(case.scene, quantity, truth)
+        _ if !case.by_parts => whole,
+        (Some(quantity), Some(truth)) if magnitude_only => {
+            let of_size = crate::exam::share_without_direction(case.scene, quantity, truth);
+            if amiss.size { 0.0 } else { of_size }
         }
-        _ => 1.0,
+        // What is right of a wrong answer has its part, as the key gives it.
+        (Some(quantity), Some(truth)) if turn.is_some() => {
+            let of_size = crate::exam::share_without_direction(case.scene, quantity, truth);
+            (if amiss.size { 0.0 } else { of_size }) + if amiss.direction { 0.0 } else { 1.0 - of_size }
+        }
+        (Some(quantity), _) if case.opposite(index) => crate::exam::share_of_opposite(quantity),
+        _ => whole,
+    };
+    // Whatever follows rightly is right.
+    let share = match verdict {
+        Verdict::Consistent if magnitude_only && case.by_parts => consistent_share(case, index),
+        Verdict::Consistent => 1.0,
+        _ => share,
     };
     let in_unit = |numbers: Vec<f64>| numbers.into_iter().map(|n| n / si).collect();
     Graded {
@@ -329,17 +375,27 @@ fn graded(
         rounding: observation.rounding / si,
         magnitude_only,
         right: in_unit(right),
-        tolerance: by / si,
+        tolerance: room.by / si,
+        turn,
+        amiss,
         allowed,
         weight: worth.unwrap_or(0.0),
         asked: worth.is_some(),
         share,
         charged: false,
-        off: case.miss(index, &case.truth[index]) / si,
+        off: off / si,
         unit: observation.unit.clone(),
         step: observation.rank.1.checked_add(1),
         verdict,
         mistakes,
+    }
+}
+
+/// Which part of its marks an answer has that follows rightly and does not say where it points.
+fn consistent_share(case: &Case<'_>, index: usize) -> f64 {
+    match (case.observations[index].quantity, &case.truth[index]) {
+        (Some(quantity), Some(truth)) => crate::exam::share_without_direction(case.scene, quantity, truth),
+        _ => 1.0,
     }
 }
 
@@ -374,13 +430,14 @@ fn marks(quantities: &[Graded], case: &Case<'_>, missing: &[(String, f64)]) -> V
 }
 
 impl Graded {
-    /// Its marks: all of them where it is right or follows rightly, but for what it does not say.
+    /// Its marks: all of them where it is right or follows rightly, but for what it does not say; where they are given by
+    /// parts, those of the part that is right.
     #[must_use]
     pub fn reached(&self) -> f64 {
-        if matches!(self.verdict, Verdict::Right | Verdict::Consistent) && !self.charged {
-            self.weight * self.share
-        } else {
-            0.0
+        match self.verdict {
+            _ if self.charged => 0.0,
+            Verdict::Right | Verdict::Consistent | Verdict::Wrong => self.weight * self.share,
+            Verdict::NotChecked => 0.0,
         }
     }
 }
@@ -408,11 +465,12 @@ impl Report {
     /// The report as one JSON object.
     #[must_use]
     pub fn to_json(&self) -> Value {
-        let quantities: Vec<Value> = self.quantities.iter().map(quantity_json).collect();
+        let quantities: Vec<Value> =
+            self.quantities.iter().map(|graded| quantity_json(graded, &self.symbols)).collect();
         let first = self.first_fault().map(|fault| {
             json!({
                 "step": fault.step, "name": fault.name,
-                "mistakes": fault.mistakes.iter().map(mistake_json).collect::<Vec<_>>(),
+                "mistakes": fault.mistakes.iter().map(|mistake| mistake_json(mistake, &self.symbols)).collect::<Vec<_>>(),
             })
         });
         let (reached, of) = self.sum();
@@ -428,6 +486,9 @@ impl Report {
             "first_fault": first,
             "marks": { "reached": reached, "of": of, "steps": steps },
         });
+        if let Some(turned) = self.turned {
+            report["turned_deg"] = json!(turned);
+        }
         if let Some(student) = &self.student {
             report["student"] = json!(student);
         }
@@ -435,7 +496,7 @@ impl Report {
     }
 }
 
-fn quantity_json(graded: &Graded) -> Value {
+fn quantity_json(graded: &Graded, symbols: &Symbols) -> Value {
     let one = |numbers: &[f64]| match numbers {
         [x] => json!(x),
         [] => Value::Null,
@@ -452,21 +513,28 @@ fn quantity_json(graded: &Graded) -> Value {
         "asked": graded.asked,
         "verdict": graded.verdict.name(),
     });
+    if let Some(turn) = graded.turn {
+        value["tolerance_direction_deg"] = json!(turn);
+    }
     if graded.verdict == Verdict::Wrong {
-        value["mistakes"] = graded.mistakes.iter().map(mistake_json).collect();
+        if graded.turn.is_some() {
+            let parts = [("magnitude", graded.amiss.size), ("direction", graded.amiss.direction)];
+            value["wrong_in"] = parts.into_iter().filter(|(_, off)| *off).map(|(part, _)| part).collect();
+        }
+        value["mistakes"] = graded.mistakes.iter().map(|mistake| mistake_json(mistake, symbols)).collect();
     }
     value
 }
 
-fn mistake_json(mistake: &Mistake) -> Value {
+fn mistake_json(mistake: &Mistake, symbols: &Symbols) -> Value {
     let mut value = json!({
         "kind": mistake.kind.name(), "at": mistake.at, "step": mistake.step,
-        "residual": mistake.residual, "explains": mistake.explains, "text": mistake.text(),
+        "residual": mistake.residual, "explains": mistake.explains, "text": symbols.plain(&mistake.text()),
         "look": mistake.look(),
     });
     if let Some(also) = &mistake.also {
         value["also"] = json!({
-            "kind": also.kind.name(), "at": also.at, "step": also.step, "text": also.own_text(),
+            "kind": also.kind.name(), "at": also.at, "step": also.step, "text": symbols.plain(&also.own_text()),
             "look": also.look(),
         });
     }

@@ -6,7 +6,7 @@
 //! same student of which one at least is wrong.
 
 use super::answers::Given;
-use super::case::{Case, Target, polygon, size};
+use super::case::{Case, Room, Target, polygon, size};
 use super::change::Change;
 use super::judge::Verdict;
 use super::steps;
@@ -46,15 +46,15 @@ pub(super) fn follows(
     (drawn, base): (&Change, &Sketch),
     verdicts: &[Option<Verdict>],
     index: usize,
-    allowed: f64,
+    allowed: Room,
 ) -> bool {
     let seen = &case.seen(base, drawn);
     let desk = Desk { case, base, seen, verdicts, index };
     let fits = |numbers: &[f64]| {
         let right = case.truth[index].as_deref().map_or(0.0, size);
         let larger = if right > 0.0 { (size(numbers) / right).max(1.0) } else { 1.0 };
-        let most = case.most(index, numbers);
-        case.miss(index, &Some(numbers.to_vec())) <= (allowed * larger).min(most)
+        let room = Room { by: allowed.by * larger, ..allowed }.and(case.most(index, numbers));
+        case.miss(index, Some(numbers), room) <= 1.0
     };
     desk.calculates(&fits) || steps::lead_to(case, drawn, verdicts, index, &fits)
 }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::answers::Form;
 use super::judge::{CLOSE, Mistake, Verdict};
 use super::report::{Allowed, Graded, Report};
+use super::symbols::Symbols;
 
 impl Verdict {
     /// What a student is told.
@@ -25,21 +26,40 @@ impl Graded {
     pub fn handed_in(&self) -> String {
         let written = if self.rounding > 0.0 { 2.0 * self.rounding } else { 0.0 };
         let finest = if written > 0.0 { written } else { self.tolerance / 10.0 };
-        self.told(&self.given, finest)
+        self.told(&self.given, finest, Within::Left)
     }
 
-    /// What is right, in the same form, to the digits that a tolerance leaves.
+    /// What is right, in the same form, to three figures at least.
     #[must_use]
     pub fn expected(&self) -> String {
-        self.told(&self.right, self.tolerance)
+        self.told(&self.right, self.finest(), Within::Left)
     }
 
-    /// The tolerance, one digit or two.
+    /// The same with the tolerances: of a vector one of the magnitude and one of the direction.
     #[must_use]
-    pub fn within(&self) -> String {
-        let (tolerance, unit) = self.on_paper(&[self.tolerance]);
-        let tolerance = tolerance.first().copied().unwrap_or(0.0);
-        format!("{} {unit}", digits(tolerance, tolerance / 2.0)).trim_end().to_owned()
+    pub fn expected_within(&self) -> String {
+        self.told(&self.right, self.finest(), Within::Told)
+    }
+
+    /// To which part of its value the right number is told.
+    fn finest(&self) -> f64 {
+        let size = self.right.iter().fold(0.0, |sum, x| libm::hypot(sum, *x));
+        if size <= 0.0 {
+            return self.tolerance;
+        }
+        self.tolerance.min(libm::pow(10.0, libm::floor(libm::log10(size)) - 2.0))
+    }
+
+    /// Which part of it is wrong, where it has parts.
+    #[must_use]
+    pub fn wrong_in(&self) -> Option<&'static str> {
+        self.turn?;
+        match (self.amiss.size, self.amiss.direction) {
+            (true, true) => Some("magnitude and direction"),
+            (true, false) => Some("the magnitude"),
+            (false, true) => Some("the direction"),
+            (false, false) => None,
+        }
     }
 
     /// Why it may be off by that.
@@ -53,9 +73,10 @@ impl Graded {
                 format!("read: {} mm of {} mm on paper at that place", digits(mm, mm / 5.0), digits(of, 1.0))
             }
             Allowed::Read { .. } => "calculated from what is read off the drawing".to_owned(),
-            Allowed::Capped { honest } => {
+            Allowed::Capped { honest, turn } => {
                 let honest = digits(honest, honest / 2.0);
-                format!("a careful hand may be off by {honest} {unit} here, and no more than this is allowed")
+                let turn = turn.map_or(String::new(), |turn| format!(" and {}°", digits(turn, turn / 2.0)));
+                format!("hard to measure: a careful hand may be off by {honest} {unit}{turn} here")
             }
         }
     }
@@ -70,35 +91,78 @@ impl Graded {
         }
     }
 
-    /// Numbers to about a part of `finest`.
-    fn told(&self, numbers: &[f64], finest: f64) -> String {
+    /// Numbers to about a part of `finest`, with their tolerances or without.
+    fn told(&self, numbers: &[f64], finest: f64, within: Within) -> String {
         let (numbers, unit) = self.on_paper(numbers);
-        let (step, _) = self.on_paper(&[finest]);
-        let step = step.first().copied().unwrap_or(0.0);
+        let (steps, _) = self.on_paper(&[finest, self.tolerance]);
+        let [step, tolerance] = [0, 1].map(|place| steps.get(place).copied().unwrap_or(0.0));
+        let room = |size: f64| match within {
+            Within::Left => String::new(),
+            Within::Told => format!(" ± {}", digits(size, size / 10.0)),
+        };
+        let size = room(tolerance);
+        let turn = self.turn.filter(|turn| *turn < HALF_TURN).map_or(String::new(), |turn| match within {
+            Within::Left => String::new(),
+            Within::Told => format!(" ± {}°", digits(turn, turn / 10.0)),
+        });
         let text = match numbers[..] {
             [] => return "not determined here".to_owned(),
             [value] => {
                 let turns = unit.starts_with("rad/");
                 match (turns && !self.magnitude_only, value < 0.0) {
-                    (false, _) => format!("{} {unit}", digits(value, step)),
-                    (true, true) => format!("{} {unit} cw", digits(-value, step)),
-                    (true, false) => format!("{} {unit} ccw", digits(value, step)),
+                    (false, _) => format!("{}{size} {unit}", digits(value, step)),
+                    (true, true) => format!("{}{size} {unit} cw", digits(-value, step)),
+                    (true, false) => format!("{}{size} {unit} ccw", digits(value, step)),
                 }
             }
             [x, y, ..] if self.form == Form::Polar => {
-                let length = libm::hypot(x, y);
-                let direction = libm::atan2(y, x).to_degrees();
-                let finest = if length > 0.0 { (step / length).to_degrees() } else { 1.0 };
-                let length = digits(length, step);
-                format!("{length} {unit} at {}°", digits(direction, finest.clamp(0.1, 1.0)))
+                let length = digits(libm::hypot(x, y), step);
+                let direction = trimmed(&digits(libm::atan2(y, x).to_degrees(), 0.1));
+                format!("{length}{size} {unit} at {direction}°{turn}")
             }
-            [x, y, ..] => format!("({}, {}) {unit}", digits(x, step), digits(y, step)),
+            [x, y, ..] => {
+                let parts = match (within, self.turn) {
+                    (Within::Left, _) => String::new(),
+                    (Within::Told, None) => size,
+                    (Within::Told, Some(_)) if turn.is_empty() => format!(", magnitude{size} {unit}"),
+                    (Within::Told, Some(_)) => format!(", magnitude{size} {unit}, direction{turn}"),
+                };
+                match (within, self.turn) {
+                    (Within::Told, None) => {
+                        format!("({}, {}){parts} {unit}", digits(x, step), digits(y, step))
+                    }
+                    _ => format!("({}, {}) {unit}{parts}", digits(x, step), digits(y, step)),
+                }
+            }
         };
         text.trim_end().to_owned()
     }
 }
 
+/// Whether tolerances are told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Within {
+    Told,
+    Left,
+}
+
+/// A direction that may be off by this much may be any.
+const HALF_TURN: f64 = 180.0;
+
+/// Without a fraction that is nothing.
+fn trimmed(number: &str) -> String {
+    number.strip_suffix(".0").unwrap_or(number).to_owned()
+}
+
 impl Report {
+    /// What is told before all answers.
+    pub(super) fn note(&self) -> Option<String> {
+        let turned = self.turned?;
+        let sense = if turned < 0.0 { "clockwise" } else { "counter-clockwise" };
+        let by = digits(turned.abs(), 0.1);
+        Some(format!("Your drawing lies turned by {by}° {sense}; it was turned back before it was compared."))
+    }
+
     /// The report as text.
     #[must_use]
     pub fn to_text(&self) -> String {
@@ -106,7 +170,11 @@ impl Report {
         if let Some(student) = &self.student {
             let _ = writeln!(text, "{student}");
         }
-        let rows: Vec<[String; 3]> = self.quantities.iter().map(row).collect();
+        if let Some(note) = self.note() {
+            let _ = writeln!(text, "{note}");
+        }
+        let rows: Vec<[String; 3]> =
+            self.quantities.iter().map(|graded| row(graded, &self.symbols)).collect();
         let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max().unwrap_or(0);
         let widths = [width(0), width(1)];
         for (graded, [name, given, verdict]) in self.quantities.iter().zip(&rows) {
@@ -116,16 +184,16 @@ impl Report {
                 continue;
             }
             for line in sentences(graded) {
-                let _ = writeln!(text, "    {line}");
+                let _ = writeln!(text, "    {}", self.symbols.plain(&line));
             }
         }
         if !self.missing.is_empty() {
             let names: Vec<&str> = self.missing.iter().map(|(name, _)| name.as_str()).collect();
-            let _ = writeln!(text, "not answered: {}", names.join(", "));
+            let _ = writeln!(text, "not answered: {}", self.symbols.plain(&names.join(", ")));
         }
         if let Some(fault) = self.first_fault() {
             let place = fault.step.map_or(String::new(), |step| format!(" in step {step}"));
-            let _ = writeln!(text, "first fault{place}, {}", fault.text());
+            let _ = writeln!(text, "first fault{place}, {}", self.symbols.plain(&fault.text()));
         }
         let (reached, of) = self.sum();
         let _ = writeln!(text, "marks: {} of {}", marks(reached), marks(of));
@@ -153,10 +221,13 @@ pub(super) fn sentences(graded: &Graded) -> Vec<String> {
     vec![format!("{likely} {sum}{}. {}", parts.join("; and "), looks.join(" "))]
 }
 
-fn row(graded: &Graded) -> [String; 3] {
+fn row(graded: &Graded, symbols: &Symbols) -> [String; 3] {
     let verdict = match graded.verdict {
-        Verdict::Right => format!("right ({} ± {})", graded.expected(), graded.within()),
-        Verdict::Wrong => format!("wrong: {} ± {} is right", graded.expected(), graded.within()),
+        Verdict::Right => format!("right ({})", graded.expected_within()),
+        Verdict::Wrong => {
+            let part = graded.wrong_in().map_or(String::new(), |part| format!(" in {part}"));
+            format!("wrong{part}: {} is right", graded.expected_within())
+        }
         Verdict::Consistent => {
             format!("{} ({} is right)", Verdict::Consistent.told(), graded.expected())
         }
@@ -165,10 +236,13 @@ fn row(graded: &Graded) -> [String; 3] {
     let unasked = match (graded.asked, graded.share < 1.0) {
         _ if graded.charged => ", which costs its mark here",
         (false, _) => ", no marks",
+        (true, true) if graded.verdict == Verdict::Wrong && graded.reached() > 0.0 => {
+            ", with marks for the part that is right"
+        }
         (true, true) if graded.reached() > 0.0 => ", but its sense or direction is not told",
         _ => "",
     };
-    [graded.name.clone(), graded.handed_in(), verdict + unasked]
+    [symbols.plain(&graded.name), graded.handed_in(), verdict + unasked]
 }
 
 /// Marks as people write them.

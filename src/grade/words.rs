@@ -70,6 +70,8 @@ impl Mistake {
             Kind::RateFromWrongVector => format!("{at} calculated from another velocity than its own"),
             Kind::ProportionFromOtherEnd => format!("{at}: divided off from the other end of its link"),
             Kind::DegAsRad => format!("{at}: degrees in the place of radians"),
+            Kind::FigureTurned => format!("{at} is turned against the skeleton"),
+            Kind::ScaleTwice => format!("{at}: multiplied by the scale factor twice"),
             Kind::DirectionMeasured => {
                 format!("{at}: the direction measured otherwise than counter-clockwise from the x axis")
             }
@@ -169,6 +171,10 @@ impl Mistake {
                 "The image divides the image of its link as the point divides the link, from the same end."
             }
             Kind::DegAsRad => "180° are π radians; V = ω·l wants ω in rad/s.",
+            Kind::FigureTurned => {
+                "Draw the lines of a polygon by those of the skeleton, with two set squares."
+            }
+            Kind::ScaleTwice => "Multiply the millimetres that you read by the scale of that diagram, once.",
             Kind::DirectionMeasured => "Directions count counter-clockwise from the x axis.",
         }
     }

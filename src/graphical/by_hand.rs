@@ -24,6 +24,77 @@ pub struct HandError {
     pub spread: Option<Spread>,
     /// How many draughtsmen got no answer, because their lines or arcs did not meet.
     pub failed: usize,
+    /// How far they are off in size and direction apart; `None` where nobody got an answer.
+    pub slips: Option<Slips>,
+}
+
+/// How far draughtsmen are off, size and direction apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slips {
+    /// Nineteen of twenty stay within.
+    pub most: Slip,
+    /// The worst of them, in every part.
+    pub worst: Slip,
+}
+
+impl Slips {
+    /// Of many draughtsmen.
+    fn of(slips: &[Slip]) -> Option<Self> {
+        let part = |of: fn(&Slip) -> f64| {
+            let mut sorted: Vec<f64> = slips.iter().map(of).collect();
+            sorted.sort_by(f64::total_cmp);
+            spread(&sorted)
+        };
+        let [whole, size, turn] = [part(|s| s.whole)?, part(|s| s.size)?, part(|s| s.turn)?];
+        Some(Self {
+            most: Slip { whole: whole.most, size: size.most, turn: turn.most },
+            worst: Slip { whole: whole.largest, size: size.largest, turn: turn.largest },
+        })
+    }
+}
+
+/// How far what was drawn is from what should be.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Slip {
+    /// The number; of a vector the length of its error.
+    pub whole: f64,
+    /// The size of the number or the vector.
+    pub size: f64,
+    /// The direction of the vector, radians.
+    pub turn: f64,
+}
+
+impl Slip {
+    /// Between two sets of numbers of one quantity; an angle is the same a turn later.
+    #[must_use]
+    pub fn between(drawn: &[f64], perfect: &[f64], angle: bool) -> Self {
+        let apart = |(a, b): (&f64, &f64)| {
+            let apart = (a - b).abs();
+            if angle { apart.min((2.0 * PI - apart).abs()) } else { apart }
+        };
+        let whole = drawn.iter().zip(perfect).map(apart).fold(0.0, libm::hypot);
+        match (drawn, perfect) {
+            ([a, b], [x, y]) => {
+                let turn = libm::atan2(x * b - y * a, x * a + y * b).abs();
+                Self { whole, size: (libm::hypot(*a, *b) - libm::hypot(*x, *y)).abs(), turn }
+            }
+            _ => Self { whole, size: whole, turn: 0.0 },
+        }
+    }
+
+    /// The worse of two, in every part.
+    #[must_use]
+    pub fn worse(self, other: Self) -> Self {
+        Self {
+            whole: self.whole.max(other.whole),
+            size: self.size.max(other.size),
+            turn: self.turn.max(other.turn),
+        }
+    }
+
+    fn is_finite(self) -> bool {
+        self.whole.is_finite() && self.size.is_finite() && self.turn.is_finite()
+    }
 }
 
 /// Errors of many draughtsmen, in ascending order.
@@ -71,7 +142,7 @@ pub fn by_hand(
     let mut perfect = draw(board, mechanism, structure, plan, scales)?;
     draw_for_forces(&mut perfect, plan);
     let readings: Vec<_> = read_all(&mut perfect).into_iter().map(|read| read.numbers).collect();
-    let mut errors: Vec<Vec<f64>> = vec![Vec::new(); readings.len()];
+    let mut errors: Vec<Vec<Slip>> = vec![Vec::new(); readings.len()];
     for seed in 0..draughtsmen.number {
         let board = Board::new(Tape::trembling(hand, seed));
         let Ok(mut drawn) = draw(board, mechanism, structure, plan, scales) else { continue };
@@ -82,7 +153,8 @@ pub fn by_hand(
         }
     }
     let mut results = Vec::with_capacity(readings.len());
-    for (numbers, mut errors) in readings.iter().zip(errors) {
+    for (numbers, slips) in readings.iter().zip(errors) {
+        let mut errors: Vec<f64> = slips.iter().map(|slip| slip.whole).collect();
         errors.sort_by(f64::total_cmp);
         let marks: Vec<u32> = numbers.iter().flatten().map(|(mark, _)| *mark).collect();
         let tape = perfect.board.tape();
@@ -94,6 +166,7 @@ pub fn by_hand(
             flat,
             spread: spread(&errors),
             failed: all - errors.len(),
+            slips: Slips::of(&slips),
         });
     }
     Ok(results)
@@ -116,16 +189,12 @@ pub fn by_one_hand(
     Ok(numbers(&mut drawn, |_, _| Some(None)))
 }
 
-/// Distance of an answer from the perfect one.
-fn apart(drawn: &Marked, perfect: &Marked, turns: bool) -> Option<f64> {
+/// How far an answer is from the perfect one.
+fn apart(drawn: &Marked, perfect: &Marked, turns: bool) -> Option<Slip> {
     let (Ok(drawn), Ok(perfect)) = (drawn, perfect) else { return None };
-    let square = |sum: f64, (a, b): (f64, f64)| {
-        let apart = (a - b).abs();
-        libm::hypot(sum, if turns { apart.min(2.0 * PI - apart) } else { apart })
-    };
-    let pairs = drawn.iter().map(|n| n.1).zip(perfect.iter().map(|n| n.1));
-    let error = pairs.fold(0.0, square);
-    error.is_finite().then_some(error)
+    let values = |numbers: &[(u32, f64)]| numbers.iter().map(|(_, value)| *value).collect::<Vec<f64>>();
+    let slip = Slip::between(&values(drawn), &values(perfect), turns);
+    slip.is_finite().then_some(slip)
 }
 
 /// The errors of a number that draughtsmen read off another drawing; none for whoever got no answer.
@@ -136,7 +205,10 @@ pub fn errors_of(read: &[Option<f64>], perfect: Option<f64>) -> HandError {
     errors.retain(|error| error.is_finite());
     errors.sort_by(f64::total_cmp);
     let spread = spread(&errors);
-    HandError { worst: spread.map(|s| s.largest), flat: false, spread, failed: read.len() - errors.len() }
+    let worst = spread.map(|s| s.largest);
+    let whole = |size: f64| Slip { whole: size, size, turn: 0.0 };
+    let slips = spread.map(|s| Slips { most: whole(s.most), worst: whole(s.largest) });
+    HandError { worst, flat: false, spread, failed: read.len() - errors.len(), slips }
 }
 
 fn spread(sorted: &[f64]) -> Option<Spread> {

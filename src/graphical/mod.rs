@@ -35,7 +35,7 @@ mod trial;
 mod velocity;
 mod verify;
 
-pub use by_hand::{Draughtsmen, HandError, Spread, by_hand, by_one_hand, errors_of};
+pub use by_hand::{Draughtsmen, HandError, Slip, Slips, Spread, by_hand, by_one_hand, errors_of};
 pub use departure::{Departure, Sketch, Twist, free_bodies, sketch};
 pub(crate) use figure::standing;
 pub(crate) use forces::holds;

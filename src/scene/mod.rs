@@ -64,7 +64,7 @@ pub(crate) fn unit_of(quantity: &Quantity, scene: &Scene) -> Unit {
     }
 }
 
-pub use vary::{Range, Varied, variant};
+pub use vary::{Range, Varied, asking_less, variant};
 
 use crate::mechanism::Mechanism;
 use crate::mechanism::quantity::{Quantity, Unit};

@@ -217,6 +217,55 @@ pub fn variant(scene: &Scene, numbers: &[String], near: &[(&str, [String; 2])], 
     format!("{{\n{}\n}}\n", lines.join(",\n"))
 }
 
+/// The scene without some of what it asks, by their names, and without their marks. A text that cannot be read any more
+/// gives an empty one.
+#[must_use]
+pub fn asking_less(scene: &Scene, unasked: &[String]) -> String {
+    let Ok(document) = json::parse(&scene.source.text) else { return String::new() };
+    let Kind::Object(entries) = &document.root.kind else { return String::new() };
+    let writer = Writer { replaced: Vec::new(), name: "" };
+    let kept = |name: &str| !unasked.iter().any(|unasked| unasked == name);
+    let stays = |item: &Value<'_>| match &item.kind {
+        Kind::Text(name) => kept(name),
+        Kind::Object(entries) => entries.iter().all(|entry| match &entry.value.kind {
+            Kind::Text(name) => entry.key != "name" || kept(name),
+            _ => true,
+        }),
+        _ => true,
+    };
+    let find = |items: Vec<String>| format!("  \"find\": [{}]", items.join(", "));
+    let mut lines: Vec<String> = Vec::new();
+    for Entry { key, value, .. } in entries {
+        let line = match (key.as_str(), &value.kind) {
+            ("find", Kind::List(items)) => {
+                find(items.iter().filter(|item| stays(item)).map(|item| writer.value(item)).collect())
+            }
+            ("sheet", Kind::Object(keys)) => {
+                let keys = keys.iter().map(|entry| {
+                    let value = match (entry.key.as_str(), &entry.value.kind) {
+                        ("marks", Kind::Object(marks)) => {
+                            let kept = marks.iter().filter(|mark| kept(&mark.key));
+                            let kept = kept
+                                .map(|mark| format!("{}: {}", quoted(&mark.key), writer.value(&mark.value)));
+                            format!("{{ {} }}", kept.collect::<Vec<_>>().join(", "))
+                        }
+                        _ => writer.value(&entry.value),
+                    };
+                    format!("{}: {value}", quoted(&entry.key))
+                });
+                format!("  \"sheet\": {{ {} }}", keys.collect::<Vec<_>>().join(", "))
+            }
+            _ => format!("  {}: {}", quoted(key), writer.value(value)),
+        };
+        lines.push(line);
+    }
+    if !scene.source.asks() {
+        let names = scene.mechanism.asked.iter().map(|asked| asked.name.as_str());
+        lines.push(find(names.filter(|name| kept(name)).map(quoted).collect()));
+    }
+    format!("{{\n{}\n}}\n", lines.join(",\n"))
+}
+
 fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }

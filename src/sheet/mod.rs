@@ -99,6 +99,37 @@ pub fn force_paper(
     }
 }
 
+/// A name as a sheet prints it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Symbol {
+    /// As plain characters: V_B, ω₃.
+    pub plain: String,
+    /// As hypertext.
+    pub html: String,
+}
+
+impl From<rich::Rich> for Symbol {
+    fn from(text: rich::Rich) -> Self {
+        Self { plain: text.plain(), html: text.html() }
+    }
+}
+
+/// The symbol of a quantity in a scene's notation.
+#[must_use]
+pub fn symbol(scene: &crate::scene::Scene, quantity: crate::mechanism::quantity::Quantity) -> Symbol {
+    notation::Notation::new(scene, Language::English.words()).symbol(quantity, false).into()
+}
+
+/// The letter of a polygon's point: o, b, a₄, b′₁.
+#[must_use]
+pub fn image_symbol(
+    scene: &crate::scene::Scene,
+    label: crate::graphical::construction::Label,
+    kind: crate::mechanism::quantity::DiagramKind,
+) -> Symbol {
+    notation::Notation::new(scene, Language::English.words()).image(label, kind).into()
+}
+
 /// The name of a polygon's point as plain characters: o, b, a4, b'1.
 #[must_use]
 pub fn image_name(

@@ -32,6 +32,25 @@ pub(super) enum Piece {
     Gap(f64),
 }
 
+/// A sign as a superscript, where there is such a character.
+fn raised(sign: char) -> Option<char> {
+    const LETTERS: &str = "abcdefghijklmnoprstuvwxyz";
+    const RAISED: &str = "ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ";
+    const DIGITS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    match sign {
+        '′' | '″' => Some(sign),
+        _ => match sign.to_digit(10) {
+            Some(digit) => DIGITS.chars().nth(digit as usize),
+            None => RAISED.chars().nth(LETTERS.chars().position(|letter| letter == sign)?),
+        },
+    }
+}
+
+/// A digit as a subscript.
+fn lowered(sign: char) -> Option<char> {
+    "₀₁₂₃₄₅₆₇₈₉".chars().nth(sign.to_digit(10)? as usize)
+}
+
 /// A piece in its place in a text.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Item {
@@ -255,6 +274,27 @@ impl Rich {
             Piece::Run(text, face) => run(text, *face),
             Piece::Vector(letter) => run(letter, Face::Italic),
             Piece::Scripts { sup, sub } => runs("sup", sup) + &runs("sub", sub),
+            Piece::Tick | Piece::Gap(_) => String::new(),
+        };
+        self.items.iter().map(piece).collect()
+    }
+
+    /// The text as plain characters: V_B, ω₃, Aⁿ_BA.
+    #[must_use]
+    pub fn plain(&self) -> String {
+        let runs = |runs: &[(String, Face)]| runs.iter().map(|(text, _)| text.as_str()).collect::<String>();
+        let raised = |text: &str| -> String {
+            let signs: Option<String> = text.chars().map(raised).collect();
+            signs.unwrap_or_else(|| if text.is_empty() { String::new() } else { format!("^{text}") })
+        };
+        let lowered = |text: &str| -> String {
+            let signs: Option<String> = text.chars().map(lowered).collect();
+            signs.unwrap_or_else(|| format!("_{text}"))
+        };
+        let piece = |item: &Item| match &item.piece {
+            Piece::Run(text, _) => text.clone(),
+            Piece::Vector(letter) => letter.clone(),
+            Piece::Scripts { sup, sub } => raised(&runs(sup)) + &lowered(&runs(sub)),
             Piece::Tick | Piece::Gap(_) => String::new(),
         };
         self.items.iter().map(piece).collect()
